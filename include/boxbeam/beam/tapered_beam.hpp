@@ -1,0 +1,99 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/numerics/polynomial.hpp"
+#include "boxbeam/section/section.hpp"
+
+namespace boxbeam {
+
+/// A piece of a beam in which every dimension of the section varies linearly.
+struct Segment {
+  std::string name;
+  Length start;   ///< s where it begins
+  Length length;
+  Section from, to;
+
+  Length end() const { return start + length; }
+};
+
+/// The face of a station that is meant: just before it, just behind it, or both where nothing
+/// jumps.
+enum class Side { before, behind, both };
+
+/// "-", "+" or "0".
+const char* to_text(Side side);
+
+/// A place on the beam axis, s from the beam's start.
+struct Station {
+  Length s;
+  Side side = Side::both;
+
+  friend bool operator==(const Station&, const Station&) = default;
+};
+
+/// A hole and where it is on the axis. Its material is missing from the stress section through its
+/// centre only; the mass of the beam is taken without holes.
+struct BeamHole {
+  Length s;
+  Hole hole;
+};
+
+/// A named place on the axis: a bearing, a joint, a place of interest.
+struct BeamPoint {
+  std::string name;
+  Length s;
+};
+
+/// A beam along x of sections in a row, from s = 0 to its length.
+struct TaperedBeam {
+  std::vector<Segment> segments;  ///< in order, without gaps
+  std::vector<BeamHole> holes;
+  std::vector<BeamPoint> points;
+  Density density;
+  /// Whether the sections' own rotary inertia rho I_y counts, beside their mass on the axis.
+  bool rotary_inertia = false;
+
+  Length length() const { return segments.back().end(); }
+};
+
+/// The segment a station lies in; at a joint of two, the one on the station's side (`both`: the
+/// one behind).
+std::size_t segment_at(const TaperedBeam& beam, const Station& station);
+
+/// The section at a station.
+Section section_at(const TaperedBeam& beam, const Station& station);
+
+/// The places where something is: ends of segments, holes and named points, ascending, each once.
+std::vector<Length> places_of(const TaperedBeam& beam);
+
+/// The place within round-off of s (a billionth of the beam), or s itself: stations typed as numbers
+/// or computed must meet the ends of segments exactly, where cut forces jump.
+Length place_near(const std::vector<Length>& places, Length s);
+
+/// The holes whose centre is at s.
+std::vector<Hole> holes_at(const TaperedBeam& beam, Length s);
+
+/// Mass and rotary inertia per length of one segment as polynomials of the distance from its
+/// start: products of linear dimensions, hence exact at these degrees.
+struct SegmentMass {
+  Polynomial<2> mass;    ///< rho A [kg/m]
+  Polynomial<4> rotary;  ///< rho I_y [kg m]; zero where the beam does not count it
+};
+
+std::vector<SegmentMass> mass_distribution_of(const TaperedBeam& beam);
+
+/// Mass, centre and moment of inertia of a piece of beam.
+struct MassProperties {
+  Mass mass;
+  Length centre;       ///< s of the centre of mass
+  MassMoment inertia;  ///< about the centre, axis y
+};
+
+MassProperties mass_properties_of(const TaperedBeam& beam);
+
+/// Of the piece between two places of the axis.
+MassProperties mass_properties_of(const TaperedBeam& beam, Length from, Length to);
+
+}  // namespace boxbeam

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "boxbeam/beam/beam_loads.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
+
+namespace boxbeam::planar {
+
+/// The rigid body that is the verified beam. Its mass, centre and inertia are those of `beam`; its
+/// own x axis is the beam axis, the beam's start lies at (-centre, 0) in body axes.
+struct BeamBody {
+  int body = ground;
+  const TaperedBeam* beam = nullptr;
+  std::vector<SegmentMass> distribution;
+  std::vector<Length> places;  ///< of the beam: a joint within round-off of one stands there
+  double centre = 0.0;         ///< s of the centre of mass [m]
+};
+
+BeamBody beam_body_of(const TaperedBeam& beam, int body);
+
+/// World vector in beam axes: x along the axis, z its left normal, y into the plane.
+Eigen::Vector3d in_beam_axes(const Eigen::Vector2d& world, double angle);
+
+/// Loads on the beam at an instant, rigorously: the reactions of its joints and its own weight and
+/// inertia per length, along and across the axis. A joint off the axis adds its couple.
+BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const BeamBody& beam);
+
+}  // namespace boxbeam::planar

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "boxbeam/core/error.hpp"
+
+namespace boxbeam {
+
+/// Where something stands in a text.
+struct Place {
+  std::string_view file;  ///< kept alive by the document
+  int line = 0;
+  int column = 0;
+};
+
+/// A value of a case file with its place; independent of the TOML library.
+struct Node {
+  enum class Kind { table, array, text, number, boolean, other };
+  struct Member;
+
+  Kind kind = Kind::table;
+  Place place;
+  std::string text;       ///< of a text; of `other` the kind of TOML value ("a date")
+  double number = 0.0;
+  bool whole = false;     ///< whether the number is written as an integer
+  bool boolean = false;
+  std::vector<Member> members;  ///< of a table, in the order of the file
+  std::vector<Node> items;      ///< of an array
+
+  const Node* find(std::string_view key) const;
+};
+
+struct Node::Member {
+  std::string key;
+  Place key_place;
+  Node value;
+};
+
+/// A case file as read: its tree, its text for messages, and the hash that identifies the input.
+struct CaseDocument {
+  std::string path;
+  Node root;
+  std::map<std::string, std::vector<std::string>, std::less<>> lines;  ///< by file
+  std::string sha256;  ///< of the file's bytes, and of a line "--set KEY=VALUE" per override behind it
+
+  Problem problem_at(const Place& place, std::string message, std::string hint = {}) const;
+};
+
+/// Reads a TOML file and applies overrides "key.path=value"; items of arrays go by their number
+/// from 0 ("beam.segments.0.length=2 m"). A value that is not TOML is taken as text.
+/// Throws InputError: file missing, over 8 MB, not UTF-8, keys of more than 32 parts, TOML syntax.
+CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides);
+
+/// The same for text in memory (the built-in catalogue, tests).
+CaseDocument parse_document(const std::string& path, const std::string& text,
+                            const std::vector<std::string>& overrides);
+
+}  // namespace boxbeam

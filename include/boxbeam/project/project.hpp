@@ -1,0 +1,107 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/beam/tapered_beam.hpp"
+#include "boxbeam/fatigue/damage.hpp"
+#include "boxbeam/fatigue/sn_curve.hpp"
+#include "boxbeam/mechanism/planar/mechanism.hpp"
+#include "boxbeam/mechanism/planar/newton_chain.hpp"
+#include "boxbeam/strength/hole_concentration.hpp"
+#include "boxbeam/strength/material.hpp"
+
+namespace boxbeam {
+
+/// Where the loads on the beam come from.
+enum class Dynamics {
+  rigorous,      ///< reactions of the mechanism, distributed weight and inertia
+  newton_chain,  ///< the published chain of the sledge-rig thesis
+};
+
+const char* to_text(Dynamics dynamics);
+
+/// A point of a section that the user wants to see, at a station (both sides of it).
+struct NamedPoint {
+  std::string name;
+  Length s;
+  Length z;
+};
+
+/// Detail category on a stretch of the beam, where it differs from the rest or is assumed.
+struct DetailStretch {
+  std::string name;
+  Length from, to;
+  int category = 0;     ///< [MPa at 2e6 cycles]
+  std::string assumed;  ///< why this category, where nobody classified the detail
+};
+
+struct StrengthDemand {
+  double gamma_M0 = 1.0;
+  double required = 1.0;
+};
+
+struct FatigueInput {
+  int category = 0;  ///< of the whole beam, unless a stretch says otherwise
+  CurveKind curve = CurveKind::en_1993_1_9;
+  /// Fatigue strengths are rounded to a multiple of this where given (published arithmetic).
+  std::optional<Stress> round_strength_to;
+  FatigueDemand demand;
+  double required = 1.0;
+  std::vector<DetailStretch> details;
+};
+
+/// A stress taken from a published calculation instead of being computed.
+struct GivenStress {
+  std::string name;
+  Length s;
+  Stress peak;                    ///< largest, concentration included
+  std::optional<Stress> opposite; ///< largest of the other sign, as a positive number
+  Length thickness;               ///< of the plate, for its yield strength
+  Time time;                      ///< of the peak
+  std::string note;
+};
+
+struct EquivalentMassDemand {
+  int joint = 0;
+  int on = 0;
+  int adjust = 0;
+  Mass wanted;
+};
+
+/// A case: everything a verification needs, validated. Behind it nothing is checked again.
+struct Project {
+  std::string name;
+  std::string title;
+  std::string path;
+  std::string sha256;
+  std::vector<std::string> assumptions;
+  std::vector<std::string> overrides;
+
+  planar::Mechanism mechanism;
+  TaperedBeam beam;
+  std::vector<HoleCase> hole_cases;  ///< one per hole of the beam
+  int beam_body = planar::ground;    ///< ground: the beam is no body, only the chain can load it
+  std::optional<planar::NewtonChain> chain;
+  Dynamics dynamics = Dynamics::rigorous;
+  std::optional<EquivalentMassDemand> equivalent_mass;
+
+  Material material;
+  StrengthDemand strength;
+  FatigueInput fatigue;
+  std::vector<NamedPoint> points;
+  std::vector<GivenStress> given_stresses;
+};
+
+/// Reads a case file. `overrides` are "key.path=value"; `dynamics` replaces the case's choice.
+/// Throws InputError with all problems.
+Project read_project(const std::string& path, const std::vector<std::string>& overrides = {},
+                     std::optional<Dynamics> dynamics = {});
+
+/// The same from text, under a name for messages.
+Project parse_project(const std::string& path, const std::string& text,
+                      const std::vector<std::string>& overrides = {},
+                      std::optional<Dynamics> dynamics = {});
+
+}  // namespace boxbeam

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace boxbeam {
+
+/// Exponents of metre, kilogram, second and radian. The angle counts here, so that "0.7 Hz" is not
+/// taken for "0.7 rad/s".
+struct DimensionExponents {
+  int length = 0, mass = 0, time = 0, angle = 0;
+
+  friend bool operator==(const DimensionExponents&, const DimensionExponents&) = default;
+};
+
+/// What a key of a case file wants, with the words and the example used in messages.
+struct WantedDimension {
+  DimensionExponents exponents;
+  const char* name;     ///< "a length"
+  const char* example;  ///< "0.25 m"
+};
+
+namespace wanted {
+inline constexpr WantedDimension length{{1, 0, 0, 0}, "a length", "\"0.25 m\" or \"250 mm\""};
+inline constexpr WantedDimension mass{{0, 1, 0, 0}, "a mass", "\"119 kg\" or \"20 t\""};
+inline constexpr WantedDimension time{{0, 0, 1, 0}, "a time", "\"1.071 s\""};
+inline constexpr WantedDimension angle{{0, 0, 0, 1}, "an angle", "\"25 deg\" or \"0.44 rad\""};
+inline constexpr WantedDimension frequency{{0, 0, -1, 0}, "a frequency", "\"0.7 Hz\""};
+inline constexpr WantedDimension angular_frequency{{0, 0, -1, 1}, "an angular frequency",
+                                                   "\"4.396 rad/s\""};
+inline constexpr WantedDimension acceleration{{1, 0, -2, 0}, "an acceleration", "\"9.81 m/s^2\""};
+inline constexpr WantedDimension stress{{-1, 1, -2, 0}, "a stress", "\"355 MPa\""};
+inline constexpr WantedDimension density{{-3, 1, 0, 0}, "a density", "\"7850 kg/m^3\""};
+inline constexpr WantedDimension inertia{{2, 1, 0, 0}, "a moment of inertia", "\"7.43 kg m^2\""};
+}  // namespace wanted
+
+/// A number with its unit, in SI base units.
+struct ParsedQuantity {
+  double value = 0.0;
+  DimensionExponents exponents;
+};
+
+/// Reads "12 kN m", "9.81 m/s^2", "355 MPa": a decimal number, a space or none, and units joined by
+/// spaces, "*" or "·", behind "/" divided, with integer exponents "^2". Prefixes n, u, m, c, k, M, G.
+/// Returns what is wrong as text where it cannot be read; the value is always finite.
+std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text);
+
+/// "a length", "a force", or the unit in base units for a dimension without a name here.
+std::string name_of(const DimensionExponents& exponents);
+
+/// The entry of `known` nearest to `word` by edit distance, "" where none is near.
+std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace boxbeam

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "boxbeam/project/case_document.hpp"
+#include "boxbeam/project/quantity_text.hpp"
+
+namespace boxbeam {
+
+/// Collects the problems of a document, so that all are reported at once.
+class ProblemList {
+ public:
+  explicit ProblemList(const CaseDocument& document) : document_(&document) {}
+
+  void add(const Place& place, std::string message, std::string hint = {});
+  bool empty() const { return problems_.empty(); }
+  std::size_t size() const { return problems_.size(); }
+  /// Throws InputError with all problems in the order of the file, where there are any.
+  void raise() const;
+
+ private:
+  const CaseDocument* document_;
+  std::vector<Problem> problems_;
+};
+
+/// Reads one table key by key. A missing or wrong value is noted as a problem and replaced by a
+/// harmless one, so that reading goes on; keys never asked for are unknown keys.
+class TableReader {
+ public:
+  TableReader(ProblemList& problems, const Node& table, std::string name);
+
+  bool has(std::string_view key) const;
+  /// Place of a key's value, or of the table where the key is missing.
+  Place place_of(std::string_view key) const;
+  Place place() const { return table_->place; }
+  const std::string& name() const { return name_; }
+
+  /// Value in SI units. Without `fallback` the key is required.
+  double quantity(std::string_view key, const WantedDimension& wanted,
+                  std::optional<double> fallback = {});
+  /// A quantity that must be above zero, or not below it.
+  double positive(std::string_view key, const WantedDimension& wanted,
+                  std::optional<double> fallback = {});
+  double not_negative(std::string_view key, const WantedDimension& wanted,
+                      std::optional<double> fallback = {});
+  /// Two quantities, ["1 m", "2 m"].
+  Eigen::Vector2d pair(std::string_view key, const WantedDimension& wanted,
+                       std::optional<Eigen::Vector2d> fallback = {});
+  std::vector<double> quantities(std::string_view key, const WantedDimension& wanted);
+
+  /// A bare, finite number above zero.
+  double number(std::string_view key, std::optional<double> fallback = {});
+  int whole_number(std::string_view key, std::optional<int> fallback = {});
+  bool boolean(std::string_view key, bool fallback);
+  std::string text(std::string_view key, std::optional<std::string> fallback = {});
+  std::vector<std::string> texts(std::string_view key, bool required);
+  /// One of a few words; an index into them.
+  std::size_t choice(std::string_view key, const std::vector<std::string>& words,
+                     std::optional<std::size_t> fallback = {});
+
+  /// A table below this one; an empty one where it is missing (a problem if required).
+  TableReader table(std::string_view key, bool required = true);
+  /// The tables of an array of tables, [[key]].
+  std::vector<TableReader> tables(std::string_view key, bool required = false);
+  /// All members as named tables, for tables whose keys are the user's own names.
+  std::vector<std::pair<std::string, TableReader>> named_tables();
+  /// The members as they stand, for keys of the user's own names whose values are no tables.
+  const std::vector<Node::Member>& members() const { return table_->members; }
+  /// Takes every key as known.
+  void accept_all();
+
+  /// Two quantities in a node of the user's own naming.
+  Eigen::Vector2d pair_in(const Node& node, const std::string& what, const WantedDimension& wanted);
+
+  void problem(std::string_view key, std::string message, std::string hint = {});
+  ProblemList& problems() { return *problems_; }
+
+  /// Notes every key that was never asked for, with the nearest one that is known here.
+  void finish();
+
+ private:
+  const Node* take(std::string_view key, bool required, std::string_view example);
+  double quantity_in(const Node& node, const std::string& what, const WantedDimension& wanted);
+
+  ProblemList* problems_;
+  const Node* table_;
+  bool absent_ = false;  ///< the table is missing, which has been said: its keys are not missed too
+  std::string name_;  ///< "bodies.beam"; "" for the whole file
+  std::vector<std::string> asked_;
+};
+
+}  // namespace boxbeam

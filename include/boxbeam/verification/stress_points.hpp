@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/section/point_stress.hpp"
+#include "boxbeam/verification/load_history.hpp"
+
+namespace boxbeam {
+
+/// The concentration that a hole edge's stress contains.
+struct EdgeConcentration {
+  std::string hole;
+  HoleCase hole_case = HoleCase::in_plane_bending;
+  double diameter_to_width = 0.0;
+  double factor = 1.0;  ///< on the membrane part (gross), or the published factor
+};
+
+/// A point of the beam whose stress is verified: all that its stress takes beside the cut forces.
+struct StressPoint {
+  Station station;
+  std::string name;  ///< "fibre +z"
+  Length z;
+  Section section;
+  SectionProperties net;
+  StressLevel level;
+  Stress yield_strength;
+  std::optional<EdgeConcentration> concentration;
+  bool fatigue = true;  ///< whether direct-stress fatigue has a meaning here
+  int category = 0;
+  std::string category_assumed;  ///< why, where the category is an assumption
+};
+
+/// Extreme fibres, ends of the webs, neutral axis, hole edges and the user's own points in the
+/// section at a station.
+std::vector<StressPoint> stress_points_at(const Project& project, const Station& station);
+
+/// The stations to verify: both sides of every jump of load or section, other places once, and the
+/// places inside segments where a stress, stress range or cut force has a maximum along the beam.
+std::vector<Station> stations_to_verify(const Project& project, const LoadHistory& loads);
+
+}  // namespace boxbeam

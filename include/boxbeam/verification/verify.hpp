@@ -1,0 +1,107 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
+#include "boxbeam/mechanism/planar/equivalent_mass.hpp"
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/load_history.hpp"
+
+namespace boxbeam {
+
+enum class Verdict { pass, fail };
+
+const char* to_text(Verdict verdict);
+
+/// Smallest and largest value over the period, with their instants.
+struct Envelope {
+  TurningPoint smallest, largest;
+};
+
+/// Extremes of the cut forces at a station. SI: N, N, N m.
+struct StationEnvelope {
+  Station station;
+  Envelope N, V, M;
+};
+
+/// Where and when a quantity has its extreme over the whole beam and period.
+struct CriticalInstant {
+  std::string quantity;  ///< "N", "V", "M", "stress"
+  Station station;
+  Time time;
+  double value = 0.0;  ///< SI: N, N m, Pa
+};
+
+/// Cut forces along the beam at one instant, two points at every jump.
+struct CutForceLine {
+  Time time;
+  std::string why;  ///< "largest M", ...
+  std::vector<Station> stations;
+  std::vector<CutForces> values;
+};
+
+/// A joint's load on the beam at a critical instant.
+struct BeamLoadRow {
+  Time time;
+  std::string name;
+  Length s;
+  Eigen::Vector2d world = Eigen::Vector2d::Zero();  ///< force, world axes [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< beam axes [N]
+  double couple = 0.0;                              ///< about y [N m]
+};
+
+/// The positions of all bodies' points at an instant, for the drawing.
+struct PostureFigure {
+  Time time;
+  std::string why;
+  struct Line {
+    std::string body;
+    std::vector<Eigen::Vector2d> points;  ///< [m]
+    std::vector<std::string> names;
+  };
+  std::vector<Line> bodies;
+  std::vector<BeamLoadRow> loads;
+};
+
+/// The same loads by the Newton chain, beside the rigorous ones.
+struct ChainComparison {
+  Time time;
+  Eigen::Vector2d chain_first, chain_second;        ///< at the chain's two stations, world [N]
+  Eigen::Vector2d rigorous_first, rigorous_second;  ///< zero where not computed
+  double chain_mass = 0.0;                          ///< that the chain yields for its last body [kg]
+  double moment_gap = 0.0;                          ///< couple left over at the pivot [N m]
+};
+
+/// The result of a verification.
+struct Verification {
+  Verdict verdict = Verdict::fail;
+  std::vector<CheckResult> checks;  ///< worst utilisation first
+  std::vector<CriticalInstant> critical_instants;
+  std::vector<StationEnvelope> stations;
+  std::vector<CutForceLine> lines;   ///< at the critical instants
+  std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
+  std::vector<BeamLoadRow> loads;
+  std::vector<PostureFigure> postures;
+  MassProperties beam_mass;
+  planar::DegreesOfFreedom freedom;
+  std::vector<int> branch;  ///< sign per loop
+  std::optional<planar::EquivalentMass> equivalent_mass;
+  std::optional<ChainComparison> chain;
+  std::size_t instants = 0;
+  Time period;
+  double largest_residual = 0.0;  ///< of the constraints, over all instants [m, rad]
+  double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
+
+  /// The check with the highest utilisation of a criterion, or nullptr.
+  const CheckResult* governing(Criterion criterion) const;
+};
+
+/// Verifies a case: mechanism -> motion -> loads on the beam -> cut forces -> stress -> fatigue ->
+/// checks. Throws AnalysisError where a step cannot be done.
+Verification verify(const Project& project);
+
+}  // namespace boxbeam

@@ -1,0 +1,99 @@
+#include "boxbeam/beam/cut_force_diagram.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace boxbeam {
+namespace {
+
+/// Running values of the integration, SI.
+struct Running {
+  double N = 0, V_y = 0, V_z = 0, T = 0, M_y = 0, M_z = 0;
+
+  void jump(const PointLoad& load) {
+    N -= load.force.x();
+    V_y -= load.force.y();
+    V_z -= load.force.z();
+    T -= load.moment.x();
+    M_y -= load.moment.y();
+    M_z -= load.moment.z();
+  }
+};
+
+/// p(x + shift), so that a piece that begins inside a segment has its own origin.
+template <int Degree>
+Polynomial<Degree> shifted(const Polynomial<Degree>& p, double shift) {
+  if (shift == 0.0) return p;
+  Polynomial<Degree> result;
+  for (std::size_t i = p.size; i-- > 0;) {
+    for (std::size_t k = p.size - 1; k > 0; --k) {
+      result.c[k] = result.c[k - 1] + shift * result.c[k];
+    }
+    result.c[0] = p.c[i] + shift * result.c[0];
+  }
+  return result;
+}
+
+CutForcePiece integrate(const LineLoad& line, double shift, Length start, Length length,
+                        const Running& from) {
+  const auto force = [&](std::size_t axis) { return -1.0 * shifted(line.force[axis], shift); };
+  const auto couple = [&](std::size_t axis) { return -1.0 * shifted(line.couple[axis], shift); };
+  CutForcePiece piece;
+  piece.start = start;
+  piece.length = length;
+  piece.N = integral_of(force(0), from.N);
+  piece.V_y = integral_of(force(1), from.V_y);
+  piece.V_z = integral_of(force(2), from.V_z);
+  piece.T = integral_of(couple(0), from.T);
+  piece.M_y = integral_of(piece.V_z + couple(1), from.M_y);
+  piece.M_z = integral_of(-1.0 * piece.V_y + couple(2), from.M_z);
+  return piece;
+}
+
+}  // namespace
+
+CutForceDiagram cut_forces_of(const TaperedBeam& beam, const BeamLoads& loads) {
+  assert(loads.segments.size() == beam.segments.size());
+  std::vector<const PointLoad*> points;
+  for (const PointLoad& load : loads.points) points.push_back(&load);
+  std::stable_sort(points.begin(), points.end(),
+                   [](const PointLoad* a, const PointLoad* b) { return a->s < b->s; });
+
+  CutForceDiagram diagram;
+  Running running;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < beam.segments.size(); ++i) {
+    const Segment& segment = beam.segments[i];
+    Length from = segment.start;
+    while (true) {
+      for (; next < points.size() && points[next]->s <= from; ++next) running.jump(*points[next]);
+      const bool inside = next < points.size() && points[next]->s < segment.end();
+      const Length to = inside ? points[next]->s : segment.end();
+      const CutForcePiece& piece = diagram.pieces.emplace_back(integrate(
+          loads.segments[i], (from - segment.start).value(), from, to - from, running));
+      const double x = (to - from).value();
+      running = {piece.N(x), piece.V_y(x), piece.V_z(x), piece.T(x), piece.M_y(x), piece.M_z(x)};
+      if (!inside) break;
+      from = to;
+    }
+  }
+  return diagram;
+}
+
+CutForces CutForceDiagram::at(const Station& station) const {
+  const bool before = station.side == Side::before;
+  if (pieces.empty() || station.s < pieces.front().start || station.s > pieces.back().end()) return {};
+  if (before && station.s == pieces.front().start) return {};
+  if (station.side == Side::behind && station.s == pieces.back().end()) return {};
+  std::size_t i = 0;
+  while (i + 1 < pieces.size() &&
+         (station.s > pieces[i].end() || (station.s == pieces[i].end() && !before))) {
+    ++i;
+  }
+  const CutForcePiece& piece = pieces[i];
+  const double x = (station.s - piece.start).value();
+  return {si<Force>(piece.N(x)),    si<Force>(piece.V_y(x)),  si<Force>(piece.V_z(x)),
+          si<Moment>(piece.T(x)),   si<Moment>(piece.M_y(x)), si<Moment>(piece.M_z(x))};
+}
+
+}  // namespace boxbeam

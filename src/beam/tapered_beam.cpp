@@ -1,0 +1,108 @@
+#include "boxbeam/beam/tapered_beam.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "boxbeam/section/section_properties.hpp"
+
+namespace boxbeam {
+
+const char* to_text(Side side) {
+  switch (side) {
+    case Side::before: return "-";
+    case Side::behind: return "+";
+    case Side::both: return "0";
+  }
+  return "0";
+}
+
+std::size_t segment_at(const TaperedBeam& beam, const Station& station) {
+  assert(!beam.segments.empty());
+  const std::size_t last = beam.segments.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) {
+    const Length end = beam.segments[i].end();
+    if (station.s < end || (station.s == end && station.side == Side::before)) return i;
+  }
+  return last;
+}
+
+Section section_at(const TaperedBeam& beam, const Station& station) {
+  const Segment& segment = beam.segments[segment_at(beam, station)];
+  return interpolate(segment.from, segment.to, (station.s - segment.start) / segment.length);
+}
+
+std::vector<Length> places_of(const TaperedBeam& beam) {
+  std::vector<Length> places{Length{}};
+  for (const Segment& segment : beam.segments) places.push_back(segment.end());
+  for (const BeamHole& hole : beam.holes) places.push_back(hole.s);
+  for (const BeamPoint& point : beam.points) places.push_back(point.s);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+Length place_near(const std::vector<Length>& places, Length s) {
+  const Length tolerance = 1e-9 * places.back();
+  for (const Length& place : places) {
+    if (abs(place - s) < tolerance) return place;
+  }
+  return s;
+}
+
+std::vector<Hole> holes_at(const TaperedBeam& beam, Length s) {
+  std::vector<Hole> holes;
+  for (const BeamHole& hole : beam.holes) {
+    if (hole.s == s) holes.push_back(hole.hole);
+  }
+  return holes;
+}
+
+std::vector<SegmentMass> mass_distribution_of(const TaperedBeam& beam) {
+  std::vector<SegmentMass> distribution;
+  const double density = beam.density.value();
+  for (const Segment& segment : beam.segments) {
+    const double length = segment.length.value();
+    const auto at = [&](double x) {
+      return properties_of(interpolate(segment.from, segment.to, x / length));
+    };
+    SegmentMass piece;
+    piece.mass = interpolate<2>([&](double x) { return density * at(x).area.value(); }, length);
+    if (beam.rotary_inertia) {
+      piece.rotary = interpolate<4>([&](double x) { return density * at(x).I_y.value(); }, length);
+    }
+    distribution.push_back(piece);
+  }
+  return distribution;
+}
+
+MassProperties mass_properties_of(const TaperedBeam& beam) {
+  return mass_properties_of(beam, Length{}, beam.length());
+}
+
+MassProperties mass_properties_of(const TaperedBeam& beam, Length from, Length to) {
+  const std::vector<SegmentMass> distribution = mass_distribution_of(beam);
+  double mass = 0.0;
+  double first_moment = 0.0;
+  double second_moment = 0.0;
+  for (std::size_t i = 0; i < beam.segments.size(); ++i) {
+    const Segment& segment = beam.segments[i];
+    const double low = (std::max(from, segment.start) - segment.start).value();
+    const double high = (std::min(to, segment.end()) - segment.start).value();
+    if (high <= low) continue;
+    const Polynomial<1> arm{{(segment.start - from).value(), 1.0}};
+    const auto over = [&](const auto& p) {
+      const auto integral = integral_of(p);
+      return integral(high) - integral(low);
+    };
+    const SegmentMass& piece = distribution[i];
+    mass += over(piece.mass);
+    first_moment += over(piece.mass * arm);
+    second_moment += over(piece.mass * (arm * arm)) + over(piece.rotary);
+  }
+  assert(mass > 0.0);
+  const double centre = first_moment / mass;
+  return {si<Mass>(mass), from + si<Length>(centre),
+          si<MassMoment>(second_moment - mass * centre * centre)};
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,87 @@
+#include "boxbeam/core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace boxbeam {
+namespace {
+
+/// Bytes of `text` before its code point number `count` (columns count code points, not bytes).
+std::size_t bytes_before(const std::string& text, std::size_t count) {
+  std::size_t i = 0;
+  for (; i < text.size() && count > 0; --count) {
+    do {
+      ++i;
+    } while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U);
+  }
+  return i;
+}
+
+/// The part of a line worth showing and the spaces that bring a caret under the place: long lines
+/// are cut around it; tabs stay tabs, so that the caret is right whatever the terminal's tab width.
+struct Excerpt {
+  std::string text;
+  std::string margin;
+};
+
+Excerpt excerpt_of(const std::string& line, int column) {
+  constexpr std::size_t reach = 80;
+  const std::size_t at = column > 0 ? static_cast<std::size_t>(column) - 1 : 0;
+  const std::size_t from = bytes_before(line, at > reach ? at - reach : 0);
+  const std::size_t caret = bytes_before(line, at);
+  const std::size_t to = bytes_before(line, at + reach);
+  Excerpt excerpt;
+  excerpt.text = (from > 0 ? "..." : "") + line.substr(from, to - from) +
+                 (to < line.size() ? "..." : "");
+  if (from > 0) excerpt.margin = "   ";
+  for (std::size_t i = from; i < caret; ++i) {
+    if (line[i] == '\t') excerpt.margin += '\t';
+    else if ((static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80U) excerpt.margin += ' ';
+  }
+  return excerpt;
+}
+
+std::string join(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& problem : problems) text += to_text(problem);
+  return text;
+}
+
+std::string describe(const AnalysisFailure& failure) {
+  std::string text = failure.what;
+  if (!failure.where.empty()) text += fmt::format("\n  where      {}", failure.where);
+  if (failure.time) text += fmt::format("\n  time       {:.6g} s", *failure.time);
+  if (failure.residual) text += fmt::format("\n  residual   {:.3g}", *failure.residual);
+  if (failure.condition) text += fmt::format("\n  condition  {:.3g}", *failure.condition);
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const Problem& problem) {
+  std::string text;
+  if (problem.file.empty()) {
+    text = fmt::format("error: {}\n", problem.message);
+  } else if (problem.line == 0) {
+    text = fmt::format("{}: error: {}\n", problem.file, problem.message);
+  } else {
+    text = fmt::format("{}:{}:{}: error: {}\n", problem.file, problem.line, problem.column,
+                       problem.message);
+    const Excerpt excerpt = excerpt_of(problem.source_line, problem.column);
+    text += fmt::format("    {}\n    {}^\n", excerpt.text, excerpt.margin);
+  }
+  if (!problem.hint.empty()) text += fmt::format("    hint: {}\n", problem.hint);
+  return text;
+}
+
+InputError::InputError(std::vector<Problem> problems)
+    : std::runtime_error(join(problems)), problems_(std::move(problems)) {}
+
+InputError::InputError(const std::string& message, const std::string& hint)
+    : InputError(std::vector<Problem>{{{}, 0, 0, {}, message, hint}}) {}
+
+AnalysisError::AnalysisError(AnalysisFailure failure)
+    : std::runtime_error(describe(failure)), failure_(std::move(failure)) {}
+
+}  // namespace boxbeam

@@ -1,0 +1,47 @@
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+
+#include <cmath>
+
+#include "boxbeam/mechanism/planar/constraints.hpp"
+
+namespace boxbeam::planar {
+
+BeamBody beam_body_of(const TaperedBeam& beam, int body) {
+  return {body, &beam, mass_distribution_of(beam), places_of(beam),
+          mass_properties_of(beam).centre.value()};
+}
+
+Eigen::Vector3d in_beam_axes(const Eigen::Vector2d& world, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c * world.x() + s * world.y(), 0.0, -s * world.x() + c * world.y()};
+}
+
+BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const BeamBody& beam) {
+  const Eigen::Index i = 3 * static_cast<Eigen::Index>(beam.body);
+  const double angle = state.q[i + 2];
+  const double omega = state.v[i + 2];
+  const double alpha = state.a[i + 2];
+
+  BeamLoads loads;
+  for (const Reaction& reaction : reactions_of(mechanism, state)) {
+    if (reaction.on != beam.body) continue;
+    PointLoad load;
+    load.s = place_near(beam.places, si<Length>(beam.centre + reaction.point.x()));
+    load.force = in_beam_axes(reaction.force, angle);
+    // y points into the plane: a counter-clockwise moment is negative about it.
+    load.moment.y() = -reaction.moment + reaction.point.y() * load.force.x();
+    loads.points.push_back(load);
+  }
+
+  AxisAcceleration acceleration;
+  acceleration.gradient = {-omega * omega, 0.0, alpha};
+  acceleration.at_start =
+      in_beam_axes(state.a.segment<2>(i), angle) - beam.centre * acceleration.gradient;
+  acceleration.alpha_y = -alpha;
+  loads.segments = weight_and_inertia(*beam.beam, beam.distribution,
+                                      in_beam_axes(mechanism.gravity, angle), acceleration);
+  return loads;
+}
+
+}  // namespace boxbeam::planar

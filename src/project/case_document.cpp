@@ -1,0 +1,320 @@
+#include "boxbeam/project/case_document.hpp"
+
+#include <fmt/format.h>
+#include <sha256.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace boxbeam {
+namespace {
+
+constexpr std::uintmax_t largest_file = 8u << 20;
+/// toml++ recurses once per part of a dotted key and overflows the stack on very many.
+constexpr int most_key_parts = 32;
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// Length of the UTF-8 sequence at `at`, 0 where it is none (also overlong forms and surrogates).
+std::size_t utf8_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return at + i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[at + i])) : 0U;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  unsigned code = first & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+    code = (code << 6U) | (byte(i) & 0x3FU);
+  }
+  constexpr unsigned smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  if (code < smallest[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return 0;
+  return length;
+}
+
+struct LineColumn {
+  int line = 1;
+  int column = 1;
+};
+
+LineColumn position_of(const std::string& text, std::size_t at) {
+  LineColumn position;
+  for (std::size_t i = 0; i < at;) {
+    if (text[i] == '\n') {
+      ++position.line;
+      position.column = 1;
+    } else {
+      ++position.column;
+    }
+    i += std::max<std::size_t>(1, utf8_length(text, i));
+  }
+  return position;
+}
+
+/// The place where a dotted key gets too many parts, or npos. Strings and comments are passed over.
+std::size_t find_overlong_key(const std::string& text) {
+  int dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (c == '"' || c == '\'') {
+      const std::string fence(text.compare(i, 3, std::string(3, c)) == 0 ? 3U : 1U, c);
+      std::size_t end = i + fence.size();
+      while (end < text.size() && text.compare(end, fence.size(), fence) != 0) {
+        if (fence.size() == 1 && text[end] == '\n') break;
+        end += c == '"' && text[end] == '\\' ? 2 : 1;
+      }
+      i = std::min(end + fence.size(), text.size()) - 1;
+    } else if (c == '.') {
+      if (++dots >= most_key_parts) return i;
+    } else if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-' && c != ' ' &&
+               c != '\t') {
+      dots = 0;
+    }
+  }
+  return std::string::npos;
+}
+
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(std::string_view file) : file_(file) {}
+
+  Node node(const toml::node& source) const {
+    Node result;
+    result.place = place(source.source());
+    if (const auto* table = source.as_table()) {
+      result.kind = Node::Kind::table;
+      for (const auto& [key, value] : *table) {
+        result.members.push_back({std::string(key.str()), place(key.source()), node(value)});
+      }
+      std::stable_sort(result.members.begin(), result.members.end(),
+                       [](const Node::Member& a, const Node::Member& b) {
+                         return std::pair(a.key_place.line, a.key_place.column) <
+                                std::pair(b.key_place.line, b.key_place.column);
+                       });
+    } else if (const auto* array = source.as_array()) {
+      result.kind = Node::Kind::array;
+      for (const auto& item : *array) result.items.push_back(node(item));
+    } else if (const auto text = source.value_exact<std::string>()) {
+      result.kind = Node::Kind::text;
+      result.text = *text;
+    } else if (const auto integer = source.value_exact<std::int64_t>()) {
+      result.kind = Node::Kind::number;
+      result.number = static_cast<double>(*integer);
+      result.whole = true;
+    } else if (const auto number = source.value_exact<double>()) {
+      result.kind = Node::Kind::number;
+      result.number = *number;
+    } else if (const auto boolean = source.value_exact<bool>()) {
+      result.kind = Node::Kind::boolean;
+      result.boolean = *boolean;
+    } else {
+      result.kind = Node::Kind::other;
+      result.text = "a date or time";
+    }
+    return result;
+  }
+
+ private:
+  Place place(const toml::source_region& region) const {
+    return {file_, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+  }
+
+  std::string_view file_;
+};
+
+/// Parses one text and adds its lines to the document.
+Node parse_text(CaseDocument& document, const std::string& name, const std::string& text) {
+  const auto entry = document.lines.insert_or_assign(name, split_lines(text)).first;
+  const std::string_view file = entry->first;
+  const auto fail = [&](LineColumn at, std::string message, std::string hint) {
+    throw InputError({document.problem_at({file, at.line, at.column}, std::move(message), std::move(hint))});
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) {
+      fail(position_of(text, i), "the file is not UTF-8 text", "save it with UTF-8 encoding");
+    }
+    i += length;
+  }
+  if (const std::size_t at = find_overlong_key(text); at != std::string::npos) {
+    fail(position_of(text, at), fmt::format("a key of more than {} parts", most_key_parts),
+         "no key of a case has that many dots");
+  }
+  try {
+    return TreeBuilder(file).node(toml::parse(text, file));
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError({document.problem_at(
+        {file, static_cast<int>(at.line), static_cast<int>(at.column)},
+        fmt::format("not valid TOML: {}", error.description()),
+        "values with a unit stand in quotation marks: length = \"1.5 m\"")});
+  }
+}
+
+Node* step_into(Node& node, const std::string& part) {
+  if (node.kind == Node::Kind::array) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+    const bool whole = error == std::errc{} && end == part.data() + part.size();
+    return whole && index < node.items.size() ? &node.items[index] : nullptr;
+  }
+  for (Node::Member& member : node.members) {
+    if (member.key == part) return &member.value;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> key_parts(const std::string& key) {
+  std::vector<std::string> parts;
+  std::istringstream stream(key);
+  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
+  return parts;
+}
+
+/// An override stands in the one line of its own.
+void put_at(Node& node, const Place& place) {
+  node.place = place;
+  for (Node& item : node.items) put_at(item, place);
+  for (Node::Member& member : node.members) {
+    member.key_place = place;
+    put_at(member.value, place);
+  }
+}
+
+void apply_override(CaseDocument& document, const std::string& override_text) {
+  const std::string source = "--set " + override_text;
+  const std::size_t equals = override_text.find('=');
+  const std::vector<std::string> parts =
+      key_parts(equals == std::string::npos ? "" : override_text.substr(0, equals));
+  const bool empty_part = std::find(parts.begin(), parts.end(), "") != parts.end();
+  if (parts.empty() || empty_part || parts.size() > most_key_parts) {
+    throw InputError(fmt::format("--set wants KEY=VALUE, not \"{}\"", override_text),
+                     "--set bodies.sledge.mass=\"20 t\"");
+  }
+  const std::string value = override_text.substr(equals + 1);
+  // A number, true, a quoted text or an array as TOML; anything else is the text itself.
+  Node parsed;
+  try {
+    CaseDocument scratch;
+    const Node table = parse_text(scratch, source, "value = " + value + "\n");
+    if (table.members.size() == 1) parsed = table.members.front().value;
+    else parsed.kind = Node::Kind::other;
+  } catch (const InputError&) {
+    parsed.kind = Node::Kind::other;
+  }
+  const auto entry = document.lines.insert_or_assign(source, std::vector{source}).first;
+  const Place place{entry->first, 1, static_cast<int>(std::string("--set ").size() + equals + 2)};
+  const Place key_place{entry->first, 1, static_cast<int>(std::string("--set ").size()) + 1};
+  if (parsed.kind == Node::Kind::other) {
+    parsed = Node{};
+    parsed.kind = Node::Kind::text;
+    parsed.text = value;
+  }
+  put_at(parsed, place);
+
+  Node* node = &document.root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    Node* next = step_into(*node, parts[i]);
+    if (next == nullptr && node->kind == Node::Kind::table) {
+      node->members.push_back({parts[i], key_place, Node{}});
+      next = &node->members.back().value;
+      next->place = key_place;
+    }
+    if (next == nullptr || (next->kind != Node::Kind::table && next->kind != Node::Kind::array)) {
+      throw InputError({document.problem_at(
+          key_place, fmt::format("the case has no \"{}\" to set something in", parts[i]),
+          "items of an array go by their number from 0: beam.segments.0.length")});
+    }
+    node = next;
+  }
+  if (Node* old = step_into(*node, parts.back())) {
+    *old = parsed;
+  } else if (node->kind == Node::Kind::table) {
+    node->members.push_back({parts.back(), key_place, parsed});
+  } else {
+    throw InputError({document.problem_at(
+        key_place, fmt::format("there is no item {} to set", parts.back()), "")});
+  }
+}
+
+std::string sha256_of(const std::string& bytes) {
+  char digest[SHA256_DIGEST_STRING_LENGTH];
+  SHA256Data(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), digest);
+  return digest;
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view key) const {
+  for (const Member& member : members) {
+    if (member.key == key) return &member.value;
+  }
+  return nullptr;
+}
+
+Problem CaseDocument::problem_at(const Place& place, std::string message, std::string hint) const {
+  Problem problem{std::string(place.file), place.line, place.column, {}, std::move(message),
+                  std::move(hint)};
+  const auto found = lines.find(place.file);
+  const auto index = static_cast<std::size_t>(place.line) - 1;
+  if (found != lines.end() && place.line > 0 && index < found->second.size()) {
+    problem.source_line = found->second[index];
+  }
+  return problem;
+}
+
+CaseDocument parse_document(const std::string& path, const std::string& text,
+                            const std::vector<std::string>& overrides) {
+  CaseDocument document;
+  document.path = path;
+  document.root = parse_text(document, path, text);
+  std::string hashed = text;
+  for (const std::string& override_text : overrides) {
+    apply_override(document, override_text);
+    hashed += "\n--set " + override_text;
+  }
+  document.sha256 = sha256_of(hashed);
+  return document;
+}
+
+CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto fail = [&](const std::string& message, const std::string& hint) {
+    throw InputError({Problem{path, 0, 0, {}, message, hint}});
+  };
+  if (!fs::exists(path, error)) fail("there is no such file", "give the path of a case file (.toml)");
+  if (fs::is_directory(path, error)) fail("this is a folder", "give a case file in it (.toml)");
+  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > largest_file) {
+    fail("the file is over 8 MB", "a case file is a few kB of TOML");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::string text;
+  // Read in pieces and stop early: the path may also be a device or a pipe.
+  for (char buffer[65536]; stream.read(buffer, sizeof buffer) || stream.gcount() > 0;) {
+    text.append(buffer, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_file) fail("the file is over 8 MB", "a case file is a few kB of TOML");
+  }
+  if (!stream.eof()) fail(fmt::format("the file cannot be read: {}", std::strerror(errno)), "");
+  return parse_document(path, text, overrides);
+}
+
+}  // namespace boxbeam

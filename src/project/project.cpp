@@ -1,0 +1,138 @@
+#include "boxbeam/project/project.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "readers.hpp"
+
+namespace boxbeam {
+namespace {
+
+void read_case(TableReader table, Project& project) {
+  project.name = table.text("name");
+  project.title = table.text("title", project.name);
+  project.assumptions = table.texts("assumptions", false);
+  project.dynamics = table.choice("dynamics", {"rigorous", "newton-chain"}, 0) == 0
+                         ? Dynamics::rigorous
+                         : Dynamics::newton_chain;
+  table.choice("kind", {"planar"});
+  table.finish();
+  const bool plain = project.name.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
+                         std::string::npos &&
+                     !project.name.starts_with('.') && project.name.size() <= 80;
+  if (!plain) {
+    table.problem("name", "the name of a case is also the name of its report folder",
+                  "use letters, digits, \"-\" and \"_\"");
+  }
+}
+
+EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mechanism& mechanism) {
+  EquivalentMassDemand demand;
+  demand.joint = readers::joint_of(table, "joint", mechanism);
+  demand.on = readers::body_of(table, "on", mechanism);
+  demand.adjust = readers::body_of(table, "adjust", mechanism);
+  demand.wanted = si<Mass>(table.positive("wanted", wanted::mass));
+  table.finish();
+  return demand;
+}
+
+/// The beam body's points, named on the axis.
+void add_points_of_body(TableReader& root, Project& project) {
+  if (project.beam_body == planar::ground) return;
+  const Body& body = project.mechanism.bodies[static_cast<std::size_t>(project.beam_body)];
+  const double centre = mass_properties_of(project.beam).centre.value();
+  const double length = project.beam.length().value();
+  for (const BodyPoint& point : body.points) {
+    const double s = centre + point.p.x();
+    if (s < -1e-9 * length || s > (1.0 + 1e-9) * length) {
+      root.problem("bodies", fmt::format("point \"{}\" of the beam body lies off the beam, at s = {:.6g} m",
+                                         point.name, s),
+                   fmt::format("s goes from 0 to {:.6g} m", length));
+      continue;
+    }
+    project.beam.points.push_back({point.name, place_near(places_of(project.beam), si<Length>(s))});
+  }
+}
+
+void check_dynamics(TableReader& root, const Project& project) {
+  if (project.dynamics == Dynamics::newton_chain && !project.chain) {
+    root.problem("newton_chain", "the loads of a Newton chain are asked for, but the case has no "
+                                 "[newton_chain]",
+                 "name its steps, its ends and the driving mass; see sections/sledge-rig/rig.toml");
+  }
+  if (project.dynamics == Dynamics::rigorous && project.beam_body == planar::ground) {
+    root.problem("beam", "rigorous loads need the beam to be one body, whose mass comes from its "
+                         "sections; this [beam] has no \"body\"",
+                 "use --dynamics newton-chain, or make the beam one body as in "
+                 "sections/sledge-rig/rig.toml");
+  }
+  if (project.dynamics == Dynamics::rigorous && !project.given_stresses.empty()) {
+    root.problem("given_stresses", "given stresses replace the computed ones and belong to the "
+                                   "published calculation",
+                 "use --dynamics newton-chain, or remove [[given_stresses]]");
+  }
+}
+
+Project read(CaseDocument document, const std::vector<std::string>& overrides,
+             std::optional<Dynamics> dynamics) {
+  ProblemList problems(document);
+  Project project;
+  project.path = document.path;
+  project.sha256 = document.sha256;
+  project.overrides = overrides;
+  if (document.root.members.empty()) {
+    problems.add({document.lines.begin()->first, 1, 1}, "the case is empty",
+                 "see sections/sledge-rig/rig.toml for a complete one");
+    problems.raise();
+  }
+  TableReader root(problems, document.root, "");
+  read_case(root.table("case"), project);
+  if (dynamics) project.dynamics = *dynamics;
+
+  const readers::Sections sections = readers::read_sections(root.table("sections"));
+  TableReader beam = root.table("beam");
+  readers::read_beam(beam, sections, project);
+  const std::string beam_body = beam.text("body", "");
+  readers::MechanismDraft draft = readers::read_mechanism(root, beam_body);
+  if (!beam_body.empty()) project.beam_body = readers::body_of(beam, "body", draft.mechanism);
+  beam.finish();
+  if (problems.empty()) {
+    project.mechanism = readers::place_at_centres(std::move(draft), project.beam, project.beam_body);
+    add_points_of_body(root, project);
+  } else {
+    project.mechanism = std::move(draft.mechanism);
+  }
+  if (root.has("newton_chain")) {
+    project.chain = readers::read_newton_chain(root.table("newton_chain"), project.mechanism,
+                                               project.beam, project.beam_body);
+  }
+  if (root.has("equivalent_mass")) {
+    project.equivalent_mass =
+        read_equivalent_mass(root.table("equivalent_mass"), project.mechanism);
+  }
+  readers::read_demands(root, project);
+  check_dynamics(root, project);
+  root.finish();
+  problems.raise();
+  return project;
+}
+
+}  // namespace
+
+const char* to_text(Dynamics dynamics) {
+  return dynamics == Dynamics::rigorous ? "rigorous" : "newton-chain";
+}
+
+Project read_project(const std::string& path, const std::vector<std::string>& overrides,
+                     std::optional<Dynamics> dynamics) {
+  return read(read_document(path, overrides), overrides, dynamics);
+}
+
+Project parse_project(const std::string& path, const std::string& text,
+                      const std::vector<std::string>& overrides, std::optional<Dynamics> dynamics) {
+  return read(parse_document(path, text, overrides), overrides, dynamics);
+}
+
+}  // namespace boxbeam

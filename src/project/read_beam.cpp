@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+HollowRectangle read_box(TableReader& table) {
+  return {si<Length>(table.positive("width", wanted::length)),
+          si<Length>(table.positive("height", wanted::length)),
+          si<Length>(table.positive("flange", wanted::length)),
+          si<Length>(table.positive("web", wanted::length))};
+}
+
+HollowRectangle read_rectangular_tube(TableReader& table) {
+  const Length wall = si<Length>(table.positive("wall", wanted::length));
+  return {si<Length>(table.positive("width", wanted::length)),
+          si<Length>(table.positive("height", wanted::length)), wall, wall};
+}
+
+RoundTube read_round_tube(TableReader& table) {
+  return {si<Length>(table.positive("diameter", wanted::length)),
+          si<Length>(table.positive("wall", wanted::length))};
+}
+
+std::vector<std::string> names_of(const Sections& sections) {
+  std::vector<std::string> names;
+  for (const auto& [name, section] : sections) names.push_back(name);
+  return names;
+}
+
+Section named_section(TableReader& table, std::string_view key, const Sections& sections) {
+  const std::string name = table.text(key);
+  const auto found = sections.find(name);
+  if (found != sections.end()) return found->second;
+  if (table.has(key) && !name.empty()) {
+    const std::string near = nearest_word(name, names_of(sections));
+    table.problem(key, fmt::format("there is no section \"{}\"", name),
+                  near.empty() ? fmt::format("known: {}", fmt::join(names_of(sections), ", "))
+                               : fmt::format("did you mean \"{}\"?", near));
+  }
+  return {};
+}
+
+Segment read_segment(TableReader table, Length start, const Sections& sections) {
+  Segment segment;
+  segment.name = table.text("name", table.name());
+  segment.start = start;
+  segment.length = si<Length>(table.positive("length", wanted::length));
+  if (table.has("section") == (table.has("from") || table.has("to"))) {
+    table.text("section", "");
+    table.text("from", "");
+    table.text("to", "");
+    table.problem("length", "a segment wants either \"section\" or \"from\" and \"to\"",
+                  "section = \"A1\" for a constant one, from = \"A1\" and to = \"A2\" for a taper");
+  } else if (table.has("section")) {
+    segment.from = segment.to = named_section(table, "section", sections);
+  } else {
+    segment.from = named_section(table, "from", sections);
+    segment.to = named_section(table, "to", sections);
+    if (!same_kind(segment.from, segment.to)) {
+      table.problem("to", "a segment tapers between two sections of the same kind",
+                    "split the segment where the kind of section changes");
+    }
+  }
+  table.finish();
+  return segment;
+}
+
+/// What is wrong with a hole in the sections at its station, or nothing.
+std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, const Hole& hole) {
+  for (const Side side : {Side::before, Side::behind}) {
+    if ((side == Side::before && s.value() == 0.0) || (side == Side::behind && s == beam.length())) {
+      continue;
+    }
+    const Section section = section_at(beam, {s, side});
+    const auto* box = std::get_if<HollowRectangle>(&section.outer);
+    if (box == nullptr) return "holes are known in boxes and rectangular tubes only";
+    const Length room = hole.walls == HoleWalls::webs ? half_clear_height(section.outer)
+                                                      : 0.5 * box->width - box->web;
+    if (abs(hole.position) + 0.5 * hole.diameter >= room) {
+      return fmt::format("the hole reaches {:.4g} mm from the middle of a plate that reaches {:.4g} mm",
+                         (abs(hole.position) + 0.5 * hole.diameter).value() * 1e3, room.value() * 1e3);
+    }
+  }
+  return std::nullopt;
+}
+
+void read_hole(TableReader table, Project& project) {
+  TaperedBeam& beam = project.beam;
+  Hole hole;
+  hole.name = table.text("name");
+  hole.diameter = si<Length>(table.positive("diameter", wanted::length));
+  const Length s = station_of(table, "station", beam);
+  const bool flanges = table.choice("through", {"webs", "flanges"}) == 1;
+  hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
+  const std::vector<double> positions =
+      flanges ? table.quantities("offsets", wanted::length) : table.quantities("levels", wanted::length);
+  constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
+                                HoleCase::published_exponential};
+  const HoleCase hole_case = cases[table.choice(
+      "concentration", {"in-plane bending", "membrane tension", "published exponential"})];
+  table.finish();
+  if (!table.problems().empty()) return;
+
+  if (!flanges && hole_case == HoleCase::membrane_tension) {
+    table.problem("concentration", "a hole in a web is not in membrane tension: the bending of the beam "
+                                   "strains it across its depth",
+                  "write concentration = \"in-plane bending\"");
+  }
+  if (flanges && hole_case == HoleCase::in_plane_bending) {
+    table.problem("concentration", "a hole in a flange is strained evenly, not bent in its plane",
+                  "write concentration = \"membrane tension\"");
+  }
+  for (const double position : positions) {
+    hole.position = si<Length>(flanges ? std::abs(position) : position);
+    if (auto trouble = misplacement_of(beam, s, hole)) {
+      table.problem(flanges ? "offsets" : "levels", *trouble);
+    }
+    beam.holes.push_back({s, hole});
+    project.hole_cases.push_back(hole_case);
+  }
+}
+
+}  // namespace
+
+Sections read_sections(TableReader table) {
+  Sections sections;
+  std::vector<std::pair<std::string, TableReader>> nested;
+  for (auto& [name, reader] : table.named_tables()) {
+    const std::size_t kind =
+        reader.choice("kind", {"box", "rectangular tube", "round tube", "nested"});
+    if (kind == 3) {
+      nested.emplace_back(name, reader);
+      continue;
+    }
+    const std::size_t before = table.problems().size();
+    Section section;
+    if (kind == 0) section.outer = read_box(reader);
+    else if (kind == 1) section.outer = read_rectangular_tube(reader);
+    else section.outer = read_round_tube(reader);
+    reader.finish();
+    if (table.problems().size() == before) {
+      if (auto defect = defect_of(section)) reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
+    }
+    sections.emplace(name, section);
+  }
+  for (auto& [name, reader] : nested) {
+    const std::size_t before = table.problems().size();
+    Section section = named_section(reader, "outer", sections);
+    section.inner = named_section(reader, "inner", sections).outer;
+    reader.finish();
+    if (table.problems().size() == before) {
+      if (auto defect = defect_of(section)) reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
+    }
+    sections.emplace(name, section);
+  }
+  return sections;
+}
+
+Length station_of(TableReader& table, std::string_view key, const TaperedBeam& beam) {
+  const double s = table.not_negative(key, wanted::length);
+  if (beam.segments.empty()) return si<Length>(s);
+  const double length = beam.length().value();
+  if (s > length * (1.0 + 1e-12)) {
+    table.problem(key, fmt::format("\"{}\" lies behind the end of the beam, {:.6g} m", key, length));
+  }
+  return place_near(places_of(beam), si<Length>(s));
+}
+
+void read_beam(TableReader& table, const Sections& sections, Project& project) {
+  TaperedBeam& beam = project.beam;
+  beam.density = si<Density>(table.positive("density", wanted::density));
+  beam.rotary_inertia = table.boolean("rotary_inertia", false);
+  Length start;
+  for (TableReader& segment : table.tables("segments", true)) {
+    beam.segments.push_back(read_segment(segment, start, sections));
+    start = beam.segments.back().end();
+  }
+  if (table.has("segments") && beam.segments.empty()) {
+    table.problem("segments", "the beam has no segment", "write at least one [[beam.segments]]");
+  }
+  TableReader places = table.table("places", false);
+  for (const Node::Member& member : places.members()) {
+    beam.points.push_back({member.key, station_of(places, member.key, beam)});
+  }
+  for (TableReader& hole : table.tables("holes")) read_hole(hole, project);
+}
+
+}  // namespace boxbeam::readers

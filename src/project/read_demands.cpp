@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/project/catalogue.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+int read_category(TableReader& table, std::string_view key) {
+  const int category = table.whole_number(key);
+  if (table.has(key) && category != 0 && !is_direct_category(category)) {
+    table.problem(key, fmt::format("{} is no detail category for direct stress", category),
+                  fmt::format("one of {}", direct_categories()));
+  }
+  return category;
+}
+
+Material read_material(TableReader table) {
+  const std::string name = table.text("steel");
+  table.finish();
+  if (const auto steel = find_steel(name)) return *steel;
+  if (!name.empty()) {
+    table.problem("steel", fmt::format("there is no steel \"{}\" in the catalogue", name),
+                  fmt::format("one of {}", fmt::join(steel_names(), ", ")));
+  }
+  return {};
+}
+
+StrengthDemand read_strength(TableReader table) {
+  StrengthDemand demand;
+  demand.gamma_M0 = table.number("gamma_M0", 1.0);
+  demand.required = table.number("required");
+  table.finish();
+  return demand;
+}
+
+FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
+  FatigueInput input;
+  input.category = read_category(table, "category");
+  input.curve = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 0
+                    ? CurveKind::en_1993_1_9
+                    : CurveKind::published_step;
+  if (table.has("round_strength_to")) {
+    input.round_strength_to = si<Stress>(table.positive("round_strength_to", wanted::stress));
+  }
+  input.demand.periods = table.number("cycles");
+  input.demand.loading = table.choice("loading", {"spectrum", "constant amplitude"}) == 0
+                             ? Loading::spectrum
+                             : Loading::constant_amplitude;
+  input.demand.gamma_Ff = table.number("gamma_Ff", 1.0);
+  input.demand.gamma_Mf = table.number("gamma_Mf");
+  input.required = table.number("required");
+  for (TableReader& detail : table.tables("details")) {
+    DetailStretch stretch;
+    stretch.name = detail.text("name");
+    stretch.from = station_of(detail, "from", beam);
+    stretch.to = station_of(detail, "to", beam);
+    stretch.category = read_category(detail, "category");
+    stretch.assumed = detail.text("assumed", "");
+    if (stretch.to < stretch.from) detail.problem("to", "a stretch ends behind its beginning");
+    detail.finish();
+    input.details.push_back(std::move(stretch));
+  }
+  table.finish();
+  return input;
+}
+
+void read_points(TableReader& root, Project& project) {
+  for (TableReader& table : root.tables("points")) {
+    NamedPoint point;
+    point.name = table.text("name");
+    point.s = station_of(table, "station", project.beam);
+    point.z = si<Length>(table.quantity("z", wanted::length));
+    table.finish();
+    if (root.problems().empty()) {
+      for (const Side side : {Side::before, Side::behind}) {
+        const Section section = section_at(project.beam, {point.s, side});
+        const Length half = 0.5 * height_of(section.outer);
+        if (abs(point.z) > half * (1.0 + 1e-12)) {
+          table.problem("z", fmt::format("the section reaches only {:.6g} mm from its middle at this "
+                                         "station", half.value() * 1e3));
+          break;
+        }
+        if (width_at(section, holes_at(project.beam, point.s), point.z).value() <= 0.0) {
+          table.problem("z", "there is no material at this level: it lies in a hole");
+          break;
+        }
+      }
+    }
+    project.points.push_back(std::move(point));
+  }
+}
+
+void read_given_stresses(TableReader& root, Project& project) {
+  for (TableReader& table : root.tables("given_stresses")) {
+    GivenStress given;
+    given.name = table.text("name");
+    given.s = station_of(table, "station", project.beam);
+    given.peak = si<Stress>(table.positive("peak", wanted::stress));
+    if (table.has("opposite")) {
+      given.opposite = si<Stress>(table.positive("opposite", wanted::stress));
+    }
+    given.thickness = si<Length>(table.positive("thickness", wanted::length));
+    given.time = si<Time>(table.not_negative("time", wanted::time));
+    given.note = table.text("note", "");
+    table.finish();
+    if (root.problems().empty() && !yield_strength_of(project.material, given.thickness)) {
+      table.problem("thickness", fmt::format("{} has no yield strength for this thickness",
+                                             project.material.name));
+    }
+    project.given_stresses.push_back(std::move(given));
+  }
+}
+
+void check_thicknesses(TableReader& root, const Project& project) {
+  for (const Segment& segment : project.beam.segments) {
+    for (const Section* section : {&segment.from, &segment.to}) {
+      for (const Length z : {Length{}, 0.5 * height_of(section->outer)}) {
+        const Length wall = wall_at(section->outer, z);
+        if (yield_strength_of(project.material, wall)) continue;
+        root.problem("beam",
+                     fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
+                                 project.material.name, wall.value() * 1e3, segment.name),
+                     "its table ends at a smaller thickness");
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void read_demands(TableReader& root, Project& project) {
+  project.material = read_material(root.table("material"));
+  project.strength = read_strength(root.table("strength"));
+  project.fatigue = read_fatigue(root.table("fatigue"), project.beam);
+  read_points(root, project);
+  if (root.problems().empty()) check_thicknesses(root, project);
+  read_given_stresses(root, project);
+}
+
+}  // namespace boxbeam::readers

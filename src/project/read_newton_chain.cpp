@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+using planar::ChainStep;
+using planar::NewtonChain;
+
+/// Pieces of the beam body that stand as a step of their own.
+std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam& beam, int beam_body) {
+  std::map<std::string, ChainStep> parts;
+  for (auto& [name, part] : table.named_tables()) {
+    const Length from = station_of(part, "from", beam);
+    const Length to = station_of(part, "to", beam);
+    part.finish();
+    if (beam_body == planar::ground) {
+      part.problem("", "a part is a piece of the beam body, and this case names no [beam] body");
+    } else if (to <= from) {
+      part.problem("to", "a part ends behind its beginning");
+    } else if (table.problems().empty()) {
+      const MassProperties piece = mass_properties_of(beam, from, to);
+      const double offset = (piece.centre - mass_properties_of(beam).centre).value();
+      parts[name] = {name, beam_body, {offset, 0.0}, piece.mass.value()};
+    } else {
+      parts[name] = {name, beam_body, {}, 0.0};
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechanism,
+                              const TaperedBeam& beam, int beam_body) {
+  NewtonChain chain;
+  const double driving_mass = table.positive("driving_mass", wanted::mass);
+  const auto parts = read_parts(table.table("parts", false), beam, beam_body);
+  const std::vector<std::string> names = table.texts("steps", true);
+  std::vector<ChainStep> steps;
+  for (const std::string& name : names) {
+    if (const auto part = parts.find(name); part != parts.end()) {
+      steps.push_back(part->second);
+      continue;
+    }
+    const int body = body_index(mechanism, name);
+    if (body < 0) {
+      table.problem("steps", fmt::format("there is no body or part \"{}\"", name));
+      continue;
+    }
+    steps.push_back({name, body, Eigen::Vector2d::Zero(), mechanism.bodies[static_cast<std::size_t>(body)].mass});
+  }
+  if (steps.size() < 2) {
+    if (table.has("steps")) table.problem("steps", "a chain has at least two bodies");
+  } else {
+    steps.front().mass = driving_mass;
+    chain.last = steps.back();
+    steps.pop_back();
+    chain.steps = steps;
+  }
+
+  const auto read_end = [&](const char* key, std::size_t& step, Length& station) {
+    TableReader end = table.table(key);
+    const std::string after = end.text("after");
+    const auto found = std::find_if(chain.steps.begin(), chain.steps.end(),
+                                    [&](const ChainStep& s) { return s.name == after; });
+    if (found == chain.steps.end()) {
+      if (!after.empty()) end.problem("after", fmt::format("\"{}\" is no step of the chain before its last", after));
+    } else {
+      step = static_cast<std::size_t>(found - chain.steps.begin());
+    }
+    station = station_of(end, "station", beam);
+    end.finish();
+  };
+  read_end("first_end", chain.first_end, chain.first_station);
+  read_end("second_end", chain.second_end, chain.second_station);
+  chain.pivot = station_of(table, "pivot", beam);
+  chain.axis_body = beam_body != planar::ground ? beam_body : body_of(table, "axis_of", mechanism);
+  table.finish();
+  return chain;
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,287 @@
+#include "boxbeam/project/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxbeam {
+namespace {
+
+const char* kind_name(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::table: return "a table";
+    case Node::Kind::array: return "an array";
+    case Node::Kind::text: return "a text";
+    case Node::Kind::number: return "a bare number";
+    case Node::Kind::boolean: return "true or false";
+    case Node::Kind::other: return "a date or time";
+  }
+  return "";
+}
+
+const Node& empty_table() {
+  static const Node node;
+  return node;
+}
+
+}  // namespace
+
+void ProblemList::add(const Place& place, std::string message, std::string hint) {
+  problems_.push_back(document_->problem_at(place, std::move(message), std::move(hint)));
+}
+
+void ProblemList::raise() const {
+  if (problems_.empty()) return;
+  std::vector<Problem> sorted = problems_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Problem& a, const Problem& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+  throw InputError(std::move(sorted));
+}
+
+TableReader::TableReader(ProblemList& problems, const Node& table, std::string name)
+    : problems_(&problems), table_(&table), name_(std::move(name)) {
+  if (table.kind != Node::Kind::table) {
+    problems_->add(table.place, fmt::format("{} is wanted as a table, not {}", name_, kind_name(table)),
+                   fmt::format("write [{}] and its keys below", name_));
+    table_ = &empty_table();
+  }
+}
+
+bool TableReader::has(std::string_view key) const { return table_->find(key) != nullptr; }
+
+Place TableReader::place_of(std::string_view key) const {
+  const Node* node = table_->find(key);
+  return node != nullptr ? node->place : table_->place;
+}
+
+const Node* TableReader::take(std::string_view key, bool required, std::string_view example) {
+  asked_.emplace_back(key);
+  const Node* node = table_->find(key);
+  if (node == nullptr && required && !absent_) {
+    const std::string where = name_.empty() ? "the case" : "[" + name_ + "]";
+    problems_->add(table_->place, fmt::format("{} has no \"{}\"", where, key),
+                   example.empty() ? "" : fmt::format("write {} = {}", key, example));
+  }
+  return node;
+}
+
+double TableReader::quantity_in(const Node& node, const std::string& what,
+                                const WantedDimension& wanted) {
+  const std::string hint = fmt::format("write it as text with its unit, {}", wanted.example);
+  if (node.kind != Node::Kind::text) {
+    problems_->add(node.place, fmt::format("{} is {}, not {}", what, wanted.name, kind_name(node)), hint);
+    return std::nan("");
+  }
+  const auto parsed = parse_quantity(node.text);
+  if (const auto* trouble = std::get_if<std::string>(&parsed)) {
+    problems_->add(node.place, fmt::format("{}: {}", what, *trouble), hint);
+    return std::nan("");
+  }
+  const auto& quantity = std::get<ParsedQuantity>(parsed);
+  if (quantity.exponents != wanted.exponents) {
+    problems_->add(node.place,
+                   fmt::format("{} is {}, but \"{}\" is {}", what, wanted.name, node.text,
+                               name_of(quantity.exponents)),
+                   hint);
+    return std::nan("");
+  }
+  return quantity.value;
+}
+
+double TableReader::quantity(std::string_view key, const WantedDimension& wanted,
+                             std::optional<double> fallback) {
+  const Node* node = take(key, !fallback, wanted.example);
+  if (node == nullptr) return fallback.value_or(std::nan(""));
+  return quantity_in(*node, fmt::format("\"{}\"", key), wanted);
+}
+
+double TableReader::positive(std::string_view key, const WantedDimension& wanted,
+                             std::optional<double> fallback) {
+  const double value = quantity(key, wanted, fallback);
+  if (value <= 0.0) {
+    problem(key, fmt::format("\"{}\" must be above zero", key),
+            fmt::format("write for example {}", wanted.example));
+    return std::nan("");
+  }
+  return value;
+}
+
+double TableReader::not_negative(std::string_view key, const WantedDimension& wanted,
+                                 std::optional<double> fallback) {
+  const double value = quantity(key, wanted, fallback);
+  if (value < 0.0) {
+    problem(key, fmt::format("\"{}\" must not be below zero", key));
+    return std::nan("");
+  }
+  return value;
+}
+
+Eigen::Vector2d TableReader::pair_in(const Node& node, const std::string& what,
+                                     const WantedDimension& wanted) {
+  if (node.kind != Node::Kind::array || node.items.size() != 2) {
+    problems_->add(node.place, fmt::format("{} wants two values, x and y", what),
+                   "write it as [\"0.5 m\", \"0 m\"] with the units that belong there");
+    return Eigen::Vector2d::Constant(std::nan(""));
+  }
+  return {quantity_in(node.items[0], what + " x", wanted), quantity_in(node.items[1], what + " y", wanted)};
+}
+
+Eigen::Vector2d TableReader::pair(std::string_view key, const WantedDimension& wanted,
+                                  std::optional<Eigen::Vector2d> fallback) {
+  const Node* node = take(key, !fallback, "[x, y] with units");
+  if (node == nullptr) return fallback.value_or(Eigen::Vector2d::Constant(std::nan("")));
+  return pair_in(*node, fmt::format("\"{}\"", key), wanted);
+}
+
+std::vector<double> TableReader::quantities(std::string_view key, const WantedDimension& wanted) {
+  std::vector<double> values;
+  const Node* node = take(key, true, "a list of values with units");
+  if (node == nullptr) return values;
+  if (node->kind != Node::Kind::array) {
+    problem(key, fmt::format("\"{}\" wants a list", key),
+            fmt::format("write {} = [{}]", key, wanted.example));
+    return values;
+  }
+  for (const Node& item : node->items) {
+    values.push_back(quantity_in(item, fmt::format("\"{}\"", key), wanted));
+  }
+  return values;
+}
+
+double TableReader::number(std::string_view key, std::optional<double> fallback) {
+  const Node* node = take(key, !fallback, "a number");
+  if (node == nullptr) return fallback.value_or(std::nan(""));
+  if (node->kind != Node::Kind::number) {
+    problem(key, fmt::format("\"{}\" is a number without unit, not {}", key, kind_name(*node)),
+            fmt::format("write {} = 2.0", key));
+    return std::nan("");
+  }
+  if (!std::isfinite(node->number) || node->number <= 0.0) {
+    problem(key, fmt::format("\"{}\" must be finite and above zero", key));
+    return std::nan("");
+  }
+  return node->number;
+}
+
+int TableReader::whole_number(std::string_view key, std::optional<int> fallback) {
+  const Node* node = take(key, !fallback, "a whole number");
+  if (node == nullptr) return fallback.value_or(0);
+  if (node->kind != Node::Kind::number || !node->whole || std::abs(node->number) > 1e9) {
+    problem(key, fmt::format("\"{}\" is a whole number without unit, not {}", key,
+                             node->kind == Node::Kind::number ? "a fraction" : kind_name(*node)));
+    return 0;
+  }
+  return static_cast<int>(node->number);
+}
+
+bool TableReader::boolean(std::string_view key, bool fallback) {
+  const Node* node = take(key, false, "");
+  if (node == nullptr) return fallback;
+  if (node->kind != Node::Kind::boolean) {
+    problem(key, fmt::format("\"{}\" is true or false, not {}", key, kind_name(*node)));
+  }
+  return node->boolean;
+}
+
+std::string TableReader::text(std::string_view key, std::optional<std::string> fallback) {
+  const Node* node = take(key, !fallback, "\"...\"");
+  if (node == nullptr) return fallback.value_or("");
+  if (node->kind != Node::Kind::text) {
+    problem(key, fmt::format("\"{}\" is a text, not {}", key, kind_name(*node)),
+            fmt::format("write {} = \"...\"", key));
+    return "";
+  }
+  return node->text;
+}
+
+std::vector<std::string> TableReader::texts(std::string_view key, bool required) {
+  std::vector<std::string> result;
+  const Node* node = take(key, required, "[\"...\", \"...\"]");
+  if (node == nullptr) return result;
+  const bool all_text = node->kind == Node::Kind::array &&
+                        std::all_of(node->items.begin(), node->items.end(), [](const Node& item) {
+                          return item.kind == Node::Kind::text;
+                        });
+  if (!all_text) {
+    problem(key, fmt::format("\"{}\" is a list of texts", key),
+            fmt::format("write {} = [\"...\", \"...\"]", key));
+    return result;
+  }
+  for (const Node& item : node->items) result.push_back(item.text);
+  return result;
+}
+
+std::size_t TableReader::choice(std::string_view key, const std::vector<std::string>& words,
+                                std::optional<std::size_t> fallback) {
+  const std::string list = fmt::format("\"{}\"", fmt::join(words, "\", \""));
+  const Node* node = take(key, !fallback, list);
+  if (node == nullptr) return fallback.value_or(0);
+  if (node->kind == Node::Kind::text) {
+    const auto found = std::find(words.begin(), words.end(), node->text);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    const std::string near = nearest_word(node->text, words);
+    problem(key, fmt::format("\"{}\" cannot be \"{}\"", key, node->text),
+            near.empty() ? fmt::format("one of {}", list)
+                         : fmt::format("did you mean \"{}\"? One of {}", near, list));
+  } else {
+    problem(key, fmt::format("\"{}\" is a text, not {}", key, kind_name(*node)),
+            fmt::format("one of {}", list));
+  }
+  return fallback.value_or(0);
+}
+
+TableReader TableReader::table(std::string_view key, bool required) {
+  const Node* node = take(key, required, "{ ... }");
+  const std::string name = name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+  TableReader reader(*problems_, node != nullptr ? *node : empty_table(), name);
+  reader.absent_ = node == nullptr;
+  return reader;
+}
+
+std::vector<TableReader> TableReader::tables(std::string_view key, bool required) {
+  std::vector<TableReader> result;
+  const Node* node = take(key, required, "");
+  if (node == nullptr) return result;
+  const std::string name = name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+  if (node->kind != Node::Kind::array) {
+    problem(key, fmt::format("\"{}\" is a list of tables", key), fmt::format("write [[{}]]", name));
+    return result;
+  }
+  for (std::size_t i = 0; i < node->items.size(); ++i) {
+    result.emplace_back(*problems_, node->items[i], fmt::format("{}.{}", name, i));
+  }
+  return result;
+}
+
+std::vector<std::pair<std::string, TableReader>> TableReader::named_tables() {
+  std::vector<std::pair<std::string, TableReader>> result;
+  for (const Node::Member& member : table_->members) {
+    asked_.push_back(member.key);
+    const std::string name = name_.empty() ? member.key : name_ + "." + member.key;
+    result.emplace_back(member.key, TableReader(*problems_, member.value, name));
+  }
+  return result;
+}
+
+void TableReader::accept_all() {
+  for (const Node::Member& member : table_->members) asked_.push_back(member.key);
+}
+
+void TableReader::problem(std::string_view key, std::string message, std::string hint) {
+  problems_->add(place_of(key), std::move(message), std::move(hint));
+}
+
+void TableReader::finish() {
+  for (const Node::Member& member : table_->members) {
+    if (std::find(asked_.begin(), asked_.end(), member.key) != asked_.end()) continue;
+    const std::string near = nearest_word(member.key, asked_);
+    const std::string shown = member.key.size() <= 60 ? member.key : member.key.substr(0, 57) + "...";
+    problems_->add(member.key_place, fmt::format("unknown key \"{}\"", shown),
+                   near.empty() ? fmt::format("known here: {}", fmt::join(asked_, ", "))
+                                : fmt::format("did you mean \"{}\"?", near));
+  }
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,143 @@
+#include "boxbeam/verification/load_history.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace boxbeam {
+namespace {
+
+constexpr std::size_t last_node = LoadHistory::nodes - 1;
+
+/// Chebyshev point of the second kind, ascending in [-1, 1].
+double node(std::size_t k) {
+  return -std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(last_node));
+}
+
+/// Value at u of the polynomial through the nodes. Barycentric formula; weights of Chebyshev points
+/// alternate in sign and are halved at the ends. Source: Berrut and Trefethen, SIAM Review 46 (2004).
+CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, double u) {
+  double sum = 0.0;
+  CutForces result{};
+  for (std::size_t k = 0; k <= last_node; ++k) {
+    const double distance = u - node(k);
+    if (distance == 0.0) return values[k];
+    double weight = (k % 2 == 0 ? 1.0 : -1.0) / distance;
+    if (k == 0 || k == last_node) weight *= 0.5;
+    sum += weight;
+    result.N += weight * values[k].N;
+    result.V_y += weight * values[k].V_y;
+    result.V_z += weight * values[k].V_z;
+    result.T += weight * values[k].T;
+    result.M_y += weight * values[k].M_y;
+    result.M_z += weight * values[k].M_z;
+  }
+  const double scale = 1.0 / sum;
+  return {result.N * scale, result.V_y * scale, result.V_z * scale,
+          result.T * scale, result.M_y * scale, result.M_z * scale};
+}
+
+}  // namespace
+
+LoadHistory::LoadHistory(const TaperedBeam& beam, Time period, std::size_t instants, LoadsAt loads_at)
+    : beam_(&beam), period_(period), loads_at_(std::move(loads_at)) {
+  assert(instants >= 4);
+  diagrams_.resize(instants);
+  for (std::size_t i = 0; i < instants; ++i) diagrams_[i] = diagram_at(time_of(i));
+}
+
+Time LoadHistory::time_of(std::size_t instant) const {
+  return period_ * (static_cast<double>(instant) / static_cast<double>(diagrams_.size()));
+}
+
+const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {
+  const auto found = brackets_.find(middle);
+  if (found != brackets_.end()) return found->second;
+  Bracket bracket;
+  const std::size_t n = diagrams_.size();
+  const Time step = period_ / static_cast<double>(n);
+  for (std::size_t k = 0; k <= last_node; ++k) {
+    if (k == 0) bracket[k] = diagrams_[(middle + n - 1) % n];
+    else if (k == last_node) bracket[k] = diagrams_[(middle + 1) % n];
+    else if (2 * k == last_node) bracket[k] = diagrams_[middle];
+    else bracket[k] = diagram_at(time_of(middle) + node(k) * step);
+  }
+  return brackets_.emplace(middle, std::move(bracket)).first->second;
+}
+
+StationHistory::StationHistory(const LoadHistory& loads, const Station& station)
+    : loads_(&loads), station_(station) {
+  samples_.reserve(loads.instants());
+  for (std::size_t i = 0; i < loads.instants(); ++i) samples_.push_back(loads.diagram(i).at(station));
+}
+
+std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction& f) const {
+  const std::size_t n = samples_.size();
+  std::vector<double> values(n);
+  std::transform(samples_.begin(), samples_.end(), values.begin(), f);
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double scale = std::max(std::abs(*low), std::abs(*high));
+  const double noise = 1e-9 * scale;
+  const auto highest = static_cast<std::size_t>(high - values.begin());
+  std::vector<TurningPoint> turns;
+  if (!(*high - *low > noise)) return {{loads_->time_of(highest), values[highest], true}};
+
+  // From the highest sample once round; a turn counts when the history has come back from it by
+  // more than the noise.
+  std::vector<std::pair<std::size_t, bool>> brackets{{highest, true}};
+  std::size_t candidate = highest;
+  bool falling = true;
+  for (std::size_t k = 1; k <= n; ++k) {
+    const std::size_t i = (highest + k) % n;
+    const double towards = falling ? values[candidate] - values[i] : values[i] - values[candidate];
+    if (towards > 0.0) {
+      candidate = i;
+    } else if (towards < -noise) {
+      brackets.emplace_back(candidate, !falling);
+      falling = !falling;
+      candidate = i;
+    }
+  }
+  std::sort(brackets.begin(), brackets.end());
+  brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
+
+  for (const auto& [middle, maximum] : brackets) turns.push_back(refine(middle, maximum, f));
+  std::sort(turns.begin(), turns.end(),
+            [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });
+  return turns;
+}
+
+TurningPoint StationHistory::refine(std::size_t middle, bool maximum, const CutForceFunction& f) const {
+  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
+  std::array<CutForces, LoadHistory::nodes> at_nodes;
+  for (std::size_t k = 0; k < at_nodes.size(); ++k) at_nodes[k] = bracket[k].at(station_);
+  const double sign = maximum ? 1.0 : -1.0;
+  const Extremum found =
+      find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
+  const Time step = loads_->period() / static_cast<double>(samples_.size());
+  Time time = loads_->time_of(middle) + found.at * step;
+  if (time.value() < 0.0) time += loads_->period();
+  if (time >= loads_->period()) time -= loads_->period();
+  return {time, sign * found.value, maximum};
+}
+
+TurningPoint StationHistory::largest(const CutForceFunction& f) const {
+  const std::size_t n = samples_.size();
+  std::vector<double> values(n);
+  std::transform(samples_.begin(), samples_.end(), values.begin(), f);
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto highest = static_cast<std::size_t>(high - values.begin());
+  TurningPoint best{loads_->time_of(highest), values[highest], true};
+  // Peaks a little lower at the instants may be higher between them.
+  const double enough = *high - 0.05 * (*high - *low);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool peak = values[i] >= values[(i + n - 1) % n] && values[i] > values[(i + 1) % n];
+    if (!peak || values[i] < enough) continue;
+    const TurningPoint found = refine(i, true, f);
+    if (found.value > best.value) best = found;
+  }
+  return best;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,188 @@
+#include "boxbeam/verification/stress_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "boxbeam/numerics/extremum.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Grid points inside a segment on which maxima along the beam are bracketed.
+constexpr int grid = 24;
+
+struct Category {
+  int value;
+  std::string assumed;
+};
+
+Category category_at(const FatigueInput& fatigue, Length s) {
+  for (const DetailStretch& stretch : fatigue.details) {
+    if (s < stretch.from || s > stretch.to) continue;
+    const std::string note =
+        stretch.assumed.empty() ? "" : stretch.name + ": " + stretch.assumed;
+    return {stretch.category, note};
+  }
+  return {fatigue.category, ""};
+}
+
+/// Whether section or loads jump at a place.
+bool jumps_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
+  if (s.value() == 0.0 || s == beam.length()) return true;
+  for (std::size_t i = 0; i + 1 < beam.segments.size(); ++i) {
+    if (beam.segments[i].end() == s && !(beam.segments[i].to == beam.segments[i + 1].from)) return true;
+  }
+  for (const PointLoad& load : loads.loads_at(Time{}).points) {
+    if (load.s == s) return true;
+  }
+  return false;
+}
+
+/// Largest and smallest value over the instants.
+struct Span {
+  double low = 1e300, high = -1e300;
+
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double range() const { return high - low; }
+  double largest() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+/// What may peak inside a segment: stress range and largest stress of both outer fibres (gross
+/// section), the largest bending moment and the largest shear force, over the instants.
+using Peaks = std::array<double, 6>;
+
+Peaks peaks_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
+  const SectionProperties gross = properties_of(section_at(beam, {s}));
+  const double per_N = 1.0 / gross.area.value();
+  const double per_M = gross.z_top.value() / gross.I_y.value();
+  Span top, bottom, M, V;
+  for (std::size_t i = 0; i < loads.instants(); ++i) {
+    const CutForces cut = loads.diagram(i).at({s});
+    const double axial = per_N * cut.N.value();
+    const double bending = per_M * cut.M_y.value();
+    top.add(axial + bending);
+    bottom.add(axial - bending);
+    M.add(cut.M_y.value());
+    V.add(cut.V_z.value());
+  }
+  return {top.range(), bottom.range(), top.largest(), bottom.largest(), M.largest(), V.largest()};
+}
+
+/// Brackets every inner maximum of each quantity on a grid in each piece and finds it by Brent.
+void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads, std::vector<Length>& stations) {
+  for (const CutForcePiece& piece : loads.diagram(0).pieces) {
+    const auto at = [&](double j) { return piece.start + piece.length * (j / grid); };
+    std::array<Peaks, grid + 1> values;
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      // The very ends belong to the neighbours as well: look just inside.
+      values[j] = peaks_at(beam, loads, at(std::clamp(static_cast<double>(j), 1e-6, grid - 1e-6)));
+    }
+    for (std::size_t q = 0; q < values[0].size(); ++q) {
+      for (std::size_t j = 1; j < grid; ++j) {
+        const double before = values[j][q] - values[j - 1][q];
+        const double behind = values[j][q] - values[j + 1][q];
+        // A difference within round-off is a level stretch, no maximum.
+        const bool maximum = before >= 0.0 && behind > 0.0 &&
+                             std::max(before, behind) > 1e-9 * values[j][q];
+        if (!maximum) continue;
+        const auto quantity = [&](double s) { return peaks_at(beam, loads, si<Length>(s))[q]; };
+        const auto middle = static_cast<double>(j);
+        stations.push_back(si<Length>(
+            find_maximum(quantity, at(middle - 1.0).value(), at(middle + 1.0).value()).at));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<StressPoint> stress_points_at(const Project& project, const Station& station) {
+  const TaperedBeam& beam = project.beam;
+  const Section section = section_at(beam, station);
+  const std::vector<Hole> holes = holes_at(beam, station.s);
+  const SectionProperties net = properties_of(section, holes);
+  const Category category = category_at(project.fatigue, station.s);
+
+  std::vector<StressPoint> points;
+  const auto add = [&](const std::string& name, Length z, bool fatigue) -> StressPoint& {
+    StressPoint point;
+    point.station = station;
+    point.name = name;
+    point.z = z;
+    point.section = section;
+    point.net = net;
+    point.yield_strength = yield_strength_of(project.material, wall_at(section.outer, z)).value();
+    point.fatigue = fatigue;
+    point.category = category.value;
+    point.category_assumed = category.assumed;
+    return points.emplace_back(std::move(point));
+  };
+  const auto add_nominal = [&](const std::string& name, Length z, bool fatigue) {
+    if (width_at(section, holes, z).value() <= 0.0 && abs(z) < 0.5 * height_of(section.outer)) return;
+    add(name, z, fatigue).level = stress_level_of(section, holes, net, z);
+  };
+
+  add_nominal("fibre +z", net.z_top, true);
+  add_nominal("fibre -z", net.z_bottom, true);
+  if (std::holds_alternative<HollowRectangle>(section.outer)) {
+    const Length web = half_clear_height(section.outer);
+    add_nominal("web end +z", web, false);
+    add_nominal("web end -z", -web, false);
+  }
+  // In a hole at mid-height there is no neutral fibre; its edges are looked at instead.
+  add_nominal("neutral axis", net.centroid_z, false);
+
+  for (std::size_t i = 0; i < beam.holes.size(); ++i) {
+    if (beam.holes[i].s != station.s) continue;
+    const Hole& hole = beam.holes[i].hole;
+    const HoleCase hole_case = project.hole_cases[i];
+    const double a = hole.diameter / plate_width_of(section, hole, hole_case);
+    const double factor = hole_case == HoleCase::published_exponential
+                              ? published_concentration(a)
+                              : membrane_concentration(a) / (1.0 - a);
+    const char* names[] = {" edge +z", " edge -z"};
+    const auto edges = hole_edges_of(section, holes, hole, hole_case);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      StressPoint& point = add("hole " + hole.name + names[k], edges[k].z, true);
+      point.level = edges[k].level;
+      point.concentration = EdgeConcentration{hole.name, hole_case, a, factor};
+    }
+  }
+  for (const NamedPoint& named : project.points) {
+    if (named.s == station.s) add_nominal(named.name, named.z, true);
+  }
+  return points;
+}
+
+std::vector<Station> stations_to_verify(const Project& project, const LoadHistory& loads) {
+  const TaperedBeam& beam = project.beam;
+  std::vector<Length> places = places_of(beam);
+  for (const NamedPoint& point : project.points) places.push_back(point.s);
+  std::vector<Length> inner;
+  add_inner_maxima(beam, loads, inner);
+  // Maxima of different quantities close together are one station, the one of the stress range
+  // first: near its maximum a quantity is level, so that what the others lose is of second order.
+  for (const Length s : inner) {
+    const auto close = [&](Length other) { return abs(other - s) < 0.01 * beam.length(); };
+    if (std::none_of(places.begin(), places.end(), close)) places.push_back(s);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+
+  std::vector<Station> stations;
+  for (const Length s : places) {
+    if (!jumps_at(beam, loads, s)) {
+      stations.push_back({s, Side::both});
+      continue;
+    }
+    if (s.value() > 0.0) stations.push_back({s, Side::before});
+    if (s < beam.length()) stations.push_back({s, Side::behind});
+  }
+  return stations;
+}
+
+}  // namespace boxbeam

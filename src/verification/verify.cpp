@@ -1,0 +1,311 @@
+#include "boxbeam/verification/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/mechanism/planar/constraints.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Where the loads on the beam come from at any time: the mechanism's reactions or the chain.
+LoadsAt loads_of(const Project& project, const planar::Motion& motion) {
+  auto solver = std::make_shared<planar::InstantSolver>(project.mechanism);
+  if (project.dynamics == Dynamics::newton_chain) {
+    auto distribution = mass_distribution_of(project.beam);
+    return [&project, &motion, solver, distribution](Time time) {
+      return planar::beam_loads_of(*project.chain, project.beam, distribution,
+                                   project.mechanism.gravity,
+                                   planar::state_at(*solver, motion, time.value()));
+    };
+  }
+  auto body = planar::beam_body_of(project.beam, project.beam_body);
+  return [&project, &motion, solver, body](Time time) {
+    return planar::beam_loads_of(project.mechanism,
+                                 planar::state_at(*solver, motion, time.value()), body);
+  };
+}
+
+LoadHistory loads_on_beam(const Project& project, const planar::Motion& motion) {
+  return {project.beam, si<Time>(motion.period), motion.states.size(), loads_of(project, motion)};
+}
+
+/// Largest force and moment left over on the beam, relative to the largest joint force. Anything
+/// but round-off means that the loads do not belong to this beam.
+double imbalance_over(const Project& project, const LoadHistory& loads) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < loads.instants(); i += loads.instants() / 16) {
+    const Time time = loads.time_of(i);
+    const BeamLoads at = loads.loads_at(time);
+    double largest = 0.0;
+    for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
+    const Imbalance open = imbalance_of(project.beam, at);
+    const double scale = largest * std::max(1.0, project.beam.length().value());
+    const double relative = (open.force.norm() + open.moment.norm()) / scale;
+    worst = std::max(worst, relative);
+    if (relative > 1e-6) {
+      throw AnalysisError({"the loads on the beam are not in balance", "beam", time.value(), relative, {}});
+    }
+  }
+  return worst;
+}
+
+Envelope envelope_of(const StationHistory& history, const CutForceFunction& f) {
+  TurningPoint low = history.largest([&](const CutForces& cut) { return -f(cut); });
+  low.value *= -1.0;
+  low.maximum = false;
+  return {low, history.largest(f)};
+}
+
+double axial(const CutForces& cut) { return cut.N.value(); }
+double shear(const CutForces& cut) { return cut.V_z.value(); }
+double bending(const CutForces& cut) { return cut.M_y.value(); }
+
+std::vector<StationEnvelope> cut_force_envelopes(const Project& project, const LoadHistory& loads,
+                                                 const std::vector<Station>& stations) {
+  std::vector<StationEnvelope> envelopes;
+  const auto add = [&](const Station& station) {
+    const StationHistory history(loads, station);
+    envelopes.push_back({station, envelope_of(history, axial), envelope_of(history, shear),
+                         envelope_of(history, bending)});
+  };
+  // Outside the two ends nothing is cut: the jump to zero there is part of the diagram.
+  add({Length{}, Side::before});
+  for (const Station& station : stations) add(station);
+  add({project.beam.length(), Side::behind});
+  return envelopes;
+}
+
+void sort_worst_first(std::vector<CheckResult>& checks) {
+  std::stable_sort(checks.begin(), checks.end(), [](const CheckResult& a, const CheckResult& b) {
+    return a.check.utilisation() > b.check.utilisation();
+  });
+}
+
+std::vector<CriticalInstant> critical_instants_of(const Verification& verification) {
+  std::vector<CriticalInstant> instants;
+  const auto add = [&](const char* name, Envelope StationEnvelope::*quantity, TurningPoint Envelope::*end) {
+    const StationEnvelope* best = nullptr;
+    for (const StationEnvelope& station : verification.stations) {
+      const double value = (station.*quantity.*end).value;
+      if (best == nullptr) best = &station;
+      const double so_far = (best->*quantity.*end).value;
+      if (end == &Envelope::largest ? value > so_far : value < so_far) best = &station;
+    }
+    const TurningPoint& point = best->*quantity.*end;
+    instants.push_back({name, best->station, point.time, point.value});
+  };
+  for (const auto end : {&Envelope::largest, &Envelope::smallest}) {
+    add("N", &StationEnvelope::N, end);
+    add("V", &StationEnvelope::V, end);
+    add("M", &StationEnvelope::M, end);
+  }
+  const CheckResult* governing = verification.governing(Criterion::fatigue);
+  if (governing == nullptr || !governing->basis) governing = verification.governing(Criterion::yield);
+  if (governing != nullptr && governing->basis) {
+    for (const TurningPoint& point : {governing->basis->highest, governing->basis->lowest}) {
+      instants.push_back({"stress", governing->check.station, point.time, point.value});
+    }
+  }
+  return instants;
+}
+
+/// The distinct times of the extremes of bending and stress: the instants worth drawing.
+std::vector<std::pair<Time, std::string>> instants_to_show(const Verification& verification) {
+  std::vector<std::pair<Time, std::string>> shown;
+  for (const CriticalInstant& instant : verification.critical_instants) {
+    if (instant.quantity != "M" && instant.quantity != "stress") continue;
+    const std::string why =
+        fmt::format("{} {}", instant.value < 0.0 ? "smallest" : "largest", instant.quantity);
+    const auto same = std::find_if(shown.begin(), shown.end(), [&](const auto& other) {
+      return abs(other.first - instant.time) < 1e-4 * verification.period;
+    });
+    if (same == shown.end()) shown.emplace_back(instant.time, why);
+    else same->second += ", " + why;
+  }
+  std::sort(shown.begin(), shown.end());
+  return shown;
+}
+
+constexpr int points_per_piece = 24;
+
+/// Stations along the beam for drawing, two at every border of the pieces.
+std::vector<Station> drawn_stations(const CutForceDiagram& diagram) {
+  std::vector<Station> stations{{diagram.pieces.front().start, Side::before}};
+  for (const CutForcePiece& piece : diagram.pieces) {
+    for (int j = 0; j <= points_per_piece; ++j) {
+      const Side side = j == 0 ? Side::behind : (j == points_per_piece ? Side::before : Side::both);
+      const Length s = j == points_per_piece
+                           ? piece.end()
+                           : piece.start + piece.length * (static_cast<double>(j) / points_per_piece);
+      stations.push_back({s, side});
+    }
+  }
+  stations.push_back({diagram.pieces.back().end(), Side::behind});
+  return stations;
+}
+
+CutForceLine cut_force_line(const LoadHistory& loads, Time time, const std::string& why) {
+  const CutForceDiagram diagram = loads.diagram_at(time);
+  CutForceLine line{time, why, drawn_stations(diagram), {}};
+  for (const Station& station : line.stations) line.values.push_back(diagram.at(station));
+  return line;
+}
+
+/// Smallest and largest N, V and M along the beam over the instants, for drawing.
+std::vector<CutForceLine> envelope_lines(const LoadHistory& loads) {
+  const std::vector<Station> stations = drawn_stations(loads.diagram(0));
+  std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}}, {Time{}, "largest", stations, {}}};
+  for (const Station& station : stations) {
+    CutForces low = loads.diagram(0).at(station);
+    CutForces high = low;
+    for (std::size_t i = 1; i < loads.instants(); ++i) {
+      const CutForces cut = loads.diagram(i).at(station);
+      low = {std::min(low.N, cut.N), low.V_y, std::min(low.V_z, cut.V_z),
+             low.T, std::min(low.M_y, cut.M_y), low.M_z};
+      high = {std::max(high.N, cut.N), high.V_y, std::max(high.V_z, cut.V_z),
+              high.T, std::max(high.M_y, cut.M_y), high.M_z};
+    }
+    lines[0].values.push_back(low);
+    lines[1].values.push_back(high);
+  }
+  return lines;
+}
+
+double beam_angle(const Project& project, const planar::State& state) {
+  const int body = project.beam_body != planar::ground ? project.beam_body : project.chain->axis_body;
+  return state.q[3 * body + 2];
+}
+
+std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads, Time time, double angle) {
+  std::vector<BeamLoadRow> rows;
+  for (const PointLoad& load : loads.points) {
+    BeamLoadRow row;
+    row.time = time;
+    row.s = load.s;
+    for (const BeamPoint& point : project.beam.points) {
+      if (point.s == load.s) row.name = point.name;
+    }
+    row.force = load.force;
+    row.couple = load.moment.y();
+    row.world = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(load.force.x(), load.force.z());
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+PostureFigure posture_figure(const Project& project, const planar::State& state, const std::string& why) {
+  PostureFigure figure;
+  figure.time = si<Time>(state.time);
+  figure.why = why;
+  for (std::size_t i = 0; i < project.mechanism.bodies.size(); ++i) {
+    const Body& body = project.mechanism.bodies[i];
+    PostureFigure::Line line{body.name, {}, {}};
+    for (const BodyPoint& point : body.points) {
+      line.points.push_back(planar::position_of({static_cast<int>(i), point.p}, state.q));
+      line.names.push_back(point.name);
+    }
+    figure.bodies.push_back(std::move(line));
+  }
+  return figure;
+}
+
+ChainComparison compare_chain(const Project& project, const planar::State& state) {
+  const planar::NewtonChain& chain = *project.chain;
+  ChainComparison comparison;
+  comparison.time = si<Time>(state.time);
+  const planar::ChainForces forces = planar::chain_at(chain, state);
+  comparison.chain_first = forces.g[chain.first_end];
+  comparison.chain_second = forces.g[chain.second_end];
+  comparison.chain_mass = forces.sought_mass;
+  const BeamLoads loads = planar::beam_loads_of(chain, project.beam, mass_distribution_of(project.beam),
+                                                project.mechanism.gravity, state);
+  comparison.moment_gap = loads.points.back().moment.y();
+  comparison.rigorous_first.setZero();
+  comparison.rigorous_second.setZero();
+  if (project.beam_body == planar::ground) return comparison;
+  const auto body = planar::beam_body_of(project.beam, project.beam_body);
+  const BeamLoads rigorous = planar::beam_loads_of(project.mechanism, state, body);
+  for (const BeamLoadRow& row : load_rows(project, rigorous, comparison.time, beam_angle(project, state))) {
+    if (row.s == chain.first_station) comparison.rigorous_first += row.world;
+    if (row.s == chain.second_station) comparison.rigorous_second += row.world;
+  }
+  return comparison;
+}
+
+/// What the report shows of the instants that decide.
+void describe_instants(const Project& project, const planar::Motion& motion, const LoadHistory& loads,
+                       Verification& result) {
+  planar::InstantSolver solver(project.mechanism);
+  result.postures.push_back(posture_figure(project, motion.states.front(), "t = 0"));
+  for (const auto& [time, why] : instants_to_show(result)) {
+    const planar::State state = planar::state_at(solver, motion, time.value());
+    result.lines.push_back(cut_force_line(loads, time, why));
+    const auto rows = load_rows(project, loads.loads_at(time), time, beam_angle(project, state));
+    result.loads.insert(result.loads.end(), rows.begin(), rows.end());
+    result.postures.push_back(posture_figure(project, state, why));
+    result.postures.back().loads = rows;
+  }
+  result.envelope = envelope_lines(loads);
+  if (project.chain) {
+    const auto largest_M = std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
+                                        [](const CriticalInstant& c) { return c.quantity == "M"; });
+    result.chain = compare_chain(project, planar::state_at(solver, motion, largest_M->time.value()));
+  }
+}
+
+void describe_mechanism(const Project& project, const planar::Motion& motion, Verification& result) {
+  const planar::State& first = motion.states.front();
+  result.freedom = planar::degrees_of_freedom_of(project.mechanism, first.q);
+  result.branch = planar::branch_of(project.mechanism, first.q);
+  result.instants = motion.states.size();
+  result.period = si<Time>(motion.period);
+  for (const planar::State& state : motion.states) {
+    result.largest_residual = std::max(result.largest_residual, state.residual);
+  }
+  result.beam_mass = mass_properties_of(project.beam);
+  if (project.equivalent_mass) {
+    const EquivalentMassDemand& demand = *project.equivalent_mass;
+    result.equivalent_mass = planar::equivalent_mass_of(project.mechanism, motion, demand.joint, demand.on,
+                                                        demand.adjust, demand.wanted.value());
+  }
+}
+
+}  // namespace
+
+const char* to_text(Verdict verdict) { return verdict == Verdict::pass ? "pass" : "fail"; }
+
+const CheckResult* Verification::governing(Criterion criterion) const {
+  for (const CheckResult& result : checks) {
+    if (result.check.criterion == criterion) return &result;
+  }
+  return nullptr;
+}
+
+Verification verify(const Project& project) {
+  const planar::Motion motion = planar::solve_motion(project.mechanism);
+  const LoadHistory loads = loads_on_beam(project, motion);
+  const std::vector<Station> stations = stations_to_verify(project, loads);
+
+  Verification result;
+  describe_mechanism(project, motion, result);
+  result.imbalance = imbalance_over(project, loads);
+  result.stations = cut_force_envelopes(project, loads, stations);
+  result.checks = project.given_stresses.empty() ? check_beam(project, loads, stations)
+                                                 : check_given_stresses(project);
+  sort_worst_first(result.checks);
+  const bool all_pass = std::all_of(result.checks.begin(), result.checks.end(),
+                                    [](const CheckResult& r) { return r.check.passes(); });
+  result.verdict = all_pass ? Verdict::pass : Verdict::fail;
+  result.critical_instants = critical_instants_of(result);
+  describe_instants(project, motion, loads, result);
+  return result;
+}
+
+}  // namespace boxbeam
