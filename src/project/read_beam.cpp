@@ -114,7 +114,10 @@ void read_hole(TableReader table, Project& project) {
     table.problem("concentration", "a hole in a flange is strained evenly, not bent in its plane",
                   "write concentration = \"membrane tension\"");
   }
-  for (const double position : positions) {
+  const std::string name = hole.name;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const double position = positions[i];
+    if (positions.size() > 1) hole.name = fmt::format("{} {}", name, i + 1);
     hole.position = si<Length>(flanges ? std::abs(position) : position);
     if (auto trouble = misplacement_of(beam, s, hole)) {
       table.problem(flanges ? "offsets" : "levels", *trouble);

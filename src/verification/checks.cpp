@@ -20,9 +20,14 @@ const char* fatigue_source(const FatigueInput& fatigue) {
              : "EN 1993-1-9:2005+AC:2009, 7.1(2), 8";
 }
 
-std::string id_of(Criterion criterion, const Station& station, std::string point) {
-  std::replace(point.begin(), point.end(), ' ', '-');
-  return fmt::format("{}/{}/{}", to_text(criterion), to_text(station), point);
+/// "yield/4.2-/hole-hub-edge+z": no spaces, so that an id is one word on a command line.
+std::string id_of(Criterion criterion, const Station& station, const std::string& point) {
+  std::string word;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const bool before_sign = point[i] == ' ' && i + 1 < point.size() && (point[i + 1] == '+' || point[i + 1] == '-');
+    if (!before_sign) word += point[i] == ' ' ? '-' : point[i];
+  }
+  return fmt::format("{}/{}/{}", to_text(criterion), to_text(station), word);
 }
 
 SnCurve curve_of(const FatigueInput& fatigue, int category) {
@@ -117,6 +122,8 @@ std::optional<CheckResult> check_fatigue(const Project& project, const LoadHisto
   FatigueDemand constant = fatigue.demand;
   constant.loading = Loading::constant_amplitude;
   basis.constant_amplitude_factor = largest_factor({{range, {}, 1.0}}, curve, constant);
+  basis.knee = knee_of(curve);
+  basis.cut_off = cut_off_of(curve);
   fill_instants(result, loads);
   return result;
 }

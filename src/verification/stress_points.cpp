@@ -104,6 +104,7 @@ std::vector<StressPoint> stress_points_at(const Project& project, const Station&
   const TaperedBeam& beam = project.beam;
   const Section section = section_at(beam, station);
   const std::vector<Hole> holes = holes_at(beam, station.s);
+  const SectionProperties gross = properties_of(section);
   const SectionProperties net = properties_of(section, holes);
   const Category category = category_at(project.fatigue, station.s);
 
@@ -114,8 +115,10 @@ std::vector<StressPoint> stress_points_at(const Project& project, const Station&
     point.name = name;
     point.z = z;
     point.section = section;
+    point.gross = gross;
     point.net = net;
-    point.yield_strength = yield_strength_of(project.material, wall_at(section.outer, z)).value();
+    point.plate = wall_at(section.outer, z);
+    point.yield_strength = yield_strength_of(project.material, point.plate).value();
     point.fatigue = fatigue;
     point.category = category.value;
     point.category_assumed = category.assumed;
@@ -166,7 +169,7 @@ std::vector<Station> stations_to_verify(const Project& project, const LoadHistor
   add_inner_maxima(beam, loads, inner);
   // Maxima of different quantities close together are one station, the one of the stress range
   // first: near its maximum a quantity is level, so that what the others lose is of second order.
-  for (const Length s : inner) {
+  for (const Length& s : inner) {
     const auto close = [&](Length other) { return abs(other - s) < 0.01 * beam.length(); };
     if (std::none_of(places.begin(), places.end(), close)) places.push_back(s);
   }
@@ -174,7 +177,7 @@ std::vector<Station> stations_to_verify(const Project& project, const LoadHistor
   places.erase(std::unique(places.begin(), places.end()), places.end());
 
   std::vector<Station> stations;
-  for (const Length s : places) {
+  for (const Length& s : places) {
     if (!jumps_at(beam, loads, s)) {
       stations.push_back({s, Side::both});
       continue;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <memory>
+#include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
@@ -277,6 +278,45 @@ void describe_mechanism(const Project& project, const planar::Motion& motion, Ve
   }
 }
 
+void describe_beam(const Project& project, Verification& result) {
+  for (const Segment& segment : project.beam.segments) {
+    const Length rise = 0.5 * abs(height_of(segment.to.outer) - height_of(segment.from.outer));
+    if (rise.value() == 0.0) continue;
+    const double slope = std::atan2(rise.value(), segment.length.value());
+    result.tapers.push_back({segment.name, slope * 180.0 / std::numbers::pi});
+  }
+  for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
+    if (project.hole_cases[i] != HoleCase::published_exponential) continue;
+    const BeamHole& at = project.beam.holes[i];
+    const Section section = section_at(project.beam, {at.s});
+    const double a = at.hole.diameter / plate_width_of(section, at.hole, project.hole_cases[i]);
+    result.published_concentrations.push_back({at.hole.name, a, published_concentration(a)});
+  }
+}
+
+std::optional<SnFigure> sn_figure(const Project& project, const Verification& result) {
+  const CheckResult* governing = result.governing(Criterion::fatigue);
+  if (governing == nullptr) return std::nullopt;
+  const FatigueInput& fatigue = project.fatigue;
+  SnFigure figure;
+  figure.category = governing->basis ? governing->basis->point.category : fatigue.category;
+  figure.kind = fatigue.curve;
+  const SnCurve curve{si<Stress>(figure.category * 1e6), fatigue.curve};
+  for (int i = 0; i <= 120; ++i) {
+    const double cycles = std::pow(10.0, 4.0 + 5.0 * i / 120.0);
+    figure.cycles.push_back(cycles);
+    figure.spectrum.push_back(strength_at(curve, cycles, Loading::spectrum).value());
+    figure.constant_amplitude.push_back(strength_at(curve, cycles, Loading::constant_amplitude).value());
+  }
+  figure.knee = knee_of(curve).value();
+  figure.cut_off = cut_off_of(curve).value();
+  figure.working_cycles = fatigue.demand.periods;
+  figure.working_range =
+      governing->check.acting.value() * fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf;
+  figure.required = fatigue.required;
+  return figure;
+}
+
 }  // namespace
 
 const char* to_text(Verdict verdict) { return verdict == Verdict::pass ? "pass" : "fail"; }
@@ -305,6 +345,8 @@ Verification verify(const Project& project) {
   result.verdict = all_pass ? Verdict::pass : Verdict::fail;
   result.critical_instants = critical_instants_of(result);
   describe_instants(project, motion, loads, result);
+  describe_beam(project, result);
+  result.sn = sn_figure(project, result);
   return result;
 }
 

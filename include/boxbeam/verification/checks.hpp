@@ -17,7 +17,9 @@ struct CheckBasis {
   PointStress stress_at_time;
   std::vector<double> history;  ///< normal stress at the instants of the motion [Pa]
   std::vector<Cycle> cycles;    ///< of one period
-  double constant_amplitude_factor = 0.0;  ///< fatigue only, EN 1993-1-9 7.1(2)
+  // Fatigue only:
+  double constant_amplitude_factor = 0.0;  ///< EN 1993-1-9 7.1(2)
+  Stress knee, cut_off;                    ///< d_sigma_D and d_sigma_L of the category
 };
 
 /// A check and what it rests on; nothing for a stress that was given.

@@ -24,8 +24,9 @@ struct StressPoint {
   std::string name;  ///< "fibre +z"
   Length z;
   Section section;
-  SectionProperties net;
+  SectionProperties gross, net;
   StressLevel level;
+  Length plate;  ///< thickness that decides the yield strength
   Stress yield_strength;
   std::optional<EdgeConcentration> concentration;
   bool fatigue = true;  ///< whether direct-stress fatigue has a meaning here

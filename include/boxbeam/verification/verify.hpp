@@ -76,6 +76,31 @@ struct ChainComparison {
   double moment_gap = 0.0;                          ///< couple left over at the pivot [N m]
 };
 
+/// How far the flanges of a tapered segment are inclined to the axis.
+struct TaperSlope {
+  std::string segment;
+  double degrees = 0.0;
+};
+
+/// The published concentration formula, evaluated for a hole that uses it.
+struct PublishedConcentration {
+  std::string hole;
+  double diameter_to_width = 0.0;
+  double factor = 0.0;
+};
+
+/// The governing fatigue strength line and working point, for the S-N diagram.
+struct SnFigure {
+  int category = 0;
+  CurveKind kind = CurveKind::en_1993_1_9;
+  std::vector<double> cycles;
+  std::vector<double> spectrum;            ///< strength [Pa] at these cycles
+  std::vector<double> constant_amplitude;  ///< likewise
+  double knee = 0.0, cut_off = 0.0;        ///< [Pa]
+  double working_cycles = 0.0, working_range = 0.0;  ///< partial factors applied to the range [Pa]
+  double required = 1.0;
+};
+
 /// The result of a verification.
 struct Verification {
   Verdict verdict = Verdict::fail;
@@ -91,6 +116,9 @@ struct Verification {
   std::vector<int> branch;  ///< sign per loop
   std::optional<planar::EquivalentMass> equivalent_mass;
   std::optional<ChainComparison> chain;
+  std::vector<TaperSlope> tapers;
+  std::vector<PublishedConcentration> published_concentrations;
+  std::optional<SnFigure> sn;
   std::size_t instants = 0;
   Time period;
   double largest_residual = 0.0;  ///< of the constraints, over all instants [m, rad]

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
+#include "boxbeam/project/project.hpp"
+
+namespace boxbeam {
+
+/// A body's centre of mass: (x, y, angle) and its derivatives [m, rad; s].
+struct BodyMotion {
+  std::string name;
+  Eigen::Vector3d position, velocity, acceleration;
+};
+
+/// A named point "body.point" in world axes.
+struct PointMotion {
+  std::string name;
+  Eigen::Vector2d position, velocity, acceleration;
+};
+
+/// What a joint or driver does to a body, world axes [N, N m].
+struct JointReaction {
+  std::string joint;
+  std::string on;
+  Eigen::Vector2d force;
+  double moment = 0.0;  ///< counter-clockwise, about the joint's point
+};
+
+/// Everything of one instant.
+struct InstantResult {
+  double time = 0.0;  ///< [s]
+  std::vector<std::pair<std::string, int>> branch;  ///< loop and its sign
+  double residual = 0.0;   ///< largest error of the constraints [m, rad]
+  double condition = 0.0;  ///< of the scaled Jacobian
+  std::vector<BodyMotion> bodies;
+  std::vector<PointMotion> points;
+  std::vector<JointReaction> reactions;
+};
+
+/// The mechanism alone.
+struct MotionResult {
+  planar::DegreesOfFreedom freedom;
+  std::vector<InstantResult> states;
+};
+
+/// Solves the mechanism of a case at the given times [s], or at twelve instants of its period where
+/// none is given. Throws AnalysisError.
+MotionResult motion_of(const Project& project, std::vector<double> times);
+
+}  // namespace boxbeam

@@ -1,0 +1,140 @@
+#include "boxbeam/report/json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/remarks.hpp"
+#include "version.hpp"
+
+namespace boxbeam {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The library writes NaN and infinity as null without a word; a result must never be one.
+double finite(double value) {
+  if (!std::isfinite(value)) throw OutputError("a result is not a finite number and is not written");
+  return value == 0.0 ? 0.0 : value;  // no "-0.0"
+}
+
+Json pair(const Envelope& envelope) {
+  return Json::array({finite(envelope.smallest.value), finite(envelope.largest.value)});
+}
+
+Json check_json(const Check& check) {
+  return {{"id", check.id},
+          {"criterion", to_text(check.criterion)},
+          {"point", check.point},
+          {"station", finite(check.station.s.value())},
+          {"side", to_text(check.station.side)},
+          {"time", finite(check.time.value())},
+          {"acting", finite(check.acting.value())},
+          {"resisting", finite(check.resisting.value())},
+          {"safety_factor", finite(check.safety_factor)},
+          {"required", finite(check.required)},
+          {"utilisation", finite(check.utilisation())},
+          {"unit", "Pa"},
+          {"source", check.source}};
+}
+
+Json beam_json(const Verification& verification, const Project& project) {
+  Json stations = Json::array();
+  for (const StationEnvelope& station : verification.stations) {
+    stations.push_back({{"s", finite(station.station.s.value())},
+                        {"side", to_text(station.station.side)},
+                        {"N", pair(station.N)},
+                        {"V", pair(station.V)},
+                        {"M", pair(station.M)}});
+  }
+  return {{"length", finite(project.beam.length().value())},
+          {"mass", finite(verification.beam_mass.mass.value())},
+          {"centre_of_mass", finite(verification.beam_mass.centre.value())},
+          {"stations", std::move(stations)}};
+}
+
+Json governing_json(const Verification& verification) {
+  Json governing = Json::object();
+  for (const Criterion criterion : {Criterion::yield, Criterion::fatigue}) {
+    const CheckResult* result = verification.governing(criterion);
+    governing[to_text(criterion)] = result != nullptr ? check_json(result->check) : Json();
+  }
+  return governing;
+}
+
+const char* sign_text(int sign) { return sign > 0 ? "+" : (sign < 0 ? "-" : "0"); }
+
+Json body_json(const BodyMotion& body) {
+  return {{"x", finite(body.position.x())},       {"y", finite(body.position.y())},
+          {"angle", finite(body.position.z())},   {"vx", finite(body.velocity.x())},
+          {"vy", finite(body.velocity.y())},      {"omega", finite(body.velocity.z())},
+          {"ax", finite(body.acceleration.x())},  {"ay", finite(body.acceleration.y())},
+          {"alpha", finite(body.acceleration.z())}};
+}
+
+Json point_json(const PointMotion& point) {
+  return {{"x", finite(point.position.x())},      {"y", finite(point.position.y())},
+          {"vx", finite(point.velocity.x())},     {"vy", finite(point.velocity.y())},
+          {"ax", finite(point.acceleration.x())}, {"ay", finite(point.acceleration.y())}};
+}
+
+Json state_json(const InstantResult& state) {
+  Json branch = Json::object();
+  for (const auto& [loop, sign] : state.branch) branch[loop] = sign_text(sign);
+  Json bodies = Json::object();
+  for (const BodyMotion& body : state.bodies) bodies[body.name] = body_json(body);
+  Json points = Json::object();
+  for (const PointMotion& point : state.points) points[point.name] = point_json(point);
+  Json reactions = Json::object();
+  for (const JointReaction& reaction : state.reactions) {
+    reactions[reaction.joint] = {{"on", reaction.on},
+                                 {"fx", finite(reaction.force.x())},
+                                 {"fy", finite(reaction.force.y())},
+                                 {"moment", finite(reaction.moment)}};
+  }
+  return {{"time", finite(state.time)},         {"branch", std::move(branch)},
+          {"residual", finite(state.residual)}, {"condition", finite(state.condition)},
+          {"bodies", std::move(bodies)},        {"points", std::move(points)},
+          {"reactions", std::move(reactions)}};
+}
+
+}  // namespace
+
+std::string results_json(const Project& project, const Verification& verification) {
+  Json instants = Json::array();
+  for (const CriticalInstant& instant : verification.critical_instants) {
+    instants.push_back({{"quantity", instant.quantity},
+                        {"station", finite(instant.station.s.value())},
+                        {"side", to_text(instant.station.side)},
+                        {"time", finite(instant.time.value())},
+                        {"value", finite(instant.value)}});
+  }
+  Json checks = Json::array();
+  for (const CheckResult& result : verification.checks) checks.push_back(check_json(result.check));
+  const Json document = {{"schema", "boxbeam.results/1"},
+                         {"case", project.name},
+                         {"version", version},
+                         {"input_sha256", project.sha256},
+                         {"verdict", to_text(verification.verdict)},
+                         {"model", {{"chosen", "rigid"}, {"reason", model_reason(project)}}},
+                         {"critical_instants", std::move(instants)},
+                         {"beam", beam_json(verification, project)},
+                         {"checks", std::move(checks)},
+                         {"governing", governing_json(verification)},
+                         {"remarks", remarks_of(project, verification)}};
+  return document.dump(2) + "\n";
+}
+
+std::string motion_json(const MotionResult& motion) {
+  Json states = Json::array();
+  for (const InstantResult& state : motion.states) states.push_back(state_json(state));
+  const Json document = {{"schema", "boxbeam.motion/1"},
+                         {"kind", "planar"},
+                         {"degrees_of_freedom", motion.freedom.by_rank},
+                         {"states", std::move(states)}};
+  return document.dump(2) + "\n";
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,449 @@
+#include "boxbeam/report/plots.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gnuplot-iostream.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <tuple>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/format.hpp"
+
+extern char** environ;
+
+namespace boxbeam {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* colours[] = {"#1f5fa8", "#c8551b", "#3f8f4f", "#7a4fa0", "#8a6d1d", "#4a4a4a"};
+constexpr std::size_t colour_count = std::size(colours);
+
+const char* colour(std::size_t i) { return colours[i % colour_count]; }
+
+/// A user's text inside a gnuplot string in single quotes.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : (c == '\n' ? " " : std::string(1, c));
+  return out + "'";
+}
+
+/// The house style: quiet axes, light grid behind, one font.
+void begin(Gnuplot& gp, const std::string& name, int width, int height) {
+  gp << std::setprecision(9);
+  gp << "# Redraw with: gnuplot " << name << ".gp\n"
+     << "set terminal svg size " << width << "," << height
+     << " dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'\n"
+     << "set output '" << name << ".svg'\n"
+     << "set encoding utf8\n"
+     << "set border 3 lc rgb '#505050'\n"
+     << "set tics out nomirror\n"
+     << "set grid lc rgb '#e2e2e2' lw 0.7 lt 1\n"
+     << "set key noenhanced samplen 2.5 spacing 1.2\n";
+}
+
+/// A data block of rows of numbers.
+template <class Rows>
+void block(Gnuplot& gp, const std::string& name, const Rows& rows) {
+  gp << "$" << name << " << e\n";
+  gp.send1d(rows);
+}
+
+using Row2 = std::tuple<double, double>;
+using Row4 = std::tuple<double, double, double, double>;
+
+std::string time_label(Time time) { return fmt::format("t = {}", text::seconds(time.value())); }
+
+// --- cut forces ------------------------------------------------------------------------------
+
+void draw_outline(Gnuplot& gp, const Project& project, const Verification& verification) {
+  std::vector<Row2> outline;
+  const auto& segments = project.beam.segments;
+  for (const Segment& segment : segments) {
+    outline.emplace_back(segment.start.value(), 500.0 * height_of(segment.from.outer).value());
+    outline.emplace_back(segment.end().value(), 500.0 * height_of(segment.to.outer).value());
+  }
+  for (std::size_t i = outline.size(); i-- > 0;) {
+    outline.emplace_back(std::get<0>(outline[i]), -std::get<1>(outline[i]));
+  }
+  outline.push_back(outline.front());
+  block(gp, "outline", outline);
+  double tallest = 0.0;
+  for (const Row2& row : outline) tallest = std::max(tallest, std::get<1>(row));
+  gp << "set ylabel 'beam z [mm]'\nset yrange [" << -1.6 * tallest << ":" << 1.9 * tallest << "]\n"
+     << "set ytics " << (tallest > 300 ? 500 : 100) << "\n";
+  int label = 0;
+  for (const BeamPoint& point : project.beam.points) {
+    gp << "set label " << ++label << " " << quoted(point.name) << " at " << point.s.value() << ","
+       << 1.25 * tallest << " center noenhanced\n";
+    gp << "set arrow " << label << " from " << point.s.value() << "," << 1.15 * tallest << " to "
+       << point.s.value() << "," << -1.15 * tallest << " nohead lc rgb '#909090' dt 3\n";
+  }
+  // The one legend of the figure stands here, where no curve is.
+  gp << "set key top right horizontal\n"
+     << "plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, "
+        "$outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, "
+        "NaN with filledcurves fc rgb '#e9e9e9' title 'envelope'";
+  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
+    gp << ", NaN with lines lw 1.8 lc rgb '" << colour(k) << "' title '" << time_label(verification.lines[k].time)
+       << "'";
+  }
+  gp << "\nunset key\nunset label\nunset arrow\nset ytics autofreq\n";
+}
+
+void draw_panel(Gnuplot& gp, const Verification& verification, const std::string& symbol,
+                const std::string& label, const std::function<double(const CutForces&)>& value) {
+  const auto rows_of = [&](const CutForceLine& line) {
+    std::vector<Row2> rows;
+    for (std::size_t i = 0; i < line.stations.size(); ++i) {
+      rows.emplace_back(line.stations[i].s.value(), value(line.values[i]) * 1e-3);
+    }
+    return rows;
+  };
+  std::vector<std::tuple<double, double, double>> band;
+  const std::vector<Row2> low = rows_of(verification.envelope[0]);
+  const std::vector<Row2> high = rows_of(verification.envelope[1]);
+  double bottom = 0.0;
+  double top = 0.0;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    band.emplace_back(std::get<0>(low[i]), std::get<1>(low[i]), std::get<1>(high[i]));
+    bottom = std::min(bottom, std::get<1>(low[i]));
+    top = std::max(top, std::get<1>(high[i]));
+  }
+  const double room = 0.18 * (top - bottom);
+  block(gp, "band_" + symbol, band);
+  std::string plot = fmt::format("plot $band_{} using 1:2:3 with filledcurves fc rgb '#e9e9e9', "
+                                 "0 with lines lc rgb '#505050' lw 1", symbol);
+  int label_number = 0;
+  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
+    const CutForceLine& line = verification.lines[k];
+    const std::vector<Row2> rows = rows_of(line);
+    block(gp, fmt::format("{}{}", symbol, k), rows);
+    plot += fmt::format(", ${}{} using 1:2 with lines lw 1.8 lc rgb '{}'", symbol, k, colour(k));
+    const auto extreme = std::max_element(rows.begin(), rows.end(), [](const Row2& a, const Row2& b) {
+      return std::abs(std::get<1>(a)) < std::abs(std::get<1>(b));
+    });
+    const double y = std::get<1>(*extreme);
+    gp << "set label " << ++label_number << " '" << text::significant(y) << "' at " << std::get<0>(*extreme) << ","
+       << y << " offset " << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? "-1" : "0.5") << ","
+       << (y > 0 ? 0.6 : -0.6) << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? " right" : " left")
+       << " tc rgb '" << colour(k) << "' front\n";
+  }
+  gp << "set ylabel '" << label << "'\nset yrange [" << bottom - room << ":" << top + room << "]\n"
+     << plot << "\nunset label\n";
+}
+
+void cut_forces(Gnuplot& gp, const Project& project, const Verification& verification) {
+  begin(gp, "cut-forces", 860, 980);
+  gp << "set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title "
+     << quoted("Cut forces along the beam: " + project.name) << " noenhanced\n"
+     << "set xrange [" << -0.02 * project.beam.length().value() << ":" << 1.02 * project.beam.length().value() << "]\n"
+     << "set format x ''\n";
+  draw_outline(gp, project, verification);
+  draw_panel(gp, verification, "N", "N [kN]", [](const CutForces& cut) { return cut.N.value(); });
+  draw_panel(gp, verification, "V", "V [kN]", [](const CutForces& cut) { return cut.V_z.value(); });
+  gp << "set format x '%g'\nset xlabel 's [m], from the start of the beam'\n";
+  draw_panel(gp, verification, "M", "M [kN m], on the tension side",
+             [](const CutForces& cut) { return cut.M_y.value(); });
+  gp << "unset multiplot\n";
+}
+
+// --- mechanism -------------------------------------------------------------------------------
+
+/// Where a load acts in a posture: the point of a body that has its name.
+Eigen::Vector2d point_named(const PostureFigure& posture, const std::string& name) {
+  for (const auto& body : posture.bodies) {
+    for (std::size_t i = 0; i < body.points.size(); ++i) {
+      if (body.names[i] == name) return body.points[i];
+    }
+  }
+  return Eigen::Vector2d::Zero();
+}
+
+/// Bodies of one posture as lines and blocks; returns the plot commands.
+std::string draw_bodies(Gnuplot& gp, const Project& project, const PostureFigure& posture, const std::string& prefix,
+                        const std::string& ink) {
+  std::string plot;
+  for (std::size_t b = 0; b < posture.bodies.size(); ++b) {
+    std::vector<Row2> rows;
+    for (const Eigen::Vector2d& point : posture.bodies[b].points) rows.emplace_back(point.x(), point.y());
+    const std::string name = fmt::format("{}_{}", prefix, b);
+    block(gp, name, rows);
+    if (!plot.empty()) plot += ", ";
+    const bool verified = static_cast<int>(b) == project.beam_body;
+    plot += rows.size() == 1
+                ? fmt::format("${} using 1:2 with points pt 5 ps 1.6 lc rgb '{}'", name, ink)
+                : fmt::format("${0} using 1:2 with lines lw {1} lc rgb '{2}', ${0} using 1:2 with points pt 7 ps 0.5 lc rgb '{2}'",
+                              name, verified ? 5 : 2, ink);
+  }
+  return plot;
+}
+
+/// The loads of a posture as arrows that end where they act, with their sizes.
+void draw_loads(Gnuplot& gp, const PostureFigure& posture, double metres_per_newton, const char* ink) {
+  int number = 0;
+  for (const BeamLoadRow& row : posture.loads) {
+    const Eigen::Vector2d at = point_named(posture, row.name);
+    const Eigen::Vector2d tail = at - metres_per_newton * row.world;
+    const bool from_left = row.world.x() > 0.0;
+    ++number;
+    gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to " << at.x() << "," << at.y()
+       << " lw 2 lc rgb '" << ink << "' front\n";
+    gp << "set label " << number << " " << quoted(row.name + "  " + text::kN(row.world.norm())) << " at " << tail.x()
+       << "," << tail.y() << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9") << " tc rgb '" << ink
+       << "' front noenhanced\n";
+  }
+}
+
+void mechanism(Gnuplot& gp, const Project& project, const Verification& verification) {
+  const std::size_t panels = verification.postures.size() - 1;
+  begin(gp, "mechanism", static_cast<int>(120 + 400 * panels), 860);
+  double largest_force = 0.0;
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300);
+  Eigen::Vector2d high = -low;
+  for (const PostureFigure& posture : verification.postures) {
+    for (const BeamLoadRow& row : posture.loads) largest_force = std::max(largest_force, row.world.norm());
+    for (const auto& body : posture.bodies) {
+      for (const Eigen::Vector2d& point : body.points) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+      }
+    }
+  }
+  const double size = (high - low).maxCoeff();
+  const double reach = 0.16 * size;  // the longest arrow
+  gp << "set multiplot layout 1," << panels << " title "
+     << quoted("Mechanism at its critical instants, forces on the beam; grey: t = 0") << " noenhanced\n"
+     << "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nunset key\n"
+     << "set xrange [" << low.x() - 1.3 * reach << ":" << high.x() + 1.3 * reach << "]\n"
+     << "set yrange [" << low.y() - 0.5 * reach << ":" << high.y() + 0.5 * reach << "]\n";
+  for (std::size_t k = 1; k <= panels; ++k) {
+    const PostureFigure& posture = verification.postures[k];
+    const std::string ghost = draw_bodies(gp, project, verification.postures.front(), fmt::format("rest{}", k), "#c4c4c4");
+    const std::string bodies = draw_bodies(gp, project, posture, fmt::format("at{}", k), colour(k - 1));
+    draw_loads(gp, posture, reach / largest_force, "#202020");
+    gp << "set title \"" << time_label(posture.time) << "\\n" << posture.why << "\"\n"
+       << "plot " << ghost << ", " << bodies << "\nunset label\nunset arrow\n";
+  }
+  gp << "unset multiplot\n";
+}
+
+// --- stress over the cycle -------------------------------------------------------------------
+
+void stress(Gnuplot& gp, const Project& project, const Verification& verification) {
+  begin(gp, "stress", 860, 520);
+  const double period = verification.period.value();
+  gp << "set title " << quoted("Normal stress over the cycle at the places with the largest ranges: " + project.name)
+     << " noenhanced\n"
+     << "set xlabel 't [s]'\nset ylabel 'sigma [MPa]'\nset xrange [0:" << period << "]\n"
+     << "set key outside bottom center horizontal\n";
+  std::vector<const CheckResult*> shown;
+  for (const CheckResult& result : verification.checks) {
+    if (result.check.criterion != Criterion::fatigue || !result.basis || shown.size() == 3) continue;
+    const bool same_station = std::any_of(shown.begin(), shown.end(), [&](const CheckResult* other) {
+      return other->check.station == result.check.station;
+    });
+    if (!same_station) shown.push_back(&result);
+  }
+  std::string plot = "plot 0 with lines lc rgb '#505050' lw 1 notitle";
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const CheckBasis& basis = *shown[k]->basis;
+    std::vector<Row2> rows;
+    const std::size_t n = basis.history.size();
+    for (std::size_t i = 0; i <= n; ++i) {
+      rows.emplace_back(period * static_cast<double>(i) / static_cast<double>(n), basis.history[i % n] * 1e-6);
+    }
+    const std::vector<Row2> extremes{{basis.highest.time.value(), basis.highest.value * 1e-6},
+                                     {basis.lowest.time.value(), basis.lowest.value * 1e-6}};
+    block(gp, fmt::format("h{}", k), rows);
+    block(gp, fmt::format("x{}", k), extremes);
+    plot += fmt::format(", $h{} using 1:2 with lines lw {} lc rgb '{}' title {}", k, k == 0 ? 2.4 : 1.6, colour(k),
+                        quoted(fmt::format("s = {} m, {}: range {}", to_text(shown[k]->check.station),
+                                           shown[k]->check.point, text::MPa(shown[k]->check.acting.value()))));
+    plot += fmt::format(", $x{} using 1:2 with points pt 7 ps 0.7 lc rgb '{}' notitle", k, colour(k));
+    if (k > 0) continue;
+    for (const Row2& extreme : extremes) {
+      gp << "set label '" << text::significant(std::get<1>(extreme)) << " MPa at " << text::seconds(std::get<0>(extreme))
+         << "' at " << std::get<0>(extreme) << "," << std::get<1>(extreme) << " center offset 0,"
+         << (std::get<1>(extreme) > 0 ? 0.9 : -0.9) << " tc rgb '" << colour(0) << "' front\n";
+    }
+  }
+  gp << "set offsets 0,0,graph 0.12,graph 0.12\n" << plot << "\n";
+}
+
+// --- S-N diagram -----------------------------------------------------------------------------
+
+void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
+  const SnFigure& figure = *verification.sn;
+  begin(gp, "sn", 860, 560);
+  std::vector<std::tuple<double, double, double>> rows;
+  for (std::size_t i = 0; i < figure.cycles.size(); ++i) {
+    rows.emplace_back(figure.cycles[i], figure.spectrum[i] * 1e-6, figure.constant_amplitude[i] * 1e-6);
+  }
+  block(gp, "line", rows);
+  const double range = figure.working_range * 1e-6;
+  block(gp, "work", std::vector<Row2>{{figure.working_cycles, range}});
+  block(gp, "needed", std::vector<Row2>{{figure.working_cycles, range * figure.required}});
+  const bool en = figure.kind == CurveKind::en_1993_1_9;
+  gp << "set title " << quoted("S-N diagram with the governing stress range: " + project.name) << " noenhanced\n"
+     << "set logscale xy\nset format x '10^{%T}'\nset xlabel 'cycles N'\nset ylabel 'stress range [MPa]'\n"
+     << "set xrange [1e4:1e9]\nset yrange [10:1000]\nset key bottom left\n"
+     << "set ytics (10,20,30,50,70,100,200,300,500,1000)\n";
+  if (en) {
+    gp << "set label 'm = 3' at 3e5," << 1.15 * figure.category * std::cbrt(2e6 / 3e5) << "\n"
+       << "set label 'm = 5' at 2.5e7," << 1.12 * figure.knee * 1e-6 * std::pow(5e6 / 2.5e7, 0.2) << "\n"
+       << "set label 'knee " << text::significant(figure.knee * 1e-6, 3) << " MPa' at 5e6," << figure.knee * 1e-6
+       << " right offset -0.6,-0.9 point pt 6\n"
+       << "set label 'cut-off " << text::significant(figure.cut_off * 1e-6, 3) << " MPa' at 1e8,"
+       << figure.cut_off * 1e-6 << " left offset 0.6,0.8 point pt 6\n"
+       << "set label 'category " << figure.category << "' at 2e6," << figure.category
+       << " left offset 0.6,0.6 point pt 6\n";
+  }
+  gp << "set label '" << text::significant(range, 3) << " MPa' at " << figure.working_cycles << "," << range
+     << " left offset 1,-0.7 tc rgb '" << colour(1) << "'\n";
+  gp << "plot $line using 1:2 with lines lw 2 lc rgb '" << colour(0) << "' title "
+     << quoted(en ? fmt::format("EN 1993-1-9, category {}, spectrum", figure.category)
+                  : fmt::format("published step, category {} taken at 5e6 cycles", figure.category));
+  if (en) {
+    gp << ", $line using 1:3 with lines lw 1.6 dt 2 lc rgb '" << colour(0) << "' title 'constant amplitude (7.1(2))'";
+  }
+  gp << ", $work using 1:2 with points pt 7 ps 1 lc rgb '" << colour(1) << "' title 'governing range'"
+     << ", $needed using 1:2 with points pt 6 ps 1.2 lc rgb '" << colour(1) << "' title '"
+     << fmt::format("governing range x required factor {}", text::significant(figure.required, 3)) << "'\n";
+}
+
+// --- running gnuplot -------------------------------------------------------------------------
+
+struct Figure {
+  std::string name;
+  std::function<void(Gnuplot&)> draw;
+};
+
+struct Process {
+  pid_t pid = -1;
+  std::string name;
+};
+
+/// Starts gnuplot on a script in a folder; its messages go to NAME.log there.
+Process start_gnuplot(const fs::path& folder, const std::string& name) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  const std::string log = (folder / (name + ".log")).string();
+  const std::string script = name + ".gp";
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  std::string program = "gnuplot";
+  std::string option = "-d";
+  std::string argument = script;
+  char* arguments[] = {program.data(), option.data(), argument.data(), nullptr};
+  Process process{-1, name};
+  const int error = posix_spawnp(&process.pid, "gnuplot", &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOENT) {
+    throw OutputError("no plots: gnuplot is not installed (apt install gnuplot-nox); everything else is written");
+  }
+  if (error != 0) throw OutputError(fmt::format("no plots: gnuplot cannot be started: {}", std::strerror(error)));
+  return process;
+}
+
+/// Waits for a gnuplot; what it said where it failed, "" where it did not.
+std::string trouble_of(const fs::path& folder, const Process& process) {
+  int status = 0;
+  while (::waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  std::error_code error;
+  const fs::path drawing = folder / (process.name + ".svg");
+  const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && drawn) return "";
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) return "gnuplot is not installed (apt install gnuplot-nox)";
+  std::ifstream log(folder / (process.name + ".log"));
+  for (std::string line; std::getline(log, line);) {
+    if (line.find_first_not_of(" ^") != std::string::npos) return line;
+  }
+  return "it ended without a message";
+}
+
+/// A folder that goes away with all that is in it.
+class ScratchFolder {
+ public:
+  explicit ScratchFolder(const fs::path& beside) {
+    std::string pattern = (beside / ".plots-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+      throw OutputError(fmt::format("no plots: {} cannot be written: {}", beside.string(), std::strerror(errno)));
+    }
+    path_ = pattern;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void write_script(const fs::path& path, const Figure& figure) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) throw OutputError(fmt::format("{} cannot be written: {}", path.string(), std::strerror(errno)));
+  Gnuplot gp(file);  // closes the file
+  figure.draw(gp);
+}
+
+}  // namespace
+
+std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
+                                      const std::string& folder) {
+  std::vector<Figure> figures{
+      {"cut-forces", [&](Gnuplot& gp) { cut_forces(gp, project, verification); }},
+      {"mechanism", [&](Gnuplot& gp) { mechanism(gp, project, verification); }}};
+  if (project.given_stresses.empty()) {
+    figures.push_back({"stress", [&](Gnuplot& gp) { stress(gp, project, verification); }});
+  }
+  if (verification.sn) figures.push_back({"sn", [&](Gnuplot& gp) { sn(gp, project, verification); }});
+
+  const ScratchFolder scratch(folder);
+  std::vector<Process> processes;
+  for (const Figure& figure : figures) {
+    write_script(scratch.path() / (figure.name + ".gp"), figure);
+    processes.push_back(start_gnuplot(scratch.path(), figure.name));
+  }
+  std::string troubles;
+  for (const Process& process : processes) {
+    const std::string trouble = trouble_of(scratch.path(), process);
+    if (!trouble.empty()) troubles += fmt::format("\n  {}: {}", process.name, trouble);
+  }
+  if (!troubles.empty()) throw OutputError("gnuplot failed, no plots are written:" + troubles);
+
+  std::vector<std::string> written;
+  std::error_code error;
+  fs::create_directories(fs::path(folder) / "plots", error);
+  for (const Figure& figure : figures) {
+    const std::string script = "plots/" + figure.name + ".gp";
+    const std::string drawing = figure.name + ".svg";
+    fs::rename(scratch.path() / (figure.name + ".gp"), fs::path(folder) / script, error);
+    if (!error) fs::rename(scratch.path() / drawing, fs::path(folder) / drawing, error);
+    if (error) throw OutputError(fmt::format("{}/{} cannot be written: {}", folder, drawing, error.message()));
+    written.push_back(drawing);
+  }
+  return written;
+}
+
+}  // namespace boxbeam

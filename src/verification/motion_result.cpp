@@ -1,0 +1,60 @@
+#include "boxbeam/verification/motion_result.hpp"
+
+#include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
+
+namespace boxbeam {
+namespace {
+
+InstantResult instant_of(const Project& project, const planar::State& state) {
+  const planar::Mechanism& mechanism = project.mechanism;
+  InstantResult result;
+  result.time = state.time;
+  result.residual = state.residual;
+  result.condition = planar::degrees_of_freedom_of(mechanism, state.q).condition;
+  const std::vector<int> signs = planar::branch_of(mechanism, state.q);
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    result.branch.emplace_back(mechanism.loops[i].name, signs[i]);
+  }
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    const auto k = static_cast<Eigen::Index>(3 * i);
+    result.bodies.push_back(
+        {body.name, state.q.segment<3>(k), state.v.segment<3>(k), state.a.segment<3>(k)});
+    for (const BodyPoint& point : body.points) {
+      const planar::Attachment at{static_cast<int>(i), point.p};
+      result.points.push_back({body.name + "." + point.name, planar::position_of(at, state.q),
+                               planar::velocity_of(at, state.q, state.v),
+                               planar::acceleration_of(at, state.q, state.v, state.a)});
+    }
+  }
+  for (const planar::Reaction& reaction :
+       planar::reactions_per_joint(mechanism, state, project.beam_body)) {
+    result.reactions.push_back({mechanism.joints[static_cast<std::size_t>(reaction.joint)].name,
+                                mechanism.bodies[static_cast<std::size_t>(reaction.on)].name,
+                                reaction.force, reaction.moment});
+  }
+  return result;
+}
+
+}  // namespace
+
+MotionResult motion_of(const Project& project, std::vector<double> times) {
+  const planar::Motion motion = planar::solve_motion(project.mechanism);
+  if (times.empty()) {
+    for (int i = 0; i < 12; ++i) times.push_back(motion.period * i / 12.0);
+  }
+  MotionResult result;
+  result.freedom =
+      planar::degrees_of_freedom_of(project.mechanism, motion.states.front().q);
+  planar::InstantSolver solver(project.mechanism);
+  for (const double time : times) {
+    planar::State state = planar::state_at(solver, motion, time);
+    state.time = time;
+    result.states.push_back(instant_of(project, state));
+  }
+  return result;
+}
+
+}  // namespace boxbeam
