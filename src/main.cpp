@@ -19,7 +19,13 @@ namespace {
 
 using namespace boxbeam;
 
-enum ExitCode { all_pass = 0, check_fails = 1, wrong_input = 2, not_possible = 3, output_failed = 4 };
+enum ExitCode {
+  all_pass = 0,
+  check_fails = 1,
+  wrong_input = 2,
+  not_possible = 3,
+  output_failed = 4
+};
 
 struct VerifyOptions {
   std::string case_file;
@@ -50,14 +56,16 @@ std::optional<Dynamics> dynamics_of(const std::string& word) {
 }
 
 /// Writes every output that can be written; returns what could not be, as text.
-std::string write_reports(const Project& project, const Verification& verification, const std::string& folder,
-                          bool plots, std::vector<std::string>& written) {
+std::string write_reports(const Project& project, const Verification& verification,
+                          const std::string& folder, bool plots,
+                          std::vector<std::string>& written) {
   write_file(folder + "/report.txt", text_report(project, verification));
   write_file(folder + "/results.json", results_json(project, verification));
   written = {"report.txt", "results.json"};
   if (!plots) return "";
   try {
-    for (std::string& name : draw_figures(project, verification, folder)) written.push_back(std::move(name));
+    for (std::string& name : draw_figures(project, verification, folder))
+      written.push_back(std::move(name));
   } catch (const OutputError& error) {
     return error.what();
   }
@@ -69,12 +77,14 @@ int run_verify(const VerifyOptions& options) {
     throw InputError("a planar case is verified with rigid bodies; it has no flexible model",
                      "use --model auto or --model rigid");
   }
-  const Project project = read_project(options.case_file, options.set, dynamics_of(options.dynamics));
+  const Project project =
+      read_project(options.case_file, options.set, dynamics_of(options.dynamics));
   const Verification verification = verify(project);
 
   const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
   std::vector<std::string> written;
-  const std::string trouble = write_reports(project, verification, folder, !options.no_plots, written);
+  const std::string trouble =
+      write_reports(project, verification, folder, !options.no_plots, written);
   if (!options.json.empty() && options.json != "-") {
     write_file(options.json, results_json(project, verification));
     written.push_back(options.json);
@@ -98,8 +108,10 @@ int run_motion(const MotionOptions& options) {
   const Project project = read_project(options.case_file, options.set);
   const MotionResult motion = motion_of(project, options.at);
   if (options.json.empty() || options.json != "-") put(motion_text(project, motion));
-  if (options.json == "-") put(motion_json(motion));
-  else if (!options.json.empty()) write_file(options.json, motion_json(motion));
+  if (options.json == "-")
+    put(motion_json(motion));
+  else if (!options.json.empty())
+    write_file(options.json, motion_json(motion));
   return all_pass;
 }
 
@@ -117,9 +129,10 @@ std::string command_hint(int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("boxbeam verifies the strength and fatigue life of welded beams that a mechanism moves.\n"
-               "Exit codes: 0 all checks pass, 1 a check fails, 2 wrong usage or input,\n"
-               "3 the analysis cannot be done, 4 an output or external tool failed.");
+  CLI::App app(
+      "boxbeam verifies the strength and fatigue life of welded beams that a mechanism moves.\n"
+      "Exit codes: 0 all checks pass, 1 a check fails, 2 wrong usage or input,\n"
+      "3 the analysis cannot be done, 4 an output or external tool failed.");
   app.name("boxbeam");
   app.set_version_flag("--version", fmt::format("boxbeam {}", version));
   app.require_subcommand(1);
@@ -127,21 +140,36 @@ int run(int argc, char** argv) {
   VerifyOptions verify_options;
   CLI::App* verify_command = app.add_subcommand("verify", "verify a case and write its report");
   verify_command->add_option("CASE", verify_options.case_file, "case file (.toml)")->required();
-  verify_command->add_option("--out", verify_options.out, "folder of the report (default: reports/<name of the case>)");
-  verify_command->add_option("--json", verify_options.json, "also write the results to this file; - for standard output instead of the summary");
-  verify_command->add_option("--set", verify_options.set, "override a key: --set bodies.sledge.mass=\"20 t\"; may be repeated")->allow_extra_args(false);
-  verify_command->add_option("--dynamics", verify_options.dynamics, "where the loads on the beam come from")
+  verify_command->add_option("--out", verify_options.out,
+                             "folder of the report (default: reports/<name of the case>)");
+  verify_command->add_option(
+      "--json", verify_options.json,
+      "also write the results to this file; - for standard output instead of the summary");
+  verify_command
+      ->add_option("--set", verify_options.set,
+                   "override a key: --set bodies.sledge.mass=\"20 t\"; may be repeated")
+      ->allow_extra_args(false);
+  verify_command
+      ->add_option("--dynamics", verify_options.dynamics, "where the loads on the beam come from")
       ->check(CLI::IsMember({"rigorous", "newton-chain"}));
-  verify_command->add_option("--model", verify_options.model, "auto, rigid or flexible (default: auto)")
+  verify_command
+      ->add_option("--model", verify_options.model, "auto, rigid or flexible (default: auto)")
       ->check(CLI::IsMember({"auto", "rigid", "flexible"}));
   verify_command->add_flag("--no-plots", verify_options.no_plots, "write no plots");
 
   MotionOptions motion_options;
-  CLI::App* motion_command = app.add_subcommand("motion", "positions, velocities, accelerations and reactions of the mechanism alone");
+  CLI::App* motion_command = app.add_subcommand(
+      "motion", "positions, velocities, accelerations and reactions of the mechanism alone");
   motion_command->add_option("CASE", motion_options.case_file, "case file (.toml)")->required();
-  motion_command->add_option("--at", motion_options.at, "instant in seconds; may be repeated (default: twelve instants of the period)")->allow_extra_args(false);
-  motion_command->add_option("--json", motion_options.json, "write the motion to this file; - for standard output instead of the tables");
-  motion_command->add_option("--set", motion_options.set, "override a key; may be repeated")->allow_extra_args(false);
+  motion_command
+      ->add_option("--at", motion_options.at,
+                   "instant in seconds; may be repeated (default: twelve instants of the period)")
+      ->allow_extra_args(false);
+  motion_command->add_option(
+      "--json", motion_options.json,
+      "write the motion to this file; - for standard output instead of the tables");
+  motion_command->add_option("--set", motion_options.set, "override a key; may be repeated")
+      ->allow_extra_args(false);
 
   try {
     app.parse(argc, argv);
@@ -163,7 +191,8 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const InputError& error) {
     std::cerr << error.what();
-    if (error.problems().size() > 1) std::cerr << error.problems().size() << " errors; nothing was written\n";
+    if (error.problems().size() > 1)
+      std::cerr << error.problems().size() << " errors; nothing was written\n";
     return wrong_input;
   } catch (const AnalysisError& error) {
     std::cerr << "boxbeam: the analysis cannot be done\n  " << error.what() << "\n";

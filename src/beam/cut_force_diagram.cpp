@@ -69,8 +69,8 @@ CutForceDiagram cut_forces_of(const TaperedBeam& beam, const BeamLoads& loads) {
       for (; next < points.size() && points[next]->s <= from; ++next) running.jump(*points[next]);
       const bool inside = next < points.size() && points[next]->s < segment.end();
       const Length to = inside ? points[next]->s : segment.end();
-      const CutForcePiece& piece = diagram.pieces.emplace_back(integrate(
-          loads.segments[i], (from - segment.start).value(), from, to - from, running));
+      const CutForcePiece& piece = diagram.pieces.emplace_back(
+          integrate(loads.segments[i], (from - segment.start).value(), from, to - from, running));
       const double x = (to - from).value();
       running = {piece.N(x), piece.V_y(x), piece.V_z(x), piece.T(x), piece.M_y(x), piece.M_z(x)};
       if (!inside) break;
@@ -82,7 +82,8 @@ CutForceDiagram cut_forces_of(const TaperedBeam& beam, const BeamLoads& loads) {
 
 CutForces CutForceDiagram::at(const Station& station) const {
   const bool before = station.side == Side::before;
-  if (pieces.empty() || station.s < pieces.front().start || station.s > pieces.back().end()) return {};
+  if (pieces.empty() || station.s < pieces.front().start || station.s > pieces.back().end())
+    return {};
   if (before && station.s == pieces.front().start) return {};
   if (station.side == Side::behind && station.s == pieces.back().end()) return {};
   std::size_t i = 0;
@@ -92,8 +93,8 @@ CutForces CutForceDiagram::at(const Station& station) const {
   }
   const CutForcePiece& piece = pieces[i];
   const double x = (station.s - piece.start).value();
-  return {si<Force>(piece.N(x)),    si<Force>(piece.V_y(x)),  si<Force>(piece.V_z(x)),
-          si<Moment>(piece.T(x)),   si<Moment>(piece.M_y(x)), si<Moment>(piece.M_z(x))};
+  return {si<Force>(piece.N(x)),  si<Force>(piece.V_y(x)),  si<Force>(piece.V_z(x)),
+          si<Moment>(piece.T(x)), si<Moment>(piece.M_y(x)), si<Moment>(piece.M_z(x))};
 }
 
 }  // namespace boxbeam

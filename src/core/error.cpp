@@ -32,12 +32,14 @@ Excerpt excerpt_of(const std::string& line, int column) {
   const std::size_t caret = bytes_before(line, at);
   const std::size_t to = bytes_before(line, at + reach);
   Excerpt excerpt;
-  excerpt.text = (from > 0 ? "..." : "") + line.substr(from, to - from) +
-                 (to < line.size() ? "..." : "");
+  excerpt.text =
+      (from > 0 ? "..." : "") + line.substr(from, to - from) + (to < line.size() ? "..." : "");
   if (from > 0) excerpt.margin = "   ";
   for (std::size_t i = from; i < caret; ++i) {
-    if (line[i] == '\t') excerpt.margin += '\t';
-    else if ((static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80U) excerpt.margin += ' ';
+    if (line[i] == '\t')
+      excerpt.margin += '\t';
+    else if ((static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80U)
+      excerpt.margin += ' ';
   }
   return excerpt;
 }

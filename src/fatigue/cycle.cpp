@@ -40,7 +40,8 @@ std::vector<Cycle> count_periodic_cycles(std::vector<Stress> turning_points) {
     while (stack.size() >= 4) {
       const std::size_t n = stack.size();
       const Stress inner = abs(stack[n - 2] - stack[n - 3]);
-      if (inner > abs(stack[n - 3] - stack[n - 4]) || inner > abs(stack[n - 1] - stack[n - 2])) break;
+      if (inner > abs(stack[n - 3] - stack[n - 4]) || inner > abs(stack[n - 1] - stack[n - 2]))
+        break;
       cycles.push_back(cycle_between(stack[n - 3], stack[n - 2]));
       stack.erase(stack.end() - 3, stack.end() - 1);
     }

@@ -5,8 +5,8 @@
 
 namespace boxbeam {
 
-double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve, const FatigueDemand& demand,
-                 double factor) {
+double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,
+                 const FatigueDemand& demand, double factor) {
   double damage = 0.0;
   for (const Cycle& cycle : cycles) {
     const Stress range = demand.gamma_Ff * demand.gamma_Mf * factor * cycle.range;
@@ -28,8 +28,8 @@ double largest_factor(const std::vector<Cycle>& cycles, const SnCurve& curve,
   if (cycles.size() == 1) return single(cycles.front().count);
 
   // Damage grows with the factor (and jumps where a range passes the cut-off): bisect for the
-  // last factor with damage <= 1. As many cycles of the largest range as there are cycles at all bound
-  // it below.
+  // last factor with damage <= 1. As many cycles of the largest range as there are cycles at all
+  // bound it below.
   double count = 0.0;
   for (const Cycle& cycle : cycles) count += cycle.count;
   double low = single(count);

@@ -32,7 +32,8 @@ std::vector<std::string> split_lines(const std::string& text) {
 /// Length of the UTF-8 sequence at `at`, 0 where it is none (also overlong forms and surrogates).
 std::size_t utf8_length(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[at + i])) : 0U;
+    return at + i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[at + i]))
+                                : 0U;
   };
   const unsigned first = byte(0);
   if (first < 0x80) return 1;
@@ -84,8 +85,8 @@ std::size_t find_overlong_key(const std::string& text) {
       i = std::min(end + fence.size(), text.size()) - 1;
     } else if (c == '.') {
       if (++dots >= most_key_parts) return i;
-    } else if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-' && c != ' ' &&
-               c != '\t') {
+    } else if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-' &&
+               c != ' ' && c != '\t') {
       dots = 0;
     }
   }
@@ -145,7 +146,8 @@ Node parse_text(CaseDocument& document, const std::string& name, const std::stri
   const auto entry = document.lines.insert_or_assign(name, split_lines(text)).first;
   const std::string_view file = entry->first;
   const auto fail = [&](LineColumn at, std::string message, std::string hint) {
-    throw InputError({document.problem_at({file, at.line, at.column}, std::move(message), std::move(hint))});
+    throw InputError(
+        {document.problem_at({file, at.line, at.column}, std::move(message), std::move(hint))});
   };
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
@@ -162,10 +164,10 @@ Node parse_text(CaseDocument& document, const std::string& name, const std::stri
     return TreeBuilder(file).node(toml::parse(text, file));
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    throw InputError({document.problem_at(
-        {file, static_cast<int>(at.line), static_cast<int>(at.column)},
-        fmt::format("not valid TOML: {}", error.description()),
-        "values with a unit stand in quotation marks: length = \"1.5 m\"")});
+    throw InputError(
+        {document.problem_at({file, static_cast<int>(at.line), static_cast<int>(at.column)},
+                             fmt::format("not valid TOML: {}", error.description()),
+                             "values with a unit stand in quotation marks: length = \"1.5 m\"")});
   }
 }
 
@@ -215,8 +217,10 @@ void apply_override(CaseDocument& document, const std::string& override_text) {
   try {
     CaseDocument scratch;
     const Node table = parse_text(scratch, source, "value = " + value + "\n");
-    if (table.members.size() == 1) parsed = table.members.front().value;
-    else parsed.kind = Node::Kind::other;
+    if (table.members.size() == 1)
+      parsed = table.members.front().value;
+    else
+      parsed.kind = Node::Kind::other;
   } catch (const InputError&) {
     parsed.kind = Node::Kind::other;
   }
@@ -271,8 +275,8 @@ const Node* Node::find(std::string_view key) const {
 }
 
 Problem CaseDocument::problem_at(const Place& place, std::string message, std::string hint) const {
-  Problem problem{std::string(place.file), place.line, place.column, {}, std::move(message),
-                  std::move(hint)};
+  Problem problem{std::string(place.file), place.line,     place.column, {},
+                  std::move(message),      std::move(hint)};
   const auto found = lines.find(place.file);
   const auto index = static_cast<std::size_t>(place.line) - 1;
   if (found != lines.end() && place.line > 0 && index < found->second.size()) {
@@ -301,7 +305,8 @@ CaseDocument read_document(const std::string& path, const std::vector<std::strin
   const auto fail = [&](const std::string& message, const std::string& hint) {
     throw InputError({Problem{path, 0, 0, {}, message, hint}});
   };
-  if (!fs::exists(path, error)) fail("there is no such file", "give the path of a case file (.toml)");
+  if (!fs::exists(path, error))
+    fail("there is no such file", "give the path of a case file (.toml)");
   if (fs::is_directory(path, error)) fail("this is a folder", "give a case file in it (.toml)");
   if (fs::is_regular_file(path, error) && fs::file_size(path, error) > largest_file) {
     fail("the file is over 8 MB", "a case file is a few kB of TOML");
@@ -311,7 +316,8 @@ CaseDocument read_document(const std::string& path, const std::vector<std::strin
   // Read in pieces and stop early: the path may also be a device or a pipe.
   for (char buffer[65536]; stream.read(buffer, sizeof buffer) || stream.gcount() > 0;) {
     text.append(buffer, static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > largest_file) fail("the file is over 8 MB", "a case file is a few kB of TOML");
+    if (text.size() > largest_file)
+      fail("the file is over 8 MB", "a case file is a few kB of TOML");
   }
   if (!stream.eof()) fail(fmt::format("the file cannot be read: {}", std::strerror(errno)), "");
   return parse_document(path, text, overrides);

@@ -47,8 +47,9 @@ void add_points_of_body(TableReader& root, Project& project) {
   for (const BodyPoint& point : body.points) {
     const double s = centre + point.p.x();
     if (s < -1e-9 * length || s > (1.0 + 1e-9) * length) {
-      root.problem("bodies", fmt::format("point \"{}\" of the beam body lies off the beam, at s = {:.6g} m",
-                                         point.name, s),
+      root.problem("bodies",
+                   fmt::format("point \"{}\" of the beam body lies off the beam, at s = {:.6g} m",
+                               point.name, s),
                    fmt::format("s goes from 0 to {:.6g} m", length));
       continue;
     }
@@ -58,19 +59,22 @@ void add_points_of_body(TableReader& root, Project& project) {
 
 void check_dynamics(TableReader& root, const Project& project) {
   if (project.dynamics == Dynamics::newton_chain && !project.chain) {
-    root.problem("newton_chain", "the loads of a Newton chain are asked for, but the case has no "
-                                 "[newton_chain]",
+    root.problem("newton_chain",
+                 "the loads of a Newton chain are asked for, but the case has no "
+                 "[newton_chain]",
                  "name its steps, its ends and the driving mass; see sections/sledge-rig/rig.toml");
   }
   if (project.dynamics == Dynamics::rigorous && project.beam_body == planar::ground) {
-    root.problem("beam", "rigorous loads need the beam to be one body, whose mass comes from its "
-                         "sections; this [beam] has no \"body\"",
+    root.problem("beam",
+                 "rigorous loads need the beam to be one body, whose mass comes from its "
+                 "sections; this [beam] has no \"body\"",
                  "use --dynamics newton-chain, or make the beam one body as in "
                  "sections/sledge-rig/rig.toml");
   }
   if (project.dynamics == Dynamics::rigorous && !project.given_stresses.empty()) {
-    root.problem("given_stresses", "given stresses replace the computed ones and belong to the "
-                                   "published calculation",
+    root.problem("given_stresses",
+                 "given stresses replace the computed ones and belong to the "
+                 "published calculation",
                  "use --dynamics newton-chain, or remove [[given_stresses]]");
   }
 }
@@ -99,7 +103,8 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   if (!beam_body.empty()) project.beam_body = readers::body_of(beam, "body", draft.mechanism);
   beam.finish();
   if (problems.empty()) {
-    project.mechanism = readers::place_at_centres(std::move(draft), project.beam, project.beam_body);
+    project.mechanism =
+        readers::place_at_centres(std::move(draft), project.beam, project.beam_body);
     add_points_of_body(root, project);
   } else {
     project.mechanism = std::move(draft.mechanism);

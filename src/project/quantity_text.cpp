@@ -161,20 +161,32 @@ std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text) 
 }
 
 std::string name_of(const DimensionExponents& exponents) {
-  static constexpr WantedDimension named[] = {
-      wanted::length, wanted::mass, wanted::angle, wanted::frequency, wanted::angular_frequency,
-      wanted::acceleration, wanted::stress, wanted::density, wanted::inertia,
-      wanted::time, {{0, 0, 0, 0}, "a number without unit", ""},
-      {{1, 1, -2, 0}, "a force", ""}, {{2, 1, -2, 0}, "a moment", ""},
-      {{0, 1, -2, 0}, "a force per length", ""}, {{1, 0, -1, 0}, "a velocity", ""},
-      {{2, 0, 0, 0}, "an area", ""}, {{3, 0, 0, 0}, "a volume", ""}};
+  static constexpr WantedDimension named[] = {wanted::length,
+                                              wanted::mass,
+                                              wanted::angle,
+                                              wanted::frequency,
+                                              wanted::angular_frequency,
+                                              wanted::acceleration,
+                                              wanted::stress,
+                                              wanted::density,
+                                              wanted::inertia,
+                                              wanted::time,
+                                              {{0, 0, 0, 0}, "a number without unit", ""},
+                                              {{1, 1, -2, 0}, "a force", ""},
+                                              {{2, 1, -2, 0}, "a moment", ""},
+                                              {{0, 1, -2, 0}, "a force per length", ""},
+                                              {{1, 0, -1, 0}, "a velocity", ""},
+                                              {{2, 0, 0, 0}, "an area", ""},
+                                              {{3, 0, 0, 0}, "a volume", ""}};
   for (const WantedDimension& known : named) {
     if (known.exponents == exponents) return known.name;
   }
   std::string text = "something in";
   const auto add = [&](const char* unit, int exponent) {
-    if (exponent == 1) text += fmt::format(" {}", unit);
-    else if (exponent != 0) text += fmt::format(" {}^{}", unit, exponent);
+    if (exponent == 1)
+      text += fmt::format(" {}", unit);
+    else if (exponent != 0)
+      text += fmt::format(" {}^{}", unit, exponent);
   };
   add("kg", exponents.mass);
   add("m", exponents.length);

@@ -72,7 +72,8 @@ Segment read_segment(TableReader table, Length start, const Sections& sections) 
 /// What is wrong with a hole in the sections at its station, or nothing.
 std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, const Hole& hole) {
   for (const Side side : {Side::before, Side::behind}) {
-    if ((side == Side::before && s.value() == 0.0) || (side == Side::behind && s == beam.length())) {
+    if ((side == Side::before && s.value() == 0.0) ||
+        (side == Side::behind && s == beam.length())) {
       continue;
     }
     const Section section = section_at(beam, {s, side});
@@ -81,8 +82,9 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
     const Length room = hole.walls == HoleWalls::webs ? half_clear_height(section.outer)
                                                       : 0.5 * box->width - box->web;
     if (abs(hole.position) + 0.5 * hole.diameter >= room) {
-      return fmt::format("the hole reaches {:.4g} mm from the middle of a plate that reaches {:.4g} mm",
-                         (abs(hole.position) + 0.5 * hole.diameter).value() * 1e3, room.value() * 1e3);
+      return fmt::format(
+          "the hole reaches {:.4g} mm from the middle of a plate that reaches {:.4g} mm",
+          (abs(hole.position) + 0.5 * hole.diameter).value() * 1e3, room.value() * 1e3);
     }
   }
   return std::nullopt;
@@ -96,8 +98,8 @@ void read_hole(TableReader table, Project& project) {
   const Length s = station_of(table, "station", beam);
   const bool flanges = table.choice("through", {"webs", "flanges"}) == 1;
   hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
-  const std::vector<double> positions =
-      flanges ? table.quantities("offsets", wanted::length) : table.quantities("levels", wanted::length);
+  const std::vector<double> positions = flanges ? table.quantities("offsets", wanted::length)
+                                                : table.quantities("levels", wanted::length);
   constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
                                 HoleCase::published_exponential};
   const HoleCase hole_case = cases[table.choice(
@@ -106,8 +108,9 @@ void read_hole(TableReader table, Project& project) {
   if (!table.problems().empty()) return;
 
   if (!flanges && hole_case == HoleCase::membrane_tension) {
-    table.problem("concentration", "a hole in a web is not in membrane tension: the bending of the beam "
-                                   "strains it across its depth",
+    table.problem("concentration",
+                  "a hole in a web is not in membrane tension: the bending of the beam "
+                  "strains it across its depth",
                   "write concentration = \"in-plane bending\"");
   }
   if (flanges && hole_case == HoleCase::in_plane_bending) {
@@ -141,12 +144,16 @@ Sections read_sections(TableReader table) {
     }
     const std::size_t before = table.problems().size();
     Section section;
-    if (kind == 0) section.outer = read_box(reader);
-    else if (kind == 1) section.outer = read_rectangular_tube(reader);
-    else section.outer = read_round_tube(reader);
+    if (kind == 0)
+      section.outer = read_box(reader);
+    else if (kind == 1)
+      section.outer = read_rectangular_tube(reader);
+    else
+      section.outer = read_round_tube(reader);
     reader.finish();
     if (table.problems().size() == before) {
-      if (auto defect = defect_of(section)) reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
+      if (auto defect = defect_of(section))
+        reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
     }
     sections.emplace(name, section);
   }
@@ -156,7 +163,8 @@ Sections read_sections(TableReader table) {
     section.inner = named_section(reader, "inner", sections).outer;
     reader.finish();
     if (table.problems().size() == before) {
-      if (auto defect = defect_of(section)) reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
+      if (auto defect = defect_of(section))
+        reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
     }
     sections.emplace(name, section);
   }
@@ -168,7 +176,8 @@ Length station_of(TableReader& table, std::string_view key, const TaperedBeam& b
   if (beam.segments.empty()) return si<Length>(s);
   const double length = beam.length().value();
   if (s > length * (1.0 + 1e-12)) {
-    table.problem(key, fmt::format("\"{}\" lies behind the end of the beam, {:.6g} m", key, length));
+    table.problem(key,
+                  fmt::format("\"{}\" lies behind the end of the beam, {:.6g} m", key, length));
   }
   return place_near(places_of(beam), si<Length>(s));
 }

@@ -81,8 +81,10 @@ void read_points(TableReader& root, Project& project) {
         const Section section = section_at(project.beam, {point.s, side});
         const Length half = 0.5 * height_of(section.outer);
         if (abs(point.z) > half * (1.0 + 1e-12)) {
-          table.problem("z", fmt::format("the section reaches only {:.6g} mm from its middle at this "
-                                         "station", half.value() * 1e3));
+          table.problem("z",
+                        fmt::format("the section reaches only {:.6g} mm from its middle at this "
+                                    "station",
+                                    half.value() * 1e3));
           break;
         }
         if (width_at(section, holes_at(project.beam, point.s), point.z).value() <= 0.0) {
@@ -122,10 +124,11 @@ void check_thicknesses(TableReader& root, const Project& project) {
       for (const Length z : {Length{}, 0.5 * height_of(section->outer)}) {
         const Length wall = wall_at(section->outer, z);
         if (yield_strength_of(project.material, wall)) continue;
-        root.problem("beam",
-                     fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
-                                 project.material.name, wall.value() * 1e3, segment.name),
-                     "its table ends at a smaller thickness");
+        root.problem(
+            "beam",
+            fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
+                        project.material.name, wall.value() * 1e3, segment.name),
+            "its table ends at a smaller thickness");
         return;
       }
     }

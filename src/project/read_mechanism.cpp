@@ -168,8 +168,10 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen:
   if (is_beam) {
     for (const char* key : {"mass", "inertia", "uniform_rod", "centre"}) {
       if (!table.has(key)) continue;
-      table.problem(key, fmt::format("the mass properties of the beam come from its sections; \"{}\" "
-                                     "has no place here", key),
+      table.problem(key,
+                    fmt::format("the mass properties of the beam come from its sections; \"{}\" "
+                                "has no place here",
+                                key),
                     "remove this line");
       table.text(key, "");
     }
@@ -186,8 +188,9 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen:
   TableReader points = table.table("points");
   points.accept_all();
   for (const Node::Member& member : points.members()) {
-    body.points.push_back({member.key, points.pair_in(member.value, fmt::format("point \"{}\"", member.key),
-                                                      wanted::length)});
+    body.points.push_back(
+        {member.key,
+         points.pair_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
   }
   TableReader sketch = table.table("sketch");
   body.sketch.centre = sketch.pair("at", wanted::length);
@@ -236,7 +239,8 @@ void check_frequencies(TableReader& drivers, const Mechanism& mechanism) {
     if (driven == nullptr) continue;
     if (first == 0.0) first = driven->driver.omega;
     if (std::abs(driven->driver.omega - first) > 1e-12 * first) {
-      drivers.problem(joint.name, "all drivers must have one frequency, so that the motion repeats");
+      drivers.problem(joint.name,
+                      "all drivers must have one frequency, so that the motion repeats");
     }
   }
 }
@@ -248,9 +252,10 @@ void check_count(TableReader& root, const Mechanism& mechanism) {
   const auto difference = std::abs(coordinates - equations);
   root.problem(
       "joints",
-      fmt::format("{} bodies have {} coordinates, joints and drivers give {} equations: the motion is {}",
-                  mechanism.bodies.size(), coordinates, equations,
-                  equations < coordinates ? "not determined" : "determined more than once"),
+      fmt::format(
+          "{} bodies have {} coordinates, joints and drivers give {} equations: the motion is {}",
+          mechanism.bodies.size(), coordinates, equations,
+          equations < coordinates ? "not determined" : "determined more than once"),
       equations < coordinates
           ? fmt::format("{} more {} wanted: a joint or a driver is missing", difference,
                         difference == 1 ? "equation is" : "equations are")

@@ -12,7 +12,8 @@ using planar::ChainStep;
 using planar::NewtonChain;
 
 /// Pieces of the beam body that stand as a step of their own.
-std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam& beam, int beam_body) {
+std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam& beam,
+                                            int beam_body) {
   std::map<std::string, ChainStep> parts;
   for (auto& [name, part] : table.named_tables()) {
     const Length from = station_of(part, "from", beam);
@@ -52,7 +53,8 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
       table.problem("steps", fmt::format("there is no body or part \"{}\"", name));
       continue;
     }
-    steps.push_back({name, body, Eigen::Vector2d::Zero(), mechanism.bodies[static_cast<std::size_t>(body)].mass});
+    steps.push_back({name, body, Eigen::Vector2d::Zero(),
+                     mechanism.bodies[static_cast<std::size_t>(body)].mass});
   }
   if (steps.size() < 2) {
     if (table.has("steps")) table.problem("steps", "a chain has at least two bodies");
@@ -69,7 +71,8 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
     const auto found = std::find_if(chain.steps.begin(), chain.steps.end(),
                                     [&](const ChainStep& s) { return s.name == after; });
     if (found == chain.steps.end()) {
-      if (!after.empty()) end.problem("after", fmt::format("\"{}\" is no step of the chain before its last", after));
+      if (!after.empty())
+        end.problem("after", fmt::format("\"{}\" is no step of the chain before its last", after));
     } else {
       step = static_cast<std::size_t>(found - chain.steps.begin());
     }

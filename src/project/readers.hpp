@@ -28,8 +28,7 @@ struct MechanismDraft {
 MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body);
 
 /// Gives the beam body the beam's mass properties and moves every body's axes to its centre.
-planar::Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam,
-                                   int beam_body);
+planar::Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam, int beam_body);
 
 /// Index of a body or joint named by the value of a key, a problem and -1 where there is none.
 int body_of(TableReader& table, std::string_view key, const planar::Mechanism& mechanism);

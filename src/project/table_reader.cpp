@@ -43,7 +43,8 @@ void ProblemList::raise() const {
 TableReader::TableReader(ProblemList& problems, const Node& table, std::string name)
     : problems_(&problems), table_(&table), name_(std::move(name)) {
   if (table.kind != Node::Kind::table) {
-    problems_->add(table.place, fmt::format("{} is wanted as a table, not {}", name_, kind_name(table)),
+    problems_->add(table.place,
+                   fmt::format("{} is wanted as a table, not {}", name_, kind_name(table)),
                    fmt::format("write [{}] and its keys below", name_));
     table_ = &empty_table();
   }
@@ -71,7 +72,8 @@ double TableReader::quantity_in(const Node& node, const std::string& what,
                                 const WantedDimension& wanted) {
   const std::string hint = fmt::format("write it as text with its unit, {}", wanted.example);
   if (node.kind != Node::Kind::text) {
-    problems_->add(node.place, fmt::format("{} is {}, not {}", what, wanted.name, kind_name(node)), hint);
+    problems_->add(node.place, fmt::format("{} is {}, not {}", what, wanted.name, kind_name(node)),
+                   hint);
     return std::nan("");
   }
   const auto parsed = parse_quantity(node.text);
@@ -125,7 +127,8 @@ Eigen::Vector2d TableReader::pair_in(const Node& node, const std::string& what,
                    "write it as [\"0.5 m\", \"0 m\"] with the units that belong there");
     return Eigen::Vector2d::Constant(std::nan(""));
   }
-  return {quantity_in(node.items[0], what + " x", wanted), quantity_in(node.items[1], what + " y", wanted)};
+  return {quantity_in(node.items[0], what + " x", wanted),
+          quantity_in(node.items[1], what + " y", wanted)};
 }
 
 Eigen::Vector2d TableReader::pair(std::string_view key, const WantedDimension& wanted,
@@ -201,9 +204,8 @@ std::vector<std::string> TableReader::texts(std::string_view key, bool required)
   const Node* node = take(key, required, "[\"...\", \"...\"]");
   if (node == nullptr) return result;
   const bool all_text = node->kind == Node::Kind::array &&
-                        std::all_of(node->items.begin(), node->items.end(), [](const Node& item) {
-                          return item.kind == Node::Kind::text;
-                        });
+                        std::all_of(node->items.begin(), node->items.end(),
+                                    [](const Node& item) { return item.kind == Node::Kind::text; });
   if (!all_text) {
     problem(key, fmt::format("\"{}\" is a list of texts", key),
             fmt::format("write {} = [\"...\", \"...\"]", key));
@@ -277,7 +279,8 @@ void TableReader::finish() {
   for (const Node::Member& member : table_->members) {
     if (std::find(asked_.begin(), asked_.end(), member.key) != asked_.end()) continue;
     const std::string near = nearest_word(member.key, asked_);
-    const std::string shown = member.key.size() <= 60 ? member.key : member.key.substr(0, 57) + "...";
+    const std::string shown =
+        member.key.size() <= 60 ? member.key : member.key.substr(0, 57) + "...";
     problems_->add(member.key_place, fmt::format("unknown key \"{}\"", shown),
                    near.empty() ? fmt::format("known here: {}", fmt::join(asked_, ", "))
                                 : fmt::format("did you mean \"{}\"?", near));

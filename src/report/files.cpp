@@ -20,18 +20,20 @@ void write_file(const std::string& path, const std::string& content) {
   if (target.has_parent_path()) {
     fs::create_directories(target.parent_path(), error);
     if (error) {
-      throw OutputError(fmt::format("the folder {} cannot be made: {}", target.parent_path().string(),
-                                    error.message()));
+      throw OutputError(fmt::format("the folder {} cannot be made: {}",
+                                    target.parent_path().string(), error.message()));
     }
   }
   const auto fail = [&](const char* what, int code) {
     throw OutputError(fmt::format("{} cannot be {}: {}", path, what, std::strerror(code)));
   };
   const std::string temporary = fmt::format("{}.{}.tmp", path, ::getpid());
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(temporary.c_str(), "wb"), std::fclose);
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(temporary.c_str(), "wb"),
+                                                       std::fclose);
   if (!file) fail("written", errno);
-  const bool written = std::fwrite(content.data(), 1, content.size(), file.get()) == content.size() &&
-                       std::fflush(file.get()) == 0;
+  const bool written =
+      std::fwrite(content.data(), 1, content.size(), file.get()) == content.size() &&
+      std::fflush(file.get()) == 0;
   const int write_error = errno;
   const bool closed = std::fclose(file.release()) == 0;
   if (!written || !closed) {

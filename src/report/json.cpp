@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 
 /// The library writes NaN and infinity as null without a word; a result must never be one.
 double finite(double value) {
-  if (!std::isfinite(value)) throw OutputError("a result is not a finite number and is not written");
+  if (!std::isfinite(value))
+    throw OutputError("a result is not a finite number and is not written");
   return value == 0.0 ? 0.0 : value;  // no "-0.0"
 }
 
@@ -67,10 +68,10 @@ Json governing_json(const Verification& verification) {
 const char* sign_text(int sign) { return sign > 0 ? "+" : (sign < 0 ? "-" : "0"); }
 
 Json body_json(const BodyMotion& body) {
-  return {{"x", finite(body.position.x())},       {"y", finite(body.position.y())},
-          {"angle", finite(body.position.z())},   {"vx", finite(body.velocity.x())},
-          {"vy", finite(body.velocity.y())},      {"omega", finite(body.velocity.z())},
-          {"ax", finite(body.acceleration.x())},  {"ay", finite(body.acceleration.y())},
+  return {{"x", finite(body.position.x())},        {"y", finite(body.position.y())},
+          {"angle", finite(body.position.z())},    {"vx", finite(body.velocity.x())},
+          {"vy", finite(body.velocity.y())},       {"omega", finite(body.velocity.z())},
+          {"ax", finite(body.acceleration.x())},   {"ay", finite(body.acceleration.y())},
           {"alpha", finite(body.acceleration.z())}};
 }
 

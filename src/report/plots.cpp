@@ -29,7 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* colours[] = {"#1f5fa8", "#c8551b", "#3f8f4f", "#7a4fa0", "#8a6d1d", "#4a4a4a"};
+constexpr const char* colours[] = {"#1f5fa8", "#c8551b", "#3f8f4f",
+                                   "#7a4fa0", "#8a6d1d", "#4a4a4a"};
 constexpr std::size_t colour_count = std::size(colours);
 
 const char* colour(std::size_t i) { return colours[i % colour_count]; }
@@ -37,7 +38,8 @@ const char* colour(std::size_t i) { return colours[i % colour_count]; }
 /// A user's text inside a gnuplot string in single quotes.
 std::string quoted(const std::string& text) {
   std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : (c == '\n' ? " " : std::string(1, c));
+  for (const char c : text)
+    out += c == '\'' ? std::string("''") : (c == '\n' ? " " : std::string(1, c));
   return out + "'";
 }
 
@@ -98,8 +100,8 @@ void draw_outline(Gnuplot& gp, const Project& project, const Verification& verif
         "$outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, "
         "NaN with filledcurves fc rgb '#e9e9e9' title 'envelope'";
   for (std::size_t k = 0; k < verification.lines.size(); ++k) {
-    gp << ", NaN with lines lw 1.8 lc rgb '" << colour(k) << "' title '" << time_label(verification.lines[k].time)
-       << "'";
+    gp << ", NaN with lines lw 1.8 lc rgb '" << colour(k) << "' title '"
+       << time_label(verification.lines[k].time) << "'";
   }
   gp << "\nunset key\nunset label\nunset arrow\nset ytics autofreq\n";
 }
@@ -125,21 +127,26 @@ void draw_panel(Gnuplot& gp, const Verification& verification, const std::string
   }
   const double room = 0.18 * (top - bottom);
   block(gp, "band_" + symbol, band);
-  std::string plot = fmt::format("plot $band_{} using 1:2:3 with filledcurves fc rgb '#e9e9e9', "
-                                 "0 with lines lc rgb '#505050' lw 1", symbol);
+  std::string plot = fmt::format(
+      "plot $band_{} using 1:2:3 with filledcurves fc rgb '#e9e9e9', "
+      "0 with lines lc rgb '#505050' lw 1",
+      symbol);
   int label_number = 0;
   for (std::size_t k = 0; k < verification.lines.size(); ++k) {
     const CutForceLine& line = verification.lines[k];
     const std::vector<Row2> rows = rows_of(line);
     block(gp, fmt::format("{}{}", symbol, k), rows);
     plot += fmt::format(", ${}{} using 1:2 with lines lw 1.8 lc rgb '{}'", symbol, k, colour(k));
-    const auto extreme = std::max_element(rows.begin(), rows.end(), [](const Row2& a, const Row2& b) {
-      return std::abs(std::get<1>(a)) < std::abs(std::get<1>(b));
-    });
+    const auto extreme =
+        std::max_element(rows.begin(), rows.end(), [](const Row2& a, const Row2& b) {
+          return std::abs(std::get<1>(a)) < std::abs(std::get<1>(b));
+        });
     const double y = std::get<1>(*extreme);
-    gp << "set label " << ++label_number << " '" << text::significant(y) << "' at " << std::get<0>(*extreme) << ","
-       << y << " offset " << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? "-1" : "0.5") << ","
-       << (y > 0 ? 0.6 : -0.6) << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? " right" : " left")
+    gp << "set label " << ++label_number << " '" << text::significant(y) << "' at "
+       << std::get<0>(*extreme) << "," << y << " offset "
+       << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? "-1" : "0.5") << ","
+       << (y > 0 ? 0.6 : -0.6)
+       << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? " right" : " left")
        << " tc rgb '" << colour(k) << "' front\n";
   }
   gp << "set ylabel '" << label << "'\nset yrange [" << bottom - room << ":" << top + room << "]\n"
@@ -150,7 +157,8 @@ void cut_forces(Gnuplot& gp, const Project& project, const Verification& verific
   begin(gp, "cut-forces", 860, 980);
   gp << "set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title "
      << quoted("Cut forces along the beam: " + project.name) << " noenhanced\n"
-     << "set xrange [" << -0.02 * project.beam.length().value() << ":" << 1.02 * project.beam.length().value() << "]\n"
+     << "set xrange [" << -0.02 * project.beam.length().value() << ":"
+     << 1.02 * project.beam.length().value() << "]\n"
      << "set format x ''\n";
   draw_outline(gp, project, verification);
   draw_panel(gp, verification, "N", "N [kN]", [](const CutForces& cut) { return cut.N.value(); });
@@ -174,36 +182,41 @@ Eigen::Vector2d point_named(const PostureFigure& posture, const std::string& nam
 }
 
 /// Bodies of one posture as lines and blocks; returns the plot commands.
-std::string draw_bodies(Gnuplot& gp, const Project& project, const PostureFigure& posture, const std::string& prefix,
-                        const std::string& ink) {
+std::string draw_bodies(Gnuplot& gp, const Project& project, const PostureFigure& posture,
+                        const std::string& prefix, const std::string& ink) {
   std::string plot;
   for (std::size_t b = 0; b < posture.bodies.size(); ++b) {
     std::vector<Row2> rows;
-    for (const Eigen::Vector2d& point : posture.bodies[b].points) rows.emplace_back(point.x(), point.y());
+    for (const Eigen::Vector2d& point : posture.bodies[b].points)
+      rows.emplace_back(point.x(), point.y());
     const std::string name = fmt::format("{}_{}", prefix, b);
     block(gp, name, rows);
     if (!plot.empty()) plot += ", ";
     const bool verified = static_cast<int>(b) == project.beam_body;
     plot += rows.size() == 1
                 ? fmt::format("${} using 1:2 with points pt 5 ps 1.6 lc rgb '{}'", name, ink)
-                : fmt::format("${0} using 1:2 with lines lw {1} lc rgb '{2}', ${0} using 1:2 with points pt 7 ps 0.5 lc rgb '{2}'",
-                              name, verified ? 5 : 2, ink);
+                : fmt::format(
+                      "${0} using 1:2 with lines lw {1} lc rgb '{2}', ${0} using 1:2 with points "
+                      "pt 7 ps 0.5 lc rgb '{2}'",
+                      name, verified ? 5 : 2, ink);
   }
   return plot;
 }
 
 /// The loads of a posture as arrows that end where they act, with their sizes.
-void draw_loads(Gnuplot& gp, const PostureFigure& posture, double metres_per_newton, const char* ink) {
+void draw_loads(Gnuplot& gp, const PostureFigure& posture, double metres_per_newton,
+                const char* ink) {
   int number = 0;
   for (const BeamLoadRow& row : posture.loads) {
     const Eigen::Vector2d at = point_named(posture, row.name);
     const Eigen::Vector2d tail = at - metres_per_newton * row.world;
     const bool from_left = row.world.x() > 0.0;
     ++number;
-    gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to " << at.x() << "," << at.y()
-       << " lw 2 lc rgb '" << ink << "' front\n";
-    gp << "set label " << number << " " << quoted(row.name + "  " + text::kN(row.world.norm())) << " at " << tail.x()
-       << "," << tail.y() << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9") << " tc rgb '" << ink
+    gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to " << at.x()
+       << "," << at.y() << " lw 2 lc rgb '" << ink << "' front\n";
+    gp << "set label " << number << " " << quoted(row.name + "  " + text::kN(row.world.norm()))
+       << " at " << tail.x() << "," << tail.y()
+       << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9") << " tc rgb '" << ink
        << "' front noenhanced\n";
   }
 }
@@ -215,7 +228,8 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
   Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300);
   Eigen::Vector2d high = -low;
   for (const PostureFigure& posture : verification.postures) {
-    for (const BeamLoadRow& row : posture.loads) largest_force = std::max(largest_force, row.world.norm());
+    for (const BeamLoadRow& row : posture.loads)
+      largest_force = std::max(largest_force, row.world.norm());
     for (const auto& body : posture.bodies) {
       for (const Eigen::Vector2d& point : body.points) {
         low = low.cwiseMin(point);
@@ -226,16 +240,20 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
   const double size = (high - low).maxCoeff();
   const double reach = 0.16 * size;  // the longest arrow
   gp << "set multiplot layout 1," << panels << " title "
-     << quoted("Mechanism at its critical instants, forces on the beam; grey: t = 0") << " noenhanced\n"
+     << quoted("Mechanism at its critical instants, forces on the beam; grey: t = 0")
+     << " noenhanced\n"
      << "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nunset key\n"
      << "set xrange [" << low.x() - 1.3 * reach << ":" << high.x() + 1.3 * reach << "]\n"
      << "set yrange [" << low.y() - 0.5 * reach << ":" << high.y() + 0.5 * reach << "]\n";
   for (std::size_t k = 1; k <= panels; ++k) {
     const PostureFigure& posture = verification.postures[k];
-    const std::string ghost = draw_bodies(gp, project, verification.postures.front(), fmt::format("rest{}", k), "#c4c4c4");
-    const std::string bodies = draw_bodies(gp, project, posture, fmt::format("at{}", k), colour(k - 1));
+    const std::string ghost = draw_bodies(gp, project, verification.postures.front(),
+                                          fmt::format("rest{}", k), "#c4c4c4");
+    const std::string bodies =
+        draw_bodies(gp, project, posture, fmt::format("at{}", k), colour(k - 1));
     draw_loads(gp, posture, reach / largest_force, "#202020");
-    gp << "set title \"" << time_label(posture.time) << "\\n" << posture.why << "\"\n"
+    gp << "set title \"" << time_label(posture.time) << "\\n"
+       << posture.why << "\"\n"
        << "plot " << ghost << ", " << bodies << "\nunset label\nunset arrow\n";
   }
   gp << "unset multiplot\n";
@@ -246,16 +264,19 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
 void stress(Gnuplot& gp, const Project& project, const Verification& verification) {
   begin(gp, "stress", 860, 520);
   const double period = verification.period.value();
-  gp << "set title " << quoted("Normal stress over the cycle at the places with the largest ranges: " + project.name)
+  gp << "set title "
+     << quoted("Normal stress over the cycle at the places with the largest ranges: " +
+               project.name)
      << " noenhanced\n"
      << "set xlabel 't [s]'\nset ylabel 'sigma [MPa]'\nset xrange [0:" << period << "]\n"
      << "set key outside bottom center horizontal\n";
   std::vector<const CheckResult*> shown;
   for (const CheckResult& result : verification.checks) {
-    if (result.check.criterion != Criterion::fatigue || !result.basis || shown.size() == 3) continue;
-    const bool same_station = std::any_of(shown.begin(), shown.end(), [&](const CheckResult* other) {
-      return other->check.station == result.check.station;
-    });
+    if (result.check.criterion != Criterion::fatigue || !result.basis || shown.size() == 3)
+      continue;
+    const bool same_station = std::any_of(
+        shown.begin(), shown.end(),
+        [&](const CheckResult* other) { return other->check.station == result.check.station; });
     if (!same_station) shown.push_back(&result);
   }
   std::string plot = "plot 0 with lines lc rgb '#505050' lw 1 notitle";
@@ -264,21 +285,25 @@ void stress(Gnuplot& gp, const Project& project, const Verification& verificatio
     std::vector<Row2> rows;
     const std::size_t n = basis.history.size();
     for (std::size_t i = 0; i <= n; ++i) {
-      rows.emplace_back(period * static_cast<double>(i) / static_cast<double>(n), basis.history[i % n] * 1e-6);
+      rows.emplace_back(period * static_cast<double>(i) / static_cast<double>(n),
+                        basis.history[i % n] * 1e-6);
     }
     const std::vector<Row2> extremes{{basis.highest.time.value(), basis.highest.value * 1e-6},
                                      {basis.lowest.time.value(), basis.lowest.value * 1e-6}};
     block(gp, fmt::format("h{}", k), rows);
     block(gp, fmt::format("x{}", k), extremes);
-    plot += fmt::format(", $h{} using 1:2 with lines lw {} lc rgb '{}' title {}", k, k == 0 ? 2.4 : 1.6, colour(k),
-                        quoted(fmt::format("s = {} m, {}: range {}", to_text(shown[k]->check.station),
-                                           shown[k]->check.point, text::MPa(shown[k]->check.acting.value()))));
-    plot += fmt::format(", $x{} using 1:2 with points pt 7 ps 0.7 lc rgb '{}' notitle", k, colour(k));
+    plot += fmt::format(
+        ", $h{} using 1:2 with lines lw {} lc rgb '{}' title {}", k, k == 0 ? 2.4 : 1.6, colour(k),
+        quoted(fmt::format("s = {} m, {}: range {}", to_text(shown[k]->check.station),
+                           shown[k]->check.point, text::MPa(shown[k]->check.acting.value()))));
+    plot +=
+        fmt::format(", $x{} using 1:2 with points pt 7 ps 0.7 lc rgb '{}' notitle", k, colour(k));
     if (k > 0) continue;
     for (const Row2& extreme : extremes) {
-      gp << "set label '" << text::significant(std::get<1>(extreme)) << " MPa at " << text::seconds(std::get<0>(extreme))
-         << "' at " << std::get<0>(extreme) << "," << std::get<1>(extreme) << " center offset 0,"
-         << (std::get<1>(extreme) > 0 ? 0.9 : -0.9) << " tc rgb '" << colour(0) << "' front\n";
+      gp << "set label '" << text::significant(std::get<1>(extreme)) << " MPa at "
+         << text::seconds(std::get<0>(extreme)) << "' at " << std::get<0>(extreme) << ","
+         << std::get<1>(extreme) << " center offset 0," << (std::get<1>(extreme) > 0 ? 0.9 : -0.9)
+         << " tc rgb '" << colour(0) << "' front\n";
     }
   }
   gp << "set offsets 0,0,graph 0.12,graph 0.12\n" << plot << "\n";
@@ -291,38 +316,46 @@ void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
   begin(gp, "sn", 860, 560);
   std::vector<std::tuple<double, double, double>> rows;
   for (std::size_t i = 0; i < figure.cycles.size(); ++i) {
-    rows.emplace_back(figure.cycles[i], figure.spectrum[i] * 1e-6, figure.constant_amplitude[i] * 1e-6);
+    rows.emplace_back(figure.cycles[i], figure.spectrum[i] * 1e-6,
+                      figure.constant_amplitude[i] * 1e-6);
   }
   block(gp, "line", rows);
   const double range = figure.working_range * 1e-6;
   block(gp, "work", std::vector<Row2>{{figure.working_cycles, range}});
   block(gp, "needed", std::vector<Row2>{{figure.working_cycles, range * figure.required}});
   const bool en = figure.kind == CurveKind::en_1993_1_9;
-  gp << "set title " << quoted("S-N diagram with the governing stress range: " + project.name) << " noenhanced\n"
-     << "set logscale xy\nset format x '10^{%T}'\nset xlabel 'cycles N'\nset ylabel 'stress range [MPa]'\n"
+  gp << "set title " << quoted("S-N diagram with the governing stress range: " + project.name)
+     << " noenhanced\n"
+     << "set logscale xy\nset format x '10^{%T}'\nset xlabel 'cycles N'\nset ylabel 'stress range "
+        "[MPa]'\n"
      << "set xrange [1e4:1e9]\nset yrange [10:1000]\nset key bottom left\n"
      << "set ytics (10,20,30,50,70,100,200,300,500,1000)\n";
   if (en) {
     gp << "set label 'm = 3' at 3e5," << 1.15 * figure.category * std::cbrt(2e6 / 3e5) << "\n"
-       << "set label 'm = 5' at 2.5e7," << 1.12 * figure.knee * 1e-6 * std::pow(5e6 / 2.5e7, 0.2) << "\n"
-       << "set label 'knee " << text::significant(figure.knee * 1e-6, 3) << " MPa' at 5e6," << figure.knee * 1e-6
-       << " right offset -0.6,-0.9 point pt 6\n"
+       << "set label 'm = 5' at 2.5e7," << 1.12 * figure.knee * 1e-6 * std::pow(5e6 / 2.5e7, 0.2)
+       << "\n"
+       << "set label 'knee " << text::significant(figure.knee * 1e-6, 3) << " MPa' at 5e6,"
+       << figure.knee * 1e-6 << " right offset -0.6,-0.9 point pt 6\n"
        << "set label 'cut-off " << text::significant(figure.cut_off * 1e-6, 3) << " MPa' at 1e8,"
        << figure.cut_off * 1e-6 << " left offset 0.6,0.8 point pt 6\n"
        << "set label 'category " << figure.category << "' at 2e6," << figure.category
        << " left offset 0.6,0.6 point pt 6\n";
   }
-  gp << "set label '" << text::significant(range, 3) << " MPa' at " << figure.working_cycles << "," << range
-     << " left offset 1,-0.7 tc rgb '" << colour(1) << "'\n";
+  gp << "set label '" << text::significant(range, 3) << " MPa' at " << figure.working_cycles << ","
+     << range << " left offset 1,-0.7 tc rgb '" << colour(1) << "'\n";
   gp << "plot $line using 1:2 with lines lw 2 lc rgb '" << colour(0) << "' title "
-     << quoted(en ? fmt::format("EN 1993-1-9, category {}, spectrum", figure.category)
-                  : fmt::format("published step, category {} taken at 5e6 cycles", figure.category));
+     << quoted(
+            en ? fmt::format("EN 1993-1-9, category {}, spectrum", figure.category)
+               : fmt::format("published step, category {} taken at 5e6 cycles", figure.category));
   if (en) {
-    gp << ", $line using 1:3 with lines lw 1.6 dt 2 lc rgb '" << colour(0) << "' title 'constant amplitude (7.1(2))'";
+    gp << ", $line using 1:3 with lines lw 1.6 dt 2 lc rgb '" << colour(0)
+       << "' title 'constant amplitude (7.1(2))'";
   }
-  gp << ", $work using 1:2 with points pt 7 ps 1 lc rgb '" << colour(1) << "' title 'governing range'"
+  gp << ", $work using 1:2 with points pt 7 ps 1 lc rgb '" << colour(1)
+     << "' title 'governing range'"
      << ", $needed using 1:2 with points pt 6 ps 1.2 lc rgb '" << colour(1) << "' title '"
-     << fmt::format("governing range x required factor {}", text::significant(figure.required, 3)) << "'\n";
+     << fmt::format("governing range x required factor {}", text::significant(figure.required, 3))
+     << "'\n";
 }
 
 // --- running gnuplot -------------------------------------------------------------------------
@@ -355,9 +388,11 @@ Process start_gnuplot(const fs::path& folder, const std::string& name) {
   const int error = posix_spawnp(&process.pid, "gnuplot", &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT) {
-    throw OutputError("no plots: gnuplot is not installed (apt install gnuplot-nox); everything else is written");
+    throw OutputError(
+        "no plots: gnuplot is not installed (apt install gnuplot-nox); everything else is written");
   }
-  if (error != 0) throw OutputError(fmt::format("no plots: gnuplot cannot be started: {}", std::strerror(error)));
+  if (error != 0)
+    throw OutputError(fmt::format("no plots: gnuplot cannot be started: {}", std::strerror(error)));
   return process;
 }
 
@@ -370,7 +405,8 @@ std::string trouble_of(const fs::path& folder, const Process& process) {
   const fs::path drawing = folder / (process.name + ".svg");
   const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && drawn) return "";
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) return "gnuplot is not installed (apt install gnuplot-nox)";
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    return "gnuplot is not installed (apt install gnuplot-nox)";
   std::ifstream log(folder / (process.name + ".log"));
   for (std::string line; std::getline(log, line);) {
     if (line.find_first_not_of(" ^") != std::string::npos) return line;
@@ -384,7 +420,8 @@ class ScratchFolder {
   explicit ScratchFolder(const fs::path& beside) {
     std::string pattern = (beside / ".plots-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) {
-      throw OutputError(fmt::format("no plots: {} cannot be written: {}", beside.string(), std::strerror(errno)));
+      throw OutputError(
+          fmt::format("no plots: {} cannot be written: {}", beside.string(), std::strerror(errno)));
     }
     path_ = pattern;
   }
@@ -402,7 +439,8 @@ class ScratchFolder {
 
 void write_script(const fs::path& path, const Figure& figure) {
   std::FILE* file = std::fopen(path.c_str(), "w");
-  if (file == nullptr) throw OutputError(fmt::format("{} cannot be written: {}", path.string(), std::strerror(errno)));
+  if (file == nullptr)
+    throw OutputError(fmt::format("{} cannot be written: {}", path.string(), std::strerror(errno)));
   Gnuplot gp(file);  // closes the file
   figure.draw(gp);
 }
@@ -417,7 +455,8 @@ std::vector<std::string> draw_figures(const Project& project, const Verification
   if (project.given_stresses.empty()) {
     figures.push_back({"stress", [&](Gnuplot& gp) { stress(gp, project, verification); }});
   }
-  if (verification.sn) figures.push_back({"sn", [&](Gnuplot& gp) { sn(gp, project, verification); }});
+  if (verification.sn)
+    figures.push_back({"sn", [&](Gnuplot& gp) { sn(gp, project, verification); }});
 
   const ScratchFolder scratch(folder);
   std::vector<Process> processes;
@@ -440,7 +479,9 @@ std::vector<std::string> draw_figures(const Project& project, const Verification
     const std::string drawing = figure.name + ".svg";
     fs::rename(scratch.path() / (figure.name + ".gp"), fs::path(folder) / script, error);
     if (!error) fs::rename(scratch.path() / drawing, fs::path(folder) / drawing, error);
-    if (error) throw OutputError(fmt::format("{}/{} cannot be written: {}", folder, drawing, error.message()));
+    if (error)
+      throw OutputError(
+          fmt::format("{}/{} cannot be written: {}", folder, drawing, error.message()));
     written.push_back(drawing);
   }
   return written;

@@ -12,27 +12,31 @@ namespace {
 void add_categories(const Project& project, std::vector<std::string>& remarks) {
   for (const DetailStretch& detail : project.fatigue.details) {
     if (detail.assumed.empty()) continue;
-    remarks.push_back(fmt::format("detail category {} is assumed for the {} at s = {} m: {}", detail.category,
-                                  detail.name, text::significant(detail.from.value(), 3), detail.assumed));
+    remarks.push_back(fmt::format("detail category {} is assumed for the {} at s = {} m: {}",
+                                  detail.category, detail.name,
+                                  text::significant(detail.from.value(), 3), detail.assumed));
   }
 }
 
 void add_holes(const Project& project, std::vector<std::string>& remarks) {
   if (project.beam.holes.empty() || !project.given_stresses.empty()) return;
   remarks.push_back(
-      "at hole edges the local stress (concentration included) is compared with the yield strength and, "
+      "at hole edges the local stress (concentration included) is compared with the yield strength "
+      "and, "
       "as modified nominal stress, with the category of the beam; shear is not concentrated there");
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
   for (const TaperSlope& taper : verification.tapers) {
     std::string remark = fmt::format(
-        "the flanges of segment {} slope {:.1f} deg: V S/(I b) leaves with the webs what the inclined "
+        "the flanges of segment {} slope {:.1f} deg: V S/(I b) leaves with the webs what the "
+        "inclined "
         "flanges carry of V",
         taper.segment, taper.degrees);
     // Wedge under a tip force (Timoshenko and Goodier): M/W is 0.9939 of the exact edge stress at
     // a half-angle of 10 deg, 0.9861 at 15 deg.
-    if (taper.degrees > 10.0) remark += "; M/W is 0.6 to 1.4 % low at the edge between 10 and 15 deg";
+    if (taper.degrees > 10.0)
+      remark += "; M/W is 0.6 to 1.4 % low at the edge between 10 and 15 deg";
     remarks.push_back(std::move(remark));
   }
 }
@@ -40,10 +44,12 @@ void add_tapers(const Verification& verification, std::vector<std::string>& rema
 void add_published(const Project& project, const Verification& verification,
                    std::vector<std::string>& remarks) {
   if (project.dynamics == Dynamics::newton_chain && verification.chain) {
-    remarks.push_back(fmt::format(
-        "the Newton chain leaves out lever arms: at t = {} the moments from both ends miss each other at "
-        "the pivot by {}, taken there as a couple",
-        text::seconds(verification.chain->time.value()), text::kNm(verification.chain->moment_gap)));
+    remarks.push_back(
+        fmt::format("the Newton chain leaves out lever arms: at t = {} the moments from both ends "
+                    "miss each other at "
+                    "the pivot by {}, taken there as a couple",
+                    text::seconds(verification.chain->time.value()),
+                    text::kNm(verification.chain->moment_gap)));
   }
   for (const GivenStress& given : project.given_stresses) {
     remarks.push_back(fmt::format("stress {} is given, not computed: {}", given.name, given.note));
@@ -52,28 +58,31 @@ void add_published(const Project& project, const Verification& verification,
   remarks.push_back("only the given stresses are checked; the rest of the beam is not");
   for (const PublishedConcentration& hole : verification.published_concentrations) {
     remarks.push_back(fmt::format(
-        "K_t = 2.68750 exp(-0.7128 d/w) gives {} for hole {} (d/w = {}); the published stresses contain 2.66",
+        "K_t = 2.68750 exp(-0.7128 d/w) gives {} for hole {} (d/w = {}); the published stresses "
+        "contain 2.66",
         text::significant(hole.factor), hole.hole, text::significant(hole.diameter_to_width, 3)));
   }
 }
 
-void add_beside(const Project& project, const Verification& verification, std::vector<std::string>& remarks) {
+void add_beside(const Project& project, const Verification& verification,
+                std::vector<std::string>& remarks) {
   const CheckResult* fatigue = verification.governing(Criterion::fatigue);
   if (fatigue != nullptr && fatigue->basis && project.fatigue.demand.loading == Loading::spectrum) {
-    remarks.push_back(fmt::format(
-        "beside the spectrum: as constant-amplitude loading (EN 1993-1-9 7.1(2), no damage below {} of the "
-        "category) the governing fatigue factor would be {}",
-        "0.737", text::significant(fatigue->basis->constant_amplitude_factor, 3)));
+    remarks.push_back(
+        fmt::format("beside the spectrum: as constant-amplitude loading (EN 1993-1-9 7.1(2), no "
+                    "damage below {} of the "
+                    "category) the governing fatigue factor would be {}",
+                    "0.737", text::significant(fatigue->basis->constant_amplitude_factor, 3)));
   }
   if (verification.equivalent_mass) {
     const auto& mass = *verification.equivalent_mass;
     const auto& demand = *project.equivalent_mass;
     const auto& body = project.mechanism.bodies[static_cast<std::size_t>(demand.adjust)];
-    std::string remark = fmt::format("the mechanism feels like {} at {}; for {} there the {} would have to be {}",
-                                     text::kilograms(mass.given),
-                                     project.mechanism.joints[static_cast<std::size_t>(demand.joint)].name,
-                                     text::kilograms(demand.wanted.value()), body.name,
-                                     text::kilograms(mass.needed));
+    std::string remark = fmt::format(
+        "the mechanism feels like {} at {}; for {} there the {} would have to be {}",
+        text::kilograms(mass.given),
+        project.mechanism.joints[static_cast<std::size_t>(demand.joint)].name,
+        text::kilograms(demand.wanted.value()), body.name, text::kilograms(mass.needed));
     if (mass.needed < 0.0) remark += " (below zero: this equivalent mass cannot be reached)";
     remarks.push_back(std::move(remark));
   }
@@ -83,21 +92,24 @@ void add_beside(const Project& project, const Verification& verification, std::v
 
 std::vector<std::string> remarks_of(const Project& project, const Verification& verification) {
   std::vector<std::string> remarks;
-  for (const std::string& assumption : project.assumptions) remarks.push_back("assumed: " + assumption);
+  for (const std::string& assumption : project.assumptions)
+    remarks.push_back("assumed: " + assumption);
   add_categories(project, remarks);
   add_beside(project, verification, remarks);
   if (project.given_stresses.empty()) add_tapers(verification, remarks);
   add_holes(project, remarks);
   add_published(project, verification, remarks);
   remarks.push_back(
-      "not checked here: section class, plate and shear buckling, shear lag, fatigue under shear stress, "
+      "not checked here: section class, plate and shear buckling, shear lag, fatigue under shear "
+      "stress, "
       "weld throats, pins and rods");
   return remarks;
 }
 
 std::string model_reason(const Project& project) {
   return fmt::format(
-      "{} loads on rigid bodies: a planar case has no elastic model; deformation raises the stresses when "
+      "{} loads on rigid bodies: a planar case has no elastic model; deformation raises the "
+      "stresses when "
       "the drive comes near a natural frequency of the beam with its attached masses, which is not "
       "estimated",
       to_text(project.dynamics));

@@ -32,8 +32,9 @@ std::string where(const Check& check) {
 std::string governing_line(const Check& check) {
   return fmt::format("{:<8}{:<8} factor {:<5} required {:<5} utilisation {:<6} at {}, t = {}",
                      check.passes() ? "passes" : "FAILS", to_text(check.criterion),
-                     text::significant(check.safety_factor, 3), text::significant(check.required, 3),
-                     text::percent(check.utilisation()), where(check), text::seconds(check.time.value()));
+                     text::significant(check.safety_factor, 3),
+                     text::significant(check.required, 3), text::percent(check.utilisation()),
+                     where(check), text::seconds(check.time.value()));
 }
 
 std::string verdict_lines(const Verification& verification) {
@@ -42,15 +43,17 @@ std::string verdict_lines(const Verification& verification) {
   for (const Criterion criterion : {Criterion::yield, Criterion::fatigue}) {
     if (const CheckResult* result = verification.governing(criterion)) governing.push_back(result);
   }
-  std::stable_sort(governing.begin(), governing.end(), [](const CheckResult* a, const CheckResult* b) {
-    return a->check.utilisation() > b->check.utilisation();
-  });
+  std::stable_sort(governing.begin(), governing.end(),
+                   [](const CheckResult* a, const CheckResult* b) {
+                     return a->check.utilisation() > b->check.utilisation();
+                   });
   for (const CheckResult* result : governing) lines += "  " + governing_line(result->check) + "\n";
   return lines;
 }
 
 std::string checks_table(const Verification& verification, std::size_t most) {
-  Table table({"use", "factor", "required", "criterion", "s [m]", "point", "when [s]", "acting", "resisting"});
+  Table table({"use", "factor", "required", "criterion", "s [m]", "point", "when [s]", "acting",
+               "resisting"});
   for (std::size_t i = 0; i < std::min(most, verification.checks.size()); ++i) {
     const Check& check = verification.checks[i].check;
     const char* kind = check.criterion == Criterion::fatigue ? "range " : "";
@@ -70,9 +73,10 @@ std::string case_section(const Project& project, const Verification& verificatio
   for (const std::string& set : project.overrides) out += fmt::format("  --set         {}\n", set);
   out += fmt::format("  input sha256  {}\n", project.sha256);
   out += fmt::format("  program       boxbeam {}\n", version);
-  out += fmt::format("  loads by      {}\n", project.dynamics == Dynamics::rigorous
-                                                   ? "reactions of the mechanism, distributed weight and inertia"
-                                                   : "the published Newton chain");
+  out += fmt::format("  loads by      {}\n",
+                     project.dynamics == Dynamics::rigorous
+                         ? "reactions of the mechanism, distributed weight and inertia"
+                         : "the published Newton chain");
   out += fmt::format("  period        {}, {} instants solved, extremes refined between them\n",
                      text::seconds(verification.period.value()), verification.instants);
   return out + "\n";
@@ -81,14 +85,17 @@ std::string case_section(const Project& project, const Verification& verificatio
 std::string mechanism_section(const Project& project, const Verification& verification) {
   const planar::DegreesOfFreedom& freedom = verification.freedom;
   std::string out = heading("Mechanism");
-  out += fmt::format("  degrees of freedom  {} by Gruebler, {} by the rank of the Jacobian; {} driver{}\n",
-                     freedom.gruebler, freedom.by_rank, freedom.drivers, freedom.drivers == 1 ? "" : "s");
-  if (freedom.redundant > 0) out += fmt::format("  redundant           {} equations\n", freedom.redundant);
+  out += fmt::format(
+      "  degrees of freedom  {} by Gruebler, {} by the rank of the Jacobian; {} driver{}\n",
+      freedom.gruebler, freedom.by_rank, freedom.drivers, freedom.drivers == 1 ? "" : "s");
+  if (freedom.redundant > 0)
+    out += fmt::format("  redundant           {} equations\n", freedom.redundant);
   for (std::size_t i = 0; i < verification.branch.size(); ++i) {
     out += fmt::format("  branch              loop {}: {}\n", project.mechanism.loops[i].name,
                        verification.branch[i] > 0 ? "+" : "-");
   }
-  out += fmt::format("  joints closed to    {:.1e} m, rad at all instants\n\n", verification.largest_residual);
+  out += fmt::format("  joints closed to    {:.1e} m, rad at all instants\n\n",
+                     verification.largest_residual);
   Table table({"body", "mass [kg]", "J about centre [kg m^2]"});
   for (const Body& body : project.mechanism.bodies) {
     table.row({body.name, text::significant(body.mass, 5), text::significant(body.inertia, 5)});
@@ -98,22 +105,28 @@ std::string mechanism_section(const Project& project, const Verification& verifi
 
 std::string loads_section(const Verification& verification) {
   std::string out = heading("Loads on the beam at the critical instants");
-  out += "  Forces of the joints on the beam; world axes x right, y up; beam axes x along the axis,\n"
-         "  z its left normal. Weight and inertia act per length in between.\n\n";
-  Table table({"t [s]", "at", "s [m]", "F_x world", "F_y world", "F_x beam", "F_z beam", "couple M_y"});
+  out +=
+      "  Forces of the joints on the beam; world axes x right, y up; beam axes x along the axis,\n"
+      "  z its left normal. Weight and inertia act per length in between.\n\n";
+  Table table(
+      {"t [s]", "at", "s [m]", "F_x world", "F_y world", "F_x beam", "F_z beam", "couple M_y"});
   for (const BeamLoadRow& row : verification.loads) {
-    table.row({fmt::format("{:.4f}", row.time.value()), row.name, text::significant(row.s.value(), 4),
-               text::kN(row.world.x()), text::kN(row.world.y()), text::kN(row.force.x()),
-               text::kN(row.force.z()), std::abs(row.couple) < 1e-6 ? "0" : text::kNm(row.couple)});
+    table.row({fmt::format("{:.4f}", row.time.value()), row.name,
+               text::significant(row.s.value(), 4), text::kN(row.world.x()),
+               text::kN(row.world.y()), text::kN(row.force.x()), text::kN(row.force.z()),
+               std::abs(row.couple) < 1e-6 ? "0" : text::kNm(row.couple)});
   }
   out += table.text();
-  out += fmt::format("\n  balance of all loads on the beam: {:.1e} of the largest force\n\n", verification.imbalance);
+  out += fmt::format("\n  balance of all loads on the beam: {:.1e} of the largest force\n\n",
+                     verification.imbalance);
   return out;
 }
 
 std::string cut_force_section(const Verification& verification) {
   std::string out = heading("Cut forces, smallest and largest over the period");
-  out += "  N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two sides of a jump.\n\n";
+  out +=
+      "  N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two sides of a "
+      "jump.\n\n";
   Table table({"s [m]", "N min", "N max [kN]", "V min", "V max [kN]", "M min", "M max [kN m]"});
   const auto k = [](double x) { return std::abs(x) < 1e-6 ? "0" : text::significant(x * 1e-3); };
   for (const StationEnvelope& station : verification.stations) {
@@ -127,7 +140,8 @@ std::string cut_force_section(const Verification& verification) {
     const std::string value = instant.quantity == "M"        ? text::kNm(instant.value)
                               : instant.quantity == "stress" ? text::MPa(instant.value)
                                                              : text::kN(instant.value);
-    instants.row({instant.quantity, to_text(instant.station), fmt::format("{:.6f}", instant.time.value()), value});
+    instants.row({instant.quantity, to_text(instant.station),
+                  fmt::format("{:.6f}", instant.time.value()), value});
   }
   return out + instants.text() + "\n";
 }
@@ -146,7 +160,8 @@ std::string section_section(const Verification& verification) {
   std::sort(points.begin(), points.end(), [](const StressPoint* a, const StressPoint* b) {
     return std::pair(a->station.s, a->station.side) < std::pair(b->station.s, b->station.side);
   });
-  Table table({"s [m]", "h [mm]", "A [mm^2]", "I_y [mm^4]", "W_y [mm^3]", "A_net [mm^2]", "I_y,net [mm^4]"});
+  Table table({"s [m]", "h [mm]", "A [mm^2]", "I_y [mm^4]", "W_y [mm^3]", "A_net [mm^2]",
+               "I_y,net [mm^4]"});
   const auto e = [](double x) { return fmt::format("{:.4e}", x); };
   for (const StressPoint* point : points) {
     table.row({to_text(point->station), text::significant(2e3 * point->gross.z_top.value(), 4),
@@ -172,8 +187,9 @@ std::string chain_section(const Project& project, const Verification& verificati
   const ChainComparison& chain = *verification.chain;
   const bool both = project.beam_body != planar::ground;
   std::string out = heading("Load models side by side");
-  out += fmt::format("  Published Newton chain (g_i = m_i a_i + g_(i-1), no lever arms){} at t = {}\n\n",
-                     both ? " beside the rigorous reactions" : "", text::seconds(chain.time.value()));
+  out += fmt::format(
+      "  Published Newton chain (g_i = m_i a_i + g_(i-1), no lever arms){} at t = {}\n\n",
+      both ? " beside the rigorous reactions" : "", text::seconds(chain.time.value()));
   Table table({"force on the beam, world axes", "Newton chain", both ? "rigorous" : ""});
   const auto row = [&](const char* name, double value, double rigorous) {
     table.row({name, text::kN(value), both ? text::kN(rigorous) : ""});
@@ -186,10 +202,14 @@ std::string chain_section(const Project& project, const Verification& verificati
   out += fmt::format("\n  mass the chain yields for body {}: {}\n", project.chain->last.name,
                      text::kilograms(chain.chain_mass));
   out += paragraph(
-      "The chain starts from the wanted equivalent mass times the blade's acceleration and hands the whole "
-      "force on past the pivot. It ignores the lever ratio of the two arms, adds the beam's inertia to the "
-      "forces at its ends instead of spreading it, and adds moments without force times arm; what is left "
-      "over of the moments at the pivot, " + text::kNm(chain.moment_gap) + ", is taken there as a couple.");
+      "The chain starts from the wanted equivalent mass times the blade's acceleration and hands "
+      "the whole "
+      "force on past the pivot. It ignores the lever ratio of the two arms, adds the beam's "
+      "inertia to the "
+      "forces at its ends instead of spreading it, and adds moments without force times arm; what "
+      "is left "
+      "over of the moments at the pivot, " +
+      text::kNm(chain.moment_gap) + ", is taken there as a couple.");
   return out + "\n";
 }
 
@@ -200,11 +220,14 @@ std::string equivalent_mass_section(const Project& project, const Verification& 
   const Body& body = project.mechanism.bodies[static_cast<std::size_t>(demand.adjust)];
   const std::string& joint = project.mechanism.joints[static_cast<std::size_t>(demand.joint)].name;
   std::string out = heading("Equivalent mass");
-  out += paragraph("First harmonic of the force at " + joint + " in phase with the acceleration there, divided by "
+  out += paragraph("First harmonic of the force at " + joint +
+                   " in phase with the acceleration there, divided by "
                    "the first harmonic of that acceleration: m_eq = <F_1, a_1>/<a_1, a_1>.");
-  out += fmt::format("  with {} = {}: m_eq = {}\n", body.name, text::kilograms(body.mass), text::kilograms(mass.given));
-  out += fmt::format("  for m_eq = {}: {} = {} (m_eq grows by {} kg per kg)\n\n", text::kilograms(demand.wanted.value()),
-                     body.name, text::kilograms(mass.needed), text::significant(mass.per_mass, 4));
+  out += fmt::format("  with {} = {}: m_eq = {}\n", body.name, text::kilograms(body.mass),
+                     text::kilograms(mass.given));
+  out += fmt::format("  for m_eq = {}: {} = {} (m_eq grows by {} kg per kg)\n\n",
+                     text::kilograms(demand.wanted.value()), body.name,
+                     text::kilograms(mass.needed), text::significant(mass.per_mass, 4));
   return out;
 }
 
@@ -222,14 +245,16 @@ std::string summary(const Project& project, const Verification& verification) {
     if (!remark.starts_with("assumed: ")) out += layout::item(remark);
   }
   if (!project.assumptions.empty()) {
-    out += layout::item(fmt::format("{} assumptions of the case stand in the report", project.assumptions.size()));
+    out += layout::item(
+        fmt::format("{} assumptions of the case stand in the report", project.assumptions.size()));
   }
   return out;
 }
 
 std::string text_report(const Project& project, const Verification& verification) {
   std::string out = fmt::format("boxbeam {}: {}\n\n", version, project.name);
-  out += fmt::format("VERDICT: {}\n{}\n", upper(to_text(verification.verdict)), verdict_lines(verification));
+  out += fmt::format("VERDICT: {}\n{}\n", upper(to_text(verification.verdict)),
+                     verdict_lines(verification));
   out += case_section(project, verification);
   out += heading("Assumptions and remarks");
   for (const std::string& remark : remarks_of(project, verification)) out += layout::item(remark);
@@ -240,7 +265,9 @@ std::string text_report(const Project& project, const Verification& verification
   out += section_section(verification);
   out += sheets_section(project, verification);
   out += heading("All checks, worst first");
-  out += "  use = required/factor; ! fails; a factor is the largest multiple of the whole load history that holds\n\n";
+  out +=
+      "  use = required/factor; ! fails; a factor is the largest multiple of the whole load "
+      "history that holds\n\n";
   out += checks_table(verification, verification.checks.size()) + "\n";
   out += chain_section(project, verification);
   out += equivalent_mass_section(project, verification);
@@ -248,17 +275,19 @@ std::string text_report(const Project& project, const Verification& verification
 }
 
 std::string motion_text(const Project& project, const MotionResult& motion) {
-  std::string out = fmt::format("{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", project.title,
-                                motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s",
-                                motion.freedom.gruebler, motion.freedom.by_rank, motion.freedom.drivers,
-                                motion.freedom.drivers == 1 ? "" : "s");
+  std::string out = fmt::format(
+      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", project.title,
+      motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s", motion.freedom.gruebler,
+      motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s");
   const auto f = [](double x) { return fmt::format("{:.6g}", x); };
   for (const InstantResult& state : motion.states) {
     out += fmt::format("\nt = {:.6g} s   branch", state.time);
-    for (const auto& [loop, sign] : state.branch) out += fmt::format(" {} {}", loop, sign > 0 ? "+" : "-");
-    out += fmt::format("   joints closed to {:.1e}, condition {:.3g}\n", state.residual, state.condition);
-    Table bodies({"body", "x [m]", "y [m]", "angle [rad]", "vx [m/s]", "vy [m/s]", "omega [rad/s]", "ax [m/s^2]",
-                  "ay [m/s^2]", "alpha [rad/s^2]"});
+    for (const auto& [loop, sign] : state.branch)
+      out += fmt::format(" {} {}", loop, sign > 0 ? "+" : "-");
+    out += fmt::format("   joints closed to {:.1e}, condition {:.3g}\n", state.residual,
+                       state.condition);
+    Table bodies({"body", "x [m]", "y [m]", "angle [rad]", "vx [m/s]", "vy [m/s]", "omega [rad/s]",
+                  "ax [m/s^2]", "ay [m/s^2]", "alpha [rad/s^2]"});
     for (const BodyMotion& body : state.bodies) {
       std::vector<std::string> row{body.name};
       for (const Eigen::Vector3d* values : {&body.position, &body.velocity, &body.acceleration}) {
@@ -268,7 +297,8 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
     }
     Table joints({"reaction of", "on", "Fx [N]", "Fy [N]", "moment [N m]"});
     for (const JointReaction& reaction : state.reactions) {
-      joints.row({reaction.joint, reaction.on, f(reaction.force.x()), f(reaction.force.y()), f(reaction.moment)});
+      joints.row({reaction.joint, reaction.on, f(reaction.force.x()), f(reaction.force.y()),
+                  f(reaction.moment)});
     }
     out += bodies.text() + "\n" + joints.text();
   }

@@ -5,7 +5,8 @@
 namespace boxbeam {
 
 Stress PointStress::von_mises() const {
-  return si<Stress>(std::sqrt(normal.value() * normal.value() + 3.0 * shear.value() * shear.value()));
+  return si<Stress>(
+      std::sqrt(normal.value() * normal.value() + 3.0 * shear.value() * shear.value()));
 }
 
 StressLevel stress_level_of(const Section& section, const std::vector<Hole>& holes,
@@ -16,7 +17,8 @@ StressLevel stress_level_of(const Section& section, const std::vector<Hole>& hol
   StressLevel level;
   level.per_M = arm / net.I_y.value();
   level.per_N = 1.0 / net.area.value() - net.centroid_z.value() * level.per_M;
-  // At the crown of a round tube both the first moment and the width vanish, and the shear with them.
+  // At the crown of a round tube both the first moment and the width vanish, and the shear with
+  // them.
   level.per_shear = width > 0.0 ? first_moment / (net.I_y.value() * width) : 0.0;
   return level;
 }

@@ -13,10 +13,9 @@ Length between(Length a, Length b, double fraction) { return a + (b - a) * fract
 Profile between(const Profile& a, const Profile& b, double fraction) {
   if (const auto* box = std::get_if<HollowRectangle>(&a)) {
     const auto& to = std::get<HollowRectangle>(b);
-    return HollowRectangle{between(box->width, to.width, fraction),
-                           between(box->height, to.height, fraction),
-                           between(box->flange, to.flange, fraction),
-                           between(box->web, to.web, fraction)};
+    return HollowRectangle{
+        between(box->width, to.width, fraction), between(box->height, to.height, fraction),
+        between(box->flange, to.flange, fraction), between(box->web, to.web, fraction)};
   }
   const auto& tube = std::get<RoundTube>(a);
   const auto& to = std::get<RoundTube>(b);
@@ -65,8 +64,9 @@ std::optional<std::string> misfit_of(const Profile& outer, const Profile& inner)
     const Length clear_width = box->width - 2.0 * box->web;
     const Length clear_height = box->height - 2.0 * box->flange;
     if (needs.y <= clear_width && needs.z <= clear_height) return std::nullopt;
-    return fmt::format("the inner profile, {} x {}, does not fit the clear {} x {} of the outer one",
-                       mm(needs.y), mm(needs.z), mm(clear_width), mm(clear_height));
+    return fmt::format(
+        "the inner profile, {} x {}, does not fit the clear {} x {} of the outer one", mm(needs.y),
+        mm(needs.z), mm(clear_width), mm(clear_height));
   }
   const auto& tube = std::get<RoundTube>(outer);
   const Length clear = tube.diameter - 2.0 * tube.wall;
@@ -86,7 +86,8 @@ Section interpolate(const Section& from, const Section& to, double fraction) {
 }
 
 bool same_kind(const Section& a, const Section& b) {
-  if (a.outer.index() != b.outer.index() || a.inner.has_value() != b.inner.has_value()) return false;
+  if (a.outer.index() != b.outer.index() || a.inner.has_value() != b.inner.has_value())
+    return false;
   return !a.inner || a.inner->index() == b.inner->index();
 }
 

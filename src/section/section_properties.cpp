@@ -38,9 +38,9 @@ Sums sums_of(const Profile& profile) {
   Sums sums;
   if (const auto* box = std::get_if<HollowRectangle>(&profile)) {
     sums.add(rectangle(box->width.value(), box->height.value()), 1.0);
-    sums.add(rectangle((box->width - 2.0 * box->web).value(),
-                       (box->height - 2.0 * box->flange).value()),
-             -1.0);
+    sums.add(
+        rectangle((box->width - 2.0 * box->web).value(), (box->height - 2.0 * box->flange).value()),
+        -1.0);
   } else {
     const auto& tube = std::get<RoundTube>(profile);
     sums.add(disc(tube.diameter.value()), 1.0);
@@ -183,7 +183,8 @@ Length width_at(const Section& section, const std::vector<Hole>& holes, Length z
     const bool in_flange = abs(z) > half_clear_height(section.outer);
     if (hole.walls == HoleWalls::webs) {
       // A level on the edge of the hole has material beside it.
-      if (!in_flange && abs(z - hole.position) < 0.5 * hole.diameter) width -= 2.0 * box.web.value();
+      if (!in_flange && abs(z - hole.position) < 0.5 * hole.diameter)
+        width -= 2.0 * box.web.value();
     } else if (in_flange) {
       width -= (hole.position.value() == 0.0 ? 1.0 : 2.0) * hole.diameter.value();
     }

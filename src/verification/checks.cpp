@@ -24,7 +24,8 @@ const char* fatigue_source(const FatigueInput& fatigue) {
 std::string id_of(Criterion criterion, const Station& station, const std::string& point) {
   std::string word;
   for (std::size_t i = 0; i < point.size(); ++i) {
-    const bool before_sign = point[i] == ' ' && i + 1 < point.size() && (point[i + 1] == '+' || point[i + 1] == '-');
+    const bool before_sign =
+        point[i] == ' ' && i + 1 < point.size() && (point[i + 1] == '+' || point[i + 1] == '-');
     if (!before_sign) word += point[i] == ' ' ? '-' : point[i];
   }
   return fmt::format("{}/{}/{}", to_text(criterion), to_text(station), word);
@@ -99,7 +100,9 @@ std::optional<CheckResult> check_fatigue(const Project& project, const LoadHisto
   const std::vector<Cycle> cycles = count_periodic_cycles(stresses);
   if (cycles.empty()) return std::nullopt;
 
-  const auto by_value = [](const TurningPoint& a, const TurningPoint& b) { return a.value < b.value; };
+  const auto by_value = [](const TurningPoint& a, const TurningPoint& b) {
+    return a.value < b.value;
+  };
   const auto [lowest, highest] = std::minmax_element(turns.begin(), turns.end(), by_value);
   const Stress range = si<Stress>(highest->value - lowest->value);
   if (range.value() < 1e-9 * point.yield_strength.value()) return std::nullopt;
@@ -149,8 +152,16 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     const auto add = [&](Criterion criterion, Stress acting, Stress resisting, double required,
                          const char* source) {
       CheckResult result;
-      result.check = {id_of(criterion, station, given.name), criterion, station, given.name, given.time,
-                      acting, resisting, resisting / acting, required, source};
+      result.check = {id_of(criterion, station, given.name),
+                      criterion,
+                      station,
+                      given.name,
+                      given.time,
+                      acting,
+                      resisting,
+                      resisting / acting,
+                      required,
+                      source};
       results.push_back(std::move(result));
     };
     const Stress yield = yield_strength_of(project.material, given.thickness).value();

@@ -16,7 +16,8 @@ double node(std::size_t k) {
 }
 
 /// Value at u of the polynomial through the nodes. Barycentric formula; weights of Chebyshev points
-/// alternate in sign and are halved at the ends. Source: Berrut and Trefethen, SIAM Review 46 (2004).
+/// alternate in sign and are halved at the ends. Source: Berrut and Trefethen, SIAM Review 46
+/// (2004).
 CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, double u) {
   double sum = 0.0;
   CutForces result{};
@@ -40,7 +41,8 @@ CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, d
 
 }  // namespace
 
-LoadHistory::LoadHistory(const TaperedBeam& beam, Time period, std::size_t instants, LoadsAt loads_at)
+LoadHistory::LoadHistory(const TaperedBeam& beam, Time period, std::size_t instants,
+                         LoadsAt loads_at)
     : beam_(&beam), period_(period), loads_at_(std::move(loads_at)) {
   assert(instants >= 4);
   diagrams_.resize(instants);
@@ -58,10 +60,14 @@ const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {
   const std::size_t n = diagrams_.size();
   const Time step = period_ / static_cast<double>(n);
   for (std::size_t k = 0; k <= last_node; ++k) {
-    if (k == 0) bracket[k] = diagrams_[(middle + n - 1) % n];
-    else if (k == last_node) bracket[k] = diagrams_[(middle + 1) % n];
-    else if (2 * k == last_node) bracket[k] = diagrams_[middle];
-    else bracket[k] = diagram_at(time_of(middle) + node(k) * step);
+    if (k == 0)
+      bracket[k] = diagrams_[(middle + n - 1) % n];
+    else if (k == last_node)
+      bracket[k] = diagrams_[(middle + 1) % n];
+    else if (2 * k == last_node)
+      bracket[k] = diagrams_[middle];
+    else
+      bracket[k] = diagram_at(time_of(middle) + node(k) * step);
   }
   return brackets_.emplace(middle, std::move(bracket)).first->second;
 }
@@ -69,7 +75,8 @@ const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {
 StationHistory::StationHistory(const LoadHistory& loads, const Station& station)
     : loads_(&loads), station_(station) {
   samples_.reserve(loads.instants());
-  for (std::size_t i = 0; i < loads.instants(); ++i) samples_.push_back(loads.diagram(i).at(station));
+  for (std::size_t i = 0; i < loads.instants(); ++i)
+    samples_.push_back(loads.diagram(i).at(station));
 }
 
 std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction& f) const {
@@ -108,7 +115,8 @@ std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction&
   return turns;
 }
 
-TurningPoint StationHistory::refine(std::size_t middle, bool maximum, const CutForceFunction& f) const {
+TurningPoint StationHistory::refine(std::size_t middle, bool maximum,
+                                    const CutForceFunction& f) const {
   const LoadHistory::Bracket& bracket = loads_->bracket(middle);
   std::array<CutForces, LoadHistory::nodes> at_nodes;
   for (std::size_t k = 0; k < at_nodes.size(); ++k) at_nodes[k] = bracket[k].at(station_);

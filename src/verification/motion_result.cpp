@@ -46,8 +46,7 @@ MotionResult motion_of(const Project& project, std::vector<double> times) {
     for (int i = 0; i < 12; ++i) times.push_back(motion.period * i / 12.0);
   }
   MotionResult result;
-  result.freedom =
-      planar::degrees_of_freedom_of(project.mechanism, motion.states.front().q);
+  result.freedom = planar::degrees_of_freedom_of(project.mechanism, motion.states.front().q);
   planar::InstantSolver solver(project.mechanism);
   for (const double time : times) {
     planar::State state = planar::state_at(solver, motion, time);

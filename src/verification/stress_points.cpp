@@ -20,8 +20,7 @@ struct Category {
 Category category_at(const FatigueInput& fatigue, Length s) {
   for (const DetailStretch& stretch : fatigue.details) {
     if (s < stretch.from || s > stretch.to) continue;
-    const std::string note =
-        stretch.assumed.empty() ? "" : stretch.name + ": " + stretch.assumed;
+    const std::string note = stretch.assumed.empty() ? "" : stretch.name + ": " + stretch.assumed;
     return {stretch.category, note};
   }
   return {fatigue.category, ""};
@@ -31,7 +30,8 @@ Category category_at(const FatigueInput& fatigue, Length s) {
 bool jumps_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
   if (s.value() == 0.0 || s == beam.length()) return true;
   for (std::size_t i = 0; i + 1 < beam.segments.size(); ++i) {
-    if (beam.segments[i].end() == s && !(beam.segments[i].to == beam.segments[i + 1].from)) return true;
+    if (beam.segments[i].end() == s && !(beam.segments[i].to == beam.segments[i + 1].from))
+      return true;
   }
   for (const PointLoad& load : loads.loads_at(Time{}).points) {
     if (load.s == s) return true;
@@ -73,7 +73,8 @@ Peaks peaks_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
 }
 
 /// Brackets every inner maximum of each quantity on a grid in each piece and finds it by Brent.
-void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads, std::vector<Length>& stations) {
+void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads,
+                      std::vector<Length>& stations) {
   for (const CutForcePiece& piece : loads.diagram(0).pieces) {
     const auto at = [&](double j) { return piece.start + piece.length * (j / grid); };
     std::array<Peaks, grid + 1> values;
@@ -86,8 +87,8 @@ void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads, std::ve
         const double before = values[j][q] - values[j - 1][q];
         const double behind = values[j][q] - values[j + 1][q];
         // A difference within round-off is a level stretch, no maximum.
-        const bool maximum = before >= 0.0 && behind > 0.0 &&
-                             std::max(before, behind) > 1e-9 * values[j][q];
+        const bool maximum =
+            before >= 0.0 && behind > 0.0 && std::max(before, behind) > 1e-9 * values[j][q];
         if (!maximum) continue;
         const auto quantity = [&](double s) { return peaks_at(beam, loads, si<Length>(s))[q]; };
         const auto middle = static_cast<double>(j);
@@ -125,7 +126,8 @@ std::vector<StressPoint> stress_points_at(const Project& project, const Station&
     return points.emplace_back(std::move(point));
   };
   const auto add_nominal = [&](const std::string& name, Length z, bool fatigue) {
-    if (width_at(section, holes, z).value() <= 0.0 && abs(z) < 0.5 * height_of(section.outer)) return;
+    if (width_at(section, holes, z).value() <= 0.0 && abs(z) < 0.5 * height_of(section.outer))
+      return;
     add(name, z, fatigue).level = stress_level_of(section, holes, net, z);
   };
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Geometry>
 #include <memory>
 #include <numbers>
 
@@ -28,8 +28,8 @@ LoadsAt loads_of(const Project& project, const planar::Motion& motion) {
   }
   auto body = planar::beam_body_of(project.beam, project.beam_body);
   return [&project, &motion, solver, body](Time time) {
-    return planar::beam_loads_of(project.mechanism,
-                                 planar::state_at(*solver, motion, time.value()), body);
+    return planar::beam_loads_of(project.mechanism, planar::state_at(*solver, motion, time.value()),
+                                 body);
   };
 }
 
@@ -51,7 +51,8 @@ double imbalance_over(const Project& project, const LoadHistory& loads) {
     const double relative = (open.force.norm() + open.moment.norm()) / scale;
     worst = std::max(worst, relative);
     if (relative > 1e-6) {
-      throw AnalysisError({"the loads on the beam are not in balance", "beam", time.value(), relative, {}});
+      throw AnalysisError(
+          {"the loads on the beam are not in balance", "beam", time.value(), relative, {}});
     }
   }
   return worst;
@@ -91,7 +92,8 @@ void sort_worst_first(std::vector<CheckResult>& checks) {
 
 std::vector<CriticalInstant> critical_instants_of(const Verification& verification) {
   std::vector<CriticalInstant> instants;
-  const auto add = [&](const char* name, Envelope StationEnvelope::*quantity, TurningPoint Envelope::*end) {
+  const auto add = [&](const char* name, Envelope StationEnvelope::*quantity,
+                       TurningPoint Envelope::*end) {
     const StationEnvelope* best = nullptr;
     for (const StationEnvelope& station : verification.stations) {
       const double value = (station.*quantity.*end).value;
@@ -108,7 +110,8 @@ std::vector<CriticalInstant> critical_instants_of(const Verification& verificati
     add("M", &StationEnvelope::M, end);
   }
   const CheckResult* governing = verification.governing(Criterion::fatigue);
-  if (governing == nullptr || !governing->basis) governing = verification.governing(Criterion::yield);
+  if (governing == nullptr || !governing->basis)
+    governing = verification.governing(Criterion::yield);
   if (governing != nullptr && governing->basis) {
     for (const TurningPoint& point : {governing->basis->highest, governing->basis->lowest}) {
       instants.push_back({"stress", governing->check.station, point.time, point.value});
@@ -127,8 +130,10 @@ std::vector<std::pair<Time, std::string>> instants_to_show(const Verification& v
     const auto same = std::find_if(shown.begin(), shown.end(), [&](const auto& other) {
       return abs(other.first - instant.time) < 1e-4 * verification.period;
     });
-    if (same == shown.end()) shown.emplace_back(instant.time, why);
-    else same->second += ", " + why;
+    if (same == shown.end())
+      shown.emplace_back(instant.time, why);
+    else
+      same->second += ", " + why;
   }
   std::sort(shown.begin(), shown.end());
   return shown;
@@ -142,9 +147,10 @@ std::vector<Station> drawn_stations(const CutForceDiagram& diagram) {
   for (const CutForcePiece& piece : diagram.pieces) {
     for (int j = 0; j <= points_per_piece; ++j) {
       const Side side = j == 0 ? Side::behind : (j == points_per_piece ? Side::before : Side::both);
-      const Length s = j == points_per_piece
-                           ? piece.end()
-                           : piece.start + piece.length * (static_cast<double>(j) / points_per_piece);
+      const Length s =
+          j == points_per_piece
+              ? piece.end()
+              : piece.start + piece.length * (static_cast<double>(j) / points_per_piece);
       stations.push_back({s, side});
     }
   }
@@ -162,16 +168,17 @@ CutForceLine cut_force_line(const LoadHistory& loads, Time time, const std::stri
 /// Smallest and largest N, V and M along the beam over the instants, for drawing.
 std::vector<CutForceLine> envelope_lines(const LoadHistory& loads) {
   const std::vector<Station> stations = drawn_stations(loads.diagram(0));
-  std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}}, {Time{}, "largest", stations, {}}};
+  std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}},
+                                  {Time{}, "largest", stations, {}}};
   for (const Station& station : stations) {
     CutForces low = loads.diagram(0).at(station);
     CutForces high = low;
     for (std::size_t i = 1; i < loads.instants(); ++i) {
       const CutForces cut = loads.diagram(i).at(station);
-      low = {std::min(low.N, cut.N), low.V_y, std::min(low.V_z, cut.V_z),
-             low.T, std::min(low.M_y, cut.M_y), low.M_z};
-      high = {std::max(high.N, cut.N), high.V_y, std::max(high.V_z, cut.V_z),
-              high.T, std::max(high.M_y, cut.M_y), high.M_z};
+      low = {std::min(low.N, cut.N),     low.V_y, std::min(low.V_z, cut.V_z), low.T,
+             std::min(low.M_y, cut.M_y), low.M_z};
+      high = {std::max(high.N, cut.N),     high.V_y, std::max(high.V_z, cut.V_z), high.T,
+              std::max(high.M_y, cut.M_y), high.M_z};
     }
     lines[0].values.push_back(low);
     lines[1].values.push_back(high);
@@ -180,11 +187,13 @@ std::vector<CutForceLine> envelope_lines(const LoadHistory& loads) {
 }
 
 double beam_angle(const Project& project, const planar::State& state) {
-  const int body = project.beam_body != planar::ground ? project.beam_body : project.chain->axis_body;
+  const int body =
+      project.beam_body != planar::ground ? project.beam_body : project.chain->axis_body;
   return state.q[3 * body + 2];
 }
 
-std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads, Time time, double angle) {
+std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads, Time time,
+                                   double angle) {
   std::vector<BeamLoadRow> rows;
   for (const PointLoad& load : loads.points) {
     BeamLoadRow row;
@@ -201,7 +210,8 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& load
   return rows;
 }
 
-PostureFigure posture_figure(const Project& project, const planar::State& state, const std::string& why) {
+PostureFigure posture_figure(const Project& project, const planar::State& state,
+                             const std::string& why) {
   PostureFigure figure;
   figure.time = si<Time>(state.time);
   figure.why = why;
@@ -225,15 +235,16 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   comparison.chain_first = forces.g[chain.first_end];
   comparison.chain_second = forces.g[chain.second_end];
   comparison.chain_mass = forces.sought_mass;
-  const BeamLoads loads = planar::beam_loads_of(chain, project.beam, mass_distribution_of(project.beam),
-                                                project.mechanism.gravity, state);
+  const BeamLoads loads = planar::beam_loads_of(
+      chain, project.beam, mass_distribution_of(project.beam), project.mechanism.gravity, state);
   comparison.moment_gap = loads.points.back().moment.y();
   comparison.rigorous_first.setZero();
   comparison.rigorous_second.setZero();
   if (project.beam_body == planar::ground) return comparison;
   const auto body = planar::beam_body_of(project.beam, project.beam_body);
   const BeamLoads rigorous = planar::beam_loads_of(project.mechanism, state, body);
-  for (const BeamLoadRow& row : load_rows(project, rigorous, comparison.time, beam_angle(project, state))) {
+  for (const BeamLoadRow& row :
+       load_rows(project, rigorous, comparison.time, beam_angle(project, state))) {
     if (row.s == chain.first_station) comparison.rigorous_first += row.world;
     if (row.s == chain.second_station) comparison.rigorous_second += row.world;
   }
@@ -241,8 +252,8 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
 }
 
 /// What the report shows of the instants that decide.
-void describe_instants(const Project& project, const planar::Motion& motion, const LoadHistory& loads,
-                       Verification& result) {
+void describe_instants(const Project& project, const planar::Motion& motion,
+                       const LoadHistory& loads, Verification& result) {
   planar::InstantSolver solver(project.mechanism);
   result.postures.push_back(posture_figure(project, motion.states.front(), "t = 0"));
   for (const auto& [time, why] : instants_to_show(result)) {
@@ -255,13 +266,16 @@ void describe_instants(const Project& project, const planar::Motion& motion, con
   }
   result.envelope = envelope_lines(loads);
   if (project.chain) {
-    const auto largest_M = std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
-                                        [](const CriticalInstant& c) { return c.quantity == "M"; });
-    result.chain = compare_chain(project, planar::state_at(solver, motion, largest_M->time.value()));
+    const auto largest_M =
+        std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
+                     [](const CriticalInstant& c) { return c.quantity == "M"; });
+    result.chain =
+        compare_chain(project, planar::state_at(solver, motion, largest_M->time.value()));
   }
 }
 
-void describe_mechanism(const Project& project, const planar::Motion& motion, Verification& result) {
+void describe_mechanism(const Project& project, const planar::Motion& motion,
+                        Verification& result) {
   const planar::State& first = motion.states.front();
   result.freedom = planar::degrees_of_freedom_of(project.mechanism, first.q);
   result.branch = planar::branch_of(project.mechanism, first.q);
@@ -273,8 +287,8 @@ void describe_mechanism(const Project& project, const planar::Motion& motion, Ve
   result.beam_mass = mass_properties_of(project.beam);
   if (project.equivalent_mass) {
     const EquivalentMassDemand& demand = *project.equivalent_mass;
-    result.equivalent_mass = planar::equivalent_mass_of(project.mechanism, motion, demand.joint, demand.on,
-                                                        demand.adjust, demand.wanted.value());
+    result.equivalent_mass = planar::equivalent_mass_of(
+        project.mechanism, motion, demand.joint, demand.on, demand.adjust, demand.wanted.value());
   }
 }
 
@@ -306,7 +320,8 @@ std::optional<SnFigure> sn_figure(const Project& project, const Verification& re
     const double cycles = std::pow(10.0, 4.0 + 5.0 * i / 120.0);
     figure.cycles.push_back(cycles);
     figure.spectrum.push_back(strength_at(curve, cycles, Loading::spectrum).value());
-    figure.constant_amplitude.push_back(strength_at(curve, cycles, Loading::constant_amplitude).value());
+    figure.constant_amplitude.push_back(
+        strength_at(curve, cycles, Loading::constant_amplitude).value());
   }
   figure.knee = knee_of(curve).value();
   figure.cut_off = cut_off_of(curve).value();

@@ -11,7 +11,7 @@ namespace boxbeam {
 /// A piece of a beam in which every dimension of the section varies linearly.
 struct Segment {
   std::string name;
-  Length start;   ///< s where it begins
+  Length start;  ///< s where it begins
   Length length;
   Section from, to;
 
@@ -68,8 +68,8 @@ Section section_at(const TaperedBeam& beam, const Station& station);
 /// The places where something is: ends of segments, holes and named points, ascending, each once.
 std::vector<Length> places_of(const TaperedBeam& beam);
 
-/// The place within round-off of s (a billionth of the beam), or s itself: stations typed as numbers
-/// or computed must meet the ends of segments exactly, where cut forces jump.
+/// The place within round-off of s (a billionth of the beam), or s itself: stations typed as
+/// numbers or computed must meet the ends of segments exactly, where cut forces jump.
 Length place_near(const std::vector<Length>& places, Length s);
 
 /// The holes whose centre is at s.

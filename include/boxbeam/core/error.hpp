@@ -10,8 +10,8 @@ namespace boxbeam {
 /// One thing wrong in what the user wrote, with the place and what to write instead.
 struct Problem {
   std::string file;
-  int line = 0;    ///< 1-based; 0: the problem has no line (a missing file)
-  int column = 0;  ///< 1-based
+  int line = 0;             ///< 1-based; 0: the problem has no line (a missing file)
+  int column = 0;           ///< 1-based
   std::string source_line;  ///< the line as written, without its end
   std::string message;      ///< what is wrong
   std::string hint;         ///< what to write; may be empty
@@ -34,8 +34,8 @@ class InputError : public std::runtime_error {
 
 /// What is known about an analysis that could not be done.
 struct AnalysisFailure {
-  std::string what;   ///< what could not be done, and what to try
-  std::string where;  ///< joint, loop, body or station; may be empty
+  std::string what;                 ///< what could not be done, and what to try
+  std::string where;                ///< joint, loop, body or station; may be empty
   std::optional<double> time;       ///< [s]
   std::optional<double> residual;   ///< of the equations that were to be solved, SI
   std::optional<double> condition;  ///< number of the matrix that failed

@@ -20,8 +20,8 @@ struct FatigueDemand {
 ///     D = sum n_i / N_R(gamma_Ff factor d_sigma_i; curve divided by gamma_Mf)
 ///
 /// Source: Palmgren-Miner; EN 1993-1-9:2005 annex A.5.
-double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve, const FatigueDemand& demand,
-                 double factor = 1.0);
+double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,
+                 const FatigueDemand& demand, double factor = 1.0);
 
 /// The largest factor on the history for which the damage is at most 1. It exists and is finite
 /// even where the history does no damage. Infinity only for a history without cycles.

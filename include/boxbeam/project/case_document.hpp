@@ -24,9 +24,9 @@ struct Node {
 
   Kind kind = Kind::table;
   Place place;
-  std::string text;       ///< of a text; of `other` the kind of TOML value ("a date")
+  std::string text;  ///< of a text; of `other` the kind of TOML value ("a date")
   double number = 0.0;
-  bool whole = false;     ///< whether the number is written as an integer
+  bool whole = false;  ///< whether the number is written as an integer
   bool boolean = false;
   std::vector<Member> members;  ///< of a table, in the order of the file
   std::vector<Node> items;      ///< of an array
@@ -45,7 +45,8 @@ struct CaseDocument {
   std::string path;
   Node root;
   std::map<std::string, std::vector<std::string>, std::less<>> lines;  ///< by file
-  std::string sha256;  ///< of the file's bytes, and of a line "--set KEY=VALUE" per override behind it
+  std::string
+      sha256;  ///< of the file's bytes, and of a line "--set KEY=VALUE" per override behind it
 
   Problem problem_at(const Place& place, std::string message, std::string hint = {}) const;
 };

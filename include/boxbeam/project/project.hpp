@@ -56,10 +56,10 @@ struct FatigueInput {
 struct GivenStress {
   std::string name;
   Length s;
-  Stress peak;                    ///< largest, concentration included
-  std::optional<Stress> opposite; ///< largest of the other sign, as a positive number
-  Length thickness;               ///< of the plate, for its yield strength
-  Time time;                      ///< of the peak
+  Stress peak;                     ///< largest, concentration included
+  std::optional<Stress> opposite;  ///< largest of the other sign, as a positive number
+  Length thickness;                ///< of the plate, for its yield strength
+  Time time;                       ///< of the peak
   std::string note;
 };
 

@@ -28,8 +28,8 @@ inline constexpr WantedDimension mass{{0, 1, 0, 0}, "a mass", "\"119 kg\" or \"2
 inline constexpr WantedDimension time{{0, 0, 1, 0}, "a time", "\"1.071 s\""};
 inline constexpr WantedDimension angle{{0, 0, 0, 1}, "an angle", "\"25 deg\" or \"0.44 rad\""};
 inline constexpr WantedDimension frequency{{0, 0, -1, 0}, "a frequency", "\"0.7 Hz\""};
-inline constexpr WantedDimension angular_frequency{{0, 0, -1, 1}, "an angular frequency",
-                                                   "\"4.396 rad/s\""};
+inline constexpr WantedDimension angular_frequency{
+    {0, 0, -1, 1}, "an angular frequency", "\"4.396 rad/s\""};
 inline constexpr WantedDimension acceleration{{1, 0, -2, 0}, "an acceleration", "\"9.81 m/s^2\""};
 inline constexpr WantedDimension stress{{-1, 1, -2, 0}, "a stress", "\"355 MPa\""};
 inline constexpr WantedDimension density{{-3, 1, 0, 0}, "a density", "\"7850 kg/m^3\""};
@@ -43,8 +43,8 @@ struct ParsedQuantity {
 };
 
 /// Reads "12 kN m", "9.81 m/s^2", "355 MPa": a decimal number, a space or none, and units joined by
-/// spaces, "*" or "·", behind "/" divided, with integer exponents "^2". Prefixes n, u, m, c, k, M, G.
-/// Returns what is wrong as text where it cannot be read; the value is always finite.
+/// spaces, "*" or "·", behind "/" divided, with integer exponents "^2". Prefixes n, u, m, c, k, M,
+/// G. Returns what is wrong as text where it cannot be read; the value is always finite.
 std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text);
 
 /// "a length", "a force", or the unit in base units for a dimension without a name here.

@@ -91,7 +91,7 @@ class TableReader {
   ProblemList* problems_;
   const Node* table_;
   bool absent_ = false;  ///< the table is missing, which has been said: its keys are not missed too
-  std::string name_;  ///< "bodies.beam"; "" for the whole file
+  std::string name_;     ///< "bodies.beam"; "" for the whole file
   std::vector<std::string> asked_;
 };
 

@@ -11,8 +11,8 @@ struct SectionProperties {
   Length centroid_z;  ///< 0 unless holes are off the mid-height
   SecondMoment I_y;
   SecondMoment I_z;
-  Length z_top;     ///< outermost fibre, +z
-  Length z_bottom;  ///< outermost fibre, -z
+  Length z_top;        ///< outermost fibre, +z
+  Length z_bottom;     ///< outermost fibre, -z
   SectionModulus W_y;  ///< the smaller of the two
   SectionModulus W_z;
 };

@@ -32,10 +32,10 @@ struct JointReaction {
 
 /// Everything of one instant.
 struct InstantResult {
-  double time = 0.0;  ///< [s]
+  double time = 0.0;                                ///< [s]
   std::vector<std::pair<std::string, int>> branch;  ///< loop and its sign
-  double residual = 0.0;   ///< largest error of the constraints [m, rad]
-  double condition = 0.0;  ///< of the scaled Jacobian
+  double residual = 0.0;                            ///< largest error of the constraints [m, rad]
+  double condition = 0.0;                           ///< of the scaled Jacobian
   std::vector<BodyMotion> bodies;
   std::vector<PointMotion> points;
   std::vector<JointReaction> reactions;

@@ -72,8 +72,8 @@ struct ChainComparison {
   Time time;
   Eigen::Vector2d chain_first, chain_second;        ///< at the chain's two stations, world [N]
   Eigen::Vector2d rigorous_first, rigorous_second;  ///< zero where not computed
-  double chain_mass = 0.0;                          ///< that the chain yields for its last body [kg]
-  double moment_gap = 0.0;                          ///< couple left over at the pivot [N m]
+  double chain_mass = 0.0;  ///< that the chain yields for its last body [kg]
+  double moment_gap = 0.0;  ///< couple left over at the pivot [N m]
 };
 
 /// How far the flanges of a tapered segment are inclined to the axis.
@@ -94,9 +94,9 @@ struct SnFigure {
   int category = 0;
   CurveKind kind = CurveKind::en_1993_1_9;
   std::vector<double> cycles;
-  std::vector<double> spectrum;            ///< strength [Pa] at these cycles
-  std::vector<double> constant_amplitude;  ///< likewise
-  double knee = 0.0, cut_off = 0.0;        ///< [Pa]
+  std::vector<double> spectrum;                      ///< strength [Pa] at these cycles
+  std::vector<double> constant_amplitude;            ///< likewise
+  double knee = 0.0, cut_off = 0.0;                  ///< [Pa]
   double working_cycles = 0.0, working_range = 0.0;  ///< partial factors applied to the range [Pa]
   double required = 1.0;
 };
@@ -107,7 +107,7 @@ struct Verification {
   std::vector<CheckResult> checks;  ///< worst utilisation first
   std::vector<CriticalInstant> critical_instants;
   std::vector<StationEnvelope> stations;
-  std::vector<CutForceLine> lines;   ///< at the critical instants
+  std::vector<CutForceLine> lines;     ///< at the critical instants
   std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
   std::vector<BeamLoadRow> loads;
   std::vector<PostureFigure> postures;
@@ -122,7 +122,7 @@ struct Verification {
   std::size_t instants = 0;
   Time period;
   double largest_residual = 0.0;  ///< of the constraints, over all instants [m, rad]
-  double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
+  double imbalance = 0.0;         ///< of force and moment on the beam, relative to the largest load
 
   /// The check with the highest utilisation of a criterion, or nullptr.
   const CheckResult* governing(Criterion criterion) const;

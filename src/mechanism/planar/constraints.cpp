@@ -62,8 +62,7 @@ struct Writer {
   void operator()(const Pin& pin) {
     const Eigen::Vector2d arm_a = arm_of(pin.a, q);
     const Eigen::Vector2d arm_b = arm_of(pin.b, q);
-    phi.segment<2>(row) =
-        position_with_arm(pin.a, q, arm_a) - position_with_arm(pin.b, q, arm_b);
+    phi.segment<2>(row) = position_with_arm(pin.a, q, arm_a) - position_with_arm(pin.b, q, arm_b);
     position_rows(pin.a, arm_a, 1.0);
     position_rows(pin.b, arm_b, -1.0);
     row += 2;
@@ -93,8 +92,8 @@ struct Writer {
       phi[row] = angle_of(driven.point.body) - wanted;
       angle_entry(driven.point.body, 1.0);
     } else {
-      const Eigen::Vector2d axis = driven.coordinate == Coordinate::x ? Eigen::Vector2d::UnitX()
-                                                                      : Eigen::Vector2d::UnitY();
+      const Eigen::Vector2d axis =
+          driven.coordinate == Coordinate::x ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
       const Eigen::Vector2d arm = arm_of(driven.point, q);
       phi[row] = axis.dot(position_with_arm(driven.point, q, arm)) - wanted;
       projected_row(driven.point, arm, axis);

@@ -17,7 +17,8 @@ int index_by_name(const Items& items, std::string_view name) {
 }  // namespace
 
 int equations_of(const Joint& joint) {
-  const bool two = std::holds_alternative<Pin>(joint.kind) || std::holds_alternative<Slider>(joint.kind);
+  const bool two =
+      std::holds_alternative<Pin>(joint.kind) || std::holds_alternative<Slider>(joint.kind);
   return two ? 2 : 1;
 }
 

@@ -12,9 +12,9 @@
 namespace boxbeam::planar {
 namespace {
 
-constexpr double converged = 1e-12;      ///< residual [m, rad] below which an assembly is one
-constexpr double no_further = 1e-14;     ///< step [m, rad] below which Newton stops
-constexpr double singular_pivot = 1e-13; ///< smallest pivot of a row-scaled Jacobian that is one
+constexpr double converged = 1e-12;       ///< residual [m, rad] below which an assembly is one
+constexpr double no_further = 1e-14;      ///< step [m, rad] below which Newton stops
+constexpr double singular_pivot = 1e-13;  ///< smallest pivot of a row-scaled Jacobian that is one
 constexpr int assembly_iterations = 60;
 constexpr int halvings = 30;
 constexpr int other_starts = 256;
@@ -108,7 +108,8 @@ std::vector<int> branch_of(const Mechanism& mechanism, const Eigen::VectorXd& q)
 std::string loops_off_branch(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   std::string names;
   for (const Loop& loop : mechanism.loops) {
-    const double value = std::visit([&](const auto& kind) { return measure(kind, q); }, loop.measure);
+    const double value =
+        std::visit([&](const auto& kind) { return measure(kind, q); }, loop.measure);
     if (value * loop.sign > 0.0) continue;
     names += (names.empty() ? "loop " : ", loop ") + loop.name;
   }
@@ -125,11 +126,14 @@ InstantSolver::InstantSolver(const Mechanism& mechanism)
       step_(mechanism.coordinates()),
       trial_(mechanism.coordinates()) {
   if (mechanism.equations() != mechanism.coordinates()) {
-    throw AnalysisError({fmt::format("the motion is not determined: {} equations of joints and "
-                                     "drivers for {} coordinates of {} bodies",
-                                     mechanism.equations(), mechanism.coordinates(),
-                                     mechanism.bodies.size()),
-                         "mechanism", {}, {}, {}});
+    throw AnalysisError(
+        {fmt::format("the motion is not determined: {} equations of joints and "
+                     "drivers for {} coordinates of {} bodies",
+                     mechanism.equations(), mechanism.coordinates(), mechanism.bodies.size()),
+         "mechanism",
+         {},
+         {},
+         {}});
   }
   Eigen::Index i = 0;
   for (const Body& body : mechanism.bodies) {
@@ -147,9 +151,13 @@ double InstantSolver::residual_at(double time, const Eigen::VectorXd& q) {
 Eigen::VectorXd InstantSolver::assemble(double time, const Eigen::VectorXd& start) {
   Eigen::VectorXd q = start;
   if (!try_assemble(time, q)) {
-    throw AnalysisError({"the mechanism cannot be assembled from the given sketch: the joints stay "
-                         "open by the residual; check lengths and driver, or draw the sketch nearer",
-                         "mechanism", time, residual_at(time, q), {}});
+    throw AnalysisError(
+        {"the mechanism cannot be assembled from the given sketch: the joints stay "
+         "open by the residual; check lengths and driver, or draw the sketch nearer",
+         "mechanism",
+         time,
+         residual_at(time, q),
+         {}});
   }
   return q;
 }
@@ -195,9 +203,13 @@ State InstantSolver::complete(double time, Eigen::VectorXd q) {
   state.residual = phi_.lpNorm<Eigen::Infinity>();
   lu_.compute(jacobian_);
   if (lu_.matrixLU().diagonal().cwiseAbs().minCoeff() < singular_pivot) {
-    throw AnalysisError({"velocities, accelerations and reactions are not determined: the Jacobian "
-                         "is singular (a dead point, or joints that constrain the same motion twice)",
-                         "mechanism", time, state.residual, {}});
+    throw AnalysisError(
+        {"velocities, accelerations and reactions are not determined: the Jacobian "
+         "is singular (a dead point, or joints that constrain the same motion twice)",
+         "mechanism",
+         time,
+         state.residual,
+         {}});
   }
   velocity_right_side(*mechanism_, time, step_);
   state.v = lu_.solve(step_);
@@ -259,7 +271,10 @@ State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketc
     throw AnalysisError({fmt::format("no assembly found on the wanted branch, from the sketch and "
                                      "{} other starts; change the sign asked for, or the sketch",
                                      other_starts),
-                         off, time, residual_at(time, q), {}});
+                         off,
+                         time,
+                         residual_at(time, q),
+                         {}});
   }
   // Where a coupling or a driver counts turns, an angle must stay as it is.
   Eigen::VectorXd shown = unwound(*mechanism_, q);
@@ -277,9 +292,13 @@ State InstantSolver::follow(double time, const State& known, int splits) {
   const std::string off = solved ? loops_off_branch(*mechanism_, q) : "mechanism";
   if (off.empty()) return complete(time, std::move(q));
   if (splits == 0) {
-    throw AnalysisError({"the motion cannot be followed on its branch: the mechanism reaches a "
-                         "dead point or the end of its reach",
-                         off, time, residual_at(time, q), {}});
+    throw AnalysisError(
+        {"the motion cannot be followed on its branch: the mechanism reaches a "
+         "dead point or the end of its reach",
+         off,
+         time,
+         residual_at(time, q),
+         {}});
   }
   return follow(time, follow(known.time + 0.5 * dt, known, splits - 1), splits - 1);
 }
@@ -305,10 +324,15 @@ Motion solve_motion(const Mechanism& mechanism) {
       return motion;
     }
     if (2 * instants > most) {
-      throw AnalysisError({fmt::format("accelerations or reactions change too fast to be resolved "
-                                       "with {} instants in a period; the mechanism passes close to "
-                                       "a dead point", instants),
-                           "mechanism", {}, {}, {}});
+      throw AnalysisError(
+          {fmt::format("accelerations or reactions change too fast to be resolved "
+                       "with {} instants in a period; the mechanism passes close to "
+                       "a dead point",
+                       instants),
+           "mechanism",
+           {},
+           {},
+           {}});
     }
   }
 }

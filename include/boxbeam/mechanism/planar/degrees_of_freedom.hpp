@@ -6,9 +6,9 @@ namespace boxbeam::planar {
 
 /// Freedom of the mechanism's joints, drivers left out.
 struct DegreesOfFreedom {
-  int gruebler = 0;  ///< 3 bodies - equations of the joints
-  int by_rank = 0;   ///< 3 bodies - rank of their Jacobian in a position
-  int redundant = 0; ///< equations that repeat others: equations - rank
+  int gruebler = 0;   ///< 3 bodies - equations of the joints
+  int by_rank = 0;    ///< 3 bodies - rank of their Jacobian in a position
+  int redundant = 0;  ///< equations that repeat others: equations - rank
   int drivers = 0;
   double condition = 0.0;  ///< of the Jacobian with drivers, lengths scaled; 0 if not square
 };

@@ -8,9 +8,9 @@ namespace boxbeam::planar {
 
 /// The mass that the mechanism feels like where it is driven.
 struct EquivalentMass {
-  double given = 0.0;       ///< of the mechanism as it is [kg]
-  double per_mass = 0.0;    ///< its increase per kg of the adjustable body
-  double needed = 0.0;      ///< mass of that body for the wanted equivalent mass [kg]
+  double given = 0.0;     ///< of the mechanism as it is [kg]
+  double per_mass = 0.0;  ///< its increase per kg of the adjustable body
+  double needed = 0.0;    ///< mass of that body for the wanted equivalent mass [kg]
 };
 
 /// First harmonic of the force that joint `joint` exerts on body `on`, in phase with the

@@ -10,9 +10,9 @@ namespace boxbeam::planar {
 /// What a joint or driver does to one of its bodies, at the joint's point.
 struct Reaction {
   int joint = 0;
-  int on = ground;                 ///< the body that feels it
+  int on = ground;                                  ///< the body that feels it
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< world axes [N]
-  double moment = 0.0;             ///< about the joint's point, counter-clockwise [N m]
+  double moment = 0.0;  ///< about the joint's point, counter-clockwise [N m]
   Eigen::Vector2d point = Eigen::Vector2d::Zero();  ///< where, in the body's axes [m]
 };
 
