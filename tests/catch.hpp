@@ -3,8 +3,7 @@
 // Catch2 version 3 where it is installed, else version 2; both offer the same names here.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
+using Catch::Approx;
 #else
 #include <catch2/catch.hpp>
 #endif
-
-using Catch::Approx;

@@ -121,7 +121,7 @@ void read_given_stresses(TableReader& root, Project& project) {
 void check_thicknesses(TableReader& root, const Project& project) {
   for (const Segment& segment : project.beam.segments) {
     for (const Section* section : {&segment.from, &segment.to}) {
-      for (const Length z : {Length{}, 0.5 * height_of(section->outer)}) {
+      for (const Length& z : {Length{}, 0.5 * height_of(section->outer)}) {
         const Length wall = wall_at(section->outer, z);
         if (yield_strength_of(project.material, wall)) continue;
         root.problem(

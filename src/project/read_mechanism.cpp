@@ -115,23 +115,9 @@ planar::Slider read_slider(TableReader& table, const Mechanism& mechanism) {
 }
 
 planar::AngleCoupling read_coupling(TableReader& table, const Mechanism& mechanism) {
-  planar::AngleCoupling coupling;
-  const std::vector<std::string> names = table.texts("bodies", true);
-  if (names.size() != 2) {
-    if (table.has("bodies")) table.problem("bodies", "a coupling wants the names of two bodies");
-    return coupling;
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    const int body = body_index(mechanism, names[i]);
-    if (body < 0) {
-      table.problem("bodies", fmt::format("there is no body \"{}\"", names[i]),
-                    unknown_hint(names[i], names_of(mechanism.bodies)));
-    }
-    (i == 0 ? coupling.a : coupling.b) = body;
-  }
-  coupling.ratio = table.number("ratio", 1.0);
-  coupling.offset = table.quantity("offset", wanted::angle, 0.0);
-  return coupling;
+  const std::vector<Attachment> points = attachments_of(table, "points", 2, mechanism);
+  return {points[0], points[1], table.number("ratio", 1.0),
+          table.quantity("offset", wanted::angle, 0.0)};
 }
 
 planar::Driven read_driver(TableReader& table, const Mechanism& mechanism) {
@@ -141,11 +127,7 @@ planar::Driven read_driver(TableReader& table, const Mechanism& mechanism) {
                                                 planar::Coordinate::angle};
   driven.coordinate = coordinates[table.choice("coordinate", {"x", "y", "angle"})];
   const bool angle = driven.coordinate == planar::Coordinate::angle;
-  if (angle) {
-    driven.point.body = body_of(table, "body", mechanism);
-  } else {
-    driven.point = attachment_of(table, "point", mechanism);
-  }
+  driven.point = attachment_of(table, "point", mechanism);
   const WantedDimension& dimension = angle ? wanted::angle : wanted::length;
   driven.driver.mean = table.quantity("mean", dimension);
   driven.driver.amplitude = table.quantity("amplitude", dimension);
@@ -272,8 +254,11 @@ void for_each_attachment(Mechanism& mechanism, const Move& move) {
       move(pin->b);
     } else if (auto* slider = std::get_if<planar::Slider>(&joint.kind)) {
       move(slider->point);
+    } else if (auto* coupling = std::get_if<planar::AngleCoupling>(&joint.kind)) {
+      move(coupling->a);
+      move(coupling->b);
     } else if (auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
-      if (driven->coordinate != planar::Coordinate::angle) move(driven->point);
+      move(driven->point);
     }
   }
   for (planar::Loop& loop : mechanism.loops) {

@@ -28,7 +28,7 @@ std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam
       const double offset = (piece.centre - mass_properties_of(beam).centre).value();
       parts[name] = {name, beam_body, {offset, 0.0}, piece.mass.value()};
     } else {
-      parts[name] = {name, beam_body, {}, 0.0};
+      parts[name] = {name, beam_body, Eigen::Vector2d::Zero(), 0.0};
     }
   }
   return parts;

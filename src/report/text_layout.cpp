@@ -76,7 +76,11 @@ std::string Table::text() const {
     std::string line = " ";
     for (std::size_t k = 0; k < columns; ++k) {
       const std::string gap(widths[k] - columns_of(rows_[i][k]), ' ');
-      line += " " + (right[k] ? gap + rows_[i][k] : rows_[i][k] + gap) + " ";
+      line += ' ';
+      if (right[k]) line += gap;
+      line += rows_[i][k];
+      if (!right[k]) line += gap;
+      line += ' ';
     }
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n";

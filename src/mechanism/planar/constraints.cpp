@@ -80,9 +80,9 @@ struct Writer {
   }
 
   void operator()(const AngleCoupling& coupling) {
-    phi[row] = angle_of(coupling.a) - coupling.ratio * angle_of(coupling.b) - coupling.offset;
-    angle_entry(coupling.a, 1.0);
-    angle_entry(coupling.b, -coupling.ratio);
+    phi[row] = angle_of(coupling.a.body) - coupling.ratio * angle_of(coupling.b.body) - coupling.offset;
+    angle_entry(coupling.a.body, 1.0);
+    angle_entry(coupling.b.body, -coupling.ratio);
     ++row;
   }
 

@@ -30,8 +30,8 @@ struct Collector {
   }
 
   void operator()(const AngleCoupling& coupling) const {
-    add({coupling.a, Eigen::Vector2d::Zero()}, Eigen::Vector2d::Zero(), -lambda[0]);
-    add({coupling.b, Eigen::Vector2d::Zero()}, Eigen::Vector2d::Zero(), coupling.ratio * lambda[0]);
+    add(coupling.a, Eigen::Vector2d::Zero(), -lambda[0]);
+    add(coupling.b, Eigen::Vector2d::Zero(), coupling.ratio * lambda[0]);
   }
 
   void operator()(const Driven& driven) const {

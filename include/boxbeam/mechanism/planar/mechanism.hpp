@@ -35,17 +35,17 @@ struct Slider {
   double angle = 0.0;      ///< of the body [rad]
 };
 
-/// phi_a = ratio * phi_b + offset.
+/// phi_a = ratio * phi_b + offset. The points say where the coupling's moments act on its bodies.
 struct AngleCoupling {
-  int a = ground;
-  int b = ground;
+  Attachment a, b;
   double ratio = 1.0;
   double offset = 0.0;
 };
 
 enum class Coordinate { x, y, angle };
 
-/// A coordinate of a body's point (or the body's angle) follows a driver.
+/// A coordinate of a body's point (or the body's angle, the moment acting at the point) follows a
+/// driver.
 struct Driven {
   Attachment point;
   Coordinate coordinate = Coordinate::x;

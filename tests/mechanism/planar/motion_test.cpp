@@ -1,0 +1,140 @@
+// Motion of the sledge rig: closed form, balance of power, following a branch, failing clearly.
+
+#include "boxbeam/mechanism/planar/motion.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
+#include "catch.hpp"
+#include "support/rig.hpp"
+
+using namespace boxbeam;
+using namespace boxbeam::planar;
+
+namespace {
+
+constexpr double period = 1.0 / 0.7;
+
+}  // namespace
+
+TEST_CASE("positions of the rig by intersecting circles (hand formula)") {
+  const Mechanism& mechanism = test::rig().mechanism;
+  for (int i = 0; i < 24; ++i) {
+    const double time = period * i / 24.0;
+    const State state = test::rig_state(time);
+    // B lies on the circle of 3.0 m about O and of 0.5 m about A; the drawn one is left of OA.
+    const Eigen::Vector2d A(0.5 + 0.25 * std::sin(2.0 * std::numbers::pi * 0.7 * time), 3.0);
+    const double d = A.norm();
+    const double along = (d * d + 3.0 * 3.0 - 0.5 * 0.5) / (2.0 * d);
+    const double across = std::sqrt(9.0 - along * along);
+    const Eigen::Vector2d u = A / d;
+    const Eigen::Vector2d B = along * u + across * Eigen::Vector2d(-u.y(), u.x());
+    const double angle = std::atan2(B.y(), B.x());
+    const Eigen::Vector2d C = -3.2 / 3.0 * B;
+    const double E_x = C.x() + std::sqrt(0.685 * 0.685 - (C.y() + 3.2) * (C.y() + 3.2));
+    CHECK(state.q[2] == Approx(angle).epsilon(1e-13));
+    CHECK(state.q[6] == Approx(A.x()).margin(1e-13));
+    CHECK(state.q[12] == Approx(E_x).margin(1e-12));
+    CHECK(branch_of(mechanism, state.q) == std::vector<int>{1, 1});
+  }
+}
+
+TEST_CASE("power of the driver is the rate of kinetic and potential energy, at 100 instants") {
+  const Mechanism& mechanism = test::rig().mechanism;
+  const Motion motion = solve_motion(mechanism, 100);
+  const int exciter = joint_index(mechanism, "exciter");
+  double largest_power = 0.0;
+  double largest_gap = 0.0;
+  for (const State& state : motion.states) {
+    double rate = 0.0;
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+      const Body& body = mechanism.bodies[i];
+      const auto k = static_cast<Eigen::Index>(3 * i);
+      const Eigen::Vector2d v = state.v.segment<2>(k);
+      rate += body.mass * v.dot(state.a.segment<2>(k)) + body.inertia * state.v[k + 2] * state.a[k + 2];
+      rate -= body.mass * mechanism.gravity.dot(v);
+    }
+    double power = 0.0;
+    for (const Reaction& reaction : reactions_of(mechanism, state)) {
+      if (reaction.joint != exciter) continue;
+      power += reaction.force.dot(velocity_of({reaction.on, reaction.point}, state.q, state.v));
+    }
+    largest_power = std::max(largest_power, std::abs(power));
+    largest_gap = std::max(largest_gap, std::abs(power - rate));
+  }
+  CHECK(largest_power > 1e4);
+  CHECK(largest_gap < 1e-9 * largest_power);
+}
+
+TEST_CASE("velocities and accelerations are the time derivatives of the positions") {
+  const Mechanism& mechanism = test::rig().mechanism;
+  InstantSolver solver(mechanism);
+  const State here = test::rig_state(0.2);
+  const double h = 1e-4;
+  const State before = solver.solve_near(0.2 - h, here);
+  const State behind = solver.solve_near(0.2 + h, here);
+  CHECK(((behind.q - before.q) / (2.0 * h) - here.v).lpNorm<Eigen::Infinity>() < 1e-6);
+  CHECK(((behind.v - before.v) / (2.0 * h) - here.a).lpNorm<Eigen::Infinity>() < 1e-5);
+}
+
+TEST_CASE("an instant does not depend on where it is solved from") {
+  const Mechanism& mechanism = test::rig().mechanism;
+  InstantSolver solver(mechanism);
+  const State direct = test::rig_state(1.071);
+  const Motion motion = solve_motion(mechanism);
+  const State followed = planar::state_at(solver, motion, 1.071);
+  const State one_period_later = planar::state_at(solver, motion, 1.071 + period);
+  CHECK((direct.q - followed.q).lpNorm<Eigen::Infinity>() < 1e-12);
+  CHECK((direct.lambda - followed.lambda).lpNorm<Eigen::Infinity>() < 1e-6);
+  CHECK((one_period_later.q - followed.q).lpNorm<Eigen::Infinity>() < 1e-11);
+}
+
+TEST_CASE("a wrong sketch is no reason for a wrong branch") {
+  Mechanism mechanism = test::rig().mechanism;
+  mechanism.bodies[1].sketch.angle = 3.0;  // the upper rod drawn the other way round
+  mechanism.bodies[3].sketch.angle = 3.1;  // and the lower one
+  InstantSolver solver(mechanism);
+  const State state = solver.solve_from_sketch(0.0, sketch_of(mechanism));
+  CHECK(branch_of(mechanism, state.q) == std::vector<int>{1, 1});
+}
+
+TEST_CASE("a mechanism that cannot be assembled is refused with time and residual") {
+  Mechanism mechanism = test::rig().mechanism;
+  std::get<Driven>(mechanism.joints.back().kind).driver.mean = 5.0;  // the blade out of reach
+  InstantSolver solver(mechanism);
+  try {
+    solver.solve_from_sketch(0.0, sketch_of(mechanism));
+    FAIL("must be refused");
+  } catch (const AnalysisError& error) {
+    CHECK(error.failure().time.value() == 0.0);
+    CHECK(error.failure().residual.value() > 1e-3);
+  }
+}
+
+TEST_CASE("a motion that reaches the end of its reach is refused, not continued") {
+  // Rods of 0.5 m at a stroke of 1.302776 m just reach (the distance of O and A is then 3.5 m:
+  // 0.5 + x = sqrt(3.5^2 - 3^2)); a little more does not.
+  Mechanism mechanism = test::rig().mechanism;
+  const double just = std::sqrt(3.5 * 3.5 - 9.0) - 0.5;
+  auto& driver = std::get<Driven>(mechanism.joints.back().kind).driver;
+  driver.amplitude = just + 1e-3;
+  CHECK_THROWS_AS(solve_motion(mechanism), AnalysisError);
+}
+
+TEST_CASE("more equations than coordinates, or fewer, are refused") {
+  Mechanism mechanism = test::rig().mechanism;
+  mechanism.joints.pop_back();
+  CHECK_THROWS_AS(InstantSolver(mechanism), AnalysisError);
+}
+
+TEST_CASE("sharp peaks get more instants") {
+  Mechanism mechanism = test::rig().mechanism;
+  const std::size_t smooth = solve_motion(mechanism).states.size();
+  auto& driver = std::get<Driven>(mechanism.joints.back().kind).driver;
+  driver.amplitude = std::sqrt(3.5 * 3.5 - 9.0) - 0.5 - 2e-3;  // 2 mm from the end of the reach
+  CHECK(smooth == 96);
+  CHECK(solve_motion(mechanism).states.size() > smooth);
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/project/project.hpp"
+#include "support/program.hpp"
+
+/// The shipped sledge rig, read once, for tests of the modules above the reader.
+namespace test {
+
+inline const boxbeam::Project& rig() {
+  static const boxbeam::Project project =
+      boxbeam::read_project(project_file("sections/sledge-rig/rig.toml"));
+  return project;
+}
+
+inline boxbeam::planar::State rig_state(double time) {
+  boxbeam::planar::InstantSolver solver(rig().mechanism);
+  return solver.solve_from_sketch(time, boxbeam::planar::sketch_of(rig().mechanism));
+}
+
+}  // namespace test
