@@ -49,6 +49,16 @@ std::size_t utf8_length(const std::string& text, std::size_t at) {
   return length;
 }
 
+/// The place of the first byte that is not UTF-8, or npos.
+std::size_t find_not_utf8(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) return i;
+    i += length;
+  }
+  return std::string::npos;
+}
+
 struct LineColumn {
   int line = 1;
   int column = 1;
@@ -149,12 +159,8 @@ Node parse_text(CaseDocument& document, const std::string& name, const std::stri
     throw InputError(
         {document.problem_at({file, at.line, at.column}, std::move(message), std::move(hint))});
   };
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    if (length == 0) {
-      fail(position_of(text, i), "the file is not UTF-8 text", "save it with UTF-8 encoding");
-    }
-    i += length;
+  if (const std::size_t at = find_not_utf8(text); at != std::string::npos) {
+    fail(position_of(text, at), "the file is not UTF-8 text", "save it with UTF-8 encoding");
   }
   if (const std::size_t at = find_overlong_key(text); at != std::string::npos) {
     fail(position_of(text, at), fmt::format("a key of more than {} parts", most_key_parts),
@@ -188,6 +194,7 @@ std::vector<std::string> key_parts(const std::string& key) {
   std::vector<std::string> parts;
   std::istringstream stream(key);
   for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
+  if (key.ends_with('.')) parts.emplace_back();
   return parts;
 }
 
@@ -204,6 +211,9 @@ void put_at(Node& node, const Place& place) {
 void apply_override(CaseDocument& document, const std::string& override_text) {
   const std::string source = "--set " + override_text;
   const std::size_t equals = override_text.find('=');
+  if (find_not_utf8(override_text) != std::string::npos) {
+    throw InputError("the text behind --set is not UTF-8", "write it with UTF-8 encoding");
+  }
   const std::vector<std::string> parts =
       key_parts(equals == std::string::npos ? "" : override_text.substr(0, equals));
   const bool empty_part = std::find(parts.begin(), parts.end(), "") != parts.end();
@@ -255,7 +265,8 @@ void apply_override(CaseDocument& document, const std::string& override_text) {
     node->members.push_back({parts.back(), key_place, parsed});
   } else {
     throw InputError({document.problem_at(
-        key_place, fmt::format("there is no item {} to set", parts.back()), "")});
+        key_place, fmt::format("there is no item {} to set", parts.back()),
+        "items of an array go by their number from 0: beam.segments.0.length")});
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <algorithm>
 
 #include "readers.hpp"
 
@@ -38,8 +38,13 @@ EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mecha
   return demand;
 }
 
+/// Where a point of a body is written.
+Place place_of_point(const Node& root, const std::string& body, const std::string& point) {
+  return root.find("bodies")->find(body)->find("points")->find(point)->place;
+}
+
 /// The beam body's points, named on the axis.
-void add_points_of_body(TableReader& root, Project& project) {
+void add_points_of_body(const Node& root, ProblemList& problems, Project& project) {
   if (project.beam_body == planar::ground) return;
   const Body& body = project.mechanism.bodies[static_cast<std::size_t>(project.beam_body)];
   const double centre = mass_properties_of(project.beam).centre.value();
@@ -47,7 +52,7 @@ void add_points_of_body(TableReader& root, Project& project) {
   for (const BodyPoint& point : body.points) {
     const double s = centre + point.p.x();
     if (s < -1e-9 * length || s > (1.0 + 1e-9) * length) {
-      root.problem("bodies",
+      problems.add(place_of_point(root, body.name, point.name),
                    fmt::format("point \"{}\" of the beam body lies off the beam, at s = {:.6g} m",
                                point.name, s),
                    fmt::format("s goes from 0 to {:.6g} m", length));
@@ -64,7 +69,8 @@ void check_dynamics(TableReader& root, const Project& project) {
                  "[newton_chain]",
                  "name its steps, its ends and the driving mass; see sections/sledge-rig/rig.toml");
   }
-  if (project.dynamics == Dynamics::rigorous && project.beam_body == planar::ground) {
+  if (project.dynamics == Dynamics::rigorous && project.beam_body == planar::ground &&
+      root.has("beam")) {
     root.problem("beam",
                  "rigorous loads need the beam to be one body, whose mass comes from its "
                  "sections; this [beam] has no \"body\"",
@@ -100,12 +106,15 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   readers::read_beam(beam, sections, project);
   const std::string beam_body = beam.text("body", "");
   readers::MechanismDraft draft = readers::read_mechanism(root, beam_body);
-  if (!beam_body.empty()) project.beam_body = readers::body_of(beam, "body", draft.mechanism);
+  if (!beam_body.empty()) {
+    // A name that is unknown has been noted; any body stands in, so that reading goes on.
+    project.beam_body = std::max(0, readers::body_of(beam, "body", draft.mechanism));
+  }
   beam.finish();
   if (problems.empty()) {
     project.mechanism =
         readers::place_at_centres(std::move(draft), project.beam, project.beam_body);
-    add_points_of_body(root, project);
+    add_points_of_body(document.root, problems, project);
   } else {
     project.mechanism = std::move(draft.mechanism);
   }

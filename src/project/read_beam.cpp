@@ -35,7 +35,7 @@ Section named_section(TableReader& table, std::string_view key, const Sections& 
   const std::string name = table.text(key);
   const auto found = sections.find(name);
   if (found != sections.end()) return found->second;
-  if (table.has(key) && !name.empty()) {
+  if (!name.empty()) {
     const std::string near = nearest_word(name, names_of(sections));
     table.problem(key, fmt::format("there is no section \"{}\"", name),
                   near.empty() ? fmt::format("known: {}", fmt::join(names_of(sections), ", "))
@@ -60,7 +60,8 @@ Segment read_segment(TableReader table, Length start, const Sections& sections) 
   } else {
     segment.from = named_section(table, "from", sections);
     segment.to = named_section(table, "to", sections);
-    if (!same_kind(segment.from, segment.to)) {
+    const bool both_known = !defect_of(segment.from) && !defect_of(segment.to);
+    if (both_known && !same_kind(segment.from, segment.to)) {
       table.problem("to", "a segment tapers between two sections of the same kind",
                     "split the segment where the kind of section changes");
     }
@@ -90,6 +91,17 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
   return std::nullopt;
 }
 
+/// Whether a hole cuts into one that is already there: their strips would be taken out twice.
+bool overlaps(const TaperedBeam& beam, Length s, const Hole& hole) {
+  const bool own_pair = hole.walls == HoleWalls::flanges && hole.position > Length{} &&
+                        2.0 * hole.position < hole.diameter;
+  const std::vector<Hole> others = holes_at(beam, s);
+  return own_pair || std::any_of(others.begin(), others.end(), [&](const Hole& other) {
+           return other.walls == hole.walls &&
+                  abs(other.position - hole.position) < 0.5 * (other.diameter + hole.diameter);
+         });
+}
+
 void read_hole(TableReader table, Project& project) {
   TaperedBeam& beam = project.beam;
   Hole hole;
@@ -98,8 +110,8 @@ void read_hole(TableReader table, Project& project) {
   const Length s = station_of(table, "station", beam);
   const bool flanges = table.choice("through", {"webs", "flanges"}) == 1;
   hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
-  const std::vector<double> positions = flanges ? table.quantities("offsets", wanted::length)
-                                                : table.quantities("levels", wanted::length);
+  const char* where = flanges ? "offsets" : "levels";
+  const std::vector<double> positions = table.quantities(where, wanted::length);
   constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
                                 HoleCase::published_exponential};
   const HoleCase hole_case = cases[table.choice(
@@ -123,50 +135,72 @@ void read_hole(TableReader table, Project& project) {
     if (positions.size() > 1) hole.name = fmt::format("{} {}", name, i + 1);
     hole.position = si<Length>(flanges ? std::abs(position) : position);
     if (auto trouble = misplacement_of(beam, s, hole)) {
-      table.problem(flanges ? "offsets" : "levels", *trouble);
+      table.problem(where, *trouble, "move the hole, or make it smaller");
+    } else if (overlaps(beam, s, hole)) {
+      table.problem(where, "the hole overlaps another one in the same section",
+                    "move them apart, or write one hole");
     }
     beam.holes.push_back({s, hole});
     project.hole_cases.push_back(hole_case);
   }
 }
 
+/// The section if nothing is wrong with it, else one with a defect, so that what is built from it
+/// knows that a problem has been noted.
+Section sound_or_none(const std::string& name, TableReader& reader, std::size_t problems_before,
+                      const Section& section) {
+  if (reader.problems().size() != problems_before) return {};
+  if (auto defect = defect_of(section)) {
+    reader.problem("", fmt::format("section \"{}\": {}", name, *defect),
+                   "change its dimensions so that all plates and profiles have their place");
+    return {};
+  }
+  return section;
+}
+
+Section read_simple_section(const std::string& name, TableReader& reader, std::size_t kind) {
+  const std::size_t before = reader.problems().size();
+  Section section;
+  if (kind == 0)
+    section.outer = read_box(reader);
+  else if (kind == 1)
+    section.outer = read_rectangular_tube(reader);
+  else
+    section.outer = read_round_tube(reader);
+  reader.finish();
+  return sound_or_none(name, reader, before, section);
+}
+
+/// Two simple sections, one in the other.
+Section read_nested_section(const std::string& name, TableReader& reader, const Sections& simple) {
+  const std::size_t before = reader.problems().size();
+  Section section = named_section(reader, "outer", simple);
+  section.inner = named_section(reader, "inner", simple).outer;
+  reader.finish();
+  if (defect_of(Section{section.outer, {}}) || defect_of(Section{*section.inner, {}})) return {};
+  return sound_or_none(name, reader, before, section);
+}
+
 }  // namespace
 
 Sections read_sections(TableReader table) {
-  Sections sections;
+  Sections simple;
   std::vector<std::pair<std::string, TableReader>> nested;
   for (auto& [name, reader] : table.named_tables()) {
+    const std::size_t before = table.problems().size();
     const std::size_t kind =
         reader.choice("kind", {"box", "rectangular tube", "round tube", "nested"});
-    if (kind == 3) {
+    if (table.problems().size() != before) {
+      simple.emplace(name, Section{});  // what its other keys mean is not known
+    } else if (kind == 3) {
       nested.emplace_back(name, reader);
-      continue;
+    } else {
+      simple.emplace(name, read_simple_section(name, reader, kind));
     }
-    const std::size_t before = table.problems().size();
-    Section section;
-    if (kind == 0)
-      section.outer = read_box(reader);
-    else if (kind == 1)
-      section.outer = read_rectangular_tube(reader);
-    else
-      section.outer = read_round_tube(reader);
-    reader.finish();
-    if (table.problems().size() == before) {
-      if (auto defect = defect_of(section))
-        reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
-    }
-    sections.emplace(name, section);
   }
+  Sections sections = simple;
   for (auto& [name, reader] : nested) {
-    const std::size_t before = table.problems().size();
-    Section section = named_section(reader, "outer", sections);
-    section.inner = named_section(reader, "inner", sections).outer;
-    reader.finish();
-    if (table.problems().size() == before) {
-      if (auto defect = defect_of(section))
-        reader.problem("", fmt::format("section \"{}\": {}", name, *defect));
-    }
-    sections.emplace(name, section);
+    sections.emplace(name, read_nested_section(name, reader, simple));
   }
   return sections;
 }
@@ -176,9 +210,11 @@ Length station_of(TableReader& table, std::string_view key, const TaperedBeam& b
   if (beam.segments.empty()) return si<Length>(s);
   const double length = beam.length().value();
   if (s > length * (1.0 + 1e-12)) {
-    table.problem(key,
-                  fmt::format("\"{}\" lies behind the end of the beam, {:.6g} m", key, length));
+    table.problem(key, fmt::format("\"{}\" lies behind the end of the beam", key),
+                  fmt::format("stations go from 0 to {:.6g} m", length));
   }
+  // Lengths that could not be read are NaN and cannot be compared.
+  if (!table.problems().empty()) return si<Length>(s);
   return place_near(places_of(beam), si<Length>(s));
 }
 

@@ -11,8 +11,9 @@ namespace boxbeam::readers {
 namespace {
 
 int read_category(TableReader& table, std::string_view key) {
+  const std::size_t before = table.problems().size();
   const int category = table.whole_number(key);
-  if (table.has(key) && category != 0 && !is_direct_category(category)) {
+  if (table.problems().size() == before && !is_direct_category(category)) {
     table.problem(key, fmt::format("{} is no detail category for direct stress", category),
                   fmt::format("one of {}", direct_categories()));
   }
@@ -24,8 +25,11 @@ Material read_material(TableReader table) {
   table.finish();
   if (const auto steel = find_steel(name)) return *steel;
   if (!name.empty()) {
+    const std::string near = nearest_word(name, steel_names());
     table.problem("steel", fmt::format("there is no steel \"{}\" in the catalogue", name),
-                  fmt::format("one of {}", fmt::join(steel_names(), ", ")));
+                  fmt::format("{}one of {}",
+                              near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
+                              fmt::join(steel_names(), ", ")));
   }
   return {};
 }
@@ -61,7 +65,9 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
     stretch.to = station_of(detail, "to", beam);
     stretch.category = read_category(detail, "category");
     stretch.assumed = detail.text("assumed", "");
-    if (stretch.to < stretch.from) detail.problem("to", "a stretch ends behind its beginning");
+    if (stretch.to < stretch.from) {
+      detail.problem("to", "the stretch ends before it begins", "exchange \"from\" and \"to\"");
+    }
     detail.finish();
     input.details.push_back(std::move(stretch));
   }
@@ -84,17 +90,25 @@ void read_points(TableReader& root, Project& project) {
           table.problem("z",
                         fmt::format("the section reaches only {:.6g} mm from its middle at this "
                                     "station",
+                                    half.value() * 1e3),
+                        fmt::format("write z between -{0:.6g} mm and {0:.6g} mm",
                                     half.value() * 1e3));
           break;
         }
         if (width_at(section, holes_at(project.beam, point.s), point.z).value() <= 0.0) {
-          table.problem("z", "there is no material at this level: it lies in a hole");
+          table.problem("z", "there is no material at this level: it lies in a hole",
+                        "write a level outside the hole");
           break;
         }
       }
     }
     project.points.push_back(std::move(point));
   }
+}
+
+std::string thickest_hint(const Material& material) {
+  return fmt::format("its table ends at {:.6g} mm: use thinner plates or another steel",
+                     material.yield.back().up_to.value() * 1e3);
 }
 
 void read_given_stresses(TableReader& root, Project& project) {
@@ -111,8 +125,10 @@ void read_given_stresses(TableReader& root, Project& project) {
     given.note = table.text("note", "");
     table.finish();
     if (root.problems().empty() && !yield_strength_of(project.material, given.thickness)) {
-      table.problem("thickness", fmt::format("{} has no yield strength for this thickness",
-                                             project.material.name));
+      table.problem("thickness",
+                    fmt::format("{} has no yield strength for this thickness",
+                                project.material.name),
+                    thickest_hint(project.material));
     }
     project.given_stresses.push_back(std::move(given));
   }
@@ -128,7 +144,7 @@ void check_thicknesses(TableReader& root, const Project& project) {
             "beam",
             fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
                         project.material.name, wall.value() * 1e3, segment.name),
-            "its table ends at a smaller thickness");
+            thickest_hint(project.material));
         return;
       }
     }

@@ -100,7 +100,8 @@ planar::Pin read_pin(TableReader& table, const Mechanism& mechanism) {
     }
   }
   if (grounds == 2 || (grounds == 0 && pin.a.body == pin.b.body && pin.a.body >= 0)) {
-    table.problem("connect", "a pin connects two different bodies, or a body and the ground");
+    table.problem("connect", "a pin connects two different bodies, or a body and the ground",
+                  "write connect = [\"beam.B\", \"rod.B\"], or \"ground\" for one of them");
   }
   return pin;
 }
@@ -116,6 +117,10 @@ planar::Slider read_slider(TableReader& table, const Mechanism& mechanism) {
 
 planar::AngleCoupling read_coupling(TableReader& table, const Mechanism& mechanism) {
   const std::vector<Attachment> points = attachments_of(table, "points", 2, mechanism);
+  if (points[0].body == points[1].body && points[0].body >= 0) {
+    table.problem("points", "a coupling connects two different bodies",
+                  "write points = [\"body.point\", \"other_body.point\"]");
+  }
   return {points[0], points[1], table.number("ratio", 1.0),
           table.quantity("offset", wanted::angle, 0.0)};
 }
@@ -146,7 +151,9 @@ planar::Driven read_driver(TableReader& table, const Mechanism& mechanism) {
 Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen::Vector2d& centre) {
   Body body;
   body.name = name;
-  if (name == "ground") table.problem("", "\"ground\" is the world and no body");
+  if (name == "ground") {
+    table.problem("", "\"ground\" is the world and no body", "give the body another name");
+  }
   if (is_beam) {
     for (const char* key : {"mass", "inertia", "uniform_rod", "centre"}) {
       if (!table.has(key)) continue;
@@ -184,7 +191,10 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen:
 
 Joint read_joint(const std::string& name, TableReader& table, const Mechanism& mechanism) {
   Joint joint{name, planar::Pin{}};
-  switch (table.choice("kind", {"pin", "slider", "angle coupling"})) {
+  const std::size_t before = table.problems().size();
+  const std::size_t kind = table.choice("kind", {"pin", "slider", "angle coupling"});
+  if (table.problems().size() != before) return joint;  // what its other keys mean is not known
+  switch (kind) {
     case 0: joint.kind = read_pin(table, mechanism); break;
     case 1: joint.kind = read_slider(table, mechanism); break;
     default: joint.kind = read_coupling(table, mechanism); break;
@@ -222,7 +232,8 @@ void check_frequencies(TableReader& drivers, const Mechanism& mechanism) {
     if (first == 0.0) first = driven->driver.omega;
     if (std::abs(driven->driver.omega - first) > 1e-12 * first) {
       drivers.problem(joint.name,
-                      "all drivers must have one frequency, so that the motion repeats");
+                      "all drivers must have one frequency, so that the motion repeats",
+                      "write the frequency of the first driver");
     }
   }
 }
@@ -306,9 +317,12 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body) {
   general.finish();
 
   TableReader bodies = root.table("bodies");
+  const bool beam_known = beam_body.empty() || bodies.has(beam_body);
   for (auto& [name, table] : bodies.named_tables()) {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    mechanism.bodies.push_back(read_body(name, table, name == beam_body, centre));
+    // Where [beam] misspells its body, the body without a mass is the one that is meant.
+    const bool is_beam = name == beam_body || (!beam_known && !table.has("mass"));
+    mechanism.bodies.push_back(read_body(name, table, is_beam, centre));
     draft.centres.push_back(centre);
   }
   TableReader joints = root.table("joints");
@@ -318,11 +332,15 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body) {
   TableReader drivers = root.table("drivers");
   for (auto& [name, table] : drivers.named_tables()) {
     if (joint_index(mechanism, name) >= 0) {
-      table.problem("", fmt::format("\"{}\" is already the name of a joint", name));
+      table.problem("", fmt::format("\"{}\" is already the name of a joint", name),
+                    "give the driver another name");
     }
     Joint driver{name, read_driver(table, mechanism)};
     table.finish();
     mechanism.joints.push_back(std::move(driver));
+  }
+  if (root.has("drivers") && drivers.members().empty()) {
+    root.problem("drivers", "nothing drives the mechanism", "write at least one [drivers.<name>]");
   }
   TableReader loops = root.table("loops", false);
   for (auto& [name, table] : loops.named_tables()) {

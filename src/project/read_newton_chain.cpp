@@ -20,9 +20,10 @@ std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam
     const Length to = station_of(part, "to", beam);
     part.finish();
     if (beam_body == planar::ground) {
-      part.problem("", "a part is a piece of the beam body, and this case names no [beam] body");
+      part.problem("", "a part is a piece of the beam body, and this case names no [beam] body",
+                   "write body = \"...\" in [beam], or remove the part");
     } else if (to <= from) {
-      part.problem("to", "a part ends behind its beginning");
+      part.problem("to", "the part ends before it begins", "exchange \"from\" and \"to\"");
     } else if (table.problems().empty()) {
       const MassProperties piece = mass_properties_of(beam, from, to);
       const double offset = (piece.centre - mass_properties_of(beam).centre).value();
@@ -34,6 +35,16 @@ std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam
   return parts;
 }
 
+std::string known_hint(const std::string& name, const planar::Mechanism& mechanism,
+                       const std::map<std::string, ChainStep>& parts) {
+  std::vector<std::string> known;
+  for (const Body& body : mechanism.bodies) known.push_back(body.name);
+  for (const auto& [part, step] : parts) known.push_back(part);
+  const std::string near = nearest_word(name, known);
+  return near.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
+                      : fmt::format("did you mean \"{}\"?", near);
+}
+
 }  // namespace
 
 NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechanism,
@@ -43,6 +54,7 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
   const auto parts = read_parts(table.table("parts", false), beam, beam_body);
   const std::vector<std::string> names = table.texts("steps", true);
   std::vector<ChainStep> steps;
+  std::vector<std::string> unknown;
   for (const std::string& name : names) {
     if (const auto part = parts.find(name); part != parts.end()) {
       steps.push_back(part->second);
@@ -50,14 +62,19 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
     }
     const int body = body_index(mechanism, name);
     if (body < 0) {
-      table.problem("steps", fmt::format("there is no body or part \"{}\"", name));
+      table.problem("steps", fmt::format("there is no body or part \"{}\"", name),
+                    known_hint(name, mechanism, parts));
+      unknown.push_back(name);
       continue;
     }
     steps.push_back({name, body, Eigen::Vector2d::Zero(),
                      mechanism.bodies[static_cast<std::size_t>(body)].mass});
   }
   if (steps.size() < 2) {
-    if (table.has("steps")) table.problem("steps", "a chain has at least two bodies");
+    if (table.has("steps") && unknown.empty()) {
+      table.problem("steps", "a chain has at least two bodies",
+                    "name them from the driven end to the far end");
+    }
   } else {
     steps.front().mass = driving_mass;
     chain.last = steps.back();
@@ -71,8 +88,13 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
     const auto found = std::find_if(chain.steps.begin(), chain.steps.end(),
                                     [&](const ChainStep& s) { return s.name == after; });
     if (found == chain.steps.end()) {
-      if (!after.empty())
-        end.problem("after", fmt::format("\"{}\" is no step of the chain before its last", after));
+      const bool said = std::find(unknown.begin(), unknown.end(), after) != unknown.end();
+      if (!after.empty() && !said) {
+        std::vector<std::string> known;
+        for (const ChainStep& s : chain.steps) known.push_back(s.name);
+        end.problem("after", fmt::format("\"{}\" is no step of the chain before its last", after),
+                    fmt::format("one of \"{}\"", fmt::join(known, "\", \"")));
+      }
     } else {
       step = static_cast<std::size_t>(found - chain.steps.begin());
     }

@@ -20,6 +20,10 @@ const char* kind_name(const Node& node) {
   return "";
 }
 
+/// Beyond these no dimension, load or factor is meant; within them no formula overflows.
+constexpr double largest_magnitude = 1e20;
+constexpr double smallest_positive = 1e-20;
+
 const Node& empty_table() {
   static const Node node;
   return node;
@@ -47,6 +51,7 @@ TableReader::TableReader(ProblemList& problems, const Node& table, std::string n
                    fmt::format("{} is wanted as a table, not {}", name_, kind_name(table)),
                    fmt::format("write [{}] and its keys below", name_));
     table_ = &empty_table();
+    absent_ = true;
   }
 }
 
@@ -58,14 +63,21 @@ Place TableReader::place_of(std::string_view key) const {
 }
 
 const Node* TableReader::take(std::string_view key, bool required, std::string_view example) {
+  return take_or_say(key, required, fmt::format("write {} = {}", key, example));
+}
+
+const Node* TableReader::take_or_say(std::string_view key, bool required, std::string hint) {
   asked_.emplace_back(key);
   const Node* node = table_->find(key);
   if (node == nullptr && required && !absent_) {
     const std::string where = name_.empty() ? "the case" : "[" + name_ + "]";
-    problems_->add(table_->place, fmt::format("{} has no \"{}\"", where, key),
-                   example.empty() ? "" : fmt::format("write {} = {}", key, example));
+    problems_->add(table_->place, fmt::format("{} has no \"{}\"", where, key), std::move(hint));
   }
   return node;
+}
+
+std::string TableReader::name_below(std::string_view key) const {
+  return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
 double TableReader::quantity_in(const Node& node, const std::string& what,
@@ -89,6 +101,11 @@ double TableReader::quantity_in(const Node& node, const std::string& what,
                    hint);
     return std::nan("");
   }
+  if (std::abs(quantity.value) > largest_magnitude) {
+    problems_->add(node.place, fmt::format("{}: {} is too large to be meant", what, node.text),
+                   fmt::format("write for example {}", wanted.example));
+    return std::nan("");
+  }
   return quantity.value;
 }
 
@@ -102,8 +119,10 @@ double TableReader::quantity(std::string_view key, const WantedDimension& wanted
 double TableReader::positive(std::string_view key, const WantedDimension& wanted,
                              std::optional<double> fallback) {
   const double value = quantity(key, wanted, fallback);
-  if (value <= 0.0) {
-    problem(key, fmt::format("\"{}\" must be above zero", key),
+  if (value < smallest_positive) {
+    problem(key,
+            value <= 0.0 ? fmt::format("\"{}\" must be above zero", key)
+                         : fmt::format("\"{}\" is too small to be meant", key),
             fmt::format("write for example {}", wanted.example));
     return std::nan("");
   }
@@ -114,7 +133,8 @@ double TableReader::not_negative(std::string_view key, const WantedDimension& wa
                                  std::optional<double> fallback) {
   const double value = quantity(key, wanted, fallback);
   if (value < 0.0) {
-    problem(key, fmt::format("\"{}\" must not be below zero", key));
+    problem(key, fmt::format("\"{}\" must not be below zero", key),
+            fmt::format("write zero or more, for example {}", wanted.example));
     return std::nan("");
   }
   return value;
@@ -161,8 +181,15 @@ double TableReader::number(std::string_view key, std::optional<double> fallback)
             fmt::format("write {} = 2.0", key));
     return std::nan("");
   }
-  if (!std::isfinite(node->number) || node->number <= 0.0) {
-    problem(key, fmt::format("\"{}\" must be finite and above zero", key));
+  if (!(node->number > 0.0 && std::isfinite(node->number))) {
+    problem(key, fmt::format("\"{}\" must be finite and above zero", key),
+            fmt::format("write {} = 2.0", key));
+    return std::nan("");
+  }
+  if (node->number > largest_magnitude || node->number < smallest_positive) {
+    problem(key, fmt::format("\"{}\" is too {} to be meant", key,
+                             node->number > 1.0 ? "large" : "small"),
+            fmt::format("write {} = 2.0", key));
     return std::nan("");
   }
   return node->number;
@@ -173,7 +200,8 @@ int TableReader::whole_number(std::string_view key, std::optional<int> fallback)
   if (node == nullptr) return fallback.value_or(0);
   if (node->kind != Node::Kind::number || !node->whole || std::abs(node->number) > 1e9) {
     problem(key, fmt::format("\"{}\" is a whole number without unit, not {}", key,
-                             node->kind == Node::Kind::number ? "a fraction" : kind_name(*node)));
+                             node->kind == Node::Kind::number ? "a fraction" : kind_name(*node)),
+            fmt::format("write {} = 100", key));
     return 0;
   }
   return static_cast<int>(node->number);
@@ -183,7 +211,8 @@ bool TableReader::boolean(std::string_view key, bool fallback) {
   const Node* node = take(key, false, "");
   if (node == nullptr) return fallback;
   if (node->kind != Node::Kind::boolean) {
-    problem(key, fmt::format("\"{}\" is true or false, not {}", key, kind_name(*node)));
+    problem(key, fmt::format("\"{}\" is true or false, not {}", key, kind_name(*node)),
+            fmt::format("write {} = true or {} = false", key, key));
   }
   return node->boolean;
 }
@@ -195,6 +224,10 @@ std::string TableReader::text(std::string_view key, std::optional<std::string> f
     problem(key, fmt::format("\"{}\" is a text, not {}", key, kind_name(*node)),
             fmt::format("write {} = \"...\"", key));
     return "";
+  }
+  if (node->text.empty() && !fallback) {
+    problem(key, fmt::format("\"{}\" must not be empty", key),
+            fmt::format("write {} = \"...\"", key));
   }
   return node->text;
 }
@@ -235,8 +268,9 @@ std::size_t TableReader::choice(std::string_view key, const std::vector<std::str
 }
 
 TableReader TableReader::table(std::string_view key, bool required) {
-  const Node* node = take(key, required, "{ ... }");
-  const std::string name = name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+  const std::string name = name_below(key);
+  const Node* node =
+      take_or_say(key, required, fmt::format("write [{}] and its keys below", name));
   TableReader reader(*problems_, node != nullptr ? *node : empty_table(), name);
   reader.absent_ = node == nullptr;
   return reader;
@@ -244,9 +278,10 @@ TableReader TableReader::table(std::string_view key, bool required) {
 
 std::vector<TableReader> TableReader::tables(std::string_view key, bool required) {
   std::vector<TableReader> result;
-  const Node* node = take(key, required, "");
+  const std::string name = name_below(key);
+  const Node* node =
+      take_or_say(key, required, fmt::format("write at least one [[{}]] and its keys below", name));
   if (node == nullptr) return result;
-  const std::string name = name_.empty() ? std::string(key) : name_ + "." + std::string(key);
   if (node->kind != Node::Kind::array) {
     problem(key, fmt::format("\"{}\" is a list of tables", key), fmt::format("write [[{}]]", name));
     return result;
@@ -261,8 +296,8 @@ std::vector<std::pair<std::string, TableReader>> TableReader::named_tables() {
   std::vector<std::pair<std::string, TableReader>> result;
   for (const Node::Member& member : table_->members) {
     asked_.push_back(member.key);
-    const std::string name = name_.empty() ? member.key : name_ + "." + member.key;
-    result.emplace_back(member.key, TableReader(*problems_, member.value, name));
+    result.emplace_back(member.key,
+                        TableReader(*problems_, member.value, name_below(member.key)));
   }
   return result;
 }
@@ -272,6 +307,7 @@ void TableReader::accept_all() {
 }
 
 void TableReader::problem(std::string_view key, std::string message, std::string hint) {
+  if (absent_) return;
   problems_->add(place_of(key), std::move(message), std::move(hint));
 }
 

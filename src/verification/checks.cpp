@@ -55,12 +55,11 @@ CutForceFunction normal_stress(const StressPoint& point) {
   return [&point](const CutForces& cut) { return stress_at(point.level, cut).normal.value(); };
 }
 
-void fill_instants(CheckResult& result, const LoadHistory& loads) {
+void fill_instants(CheckResult& result, const StationHistory& history) {
   CheckBasis& basis = *result.basis;
-  const Station& station = result.check.station;
-  basis.cut_at_highest = loads.diagram_at(basis.highest.time).at(station);
-  basis.cut_at_lowest = loads.diagram_at(basis.lowest.time).at(station);
-  basis.cut_at_time = loads.diagram_at(result.check.time).at(station);
+  basis.cut_at_highest = history.at(basis.highest.time);
+  basis.cut_at_lowest = history.at(basis.lowest.time);
+  basis.cut_at_time = history.at(result.check.time);
   basis.stress_at_time = stress_at(basis.point.level, basis.cut_at_time);
 }
 
@@ -70,8 +69,8 @@ Stress rounded(Stress stress, Stress step) {
 
 }  // namespace
 
-std::optional<CheckResult> check_yield(const Project& project, const LoadHistory& loads,
-                                       const StationHistory& history, const StressPoint& point) {
+std::optional<CheckResult> check_yield(const Project& project, const StationHistory& history,
+                                       const StressPoint& point) {
   const TurningPoint worst = history.largest(
       [&](const CutForces& cut) { return stress_at(point.level, cut).von_mises().value(); });
   if (worst.value < 1e-9 * point.yield_strength.value()) return std::nullopt;
@@ -88,12 +87,12 @@ std::optional<CheckResult> check_yield(const Project& project, const LoadHistory
   result.basis->lowest = history.largest([&](const CutForces& cut) { return -normal(cut); });
   result.basis->lowest.value *= -1.0;
   result.basis->lowest.maximum = false;
-  fill_instants(result, loads);
+  fill_instants(result, history);
   return result;
 }
 
-std::optional<CheckResult> check_fatigue(const Project& project, const LoadHistory& loads,
-                                         const StationHistory& history, const StressPoint& point) {
+std::optional<CheckResult> check_fatigue(const Project& project, const StationHistory& history,
+                                         const StressPoint& point) {
   const std::vector<TurningPoint> turns = history.turning_points(normal_stress(point));
   std::vector<Stress> stresses;
   for (const TurningPoint& turn : turns) stresses.push_back(si<Stress>(turn.value));
@@ -127,7 +126,7 @@ std::optional<CheckResult> check_fatigue(const Project& project, const LoadHisto
   basis.constant_amplitude_factor = largest_factor({{range, {}, 1.0}}, curve, constant);
   basis.knee = knee_of(curve);
   basis.cut_off = cut_off_of(curve);
-  fill_instants(result, loads);
+  fill_instants(result, history);
   return result;
 }
 
@@ -137,9 +136,9 @@ std::vector<CheckResult> check_beam(const Project& project, const LoadHistory& l
   for (const Station& station : stations) {
     const StationHistory history(loads, station);
     for (const StressPoint& point : stress_points_at(project, station)) {
-      if (auto result = check_yield(project, loads, history, point)) results.push_back(*result);
+      if (auto result = check_yield(project, history, point)) results.push_back(*result);
       if (!point.fatigue) continue;
-      if (auto result = check_fatigue(project, loads, history, point)) results.push_back(*result);
+      if (auto result = check_fatigue(project, history, point)) results.push_back(*result);
     }
   }
   return results;

@@ -117,9 +117,7 @@ std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction&
 
 TurningPoint StationHistory::refine(std::size_t middle, bool maximum,
                                     const CutForceFunction& f) const {
-  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
-  std::array<CutForces, LoadHistory::nodes> at_nodes;
-  for (std::size_t k = 0; k < at_nodes.size(); ++k) at_nodes[k] = bracket[k].at(station_);
+  const Nodes at_nodes = nodes_of(middle);
   const double sign = maximum ? 1.0 : -1.0;
   const Extremum found =
       find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
@@ -128,6 +126,22 @@ TurningPoint StationHistory::refine(std::size_t middle, bool maximum,
   if (time.value() < 0.0) time += loads_->period();
   if (time >= loads_->period()) time -= loads_->period();
   return {time, sign * found.value, maximum};
+}
+
+CutForces StationHistory::at(Time time) const {
+  const auto n = static_cast<double>(samples_.size());
+  const double position = time / loads_->period() * n;
+  const double nearest = std::round(position);
+  const auto middle = static_cast<std::size_t>(nearest) % samples_.size();
+  if (position == nearest) return samples_[middle];
+  return interpolate(nodes_of(middle), position - nearest);
+}
+
+StationHistory::Nodes StationHistory::nodes_of(std::size_t middle) const {
+  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
+  Nodes nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = bracket[k].at(station_);
+  return nodes;
 }
 
 TurningPoint StationHistory::largest(const CutForceFunction& f) const {

@@ -54,10 +54,11 @@ class TableReader {
                        std::optional<Eigen::Vector2d> fallback = {});
   std::vector<double> quantities(std::string_view key, const WantedDimension& wanted);
 
-  /// A bare, finite number above zero.
+  /// A bare, finite number above zero and of a size that can be meant.
   double number(std::string_view key, std::optional<double> fallback = {});
   int whole_number(std::string_view key, std::optional<int> fallback = {});
   bool boolean(std::string_view key, bool fallback);
+  /// Without `fallback` the text must not be empty: "" means that a problem has been noted.
   std::string text(std::string_view key, std::optional<std::string> fallback = {});
   std::vector<std::string> texts(std::string_view key, bool required);
   /// One of a few words; an index into them.
@@ -86,11 +87,14 @@ class TableReader {
 
  private:
   const Node* take(std::string_view key, bool required, std::string_view example);
+  const Node* take_or_say(std::string_view key, bool required, std::string hint);
+  std::string name_below(std::string_view key) const;
   double quantity_in(const Node& node, const std::string& what, const WantedDimension& wanted);
 
   ProblemList* problems_;
   const Node* table_;
-  bool absent_ = false;  ///< the table is missing, which has been said: its keys are not missed too
+  /// The table is missing or no table, which has been said: nothing more is said of its keys.
+  bool absent_ = false;
   std::string name_;     ///< "bodies.beam"; "" for the whole file
   std::vector<std::string> asked_;
 };

@@ -31,14 +31,14 @@ struct CheckResult {
 /// Elastic verification of a point: the largest equivalent stress over the period against the
 /// yield strength of its plate. Nothing where the point is never stressed.
 /// Source: EN 1993-1-1:2005, 6.2.1(5).
-std::optional<CheckResult> check_yield(const Project& project, const LoadHistory& loads,
-                                       const StationHistory& history, const StressPoint& point);
+std::optional<CheckResult> check_yield(const Project& project, const StationHistory& history,
+                                       const StressPoint& point);
 
 /// Direct-stress fatigue of a point: the cycles of one period, as often as the life asks.
 /// Nothing where the stress does not change.
 /// Source: EN 1993-1-9:2005, clauses 7 and 8, annex A.
-std::optional<CheckResult> check_fatigue(const Project& project, const LoadHistory& loads,
-                                         const StationHistory& history, const StressPoint& point);
+std::optional<CheckResult> check_fatigue(const Project& project, const StationHistory& history,
+                                         const StressPoint& point);
 
 /// Every criterion at every point of the stations.
 std::vector<CheckResult> check_beam(const Project& project, const LoadHistory& loads,

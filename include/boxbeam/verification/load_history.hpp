@@ -73,7 +73,12 @@ class StationHistory {
   /// The largest value of `f` over the period, found the same way.
   TurningPoint largest(const CutForceFunction& f) const;
 
+  /// Cut forces at any time of the period, interpolated like the turning points.
+  CutForces at(Time time) const;
+
  private:
+  using Nodes = std::array<CutForces, LoadHistory::nodes>;
+  Nodes nodes_of(std::size_t middle) const;
   TurningPoint refine(std::size_t middle, bool maximum, const CutForceFunction& f) const;
 
   const LoadHistory* loads_;

@@ -282,6 +282,8 @@ State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketc
 }
 
 State InstantSolver::solve_near(double time, const State& known) {
+  // At the known instant itself only the mechanism's masses can differ: the position holds.
+  if (time == known.time) return complete(time, known.q);
   return follow(time, known, deepest_split);
 }
 
