@@ -28,6 +28,18 @@ void read_case(TableReader table, Project& project) {
   }
 }
 
+/// Whether a joint pushes a body.
+bool acts_on(const planar::Joint& joint, int body) {
+  if (const auto* pin = std::get_if<planar::Pin>(&joint.kind)) {
+    return pin->a.body == body || pin->b.body == body;
+  }
+  if (const auto* slider = std::get_if<planar::Slider>(&joint.kind)) {
+    return slider->point.body == body;
+  }
+  const auto* driven = std::get_if<planar::Driven>(&joint.kind);
+  return driven != nullptr && driven->point.body == body;
+}
+
 EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mechanism& mechanism) {
   EquivalentMassDemand demand;
   demand.joint = readers::joint_of(table, "joint", mechanism);
@@ -35,6 +47,13 @@ EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mecha
   demand.adjust = readers::body_of(table, "adjust", mechanism);
   demand.wanted = si<Mass>(table.positive("wanted", wanted::mass));
   table.finish();
+  if (demand.joint >= 0 && demand.on >= 0 &&
+      !acts_on(mechanism.joints[static_cast<std::size_t>(demand.joint)], demand.on)) {
+    table.problem("on",
+                  fmt::format("joint \"{}\" does not push body \"{}\"", table.text("joint"),
+                              table.text("on")),
+                  "name a body that the joint connects");
+  }
   return demand;
 }
 

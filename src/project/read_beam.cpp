@@ -36,10 +36,8 @@ Section named_section(TableReader& table, std::string_view key, const Sections& 
   const auto found = sections.find(name);
   if (found != sections.end()) return found->second;
   if (!name.empty()) {
-    const std::string near = nearest_word(name, names_of(sections));
     table.problem(key, fmt::format("there is no section \"{}\"", name),
-                  near.empty() ? fmt::format("known: {}", fmt::join(names_of(sections), ", "))
-                               : fmt::format("did you mean \"{}\"?", near));
+                  unknown_hint(name, names_of(sections)));
   }
   return {};
 }

@@ -26,10 +26,10 @@ Material read_material(TableReader table) {
   if (const auto steel = find_steel(name)) return *steel;
   if (!name.empty()) {
     const std::string near = nearest_word(name, steel_names());
-    table.problem("steel", fmt::format("there is no steel \"{}\" in the catalogue", name),
-                  fmt::format("{}one of {}",
-                              near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
-                              fmt::join(steel_names(), ", ")));
+    table.problem(
+        "steel", fmt::format("there is no steel \"{}\" in the catalogue", name),
+        fmt::format("{}one of {}", near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
+                    fmt::join(steel_names(), ", ")));
   }
   return {};
 }
@@ -87,12 +87,12 @@ void read_points(TableReader& root, Project& project) {
         const Section section = section_at(project.beam, {point.s, side});
         const Length half = 0.5 * height_of(section.outer);
         if (abs(point.z) > half * (1.0 + 1e-12)) {
-          table.problem("z",
-                        fmt::format("the section reaches only {:.6g} mm from its middle at this "
-                                    "station",
-                                    half.value() * 1e3),
-                        fmt::format("write z between -{0:.6g} mm and {0:.6g} mm",
-                                    half.value() * 1e3));
+          table.problem(
+              "z",
+              fmt::format("the section reaches only {:.6g} mm from its middle at this "
+                          "station",
+                          half.value() * 1e3),
+              fmt::format("write z between -{0:.6g} mm and {0:.6g} mm", half.value() * 1e3));
           break;
         }
         if (width_at(section, holes_at(project.beam, point.s), point.z).value() <= 0.0) {
@@ -125,10 +125,10 @@ void read_given_stresses(TableReader& root, Project& project) {
     given.note = table.text("note", "");
     table.finish();
     if (root.problems().empty() && !yield_strength_of(project.material, given.thickness)) {
-      table.problem("thickness",
-                    fmt::format("{} has no yield strength for this thickness",
-                                project.material.name),
-                    thickest_hint(project.material));
+      table.problem(
+          "thickness",
+          fmt::format("{} has no yield strength for this thickness", project.material.name),
+          thickest_hint(project.material));
     }
     project.given_stresses.push_back(std::move(given));
   }

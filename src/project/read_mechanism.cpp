@@ -22,12 +22,6 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-std::string unknown_hint(std::string_view name, const std::vector<std::string>& known) {
-  const std::string near = nearest_word(name, known);
-  return near.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
-                      : fmt::format("did you mean \"{}\"?", near);
-}
-
 /// A reference "body.point".
 Attachment attachment_in(TableReader& table, std::string_view key, const std::string& reference,
                          const Mechanism& mechanism) {
@@ -231,8 +225,7 @@ void check_frequencies(TableReader& drivers, const Mechanism& mechanism) {
     if (driven == nullptr) continue;
     if (first == 0.0) first = driven->driver.omega;
     if (std::abs(driven->driver.omega - first) > 1e-12 * first) {
-      drivers.problem(joint.name,
-                      "all drivers must have one frequency, so that the motion repeats",
+      drivers.problem(joint.name, "all drivers must have one frequency, so that the motion repeats",
                       "write the frequency of the first driver");
     }
   }
@@ -286,6 +279,12 @@ void for_each_attachment(Mechanism& mechanism, const Move& move) {
 }
 
 }  // namespace
+
+std::string unknown_hint(std::string_view name, const std::vector<std::string>& known) {
+  const std::string near = nearest_word(name, known);
+  return near.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
+                      : fmt::format("did you mean \"{}\"?", near);
+}
 
 int body_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
   const std::string name = table.text(key);

@@ -35,14 +35,12 @@ std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam
   return parts;
 }
 
-std::string known_hint(const std::string& name, const planar::Mechanism& mechanism,
-                       const std::map<std::string, ChainStep>& parts) {
+std::string hint_for_step(const std::string& name, const planar::Mechanism& mechanism,
+                          const std::map<std::string, ChainStep>& parts) {
   std::vector<std::string> known;
   for (const Body& body : mechanism.bodies) known.push_back(body.name);
   for (const auto& [part, step] : parts) known.push_back(part);
-  const std::string near = nearest_word(name, known);
-  return near.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
-                      : fmt::format("did you mean \"{}\"?", near);
+  return unknown_hint(name, known);
 }
 
 }  // namespace
@@ -63,7 +61,7 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
     const int body = body_index(mechanism, name);
     if (body < 0) {
       table.problem("steps", fmt::format("there is no body or part \"{}\"", name),
-                    known_hint(name, mechanism, parts));
+                    hint_for_step(name, mechanism, parts));
       unknown.push_back(name);
       continue;
     }

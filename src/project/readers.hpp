@@ -30,6 +30,9 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body);
 /// Gives the beam body the beam's mass properties and moves every body's axes to its centre.
 planar::Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam, int beam_body);
 
+/// The nearest of the known names, or all of them where none is near.
+std::string unknown_hint(std::string_view name, const std::vector<std::string>& known);
+
 /// Index of a body or joint named by the value of a key, a problem and -1 where there is none.
 int body_of(TableReader& table, std::string_view key, const planar::Mechanism& mechanism);
 int joint_of(TableReader& table, std::string_view key, const planar::Mechanism& mechanism);

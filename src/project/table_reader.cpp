@@ -187,9 +187,10 @@ double TableReader::number(std::string_view key, std::optional<double> fallback)
     return std::nan("");
   }
   if (node->number > largest_magnitude || node->number < smallest_positive) {
-    problem(key, fmt::format("\"{}\" is too {} to be meant", key,
-                             node->number > 1.0 ? "large" : "small"),
-            fmt::format("write {} = 2.0", key));
+    problem(
+        key,
+        fmt::format("\"{}\" is too {} to be meant", key, node->number > 1.0 ? "large" : "small"),
+        fmt::format("write {} = 2.0", key));
     return std::nan("");
   }
   return node->number;
@@ -199,8 +200,9 @@ int TableReader::whole_number(std::string_view key, std::optional<int> fallback)
   const Node* node = take(key, !fallback, "a whole number");
   if (node == nullptr) return fallback.value_or(0);
   if (node->kind != Node::Kind::number || !node->whole || std::abs(node->number) > 1e9) {
-    problem(key, fmt::format("\"{}\" is a whole number without unit, not {}", key,
-                             node->kind == Node::Kind::number ? "a fraction" : kind_name(*node)),
+    problem(key,
+            fmt::format("\"{}\" is a whole number without unit, not {}", key,
+                        node->kind == Node::Kind::number ? "a fraction" : kind_name(*node)),
             fmt::format("write {} = 100", key));
     return 0;
   }
@@ -269,10 +271,9 @@ std::size_t TableReader::choice(std::string_view key, const std::vector<std::str
 
 TableReader TableReader::table(std::string_view key, bool required) {
   const std::string name = name_below(key);
-  const Node* node =
-      take_or_say(key, required, fmt::format("write [{}] and its keys below", name));
+  const Node* node = take_or_say(key, required, fmt::format("write [{}] and its keys below", name));
   TableReader reader(*problems_, node != nullptr ? *node : empty_table(), name);
-  reader.absent_ = node == nullptr;
+  if (node == nullptr) reader.absent_ = true;
   return reader;
 }
 
@@ -296,8 +297,7 @@ std::vector<std::pair<std::string, TableReader>> TableReader::named_tables() {
   std::vector<std::pair<std::string, TableReader>> result;
   for (const Node::Member& member : table_->members) {
     asked_.push_back(member.key);
-    result.emplace_back(member.key,
-                        TableReader(*problems_, member.value, name_below(member.key)));
+    result.emplace_back(member.key, TableReader(*problems_, member.value, name_below(member.key)));
   }
   return result;
 }

@@ -122,7 +122,9 @@ TurningPoint StationHistory::refine(std::size_t middle, bool maximum,
   const Extremum found =
       find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
   const Time step = loads_->period() / static_cast<double>(samples_.size());
-  Time time = loads_->time_of(middle) + found.at * step;
+  // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
+  const double offset = std::abs(found.at) < 1e-6 ? 0.0 : found.at;
+  Time time = loads_->time_of(middle) + offset * step;
   if (time.value() < 0.0) time += loads_->period();
   if (time >= loads_->period()) time -= loads_->period();
   return {time, sign * found.value, maximum};

@@ -1,0 +1,105 @@
+// Extremes in time, against functions whose extremes are known and against the exact motion.
+
+#include "boxbeam/verification/load_history.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "catch.hpp"
+#include "support/rig.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TaperedBeam metre_of_tube() {
+  const Section tube{RoundTube{0.1 * metre, 0.01 * metre}, {}};
+  TaperedBeam beam;
+  beam.segments = {{"", Length{}, 1.0 * metre, tube, tube}};
+  return beam;
+}
+
+/// A beam pulled by f(t): N = f(t) all along.
+template <class Function>
+LoadHistory pulled(const TaperedBeam& beam, double period, std::size_t instants, const Function& f) {
+  return {beam, si<Time>(period), instants, [&beam, f](Time time) {
+            BeamLoads loads;
+            PointLoad first, last;
+            last.s = beam.length();
+            last.force.x() = f(time.value());
+            first.force.x() = -last.force.x();
+            loads.points = {first, last};
+            loads.segments.resize(beam.segments.size());
+            return loads;
+          }};
+}
+
+double axial(const CutForces& cut) { return cut.N.value(); }
+
+}  // namespace
+
+TEST_CASE("extremes between the instants: a sine out of step with them") {
+  const TaperedBeam beam = metre_of_tube();
+  const double phase = 0.123;
+  const LoadHistory loads =
+      pulled(beam, 2.0, 24, [&](double t) { return 3.0 + 7.0 * std::sin(pi * t + phase); });
+  const StationHistory history(loads, {0.5 * metre});
+  const auto turns = history.turning_points(axial);
+  REQUIRE(turns.size() == 2);
+  // By hand: the sine is 1 at pi t + phase = pi/2 and -1 at 3 pi/2.
+  CHECK(turns[0].maximum);
+  CHECK(turns[0].value == Approx(10.0).epsilon(1e-12));
+  CHECK(turns[0].time.value() == Approx(0.5 - phase / pi).margin(1e-6));
+  CHECK(turns[1].value == Approx(-4.0).epsilon(1e-12));
+  CHECK(turns[1].time.value() == Approx(1.5 - phase / pi).margin(1e-6));
+  CHECK(history.largest(axial).value == Approx(10.0).epsilon(1e-12));
+}
+
+TEST_CASE("a second harmonic gives four turning points, and a maximum at t = 0 is not lost") {
+  const TaperedBeam beam = metre_of_tube();
+  const LoadHistory loads = pulled(
+      beam, 1.0, 96, [](double t) { return std::cos(2.0 * pi * t) + 0.8 * std::cos(4.0 * pi * t); });
+  const StationHistory history(loads, {0.5 * metre});
+  const auto turns = history.turning_points(axial);
+  REQUIRE(turns.size() == 4);
+  // d/dt = 0 at sin = 0 and at cos(2 pi t) = -1/(4 0.8): values 1.8, -0.2 and -0.8 - 1/(8 0.8).
+  CHECK(turns[0].time.value() == Approx(0.0).margin(1e-6));
+  CHECK(turns[0].value == Approx(1.8).epsilon(1e-12));
+  CHECK(turns[1].value == Approx(-0.8 - 1.0 / 6.4).epsilon(1e-11));
+  CHECK(turns[2].value == Approx(-0.2).epsilon(1e-11));
+}
+
+TEST_CASE("a constant has one turning point and round-off has none") {
+  const TaperedBeam beam = metre_of_tube();
+  const LoadHistory constant = pulled(beam, 1.0, 24, [](double) { return 5.0; });
+  const StationHistory history(constant, {0.5 * metre});
+  CHECK(history.turning_points(axial).size() == 1);
+  CHECK(history.largest(axial).value == 5.0);
+  const LoadHistory noisy =
+      pulled(beam, 1.0, 24, [](double t) { return 5.0 + 1e-12 * std::sin(40.0 * t); });
+  const StationHistory quiet(noisy, {0.5 * metre});
+  CHECK(quiet.turning_points(axial).size() == 1);
+}
+
+TEST_CASE("interpolated cut forces of the rig equal the mechanism solved anew") {
+  const Project& project = test::rig();
+  const planar::Motion motion = planar::solve_motion(project.mechanism);
+  const planar::BeamBody body = planar::beam_body_of(project.beam, project.beam_body);
+  planar::InstantSolver solver(project.mechanism);
+  const LoadHistory loads(project.beam, si<Time>(motion.period), motion.states.size(), [&](Time time) {
+    return planar::beam_loads_of(project.mechanism, planar::state_at(solver, motion, time.value()), body);
+  });
+  const StationHistory history(loads, {4.2 * metre});
+  for (int i = 0; i < 200; ++i) {
+    const Time time = si<Time>(motion.period * (i + 0.37) / 200.0);
+    const CutForces exact = loads.diagram_at(time).at({4.2 * metre});
+    const CutForces interpolated = history.at(time);
+    // Relative to the largest moment, 216 kN m, and force, 105 kN, of the station.
+    CHECK(std::abs((exact.M_y - interpolated.M_y).value()) < 1e-10 * 2e5);
+    CHECK(std::abs((exact.N - interpolated.N).value()) < 1e-10 * 1e5);
+    CHECK(std::abs((exact.V_z - interpolated.V_z).value()) < 1e-10 * 1e5);
+  }
+}
