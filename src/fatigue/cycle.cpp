@@ -27,7 +27,7 @@ std::vector<Stress> true_turns(const std::vector<Stress>& points) {
 
 }  // namespace
 
-std::vector<Cycle> count_periodic_cycles(std::vector<Stress> turning_points) {
+std::vector<Cycle> count_periodic_cycles(const std::vector<Stress>& turning_points) {
   std::vector<Stress> turns = true_turns(turning_points);
   std::vector<Cycle> cycles;
   if (turns.size() < 2) return cycles;

@@ -30,7 +30,7 @@ std::string where(const Check& check) {
 }
 
 std::string governing_line(const Check& check) {
-  return fmt::format("{:<8}{:<8} factor {:<5} required {:<5} utilisation {:<6} at {}, t = {}",
+  return fmt::format("{:<8}{:<8} factor {:<5} required {:<5} utilisation {:<7} at {}, t = {}",
                      check.passes() ? "passes" : "FAILS", to_text(check.criterion),
                      text::significant(check.safety_factor, 3),
                      text::significant(check.required, 3), text::percent(check.utilisation()),

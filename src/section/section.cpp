@@ -59,11 +59,13 @@ Extent outside_of(const Profile& profile) {
 }
 
 std::optional<std::string> misfit_of(const Profile& outer, const Profile& inner) {
+  // A profile that fits exactly must not be refused for the round-off of two subtractions.
+  const Length slack = 1e-12 * metre;
   const Extent needs = outside_of(inner);
   if (const auto* box = std::get_if<HollowRectangle>(&outer)) {
     const Length clear_width = box->width - 2.0 * box->web;
     const Length clear_height = box->height - 2.0 * box->flange;
-    if (needs.y <= clear_width && needs.z <= clear_height) return std::nullopt;
+    if (needs.y <= clear_width + slack && needs.z <= clear_height + slack) return std::nullopt;
     return fmt::format(
         "the inner profile, {} x {}, does not fit the clear {} x {} of the outer one", mm(needs.y),
         mm(needs.z), mm(clear_width), mm(clear_height));
@@ -72,7 +74,7 @@ std::optional<std::string> misfit_of(const Profile& outer, const Profile& inner)
   const Length clear = tube.diameter - 2.0 * tube.wall;
   const bool round = std::holds_alternative<RoundTube>(inner);
   const double reach = round ? needs.y.value() : std::hypot(needs.y.value(), needs.z.value());
-  if (reach <= clear.value()) return std::nullopt;
+  if (reach <= (clear + slack).value()) return std::nullopt;
   return fmt::format("the inner profile needs {} and does not fit the clear diameter {}",
                      mm(si<Length>(reach)), mm(clear));
 }

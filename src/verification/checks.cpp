@@ -95,6 +95,7 @@ std::optional<CheckResult> check_fatigue(const Project& project, const StationHi
                                          const StressPoint& point) {
   const std::vector<TurningPoint> turns = history.turning_points(normal_stress(point));
   std::vector<Stress> stresses;
+  stresses.reserve(turns.size());
   for (const TurningPoint& turn : turns) stresses.push_back(si<Stress>(turn.value));
   const std::vector<Cycle> cycles = count_periodic_cycles(stresses);
   if (cycles.empty()) return std::nullopt;

@@ -109,6 +109,7 @@ std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction&
   std::sort(brackets.begin(), brackets.end());
   brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
 
+  turns.reserve(brackets.size());
   for (const auto& [middle, maximum] : brackets) turns.push_back(refine(middle, maximum, f));
   std::sort(turns.begin(), turns.end(),
             [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });

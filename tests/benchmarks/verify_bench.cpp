@@ -15,8 +15,6 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/verify.hpp"
 
-extern char** environ;
-
 namespace {
 
 using namespace boxbeam;

@@ -9,8 +9,6 @@
 #include <sstream>
 #include <stdexcept>
 
-extern char** environ;
-
 namespace test {
 
 TemporaryFolder::TemporaryFolder() {

@@ -18,6 +18,6 @@ struct Cycle {
 /// Rotated to its highest point the history closes, so that every cycle is a full one and no
 /// residue is left: rainflow by four points. The largest range counted is max - min.
 /// Source: ASTM E1049-85, 5.4.5 (repeating histories); Amzallag et al. (1994), four-point method.
-std::vector<Cycle> count_periodic_cycles(std::vector<Stress> turning_points);
+std::vector<Cycle> count_periodic_cycles(const std::vector<Stress>& turning_points);
 
 }  // namespace boxbeam

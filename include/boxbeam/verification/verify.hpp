@@ -9,6 +9,7 @@
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/load_history.hpp"
 
 namespace boxbeam {
@@ -36,37 +37,6 @@ struct CriticalInstant {
   double value = 0.0;  ///< SI: N, N m, Pa
 };
 
-/// Cut forces along the beam at one instant, two points at every jump.
-struct CutForceLine {
-  Time time;
-  std::string why;  ///< "largest M", ...
-  std::vector<Station> stations;
-  std::vector<CutForces> values;
-};
-
-/// A joint's load on the beam at a critical instant.
-struct BeamLoadRow {
-  Time time;
-  std::string name;
-  Length s;
-  Eigen::Vector2d world = Eigen::Vector2d::Zero();  ///< force, world axes [N]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< beam axes [N]
-  double couple = 0.0;                              ///< about y [N m]
-};
-
-/// The positions of all bodies' points at an instant, for the drawing.
-struct PostureFigure {
-  Time time;
-  std::string why;
-  struct Line {
-    std::string body;
-    std::vector<Eigen::Vector2d> points;  ///< [m]
-    std::vector<std::string> names;
-  };
-  std::vector<Line> bodies;
-  std::vector<BeamLoadRow> loads;
-};
-
 /// The same loads by the Newton chain, beside the rigorous ones.
 struct ChainComparison {
   Time time;
@@ -87,18 +57,6 @@ struct PublishedConcentration {
   std::string hole;
   double diameter_to_width = 0.0;
   double factor = 0.0;
-};
-
-/// The governing fatigue strength line and working point, for the S-N diagram.
-struct SnFigure {
-  int category = 0;
-  CurveKind kind = CurveKind::en_1993_1_9;
-  std::vector<double> cycles;
-  std::vector<double> spectrum;                      ///< strength [Pa] at these cycles
-  std::vector<double> constant_amplitude;            ///< likewise
-  double knee = 0.0, cut_off = 0.0;                  ///< [Pa]
-  double working_cycles = 0.0, working_range = 0.0;  ///< partial factors applied to the range [Pa]
-  double required = 1.0;
 };
 
 /// The result of a verification.

@@ -1,0 +1,119 @@
+#include "boxbeam/section/section.hpp"
+
+#include "catch.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+Length mm(double x) { return si<Length>(1e-3 * x); }
+
+HollowRectangle box(double width, double height, double flange, double web) {
+  return {mm(width), mm(height), mm(flange), mm(web)};
+}
+
+RoundTube tube(double diameter, double wall) { return {mm(diameter), mm(wall)}; }
+
+bool possible(const Section& section) { return !defect_of(section).has_value(); }
+
+}  // namespace
+
+// The box of the sledge rig: 400 x 600 mm, plates of 50 mm, clear space 300 x 500 mm.
+
+TEST_CASE("sound profiles have no defect") {
+  CHECK(possible({box(400, 600, 50, 50), {}}));
+  CHECK(possible({tube(200, 10), {}}));
+  CHECK(possible({box(400, 600, 50, 50), box(290, 490, 56, 56)}));
+}
+
+TEST_CASE("dimensions and walls must be above zero") {
+  CHECK_FALSE(possible({box(0, 600, 50, 50), {}}));
+  CHECK_FALSE(possible({box(400, -600, 50, 50), {}}));
+  CHECK_FALSE(possible({box(400, 600, 0, 50), {}}));
+  CHECK_FALSE(possible({box(400, 600, 50, -1), {}}));
+  CHECK_FALSE(possible({tube(0, 10), {}}));
+  CHECK_FALSE(possible({tube(200, 0), {}}));
+}
+
+TEST_CASE("walls must leave a hollow") {
+  CHECK(possible({box(400, 600, 299, 199), {}}));
+  CHECK_FALSE(possible({box(400, 600, 300, 50), {}}));
+  CHECK_FALSE(possible({box(400, 600, 50, 200), {}}));
+  CHECK(possible({tube(200, 99), {}}));
+  CHECK_FALSE(possible({tube(200, 100), {}}));
+}
+
+TEST_CASE("a defect of the inner profile is said to be the inner one's") {
+  const auto defect = defect_of(Section{box(400, 600, 50, 50), tube(200, 100)});
+  REQUIRE(defect);
+  CHECK(defect->find("inner profile") == 0);
+}
+
+TEST_CASE("an inner profile must fit the clear space of a box") {
+  const Profile outer = box(400, 600, 50, 50);
+  CHECK(possible({outer, box(299, 499, 20, 20)}));
+  CHECK_FALSE(possible({outer, box(301, 490, 20, 20)}));
+  CHECK_FALSE(possible({outer, box(290, 501, 20, 20)}));
+  CHECK(possible({outer, tube(299, 10)}));
+  CHECK_FALSE(possible({outer, tube(301, 10)}));
+}
+
+TEST_CASE("no round tube in the rig's box reaches the published 74.9e-3 m^2") {
+  // The largest circle in 300 x 500 mm has pi/4 0.3^2 = 70.7e-3 m^2, even as a solid bar. A tube
+  // of that area with a wall of 56 mm has the diameter A/(pi t) + t = 482 mm.
+  CHECK_FALSE(possible({box(400, 600, 50, 50), tube(482, 56)}));
+}
+
+TEST_CASE("an inner profile must fit the clear diameter of a round tube") {
+  const Profile outer = tube(520, 10);  // clear 500 mm
+  CHECK(possible({outer, tube(499, 5)}));
+  CHECK_FALSE(possible({outer, tube(501, 5)}));
+  // A rectangle by its diagonal: 300-400-500 is a right triangle.
+  CHECK(possible({outer, box(299, 400, 10, 10)}));
+  CHECK_FALSE(possible({outer, box(301, 400, 10, 10)}));
+}
+
+TEST_CASE("every dimension of an interpolated section varies linearly") {
+  const Section from{box(400, 600, 50, 40), tube(200, 10)};
+  const Section to{box(200, 1000, 30, 60), tube(100, 30)};
+  const Section quarter = interpolate(from, to, 0.25);
+  const auto& outer = std::get<HollowRectangle>(quarter.outer);
+  CHECK(outer.width.value() == Approx(0.350).epsilon(1e-14));
+  CHECK(outer.height.value() == Approx(0.700).epsilon(1e-14));
+  CHECK(outer.flange.value() == Approx(0.045).epsilon(1e-14));
+  CHECK(outer.web.value() == Approx(0.045).epsilon(1e-14));
+  const auto& inner = std::get<RoundTube>(*quarter.inner);
+  CHECK(inner.diameter.value() == Approx(0.175).epsilon(1e-14));
+  CHECK(inner.wall.value() == Approx(0.015).epsilon(1e-14));
+  CHECK(interpolate(from, to, 0.0) == from);
+  CHECK(interpolate(from, from, 0.7) == from);
+}
+
+TEST_CASE("only sections of the same kinds of profile taper into each other") {
+  const Section plain{box(400, 600, 50, 50), {}};
+  const Section other_size{box(100, 200, 5, 5), {}};
+  const Section round{tube(200, 10), {}};
+  const Section nested{box(400, 600, 50, 50), tube(200, 10)};
+  const Section nested_box{box(400, 600, 50, 50), box(100, 200, 5, 5)};
+  CHECK(same_kind(plain, other_size));
+  CHECK(same_kind(nested, nested));
+  CHECK_FALSE(same_kind(plain, round));
+  CHECK_FALSE(same_kind(plain, nested));
+  CHECK_FALSE(same_kind(nested, plain));
+  CHECK_FALSE(same_kind(nested, nested_box));
+}
+
+TEST_CASE("height, clear height and the wall at a level follow the drawing") {
+  const Profile outer = box(400, 600, 50, 40);
+  CHECK(height_of(outer).value() == Approx(0.6).epsilon(1e-15));
+  CHECK(half_clear_height(outer).value() == Approx(0.25).epsilon(1e-15));
+  for (const double sign : {1.0, -1.0}) {
+    CHECK(wall_at(outer, mm(sign * 260)) == mm(50));
+    CHECK(wall_at(outer, mm(sign * 240)) == mm(40));
+  }
+  CHECK(wall_at(outer, mm(0)) == mm(40));
+  const Profile round = tube(200, 10);
+  CHECK(height_of(round) == mm(200));
+  CHECK(half_clear_height(round).value() == Approx(0.09).epsilon(1e-15));
+  CHECK(wall_at(round, mm(95)) == mm(10));
+}
