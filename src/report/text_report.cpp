@@ -10,6 +10,7 @@
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "calculation_sheet.hpp"
+#include "inputs_text.hpp"
 #include "text_layout.hpp"
 #include "version.hpp"
 
@@ -259,6 +260,7 @@ std::string text_report(const Project& project, const Verification& verification
   out += heading("Assumptions and remarks");
   for (const std::string& remark : remarks_of(project, verification)) out += layout::item(remark);
   out += layout::item("model: rigid; " + model_reason(project)) + "\n";
+  out += heading("Inputs") + inputs_text(project) + "\n";
   out += mechanism_section(project, verification);
   out += loads_section(verification);
   out += cut_force_section(verification);
