@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -107,25 +110,57 @@ int run_motion(const MotionOptions& options) {
   // the chain can be moved as well.
   const Project project = read_project(options.case_file, options.set);
   const MotionResult motion = motion_of(project, options.at);
-  if (options.json.empty() || options.json != "-") put(motion_text(project, motion));
-  if (options.json == "-")
+  if (options.json == "-") {
     put(motion_json(motion));
-  else if (!options.json.empty())
-    write_file(options.json, motion_json(motion));
+    return all_pass;
+  }
+  if (!options.json.empty()) write_file(options.json, motion_json(motion));
+  put(motion_text(project, motion));
   return all_pass;
 }
 
-/// The hint for a mistyped command, which the parser itself does not give.
-std::string command_hint(int argc, char** argv) {
+/// What is wrong with the value of --at, or nothing. Farther away the phase of the motion is lost
+/// in the rounding of the period.
+std::string instant_trouble(const std::string& text) {
+  double seconds = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const bool number = error == std::errc{} && end == text.data() + text.size();
+  if (number && std::abs(seconds) <= 1e9) return "";
+  return fmt::format("\"{}\" is no instant; write seconds without unit, for example 1.071", text);
+}
+
+/// The hint for a mistyped option of a command, "" where none is near.
+std::string option_hint(int argc, char** argv, const CLI::App& command) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+  }
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) {
+      continue;
+    }
+    const std::string near = nearest_word(word, known);
+    if (!near.empty()) return fmt::format("did you mean {}?", near);
+  }
+  return "";
+}
+
+/// The hint for a mistyped or missing command, case or option, which the parser does not give.
+std::string usage_hint(int argc, char** argv, const CLI::App& app) {
+  const std::string commands = "write boxbeam verify CASE.toml or boxbeam motion CASE.toml";
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with('-')) continue;
+    if (word == "verify" || word == "motion") {
+      const CLI::App& command = *app.get_subcommand(word);
+      if (command["CASE"]->empty()) return fmt::format("write boxbeam {} CASE.toml", word);
+      return option_hint(argc, argv, command);
+    }
     const std::string near = nearest_word(word, {"verify", "motion"});
-    if (word == "verify" || word == "motion") return "";
-    return near.empty() ? "the commands are verify and motion"
-                        : fmt::format("did you mean \"boxbeam {}\"?", near);
+    return near.empty() ? commands : fmt::format("did you mean \"boxbeam {}\"?", near);
   }
-  return "";
+  return commands;
 }
 
 int run(int argc, char** argv) {
@@ -164,6 +199,7 @@ int run(int argc, char** argv) {
   motion_command
       ->add_option("--at", motion_options.at,
                    "instant in seconds; may be repeated (default: twelve instants of the period)")
+      ->check(instant_trouble)
       ->allow_extra_args(false);
   motion_command->add_option(
       "--json", motion_options.json,
@@ -174,9 +210,13 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      if (!std::cout.flush()) throw OutputError("standard output cannot be written");
+      return all_pass;
+    }
     std::cerr << "boxbeam: " << error.what() << "\n";
-    const std::string hint = command_hint(argc, argv);
+    const std::string hint = usage_hint(argc, argv, app);
     if (!hint.empty()) std::cerr << "    hint: " << hint << "\n";
     std::cerr << "Run boxbeam --help for the commands and options.\n";
     return wrong_input;

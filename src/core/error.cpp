@@ -44,6 +44,14 @@ Excerpt excerpt_of(const std::string& line, int column) {
   return excerpt;
 }
 
+/// Control characters out of a file would end the message, or steer the terminal.
+void make_printable(std::string& text) {
+  for (char& c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if ((code < 0x20 && c != '\t') || code == 0x7F) c = '?';
+  }
+}
+
 std::string join(const std::vector<Problem>& problems) {
   std::string text;
   for (const Problem& problem : problems) text += to_text(problem);
@@ -61,7 +69,11 @@ std::string describe(const AnalysisFailure& failure) {
 
 }  // namespace
 
-std::string to_text(const Problem& problem) {
+std::string to_text(const Problem& given) {
+  Problem problem = given;
+  for (std::string* part : {&problem.file, &problem.source_line, &problem.message, &problem.hint}) {
+    make_printable(*part);
+  }
   std::string text;
   if (problem.file.empty()) {
     text = fmt::format("error: {}\n", problem.message);

@@ -125,8 +125,8 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   readers::read_beam(beam, sections, project);
   const std::string beam_body = beam.text("body", "");
   readers::MechanismDraft draft = readers::read_mechanism(root, beam_body);
-  if (!beam_body.empty()) {
-    // A name that is unknown has been noted; any body stands in, so that reading goes on.
+  if (!beam_body.empty() || !root.has("beam")) {
+    // A missing table or unknown name has been noted; any body stands in, so that reading goes on.
     project.beam_body = std::max(0, readers::body_of(beam, "body", draft.mechanism));
   }
   beam.finish();

@@ -82,8 +82,10 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
                                                       : 0.5 * box->width - box->web;
     if (abs(hole.position) + 0.5 * hole.diameter >= room) {
       return fmt::format(
-          "the hole reaches {:.4g} mm from the middle of a plate that reaches {:.4g} mm",
-          (abs(hole.position) + 0.5 * hole.diameter).value() * 1e3, room.value() * 1e3);
+          "the hole at {:.4g} mm reaches {:.4g} mm from the middle of a plate that reaches {:.4g} "
+          "mm",
+          hole.position.value() * 1e3, (abs(hole.position) + 0.5 * hole.diameter).value() * 1e3,
+          room.value() * 1e3);
     }
   }
   return std::nullopt;

@@ -42,6 +42,19 @@ StrengthDemand read_strength(TableReader table) {
   return demand;
 }
 
+/// A strength must not be rounded to nothing.
+void check_rounding(TableReader& table, const FatigueInput& input) {
+  if (!input.round_strength_to || !table.problems().empty()) return;
+  const SnCurve curve{si<Stress>(input.category * 1e6), input.curve};
+  const Stress strength = strength_at(curve, input.demand.periods, input.demand.loading);
+  if (*input.round_strength_to <= strength) return;
+  table.problem("round_strength_to",
+                fmt::format("\"round_strength_to\" is larger than the strength that it rounds, "
+                            "{:.4g} MPa",
+                            strength.value() * 1e-6),
+                "write for example \"0.1 MPa\"");
+}
+
 FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   FatigueInput input;
   input.category = read_category(table, "category");
@@ -71,6 +84,7 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
     detail.finish();
     input.details.push_back(std::move(stretch));
   }
+  check_rounding(table, input);
   table.finish();
   return input;
 }

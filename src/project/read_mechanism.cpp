@@ -150,13 +150,14 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen:
   }
   if (is_beam) {
     for (const char* key : {"mass", "inertia", "uniform_rod", "centre"}) {
-      if (!table.has(key)) continue;
+      const bool there = std::any_of(table.members().begin(), table.members().end(),
+                                     [&](const Node::Member& m) { return m.key == key; });
+      if (!there || !table.has(key)) continue;
       table.problem(key,
                     fmt::format("the mass properties of the beam come from its sections; \"{}\" "
                                 "has no place here",
                                 key),
                     "remove this line");
-      table.text(key, "");
     }
   } else {
     body.mass = table.not_negative("mass", wanted::mass);
@@ -316,10 +317,10 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body) {
   general.finish();
 
   TableReader bodies = root.table("bodies");
-  const bool beam_known = beam_body.empty() || bodies.has(beam_body);
+  const bool beam_known = root.has("beam") && (beam_body.empty() || bodies.has(beam_body));
   for (auto& [name, table] : bodies.named_tables()) {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    // Where [beam] misspells its body, the body without a mass is the one that is meant.
+    // Where [beam] is missing or misspells its body, the body without a mass is meant.
     const bool is_beam = name == beam_body || (!beam_known && !table.has("mass"));
     mechanism.bodies.push_back(read_body(name, table, is_beam, centre));
     draft.centres.push_back(centre);

@@ -19,6 +19,7 @@ std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam
     const Length from = station_of(part, "from", beam);
     const Length to = station_of(part, "to", beam);
     part.finish();
+    parts[name] = {name, beam_body, Eigen::Vector2d::Zero(), 0.0};
     if (beam_body == planar::ground) {
       part.problem("", "a part is a piece of the beam body, and this case names no [beam] body",
                    "write body = \"...\" in [beam], or remove the part");
@@ -28,8 +29,6 @@ std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam
       const MassProperties piece = mass_properties_of(beam, from, to);
       const double offset = (piece.centre - mass_properties_of(beam).centre).value();
       parts[name] = {name, beam_body, {offset, 0.0}, piece.mass.value()};
-    } else {
-      parts[name] = {name, beam_body, Eigen::Vector2d::Zero(), 0.0};
     }
   }
   return parts;

@@ -55,7 +55,10 @@ TableReader::TableReader(ProblemList& problems, const Node& table, std::string n
   }
 }
 
-bool TableReader::has(std::string_view key) const { return table_->find(key) != nullptr; }
+bool TableReader::has(std::string_view key) {
+  asked_.emplace_back(key);
+  return table_->find(key) != nullptr;
+}
 
 Place TableReader::place_of(std::string_view key) const {
   const Node* node = table_->find(key);
@@ -312,13 +315,17 @@ void TableReader::problem(std::string_view key, std::string message, std::string
 }
 
 void TableReader::finish() {
+  std::vector<std::string> known;
+  for (const std::string& key : asked_) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
+  }
   for (const Node::Member& member : table_->members) {
-    if (std::find(asked_.begin(), asked_.end(), member.key) != asked_.end()) continue;
-    const std::string near = nearest_word(member.key, asked_);
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    const std::string near = nearest_word(member.key, known);
     const std::string shown =
         member.key.size() <= 60 ? member.key : member.key.substr(0, 57) + "...";
     problems_->add(member.key_place, fmt::format("unknown key \"{}\"", shown),
-                   near.empty() ? fmt::format("known here: {}", fmt::join(asked_, ", "))
+                   near.empty() ? fmt::format("known here: {}", fmt::join(known, ", "))
                                 : fmt::format("did you mean \"{}\"?", near));
   }
 }

@@ -35,7 +35,8 @@ class TableReader {
  public:
   TableReader(ProblemList& problems, const Node& table, std::string name);
 
-  bool has(std::string_view key) const;
+  /// Whether a key is there; it counts as asked for, and is to be read where it is.
+  bool has(std::string_view key);
   /// Place of a key's value, or of the table where the key is missing.
   Place place_of(std::string_view key) const;
   Place place() const { return table_->place; }
@@ -95,7 +96,7 @@ class TableReader {
   const Node* table_;
   /// The table is missing or no table, which has been said: nothing more is said of its keys.
   bool absent_ = false;
-  std::string name_;     ///< "bodies.beam"; "" for the whole file
+  std::string name_;  ///< "bodies.beam"; "" for the whole file
   std::vector<std::string> asked_;
 };
 
