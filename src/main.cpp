@@ -62,6 +62,7 @@ std::optional<Dynamics> dynamics_of(const std::string& word) {
 std::string write_reports(const Project& project, const Verification& verification,
                           const std::string& folder, bool plots,
                           std::vector<std::string>& written) {
+  remove_figures(folder);
   write_file(folder + "/report.txt", text_report(project, verification));
   write_file(folder + "/results.json", results_json(project, verification));
   written = {"report.txt", "results.json"};

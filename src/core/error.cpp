@@ -53,8 +53,10 @@ void make_printable(std::string& text) {
 }
 
 std::string join(const std::vector<Problem>& problems) {
+  constexpr std::size_t most = 100;
   std::string text;
-  for (const Problem& problem : problems) text += to_text(problem);
+  for (std::size_t i = 0; i < std::min(most, problems.size()); ++i) text += to_text(problems[i]);
+  if (problems.size() > most) text += fmt::format("and {} more errors\n", problems.size() - most);
   return text;
 }
 

@@ -5,20 +5,37 @@
 
 namespace boxbeam {
 
+namespace {
+
+Stress largest_range_of(const std::vector<Cycle>& cycles) {
+  Stress largest;
+  for (const Cycle& cycle : cycles) largest = std::max(largest, cycle.range);
+  return largest;
+}
+
+}  // namespace
+
+double cycles_to_failure_in(const std::vector<Cycle>& cycles, const Cycle& cycle,
+                            const SnCurve& curve, const FatigueDemand& demand, double factor) {
+  const double scale = demand.gamma_Ff * demand.gamma_Mf * factor;
+  const bool limit_exceeded = scale * largest_range_of(cycles) > knee_of(curve);
+  return cycles_to_failure(curve, scale * cycle.range,
+                           limit_exceeded ? Loading::spectrum : demand.loading);
+}
+
 double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,
                  const FatigueDemand& demand, double factor) {
   double damage = 0.0;
   for (const Cycle& cycle : cycles) {
-    const Stress range = demand.gamma_Ff * demand.gamma_Mf * factor * cycle.range;
-    damage += cycle.count * demand.periods / cycles_to_failure(curve, range, demand.loading);
+    damage +=
+        cycle.count * demand.periods / cycles_to_failure_in(cycles, cycle, curve, demand, factor);
   }
   return damage;
 }
 
 double largest_factor(const std::vector<Cycle>& cycles, const SnCurve& curve,
                       const FatigueDemand& demand) {
-  Stress largest;
-  for (const Cycle& cycle : cycles) largest = std::max(largest, cycle.range);
+  const Stress largest = largest_range_of(cycles);
   if (largest.value() <= 0.0) return std::numeric_limits<double>::infinity();
 
   const auto single = [&](double count) {

@@ -37,16 +37,22 @@ bool acts_on(const planar::Joint& joint, int body) {
     return slider->point.body == body;
   }
   const auto* driven = std::get_if<planar::Driven>(&joint.kind);
-  return driven != nullptr && driven->point.body == body;
+  return driven != nullptr && driven->point.body == body &&
+         driven->coordinate != planar::Coordinate::angle;
 }
 
-EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mechanism& mechanism) {
+EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mechanism& mechanism,
+                                          int beam_body) {
   EquivalentMassDemand demand;
   demand.joint = readers::joint_of(table, "joint", mechanism);
   demand.on = readers::body_of(table, "on", mechanism);
   demand.adjust = readers::body_of(table, "adjust", mechanism);
   demand.wanted = si<Mass>(table.positive("wanted", wanted::mass));
   table.finish();
+  if (demand.adjust >= 0 && demand.adjust == beam_body) {
+    table.problem("adjust", "the mass of the beam comes from its sections and cannot be adjusted",
+                  "name another body");
+  }
   if (demand.joint >= 0 && demand.on >= 0 &&
       !acts_on(mechanism.joints[static_cast<std::size_t>(demand.joint)], demand.on)) {
     table.problem("on",
@@ -143,7 +149,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   }
   if (root.has("equivalent_mass")) {
     project.equivalent_mass =
-        read_equivalent_mass(root.table("equivalent_mass"), project.mechanism);
+        read_equivalent_mass(root.table("equivalent_mass"), project.mechanism, project.beam_body);
   }
   readers::read_demands(root, project);
   check_dynamics(root, project);

@@ -42,9 +42,10 @@ Section named_section(TableReader& table, std::string_view key, const Sections& 
   return {};
 }
 
-Segment read_segment(TableReader table, Length start, const Sections& sections) {
+Segment read_segment(TableReader table, std::size_t number, Length start,
+                     const Sections& sections) {
   Segment segment;
-  segment.name = table.text("name", table.name());
+  segment.name = table.text("name", fmt::format("segment {}", number));
   segment.start = start;
   segment.length = si<Length>(table.positive("length", wanted::length));
   if (table.has("section") == (table.has("from") || table.has("to"))) {
@@ -129,7 +130,21 @@ void read_hole(TableReader table, Project& project) {
     table.problem("concentration", "a hole in a flange is strained evenly, not bent in its plane",
                   "write concentration = \"membrane tension\"");
   }
+  if (flanges && hole_case == HoleCase::published_exponential) {
+    table.problem("concentration", "the published formula was used for a hole in a web",
+                  "write concentration = \"membrane tension\"");
+  }
   const std::string name = hole.name;
+  const auto named_alike = [&](const BeamHole& other) {
+    return other.hole.name == name || other.hole.name.starts_with(name + " ");
+  };
+  if (std::any_of(beam.holes.begin(), beam.holes.end(), named_alike)) {
+    table.problem("name", fmt::format("there is already a hole \"{}\"", name),
+                  "give every hole a name of its own");
+  }
+  if (positions.empty()) {
+    table.problem(where, "the hole is nowhere", "write at least one place");
+  }
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const double position = positions[i];
     if (positions.size() > 1) hole.name = fmt::format("{} {}", name, i + 1);
@@ -224,7 +239,7 @@ void read_beam(TableReader& table, const Sections& sections, Project& project) {
   beam.rotary_inertia = table.boolean("rotary_inertia", false);
   Length start;
   for (TableReader& segment : table.tables("segments", true)) {
-    beam.segments.push_back(read_segment(segment, start, sections));
+    beam.segments.push_back(read_segment(segment, beam.segments.size() + 1, start, sections));
     start = beam.segments.back().end();
   }
   if (table.has("segments") && beam.segments.empty()) {

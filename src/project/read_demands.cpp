@@ -93,6 +93,11 @@ void read_points(TableReader& root, Project& project) {
   for (TableReader& table : root.tables("points")) {
     NamedPoint point;
     point.name = table.text("name");
+    const auto named_alike = [&](const NamedPoint& other) { return other.name == point.name; };
+    if (std::any_of(project.points.begin(), project.points.end(), named_alike)) {
+      table.problem("name", fmt::format("there is already a point \"{}\"", point.name),
+                    "give every point a name of its own");
+    }
     point.s = station_of(table, "station", project.beam);
     point.z = si<Length>(table.quantity("z", wanted::length));
     table.finish();
@@ -150,17 +155,21 @@ void read_given_stresses(TableReader& root, Project& project) {
 
 void check_thicknesses(TableReader& root, const Project& project) {
   for (const Segment& segment : project.beam.segments) {
+    std::vector<Length> walls;
     for (const Section* section : {&segment.from, &segment.to}) {
-      for (const Length& z : {Length{}, 0.5 * height_of(section->outer)}) {
-        const Length wall = wall_at(section->outer, z);
-        if (yield_strength_of(project.material, wall)) continue;
-        root.problem(
-            "beam",
-            fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
-                        project.material.name, wall.value() * 1e3, segment.name),
-            thickest_hint(project.material));
-        return;
-      }
+      walls.push_back(wall_at(section->outer, Length{}));
+      walls.push_back(wall_at(section->outer, 0.5 * height_of(section->outer)));
+      if (!section->inner) continue;
+      walls.push_back(wall_at(*section->inner, Length{}));
+      walls.push_back(wall_at(*section->inner, 0.5 * height_of(*section->inner)));
+    }
+    for (const Length& wall : walls) {
+      if (yield_strength_of(project.material, wall)) continue;
+      root.problem("beam",
+                   fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
+                               project.material.name, wall.value() * 1e3, segment.name),
+                   thickest_hint(project.material));
+      return;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "boxbeam/report/format.hpp"
 
@@ -46,9 +47,13 @@ std::string normal_stress_lines(const std::string& symbol, const StressPoint& po
     const EdgeConcentration& k = *point.concentration;
     switch (k.hole_case) {
       case HoleCase::in_plane_bending:
-        out += line(symbol, fmt::format("K_g (N/A + M z_0/I) +- 2 M r/I_net, K_g = {} (d/w = {})",
-                                        text::significant(k.factor),
-                                        text::significant(k.diameter_to_width, 3)));
+        out +=
+            line(symbol,
+                 "K_g/3 (N/A + M z_0/I)(1 - 2 cos 2theta) + (M r/I_net)(sin theta - sin 3theta)");
+        out += after(
+            fmt::format("- 4/(1 - d/w) tau_0 sin 2theta, K_g = {}, d/w = {}, theta = {:.0f} deg",
+                        text::significant(k.factor), text::significant(k.diameter_to_width, 3),
+                        k.angle * 180.0 / std::numbers::pi));
         break;
       case HoleCase::membrane_tension:
         out += line(symbol, fmt::format("K_g (N/A + M z_f/I), K_g = {} (d/w = {})",
@@ -63,10 +68,13 @@ std::string normal_stress_lines(const std::string& symbol, const StressPoint& po
                 text::significant(k.diameter_to_width, 3), text::significant(k.factor)));
         break;
     }
-    out += more(fmt::format("with N = {}, M = {}", text::kN(N), text::kNm(M)));
+    out += more(fmt::format("with N = {}, M = {}, V = {}", text::kN(N), text::kNm(M),
+                            text::kN(cut.V_z.value())));
   }
-  out += more(fmt::format("{} + {} = {}", text::MPa(axial), term(text::MPa(bending)),
-                          text::MPa(axial + bending)));
+  const double shear = point.level.per_V * cut.V_z.value();
+  std::string sum = fmt::format("{} + {}", text::MPa(axial), term(text::MPa(bending)));
+  if (point.level.per_V != 0.0) sum += " + " + term(text::MPa(shear));
+  out += more(fmt::format("{} = {}", sum, text::MPa(axial + bending + shear)));
   return out;
 }
 
@@ -120,16 +128,30 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
     out += line("d_sigma_L", fmt::format("(5/100)^(1/5) d_sigma_D = {} at 1e8",
                                          text::MPa(basis.cut_off.value())));
   }
-  out += line("d_sigma_R",
-              fmt::format("{} allowed for {} cycles, gamma_Ff = {}, gamma_Mf = {} applied",
-                          text::MPa(check.resisting.value()), text::cycles(fatigue.demand.periods),
-                          text::significant(fatigue.demand.gamma_Ff, 3),
-                          text::significant(fatigue.demand.gamma_Mf, 3)));
-  out +=
-      factor_line(check, basis.cycles.size() == 1 ? fmt::format("d_sigma_R/range = {}/{}",
-                                                                text::MPa(check.resisting.value()),
-                                                                text::MPa(check.acting.value()))
-                                                  : "largest k with damage(k x history) <= 1");
+  const std::string gammas =
+      fmt::format("gamma_Ff = {}, gamma_Mf = {}", text::significant(fatigue.demand.gamma_Ff, 3),
+                  text::significant(fatigue.demand.gamma_Mf, 3));
+  if (basis.cycles.size() == 1) {
+    out += line("d_sigma_R", fmt::format("{} allowed for {} cycles, {} applied",
+                                         text::MPa(check.resisting.value()),
+                                         text::cycles(fatigue.demand.periods), gammas));
+    out += factor_line(check,
+                       fmt::format("d_sigma_R/range = {}/{}", text::MPa(check.resisting.value()),
+                                   text::MPa(check.acting.value())));
+  } else {
+    out += line(
+        "factor k",
+        fmt::format("the largest with sum n/N <= 1, N for k gamma_Ff gamma_Mf range; {}", gammas));
+    for (std::size_t i = 0; i < basis.cycles.size(); ++i) {
+      const double n = basis.cycles[i].count * fatigue.demand.periods;
+      const double N = basis.endured[i];
+      out += more(fmt::format("range {}: n = {}, N = {}, n/N = {}",
+                              text::MPa(basis.cycles[i].range.value()), text::cycles(n),
+                              std::isfinite(N) ? text::cycles(N) : "unlimited",
+                              text::significant(n / N, 3)));
+    }
+    out += factor_line(check, fmt::format("k = {}", text::significant(check.safety_factor, 4)));
+  }
   out += line("beside", fmt::format("{} under constant amplitude (7.1(2): limit d_sigma_D)",
                                     text::significant(basis.constant_amplitude_factor, 4)));
   return out;

@@ -27,7 +27,11 @@ void write_file(const std::string& path, const std::string& content) {
   const auto fail = [&](const char* what, int code) {
     throw OutputError(fmt::format("{} cannot be {}: {}", path, what, std::strerror(code)));
   };
-  const std::string temporary = fmt::format("{}.{}.tmp", path, ::getpid());
+  // A device or a pipe is written to, not replaced; a link keeps its target.
+  const bool special = fs::exists(target, error) && !fs::is_regular_file(target, error);
+  const fs::path real = fs::is_symlink(target, error) ? fs::canonical(target, error) : target;
+  const std::string temporary =
+      special ? path : fmt::format("{}.{}.tmp", real.string(), ::getpid());
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(temporary.c_str(), "wb"),
                                                        std::fclose);
   if (!file) fail("written", errno);
@@ -37,10 +41,10 @@ void write_file(const std::string& path, const std::string& content) {
   const int write_error = errno;
   const bool closed = std::fclose(file.release()) == 0;
   if (!written || !closed) {
-    std::remove(temporary.c_str());
+    if (!special) std::remove(temporary.c_str());
     fail("written", written ? errno : write_error);
   }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (!special && std::rename(temporary.c_str(), real.c_str()) != 0) {
     const int code = errno;
     std::remove(temporary.c_str());
     fail("replaced", code);

@@ -214,37 +214,55 @@ void draw_loads(Gnuplot& gp, const PostureFigure& posture, double metres_per_new
   }
 }
 
-void mechanism(Gnuplot& gp, const Project& project, const Verification& verification) {
-  const std::size_t panels = verification.postures.size() - 1;
-  begin(gp, "mechanism", static_cast<int>(120 + 400 * panels), 860);
-  double largest_force = 0.0;
+/// The corners of all postures [m].
+struct Extent {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300);
-  Eigen::Vector2d high = -low;
-  for (const PostureFigure& posture : verification.postures) {
-    for (const BeamLoadRow& row : posture.loads)
-      largest_force = std::max(largest_force, row.world.norm());
+  Eigen::Vector2d high = Eigen::Vector2d::Constant(-1e300);
+};
+
+Extent extent_of(const std::vector<PostureFigure>& postures) {
+  Extent extent;
+  for (const PostureFigure& posture : postures) {
     for (const auto& body : posture.bodies) {
       for (const Eigen::Vector2d& point : body.points) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
+        extent.low = extent.low.cwiseMin(point);
+        extent.high = extent.high.cwiseMax(point);
       }
     }
   }
-  const double size = (high - low).maxCoeff();
-  const double reach = 0.16 * size;  // the longest arrow
-  gp << "set multiplot layout 1," << panels << " title "
-     << quoted("Mechanism at its critical instants, forces on the beam; grey: t = 0")
+  return extent;
+}
+
+void mechanism(Gnuplot& gp, const Project& project, const Verification& verification) {
+  const std::size_t panels = verification.postures.size() - 1;
+  const Extent extent = extent_of(verification.postures);
+  const Eigen::Vector2d size = extent.high - extent.low;
+  double largest_force = 0.0;
+  for (const PostureFigure& posture : verification.postures) {
+    for (const BeamLoadRow& row : posture.loads) {
+      largest_force = std::max(largest_force, row.world.norm());
+    }
+  }
+  const double reach = 0.16 * size.maxCoeff();  // the longest arrow
+  // Tall mechanisms stand side by side, wide ones below each other.
+  const bool tall = size.y() > size.x();
+  const auto count = static_cast<int>(panels);
+  begin(gp, "mechanism", tall ? 120 + 400 * count : 900, tall ? 860 : 60 + 420 * count);
+  gp << "set multiplot layout " << (tall ? 1 : count) << "," << (tall ? count : 1) << " title "
+     << quoted("Mechanism at its critical instants, joint forces on the beam; grey: t = 0")
      << " noenhanced\n"
      << "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nunset key\n"
-     << "set xrange [" << low.x() - 1.3 * reach << ":" << high.x() + 1.3 * reach << "]\n"
-     << "set yrange [" << low.y() - 0.5 * reach << ":" << high.y() + 0.5 * reach << "]\n";
+     << "set xrange [" << extent.low.x() - 1.3 * reach << ":" << extent.high.x() + 1.3 * reach
+     << "]\n"
+     << "set yrange [" << extent.low.y() - 0.8 * reach << ":" << extent.high.y() + 0.8 * reach
+     << "]\n";
   for (std::size_t k = 1; k <= panels; ++k) {
     const PostureFigure& posture = verification.postures[k];
     const std::string ghost = draw_bodies(gp, project, verification.postures.front(),
                                           fmt::format("rest{}", k), "#c4c4c4");
     const std::string bodies =
         draw_bodies(gp, project, posture, fmt::format("at{}", k), colour(k - 1));
-    draw_loads(gp, posture, reach / largest_force, "#202020");
+    draw_loads(gp, posture, reach / std::max(largest_force, 1e-9), "#202020");
     gp << "set title \"" << time_label(posture.time) << "\\n"
        << posture.why << "\"\n"
        << "plot " << ghost << ", " << bodies << "\nunset label\nunset arrow\n";
@@ -345,7 +363,7 @@ void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
        << "' title 'constant amplitude (7.1(2))'";
   }
   gp << ", $work using 1:2 with points pt 7 ps 1 lc rgb '" << colour(1)
-     << "' title 'governing range'"
+     << "' title 'governing range, partial factors applied'"
      << ", $needed using 1:2 with points pt 6 ps 1.2 lc rgb '" << colour(1) << "' title '"
      << fmt::format("governing range x required factor {}", text::significant(figure.required, 3))
      << "'\n";
@@ -365,6 +383,14 @@ void write_script(const fs::path& path, const Figure& figure) {
 }
 
 }  // namespace
+
+void remove_figures(const std::string& folder) {
+  std::error_code ignored;
+  for (const char* name : {"cut-forces", "mechanism", "stress", "sn"}) {
+    fs::remove(fs::path(folder) / fmt::format("{}.svg", name), ignored);
+    fs::remove(fs::path(folder) / "plots" / fmt::format("{}.gp", name), ignored);
+  }
+}
 
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
                                       const std::string& folder) {

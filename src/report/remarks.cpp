@@ -21,9 +21,9 @@ void add_categories(const Project& project, std::vector<std::string>& remarks) {
 void add_holes(const Project& project, std::vector<std::string>& remarks) {
   if (project.beam.holes.empty() || !project.given_stresses.empty()) return;
   remarks.push_back(
-      "at hole edges the local stress (concentration included) is compared with the yield strength "
-      "and, "
-      "as modified nominal stress, with the category of the beam; shear is not concentrated there");
+      "at hole edges the largest local stress around the edge (concentration included) is compared "
+      "with the yield strength and, as modified nominal stress, with the category of the beam; "
+      "where the category is one for holes on the net section, this counts the hole twice");
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
@@ -90,19 +90,52 @@ void add_beside(const Project& project, const Verification& verification,
 
 }  // namespace
 
+namespace {
+
+void add_branches(const Project& project, std::vector<std::string>& remarks) {
+  if (!project.mechanism.loops.empty()) return;
+  remarks.push_back(
+      "the case names no loop: the motion is on the branch to which the sketch leads, which is "
+      "neither checked nor reported; add [loops] where a loop has two assemblies");
+}
+
+void add_missing_fatigue(const Verification& verification, std::vector<std::string>& remarks) {
+  if (verification.governing(Criterion::fatigue) != nullptr) return;
+  remarks.push_back("no point of the beam has a stress range: there is no fatigue check");
+}
+
+void add_short_lives(const Project& project, std::vector<std::string>& remarks) {
+  if (project.fatigue.demand.periods >= 1e4) return;
+  remarks.push_back(
+      "fewer than 1e4 cycles: the S-N lines of EN 1993-1-9 begin at 1e4, the strength shown is "
+      "extrapolated and the yield check decides");
+}
+
+}  // namespace
+
 std::vector<std::string> remarks_of(const Project& project, const Verification& verification) {
   std::vector<std::string> remarks;
   for (const std::string& assumption : project.assumptions)
     remarks.push_back("assumed: " + assumption);
+  for (const Gate& gate : verification.gates) {
+    remarks.push_back(fmt::format(
+        "not applicable: the {} of segment {} has c/t = {}, above {} of class 3 (EN 1993-1-1, "
+        "table "
+        "5.2): it may buckle before it yields, and the stress of the full section is not valid",
+        gate.plate.plate, gate.segment, text::significant(gate.plate.ratio, 3),
+        text::significant(gate.plate.limit, 3)));
+  }
   add_categories(project, remarks);
+  add_branches(project, remarks);
+  add_missing_fatigue(verification, remarks);
+  add_short_lives(project, remarks);
   add_beside(project, verification, remarks);
   if (project.given_stresses.empty()) add_tapers(verification, remarks);
   add_holes(project, remarks);
   add_published(project, verification, remarks);
   remarks.push_back(
-      "not checked here: section class, plate and shear buckling, shear lag, fatigue under shear "
-      "stress, "
-      "weld throats, pins and rods");
+      "not checked here: shear buckling, the part of axial compression in the section class, shear "
+      "lag, fatigue under shear stress, weld throats, pins and rods");
   return remarks;
 }
 

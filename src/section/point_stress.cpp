@@ -24,7 +24,8 @@ StressLevel stress_level_of(const Section& section, const std::vector<Hole>& hol
 }
 
 PointStress stress_at(const StressLevel& level, const CutForces& cut) {
-  return {si<Stress>(level.per_N * cut.N.value() + level.per_M * cut.M_y.value()),
+  return {si<Stress>(level.per_N * cut.N.value() + level.per_M * cut.M_y.value() +
+                     level.per_V * cut.V_z.value()),
           si<Stress>(level.per_shear * cut.V_z.value())};
 }
 

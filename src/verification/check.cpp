@@ -9,8 +9,11 @@ const char* to_text(Criterion criterion) {
 }
 
 std::string to_text(const Station& station) {
-  return fmt::format("{:.4g}{}", station.s.value(),
-                     station.side == Side::both ? "" : to_text(station.side));
+  // To a tenth of a millimetre, without trailing zeros.
+  std::string s = fmt::format("{:.4f}", station.s.value());
+  s.erase(s.find_last_not_of('0') + 1);
+  if (s.back() == '.') s.pop_back();
+  return s + (station.side == Side::both ? "" : to_text(station.side));
 }
 
 }  // namespace boxbeam

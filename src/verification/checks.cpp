@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/core/error.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -82,11 +84,8 @@ std::optional<CheckResult> check_yield(const Project& project, const StationHist
   check.safety_factor = check.resisting / check.acting;
   check.required = project.strength.required;
   check.source = yield_source;
-  result.basis->highest = history.largest(normal_stress(point));
-  const CutForceFunction normal = normal_stress(point);
-  result.basis->lowest = history.largest([&](const CutForces& cut) { return -normal(cut); });
-  result.basis->lowest.value *= -1.0;
-  result.basis->lowest.maximum = false;
+  const double normal = normal_stress(point)(history.at(worst.time));
+  result.basis->highest = result.basis->lowest = {worst.time, normal, normal > 0.0};
   fill_instants(result, history);
   return result;
 }
@@ -122,9 +121,13 @@ std::optional<CheckResult> check_fatigue(const Project& project, const StationHi
   basis.highest = *highest;
   basis.lowest = *lowest;
   basis.cycles = cycles;
+  for (const Cycle& cycle : cycles) {
+    basis.endured.push_back(
+        cycles_to_failure_in(cycles, cycle, curve, fatigue.demand, check.safety_factor));
+  }
   FatigueDemand constant = fatigue.demand;
   constant.loading = Loading::constant_amplitude;
-  basis.constant_amplitude_factor = largest_factor({{range, {}, 1.0}}, curve, constant);
+  basis.constant_amplitude_factor = largest_factor(cycles, curve, constant);
   basis.knee = knee_of(curve);
   basis.cut_off = cut_off_of(curve);
   fill_instants(result, history);
@@ -137,10 +140,17 @@ std::vector<CheckResult> check_beam(const Project& project, const LoadHistory& l
   for (const Station& station : stations) {
     const StationHistory history(loads, station);
     for (const StressPoint& point : stress_points_at(project, station)) {
-      if (auto result = check_yield(project, history, point)) results.push_back(*result);
+      const auto add = [&](std::optional<CheckResult> result) {
+        if (result) results.push_back(std::move(*result));
+      };
+      add(check_yield(project, history, at_worst_edge(point, history, Criterion::yield)));
       if (!point.fatigue) continue;
-      if (auto result = check_fatigue(project, history, point)) results.push_back(*result);
+      add(check_fatigue(project, history, at_worst_edge(point, history, Criterion::fatigue)));
     }
+  }
+  if (results.empty()) {
+    throw AnalysisError(
+        {"nothing to verify: no point of the beam is ever stressed", "beam", {}, {}, {}});
   }
   return results;
 }

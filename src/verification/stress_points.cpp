@@ -17,13 +17,18 @@ struct Category {
   std::string assumed;
 };
 
+/// The lowest category of the stretches a station lies in, or that of the whole beam.
 Category category_at(const FatigueInput& fatigue, Length s) {
+  Category lowest{fatigue.category, ""};
+  bool found = false;
   for (const DetailStretch& stretch : fatigue.details) {
     if (s < stretch.from || s > stretch.to) continue;
-    const std::string note = stretch.assumed.empty() ? "" : stretch.name + ": " + stretch.assumed;
-    return {stretch.category, note};
+    if (found && stretch.category >= lowest.value) continue;
+    lowest = {stretch.category,
+              stretch.assumed.empty() ? "" : stretch.name + ": " + stretch.assumed};
+    found = true;
   }
-  return {fatigue.category, ""};
+  return lowest;
 }
 
 /// Whether section or loads jump at a place.
@@ -119,6 +124,9 @@ std::vector<StressPoint> stress_points_at(const Project& project, const Station&
     point.gross = gross;
     point.net = net;
     point.plate = wall_at(section.outer, z);
+    if (section.inner && abs(z) <= 0.5 * height_of(*section.inner)) {
+      point.plate = std::max(point.plate, wall_at(*section.inner, z));  // the weaker of the two
+    }
     point.yield_strength = yield_strength_of(project.material, point.plate).value();
     point.fatigue = fatigue;
     point.category = category.value;
@@ -141,20 +149,32 @@ std::vector<StressPoint> stress_points_at(const Project& project, const Station&
   // In a hole at mid-height there is no neutral fibre; its edges are looked at instead.
   add_nominal("neutral axis", net.centroid_z, false);
 
+  if (section.inner) {
+    const Length half = 0.5 * height_of(*section.inner);
+    for (const double sign : {1.0, -1.0}) {
+      StressPoint& point = add(sign > 0.0 ? "inner fibre +z" : "inner fibre -z", sign * half, true);
+      point.plate = wall_at(*section.inner, half);
+      point.yield_strength = yield_strength_of(project.material, point.plate).value();
+      point.level = stress_level_of(section, holes, net, sign * half);
+    }
+  }
   for (std::size_t i = 0; i < beam.holes.size(); ++i) {
     if (beam.holes[i].s != station.s) continue;
     const Hole& hole = beam.holes[i].hole;
     const HoleCase hole_case = project.hole_cases[i];
-    const double a = hole.diameter / plate_width_of(section, hole, hole_case);
+    const double a = hole.diameter / plate_width_of(section, holes, hole, hole_case);
     const double factor = hole_case == HoleCase::published_exponential
                               ? published_concentration(a)
                               : membrane_concentration(a) / (1.0 - a);
-    const char* names[] = {" edge +z", " edge -z"};
-    const auto edges = hole_edges_of(section, holes, hole, hole_case);
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      StressPoint& point = add("hole " + hole.name + names[k], edges[k].z, true);
-      point.level = edges[k].level;
-      point.concentration = EdgeConcentration{hole.name, hole_case, a, factor};
+    const std::vector<HoleEdge> edges = hole_edges_of(section, holes, hole, hole_case);
+    StressPoint& point = add("hole " + hole.name + " edge", edges.front().z, true);
+    point.level = edges.front().level;
+    point.concentration = EdgeConcentration{hole.name, hole_case, a, factor, 0.0};
+    point.edges = edges;
+    if (hole.walls == HoleWalls::webs) {
+      // Where a hole has taken the neutral fibre, the shear is largest just beside the hole.
+      add_nominal("beside hole " + hole.name + " +z", hole.position + 0.5 * hole.diameter, false);
+      add_nominal("beside hole " + hole.name + " -z", hole.position - 0.5 * hole.diameter, false);
     }
   }
   for (const NamedPoint& named : project.points) {
@@ -163,18 +183,52 @@ std::vector<StressPoint> stress_points_at(const Project& project, const Station&
   return points;
 }
 
+StressPoint at_worst_edge(const StressPoint& point, const StationHistory& history,
+                          Criterion criterion) {
+  StressPoint moved = point;
+  moved.edges.clear();
+  double worst = -1.0;
+  for (const HoleEdge& edge : point.edges) {
+    Span span;
+    for (const CutForces& cut : history.samples()) {
+      span.add(stress_at(edge.level, cut).normal.value());
+    }
+    const double value = criterion == Criterion::fatigue ? span.range() : span.largest();
+    if (value <= worst) continue;
+    worst = value;
+    moved.z = edge.z;
+    moved.level = edge.level;
+    moved.concentration->angle = edge.angle;
+  }
+  return moved;
+}
+
 std::vector<Station> stations_to_verify(const Project& project, const LoadHistory& loads) {
   const TaperedBeam& beam = project.beam;
   std::vector<Length> places = places_of(beam);
   for (const NamedPoint& point : project.points) places.push_back(point.s);
+  // The category changes at the ends of a detail's stretch; inside it is constant.
+  for (const DetailStretch& stretch : project.fatigue.details) {
+    places.push_back(stretch.from);
+    places.push_back(stretch.to);
+  }
   std::vector<Length> inner;
   add_inner_maxima(beam, loads, inner);
   // Maxima of different quantities close together are one station, the one of the stress range
   // first: near its maximum a quantity is level, so that what the others lose is of second order.
+  std::vector<Length> chosen;
   for (const Length& s : inner) {
-    const auto close = [&](Length other) { return abs(other - s) < 0.01 * beam.length(); };
-    if (std::none_of(places.begin(), places.end(), close)) places.push_back(s);
+    const auto nearer_than = [&](double part) {
+      return
+          [&beam, &s, part](const Length& other) { return abs(other - s) < part * beam.length(); };
+    };
+    if (std::any_of(places.begin(), places.end(), nearer_than(1e-4)) ||
+        std::any_of(chosen.begin(), chosen.end(), nearer_than(0.01))) {
+      continue;
+    }
+    chosen.push_back(s);
   }
+  places.insert(places.end(), chosen.begin(), chosen.end());
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
 

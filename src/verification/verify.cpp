@@ -47,8 +47,8 @@ double imbalance_over(const Project& project, const LoadHistory& loads) {
     double largest = 0.0;
     for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
     const Imbalance open = imbalance_of(project.beam, at);
-    const double scale = largest * std::max(1.0, project.beam.length().value());
-    const double relative = (open.force.norm() + open.moment.norm()) / scale;
+    const double relative =
+        (open.force.norm() + open.moment.norm() / project.beam.length().value()) / largest;
     worst = std::max(worst, relative);
     if (relative > 1e-6) {
       throw AnalysisError(
@@ -113,9 +113,11 @@ std::vector<CriticalInstant> critical_instants_of(const Verification& verificati
   if (governing == nullptr || !governing->basis)
     governing = verification.governing(Criterion::yield);
   if (governing != nullptr && governing->basis) {
-    for (const TurningPoint& point : {governing->basis->highest, governing->basis->lowest}) {
+    const auto add_stress = [&](const TurningPoint& point) {
       instants.push_back({"stress", governing->check.station, point.time, point.value});
-    }
+    };
+    add_stress(governing->basis->highest);
+    if (governing->check.criterion == Criterion::fatigue) add_stress(governing->basis->lowest);
   }
   return instants;
 }
@@ -126,7 +128,7 @@ std::vector<std::pair<Time, std::string>> instants_to_show(const Verification& v
   for (const CriticalInstant& instant : verification.critical_instants) {
     if (instant.quantity != "M" && instant.quantity != "stress") continue;
     const std::string why =
-        fmt::format("{} {}", instant.value < 0.0 ? "smallest" : "largest", instant.quantity);
+        fmt::format("{} {}", instant.value < 0.0 ? "most negative" : "largest", instant.quantity);
     const auto same = std::find_if(shown.begin(), shown.end(), [&](const auto& other) {
       return abs(other.first - instant.time) < 1e-4 * verification.period;
     });
@@ -210,6 +212,24 @@ void describe_mechanism(const Project& project, const planar::Motion& motion,
   }
 }
 
+/// Plates of class 4: their gross elastic stress says nothing about their strength.
+std::vector<Gate> gates_of(const Project& project) {
+  std::vector<Gate> gates;
+  for (const Segment& segment : project.beam.segments) {
+    for (const Section* section : {&segment.from, &segment.to}) {
+      if (section == &segment.to && segment.from == segment.to) continue;
+      for (const SlenderPlate& plate : slender_plates_of(section->outer, project.material)) {
+        gates.push_back({segment.name, plate});
+      }
+      if (!section->inner) continue;
+      for (const SlenderPlate& plate : slender_plates_of(*section->inner, project.material)) {
+        gates.push_back({segment.name, plate});
+      }
+    }
+  }
+  return gates;
+}
+
 void describe_beam(const Project& project, Verification& result) {
   for (const Segment& segment : project.beam.segments) {
     const Length rise = 0.5 * abs(height_of(segment.to.outer) - height_of(segment.from.outer));
@@ -221,14 +241,22 @@ void describe_beam(const Project& project, Verification& result) {
     if (project.hole_cases[i] != HoleCase::published_exponential) continue;
     const BeamHole& at = project.beam.holes[i];
     const Section section = section_at(project.beam, {at.s});
-    const double a = at.hole.diameter / plate_width_of(section, at.hole, project.hole_cases[i]);
+    const double a = at.hole.diameter / plate_width_of(section, holes_at(project.beam, at.s),
+                                                       at.hole, project.hole_cases[i]);
     result.published_concentrations.push_back({at.hole.name, a, published_concentration(a)});
   }
 }
 
 }  // namespace
 
-const char* to_text(Verdict verdict) { return verdict == Verdict::pass ? "pass" : "fail"; }
+const char* to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass: return "pass";
+    case Verdict::fail: return "fail";
+    case Verdict::not_applicable: return "not applicable";
+  }
+  return "";
+}
 
 const CheckResult* Verification::governing(Criterion criterion) const {
   for (const CheckResult& result : checks) {
@@ -251,7 +279,10 @@ Verification verify(const Project& project) {
   sort_worst_first(result.checks);
   const bool all_pass = std::all_of(result.checks.begin(), result.checks.end(),
                                     [](const CheckResult& r) { return r.check.passes(); });
-  result.verdict = all_pass ? Verdict::pass : Verdict::fail;
+  result.gates = project.given_stresses.empty() ? gates_of(project) : std::vector<Gate>{};
+  result.verdict = !all_pass              ? Verdict::fail
+                   : result.gates.empty() ? Verdict::pass
+                                          : Verdict::not_applicable;
   result.critical_instants = critical_instants_of(result);
   describe_instants(project, motion, loads, result);
   describe_beam(project, result);

@@ -54,7 +54,8 @@ void verify_as_process(benchmark::State& bench) {
   namespace fs = std::filesystem;
   std::string pattern = (fs::temp_directory_path() / "boxbeam-bench-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  std::string words[] = {BOXBEAM_PROGRAM, "verify", case_path("rig.toml"), "--no-plots", "--out", pattern};
+  std::string words[] = {BOXBEAM_PROGRAM, "verify", case_path("rig.toml"),
+                         "--no-plots",    "--out",  pattern};
   char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
                        words[4].data(), words[5].data(), nullptr};
   posix_spawn_file_actions_t actions;
@@ -67,7 +68,8 @@ void verify_as_process(benchmark::State& bench) {
     }
     int status = 0;
     ::waitpid(pid, &status, 0);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) > 1) throw std::runtime_error("the program failed");
+    if (!WIFEXITED(status) || WEXITSTATUS(status) > 1)
+      throw std::runtime_error("the program failed");
   }
   posix_spawn_file_actions_destroy(&actions);
   fs::remove_all(pattern);
@@ -78,6 +80,9 @@ void verify_as_process(benchmark::State& bench) {
 BENCHMARK_CAPTURE(instant, rig, "rig.toml")->Name("instant/sledge/dense");
 BENCHMARK_CAPTURE(instant, published, "published.toml")->Name("instant/sledge-published/dense");
 BENCHMARK(verify_in_process)->Name("verify/sledge")->Unit(benchmark::kMillisecond);
-BENCHMARK(verify_as_process)->Name("verify/sledge/process")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(verify_as_process)
+    ->Name("verify/sledge/process")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 BENCHMARK_MAIN();

@@ -86,7 +86,8 @@ TEST_CASE("uniform rotating bar: N, V and M at the pinned end's distance x") {
   }
 }
 
-TEST_CASE("falling bar (chimney): the largest moment is m g L sin(theta)/27 at a third of the length") {
+TEST_CASE(
+    "falling bar (chimney): the largest moment is m g L sin(theta)/27 at a third of the length") {
   // Pinned at its end and falling, alpha = 3 g sin(theta)/(2 L) with theta from the vertical; here
   // the driver prescribes just this acceleration at rest, so that it exerts no moment.
   // 100 kg, 6.2 m, 90 degrees, g = 9.81: 225.27 N m.

@@ -125,3 +125,20 @@ TEST_CASE("random cycles: damage is at most 1 just below the largest factor, abo
     CHECK(largest_factor(scaled, curve, wanted) == Approx(factor / 2.7).epsilon(1e-10));
   }
 }
+
+TEST_CASE(
+    "constant amplitude: below the knee nothing damages, above it the smaller ranges do too") {
+  // 7.1(2) and 7.1(3): category 100, knee 73.68 MPa. A history of one large and one small range.
+  const SnCurve curve{si<Stress>(100e6), CurveKind::en_1993_1_9};
+  FatigueDemand demand;
+  demand.periods = 1e6;
+  demand.loading = Loading::constant_amplitude;
+  const std::vector<Cycle> below{{si<Stress>(73e6), {}, 1.0}, {si<Stress>(60e6), {}, 5.0}};
+  CHECK(damage_of(below, curve, demand) == 0.0);
+  const std::vector<Cycle> above{{si<Stress>(80e6), {}, 1.0}, {si<Stress>(60e6), {}, 5.0}};
+  // By hand: N(80) = 2e6 (100/80)^3, N(60) = 5e6 (73.68/60)^5.
+  const double knee = 100.0 * std::cbrt(0.4);
+  const double expected =
+      1e6 / (2e6 * std::pow(100.0 / 80.0, 3)) + 5e6 / (5e6 * std::pow(knee / 60.0, 5));
+  CHECK(damage_of(above, curve, demand) == Approx(expected).epsilon(1e-12));
+}

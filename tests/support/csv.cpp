@@ -15,8 +15,10 @@ CsvTable read_csv(const std::string& path) {
     const bool header = table.header.empty();
     if (!header) table.rows.emplace_back();
     for (std::string cell; std::getline(cells, cell, ',');) {
-      if (header) table.header.push_back(cell);
-      else table.rows.back().push_back(std::stod(cell));
+      if (header)
+        table.header.push_back(cell);
+      else
+        table.rows.back().push_back(std::stod(cell));
     }
   }
   return table;

@@ -38,7 +38,8 @@ std::vector<Row> rows_of_readme() {
     std::vector<std::string> parts;
     for (std::string cell; std::getline(cells, cell, '|');) parts.push_back(trimmed(cell));
     REQUIRE(parts.size() == 5);
-    rows.push_back({parts[0].substr(1, parts[0].size() - 2), parts[1], parts[2], parts[3], parts[4]});
+    rows.push_back(
+        {parts[0].substr(1, parts[0].size() - 2), parts[1], parts[2], parts[3], parts[4]});
   }
   return rows;
 }
@@ -48,22 +49,28 @@ double rounding_of(const std::string& number) {
   const auto exponent_at = number.find('e');
   const std::string mantissa = number.substr(0, exponent_at);
   const auto point = mantissa.find('.');
-  const int decimals = point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
-  const int exponent = exponent_at == std::string::npos ? 0 : std::stoi(number.substr(exponent_at + 1));
+  const int decimals =
+      point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
+  const int exponent =
+      exponent_at == std::string::npos ? 0 : std::stoi(number.substr(exponent_at + 1));
   return 0.5 * std::pow(10.0, exponent - decimals);
 }
 
-double largest_deviation(const std::string& table_name, double time, Eigen::VectorXd planar::State::*values) {
-  static const Project project = read_project(test::project_file("sections/sledge-rig/published.toml"));
+double largest_deviation(const std::string& table_name, double time,
+                         Eigen::VectorXd planar::State::*values) {
+  static const Project project =
+      read_project(test::project_file("sections/sledge-rig/published.toml"));
   const test::CsvTable table =
       test::read_csv(test::project_file("tests/validation/data/thesis_" + table_name + ".csv"));
   planar::InstantSolver solver(project.mechanism);
   double largest = 0.0;
   for (const std::vector<double>& row : table.rows) {
     if (time >= 0.0 && row[0] != time) continue;
-    const planar::State state = solver.solve_from_sketch(row[0], planar::sketch_of(project.mechanism));
+    const planar::State state =
+        solver.solve_from_sketch(row[0], planar::sketch_of(project.mechanism));
     for (std::size_t k = 0; k < 18; ++k) {
-      largest = std::max(largest, std::abs((state.*values)[static_cast<Eigen::Index>(k)] - row[k + 1]));
+      largest =
+          std::max(largest, std::abs((state.*values)[static_cast<Eigen::Index>(k)] - row[k + 1]));
     }
   }
   return largest;
@@ -75,7 +82,8 @@ planar::ChainForces published_chain() {
       test::read_csv(test::project_file("tests/validation/data/thesis_accelerations.csv"));
   std::vector<Eigen::Vector2d> accelerations;
   for (const std::size_t body : {3, 2, 1, 4, 5, 6}) {
-    accelerations.emplace_back(table.rows[2][3 * (body - 1) + 1], table.rows[2][3 * (body - 1) + 2]);
+    accelerations.emplace_back(table.rows[2][3 * (body - 1) + 1],
+                               table.rows[2][3 * (body - 1) + 2]);
   }
   return planar::chain_of(*project.chain, accelerations);
 }
@@ -106,7 +114,8 @@ Eigen::Vector2d rigorous_force(const char* joint, int lower_branch) {
   project.mechanism.loops[1].sign = lower_branch;
   planar::InstantSolver solver(project.mechanism);
   const planar::State state = solver.solve_from_sketch(1.071, planar::sketch_of(project.mechanism));
-  for (const planar::Reaction& r : planar::reactions_per_joint(project.mechanism, state, project.beam_body)) {
+  for (const planar::Reaction& r :
+       planar::reactions_per_joint(project.mechanism, state, project.beam_body)) {
     if (project.mechanism.joints[static_cast<std::size_t>(r.joint)].name == joint) return r.force;
   }
   return Eigen::Vector2d::Zero();
@@ -129,7 +138,8 @@ double mass_between(double from, double to) {
 }
 
 double centre_from_pivot(double from, double to) {
-  return std::abs(mass_properties_of(test::rig().beam, si<Length>(from), si<Length>(to)).centre.value() - 3.2);
+  return std::abs(
+      mass_properties_of(test::rig().beam, si<Length>(from), si<Length>(to)).centre.value() - 3.2);
 }
 
 const std::vector<Hole>& pivot_holes() {
@@ -147,8 +157,12 @@ std::map<std::string, std::function<double()>> computed() {
   for (const double t : pi_row) {
     std::ostringstream name;
     name << t;
-    values["E.2 " + name.str()] = [t] { return largest_deviation("velocities", t, &planar::State::v); };
-    values["E.3 " + name.str()] = [t] { return largest_deviation("accelerations", t, &planar::State::a); };
+    values["E.2 " + name.str()] = [t] {
+      return largest_deviation("velocities", t, &planar::State::v);
+    };
+    values["E.3 " + name.str()] = [t] {
+      return largest_deviation("accelerations", t, &planar::State::a);
+    };
   }
   values["dof"] = [] { return 1.0 * rig().freedom.by_rank; };
   values["g"] = [] { return -test::rig().mechanism.gravity.y(); };
@@ -217,21 +231,28 @@ std::map<std::string, std::function<double()>> computed() {
   values["K_t"] = [] { return published_concentration(0.145); };
   values["K_t sigma_A"] = [] { return 2.66 * 6.14; };
   values["K_t sigma_B"] = [] { return 2.66 * 5.62; };
-  values["f_y"] = [] { return yield_strength_of(test::rig().material, 0.05 * metre)->value() / 1e6; };
+  values["f_y"] = [] {
+    return yield_strength_of(test::rig().material, 0.05 * metre)->value() / 1e6;
+  };
   values["N_y"] = [] { return 335.0 / 16.3; };
   values["N_y unrounded"] = [] { return 335.0 / (2.66 * 6.14); };
   values["N_y rigorous"] = [] { return rig().governing(Criterion::yield)->check.safety_factor; };
   values["S-N step"] = [] { return 100.0 * std::pow(5e6 / 1e8, 0.2); };
   values["S-N EN"] = [] {
-    return strength_at({100e6 * pascal, CurveKind::en_1993_1_9}, 1e8, Loading::spectrum).value() / 1e6;
+    return strength_at({100e6 * pascal, CurveKind::en_1993_1_9}, 1e8, Loading::spectrum).value() /
+           1e6;
   };
   values["knee"] = [] { return knee_of({100e6 * pascal, CurveKind::en_1993_1_9}).value() / 1e6; };
   values["range"] = [] { return 16.3 + 16.1; };
-  values["range rigorous"] = [] { return rig().governing(Criterion::fatigue)->check.acting.value() / 1e6; };
+  values["range rigorous"] = [] {
+    return rig().governing(Criterion::fatigue)->check.acting.value() / 1e6;
+  };
   values["N_ud"] = [] { return 54.9 / (16.3 + 16.1); };
   values["N_ud unrounded"] = [] { return 100.0 * std::pow(5e6 / 1e8, 0.2) / (16.3 + 16.1); };
   values["N_ud rigorous"] = [] { return rig().governing(Criterion::fatigue)->check.safety_factor; };
-  values["N_ud constant"] = [] { return rig().governing(Criterion::fatigue)->basis->constant_amplitude_factor; };
+  values["N_ud constant"] = [] {
+    return rig().governing(Criterion::fatigue)->basis->constant_amplitude_factor;
+  };
   values["4.2 m"] = [] {
     return check("fatigue/4.2/fibre+z").acting / check("fatigue/3.2+/thesis-A").acting;
   };

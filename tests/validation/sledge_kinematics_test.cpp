@@ -37,14 +37,15 @@ struct Unsound {
   std::map<double, std::set<std::size_t>> columns;  ///< 0 = x1 ... 17 = phi6
 };
 
-double largest_deviation(const test::CsvTable& table, std::size_t row, const Eigen::VectorXd& values,
-                         const Unsound& unsound) {
+double largest_deviation(const test::CsvTable& table, std::size_t row,
+                         const Eigen::VectorXd& values, const Unsound& unsound) {
   const double time = table.rows[row][0];
   double largest = 0.0;
   for (std::size_t k = 0; k < 18; ++k) {
     const auto skip = unsound.columns.find(time);
     if (skip != unsound.columns.end() && skip->second.count(k) > 0) continue;
-    largest = std::max(largest, std::abs(values[static_cast<Eigen::Index>(k)] - table.rows[row][k + 1]));
+    largest =
+        std::max(largest, std::abs(values[static_cast<Eigen::Index>(k)] - table.rows[row][k + 1]));
   }
   return largest;
 }
@@ -102,7 +103,8 @@ TEST_CASE("thesis E.2: the sound velocities") {
       {0.357, 8e-4}, {1.071, 2.5e-3}, {1.428, 8e-3}, {1.785, 2e-2}, {2.142, 1e-4}};
   Unsound unsound;
   unsound.rows = {0.714};  // off by up to 0.71 throughout: dphi2 0.705 printed, 0 true
-  unsound.columns[1.428] = {12, 14};  // dx5: -1.80 printed where -1.17 is meant; dphi5: 0.041, -0.0008 true
+  unsound.columns[1.428] = {
+      12, 14};  // dx5: -1.80 printed where -1.17 is meant; dphi5: 0.041, -0.0008 true
   unsound.columns[2.142] = {12, 13, 14};  // body 5 is shifted by one column
   int compared = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -136,7 +138,8 @@ TEST_CASE("thesis E.3: the sound accelerations") {
       continue;
     }
     if (time == 1.428) {
-      // Unsound: every x and the angles of the beam have the wrong sign, ddx3 -0.033 printed, +0.028 true.
+      // Unsound: every x and the angles of the beam have the wrong sign, ddx3 -0.033 printed,
+      // +0.028 true.
       CHECK(table.rows[row][7] == -0.033);
       CHECK(state.a[6] == Approx(0.028).margin(5e-4));
       continue;

@@ -21,7 +21,8 @@ const Verification& published() {
 Eigen::Vector2d force_on_beam(const Project& project, const char* joint, double time) {
   planar::InstantSolver solver(project.mechanism);
   const planar::State state = solver.solve_from_sketch(time, planar::sketch_of(project.mechanism));
-  for (const planar::Reaction& r : planar::reactions_per_joint(project.mechanism, state, project.beam_body)) {
+  for (const planar::Reaction& r :
+       planar::reactions_per_joint(project.mechanism, state, project.beam_body)) {
     if (project.mechanism.joints[static_cast<std::size_t>(r.joint)].name == joint) return r.force;
   }
   return Eigen::Vector2d::Zero();

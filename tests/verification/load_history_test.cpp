@@ -24,7 +24,8 @@ TaperedBeam metre_of_tube() {
 
 /// A beam pulled by f(t): N = f(t) all along.
 template <class Function>
-LoadHistory pulled(const TaperedBeam& beam, double period, std::size_t instants, const Function& f) {
+LoadHistory pulled(const TaperedBeam& beam, double period, std::size_t instants,
+                   const Function& f) {
   return {beam, si<Time>(period), instants, [&beam, f](Time time) {
             BeamLoads loads;
             PointLoad first, last;
@@ -60,8 +61,9 @@ TEST_CASE("extremes between the instants: a sine out of step with them") {
 
 TEST_CASE("a second harmonic gives four turning points, and a maximum at t = 0 is not lost") {
   const TaperedBeam beam = metre_of_tube();
-  const LoadHistory loads = pulled(
-      beam, 1.0, 96, [](double t) { return std::cos(2.0 * pi * t) + 0.8 * std::cos(4.0 * pi * t); });
+  const LoadHistory loads = pulled(beam, 1.0, 96, [](double t) {
+    return std::cos(2.0 * pi * t) + 0.8 * std::cos(4.0 * pi * t);
+  });
   const StationHistory history(loads, {0.5 * metre});
   const auto turns = history.turning_points(axial);
   REQUIRE(turns.size() == 4);
@@ -89,9 +91,11 @@ TEST_CASE("interpolated cut forces of the rig equal the mechanism solved anew") 
   const planar::Motion motion = planar::solve_motion(project.mechanism);
   const planar::BeamBody body = planar::beam_body_of(project.beam, project.beam_body);
   planar::InstantSolver solver(project.mechanism);
-  const LoadHistory loads(project.beam, si<Time>(motion.period), motion.states.size(), [&](Time time) {
-    return planar::beam_loads_of(project.mechanism, planar::state_at(solver, motion, time.value()), body);
-  });
+  const LoadHistory loads(
+      project.beam, si<Time>(motion.period), motion.states.size(), [&](Time time) {
+        return planar::beam_loads_of(project.mechanism,
+                                     planar::state_at(solver, motion, time.value()), body);
+      });
   const StationHistory history(loads, {4.2 * metre});
   for (int i = 0; i < 200; ++i) {
     const Time time = si<Time>(motion.period * (i + 0.37) / 200.0);

@@ -18,8 +18,8 @@ const std::string published = "sections/sledge-rig/published.toml";
 
 Json results(const std::string& case_file, std::vector<std::string> more = {}) {
   const test::TemporaryFolder folder;
-  std::vector<std::string> arguments{"verify", case_file, "--json", "-", "--no-plots", "--out",
-                                     (folder.path() / "out").string()};
+  std::vector<std::string> arguments{
+      "verify", case_file, "--json", "-", "--no-plots", "--out", (folder.path() / "out").string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const test::ProgramResult result = test::run_program(arguments);
   INFO(result.err);
@@ -40,8 +40,10 @@ std::vector<std::string> keys_of(const nlohmann::ordered_json& object) {
 TEST_CASE("verify rig.toml: fails, with the factors of the independent calculation") {
   const Json document = results(rig);
   CHECK(document["verdict"] == "fail");
-  CHECK(document["governing"]["yield"]["safety_factor"].get<double>() == Approx(20.7031295803).epsilon(1e-9));
-  CHECK(document["governing"]["fatigue"]["safety_factor"].get<double>() == Approx(1.27819703418).epsilon(1e-9));
+  CHECK(document["governing"]["yield"]["safety_factor"].get<double>() ==
+        Approx(20.7031295803).epsilon(1e-9));
+  CHECK(document["governing"]["fatigue"]["safety_factor"].get<double>() ==
+        Approx(1.27819703418).epsilon(1e-9));
   CHECK(document["governing"]["fatigue"]["station"].get<double>() == Approx(4.2));
   CHECK(document["beam"]["mass"].get<double>() == Approx(4946.9472).epsilon(1e-9));
 }
@@ -49,7 +51,8 @@ TEST_CASE("verify rig.toml: fails, with the factors of the independent calculati
 TEST_CASE("verify published.toml: N_y = 20.6, N_ud = 1.69") {
   const Json document = results(published);
   CHECK(document["governing"]["yield"]["safety_factor"].get<double>() == Approx(20.6).margin(0.05));
-  CHECK(document["governing"]["fatigue"]["safety_factor"].get<double>() == Approx(1.69).margin(0.005));
+  CHECK(document["governing"]["fatigue"]["safety_factor"].get<double>() ==
+        Approx(1.69).margin(0.005));
 }
 
 TEST_CASE("results.json: keys in their order, two records at every jump") {
@@ -57,12 +60,13 @@ TEST_CASE("results.json: keys in their order, two records at every jump") {
   const std::string out = (folder.path() / "out").string();
   REQUIRE(test::run_program({"verify", rig, "--no-plots", "--out", out}).exit_code == 1);
   const auto document = nlohmann::ordered_json::parse(test::read_file(out + "/results.json"));
-  CHECK(keys_of(document) ==
-        std::vector<std::string>{"schema", "case", "version", "input_sha256", "verdict", "model",
-                                 "critical_instants", "beam", "checks", "governing", "remarks"});
+  CHECK(keys_of(document) == std::vector<std::string>{"schema", "case", "version", "input_sha256",
+                                                      "verdict", "model", "critical_instants",
+                                                      "beam", "checks", "governing", "remarks"});
   CHECK(keys_of(document["checks"][0]) ==
-        std::vector<std::string>{"id", "criterion", "point", "station", "side", "time", "acting", "resisting",
-                                 "safety_factor", "required", "utilisation", "unit", "source"});
+        std::vector<std::string>{"id", "criterion", "point", "station", "side", "time", "acting",
+                                 "resisting", "safety_factor", "required", "utilisation", "unit",
+                                 "source"});
   int sides = 0;
   for (const auto& station : document["beam"]["stations"]) {
     if (station["s"].get<double>() != 3.2) continue;
@@ -78,7 +82,8 @@ TEST_CASE("the hash in the results is that of the case file") {
   const test::TemporaryFolder folder;
   const Json document = results(rig);
   const std::string listing = (folder.path() / "sum").string();
-  REQUIRE(std::system(("sha256sum '" + test::project_file(rig) + "' > '" + listing + "'").c_str()) == 0);
+  REQUIRE(std::system(
+              ("sha256sum '" + test::project_file(rig) + "' > '" + listing + "'").c_str()) == 0);
   CHECK(test::read_file(listing).substr(0, 64) == document["input_sha256"].get<std::string>());
   const Json other = results(rig, {"--set", "strength.required=2.5"});
   CHECK(other["input_sha256"] != document["input_sha256"]);
@@ -171,7 +176,8 @@ TEST_CASE("the committed reports are those of the committed cases") {
   for (const auto& [case_file, folder] : {std::pair(rig, "reports/sledge-rig"),
                                           std::pair(published, "reports/sledge-rig-published")}) {
     const Json now = results(case_file);
-    const Json committed = Json::parse(test::read_file(test::project_file(std::string(folder) + "/results.json")));
+    const Json committed =
+        Json::parse(test::read_file(test::project_file(std::string(folder) + "/results.json")));
     CHECK(committed["input_sha256"] == now["input_sha256"]);
     CHECK(committed["verdict"] == now["verdict"]);
     REQUIRE(committed["checks"].size() == now["checks"].size());

@@ -15,4 +15,8 @@ namespace boxbeam {
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
                                       const std::string& folder);
 
+/// Removes the figures of an earlier run, so that none stands beside a report it does not belong
+/// to.
+void remove_figures(const std::string& folder);
+
 }  // namespace boxbeam

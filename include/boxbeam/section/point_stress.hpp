@@ -25,8 +25,10 @@ struct PointStress {
 /// it leaves with the webs. Valid for bending in the plane of motion (V_y = T = M_z = 0).
 /// Source: Timoshenko, Strength of Materials I, articles 22 and 26.
 struct StressLevel {
-  double per_N = 0.0;      ///< sigma per N [1/m^2]
-  double per_M = 0.0;      ///< sigma per M_y [1/m^3]
+  double per_N = 0.0;  ///< sigma per N [1/m^2]
+  double per_M = 0.0;  ///< sigma per M_y [1/m^3]
+  double per_V =
+      0.0;  ///< sigma per V_z: only where shear turns into hoop stress, at a hole [1/m^2]
   double per_shear = 0.0;  ///< tau per V_z [1/m^2]
 };
 

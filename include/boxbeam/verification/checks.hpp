@@ -11,12 +11,15 @@ namespace boxbeam {
 /// What a computed check rests on, for the calculation sheet and the plots.
 struct CheckBasis {
   StressPoint point;
-  TurningPoint highest, lowest;  ///< of the normal stress [Pa]
+  /// Extremes of the normal stress [Pa]; for yield both are the instant of the check.
+  TurningPoint highest, lowest;
   CutForces cut_at_highest, cut_at_lowest;
   CutForces cut_at_time;  ///< at the check's own instant
   PointStress stress_at_time;
   std::vector<double> history;  ///< normal stress at the instants of the motion [Pa]
   std::vector<Cycle> cycles;    ///< of one period
+  std::vector<double>
+      endured;  ///< cycles to failure of each, the history taken safety_factor times
   // Fatigue only:
   double constant_amplitude_factor = 0.0;  ///< EN 1993-1-9 7.1(2)
   Stress knee, cut_off;                    ///< d_sigma_D and d_sigma_L of the category

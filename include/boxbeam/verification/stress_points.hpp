@@ -6,6 +6,7 @@
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/section/point_stress.hpp"
+#include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/load_history.hpp"
 
 namespace boxbeam {
@@ -16,6 +17,7 @@ struct EdgeConcentration {
   HoleCase hole_case = HoleCase::in_plane_bending;
   double diameter_to_width = 0.0;
   double factor = 1.0;  ///< on the membrane part (gross), or the published factor
+  double angle = 0.0;   ///< of the place on the edge, from +x towards +z [rad]
 };
 
 /// A point of the beam whose stress is verified: all that its stress takes beside the cut forces.
@@ -29,17 +31,24 @@ struct StressPoint {
   Length plate;  ///< thickness that decides the yield strength
   Stress yield_strength;
   std::optional<EdgeConcentration> concentration;
-  bool fatigue = true;  ///< whether direct-stress fatigue has a meaning here
+  std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found
+  bool fatigue = true;          ///< whether direct-stress fatigue has a meaning here
   int category = 0;
   std::string category_assumed;  ///< why, where the category is an assumption
 };
 
-/// Extreme fibres, ends of the webs, neutral axis, hole edges and the user's own points in the
-/// section at a station.
+/// Extreme fibres, ends of the webs, neutral axis, fibres of an inner profile, hole edges and the
+/// web beside them, and the user's own points in the section at a station.
 std::vector<StressPoint> stress_points_at(const Project& project, const Station& station);
 
+/// A point on a hole's edge moved to the place with the largest stress (yield) or stress range
+/// (fatigue) at the instants of the motion; any other point as it is.
+StressPoint at_worst_edge(const StressPoint& point, const StationHistory& history,
+                          Criterion criterion);
+
 /// The stations to verify: both sides of every jump of load or section, other places once, and the
-/// places inside segments where a stress, stress range or cut force has a maximum along the beam.
+/// ends of the details' stretches, and places inside segments where a stress, stress range or cut
+/// force has a maximum along the beam.
 std::vector<Station> stations_to_verify(const Project& project, const LoadHistory& loads);
 
 }  // namespace boxbeam

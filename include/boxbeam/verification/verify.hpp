@@ -8,13 +8,15 @@
 #include "boxbeam/mechanism/planar/equivalent_mass.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/load_history.hpp"
 
 namespace boxbeam {
 
-enum class Verdict { pass, fail };
+/// `not_applicable`: no check fails, but a gate says that the stresses cannot be believed.
+enum class Verdict { pass, fail, not_applicable };
 
 const char* to_text(Verdict verdict);
 
@@ -59,6 +61,12 @@ struct PublishedConcentration {
   double factor = 0.0;
 };
 
+/// A plate of a segment whose gross elastic stress is not valid.
+struct Gate {
+  std::string segment;
+  SlenderPlate plate;
+};
+
 /// The result of a verification.
 struct Verification {
   Verdict verdict = Verdict::fail;
@@ -74,6 +82,7 @@ struct Verification {
   std::vector<int> branch;  ///< sign per loop
   std::optional<planar::EquivalentMass> equivalent_mass;
   std::optional<ChainComparison> chain;
+  std::vector<Gate> gates;  ///< what stands against believing the stresses; empty is good
   std::vector<TaperSlope> tapers;
   std::vector<PublishedConcentration> published_concentrations;
   std::optional<SnFigure> sn;

@@ -6,13 +6,13 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 1,2 title 'Mechanism at its critical instants, forces on the beam; grey: t = 0' noenhanced
+set multiplot layout 1,2 title 'Mechanism at its critical instants, joint forces on the beam; grey: t = 0' noenhanced
 set size ratio -1
 set xlabel 'x [m]'
 set ylabel 'y [m]'
 unset key
 set xrange [-2.241292434e+00:2.039600000e+00]
-set yrange [-3.696000000e+00:3.496000000e+00]
+set yrange [-3.993600000e+00:3.793600000e+00]
 $rest1_0 << e
 -9.938271995e-17 0.000000000e+00
 8.431429992e-17 3.000000000e+00
@@ -36,7 +36,7 @@ $rest1_5 << e
 -6.850000000e-01 -3.200000000e+00
 e
 $at1_0 << e
--5.551115123e-17 0.000000000e+00
+-6.938893904e-17 0.000000000e+00
 2.501090878e-01 2.989556061e+00
 e
 $at1_1 << e
@@ -47,7 +47,7 @@ $at1_2 << e
 7.500000000e-01 3.000000000e+00
 e
 $at1_3 << e
-5.551115123e-17 0.000000000e+00
+-5.134781489e-16 2.220446049e-16
 -2.667830269e-01 -3.188859799e+00
 e
 $at1_4 << e
@@ -61,9 +61,9 @@ set arrow 1 from 7.481051033e-01,2.987200152e+00 to 2.501090878e-01,2.989556061e
 set label 1 'B  102.7 kN' at 7.481051033e-01,2.987200152e+00 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
 set arrow 2 from 1.993855940e-01,-3.188552998e+00 to -2.667830269e-01,-3.188859799e+00 lw 2 lc rgb '#202020' front
 set label 2 'C  96.16 kN' at 1.993855940e-01,-3.188552998e+00 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
-set arrow 3 from -9.641646365e-01,-2.333464242e-01 to -5.551115123e-17,0.000000000e+00 lw 2 lc rgb '#202020' front
+set arrow 3 from -9.641646365e-01,-2.333464242e-01 to -6.938893904e-17,0.000000000e+00 lw 2 lc rgb '#202020' front
 set label 3 'O  204.6 kN' at -9.641646365e-01,-2.333464242e-01 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
-set title "t = 0.3573 s\nsmallest M"
+set title "t = 0.3573 s\nmost negative M"
 plot $rest1_0 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_1 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest1_3 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_4 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest1_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_5 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $at1_0 using 1:2 with lines lw 2 lc rgb '#1f5fa8', $at1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_1 using 1:2 with lines lw 2 lc rgb '#1f5fa8', $at1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#1f5fa8', $at1_3 using 1:2 with lines lw 2 lc rgb '#1f5fa8', $at1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_4 using 1:2 with lines lw 2 lc rgb '#1f5fa8', $at1_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_5 using 1:2 with points pt 5 ps 1.6 lc rgb '#1f5fa8'
 unset label
 unset arrow
@@ -90,7 +90,7 @@ $rest2_5 << e
 -6.850000000e-01 -3.200000000e+00
 e
 $at2_0 << e
-6.938893904e-17 0.000000000e+00
+5.551115123e-17 0.000000000e+00
 -2.498912924e-01 2.989574274e+00
 e
 $at2_1 << e
@@ -101,7 +101,7 @@ $at2_2 << e
 2.500000000e-01 3.000000000e+00
 e
 $at2_3 << e
--5.551115123e-17 0.000000000e+00
+-4.163336342e-17 0.000000000e+00
 2.665507119e-01 -3.188879226e+00
 e
 $at2_4 << e
@@ -115,7 +115,7 @@ set arrow 1 from -7.477891667e-01,2.987228634e+00 to -2.498912924e-01,2.98957427
 set label 1 'B  102.7 kN' at -7.477891667e-01,2.987228634e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
 set arrow 2 from -1.996306896e-01,-3.188573763e+00 to 2.665507119e-01,-3.188879226e+00 lw 2 lc rgb '#202020' front
 set label 2 'C  96.16 kN' at -1.996306896e-01,-3.188573763e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
-set arrow 3 from 9.640792758e-01,-2.333553562e-01 to 6.938893904e-17,0.000000000e+00 lw 2 lc rgb '#202020' front
+set arrow 3 from 9.640792758e-01,-2.333553562e-01 to 5.551115123e-17,0.000000000e+00 lw 2 lc rgb '#202020' front
 set label 3 'O  204.6 kN' at 9.640792758e-01,-2.333553562e-01 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
 set title "t = 1.0720 s\nlargest M"
 plot $rest2_0 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_1 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest2_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest2_3 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest2_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_4 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest2_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_5 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $at2_0 using 1:2 with lines lw 2 lc rgb '#c8551b', $at2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $at2_1 using 1:2 with lines lw 2 lc rgb '#c8551b', $at2_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $at2_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c8551b', $at2_3 using 1:2 with lines lw 2 lc rgb '#c8551b', $at2_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $at2_4 using 1:2 with lines lw 2 lc rgb '#c8551b', $at2_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $at2_5 using 1:2 with points pt 5 ps 1.6 lc rgb '#c8551b'

@@ -145,4 +145,4 @@ set yrange [10:1000]
 set key bottom left
 set ytics (10,20,30,50,70,100,200,300,500,1000)
 set label '32.4 MPa' at 1.000000000e+08,3.240000000e+01 left offset 1,-0.7 tc rgb '#c8551b'
-plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'published step, category 100 taken at 5e6 cycles', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 2.00'
+plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'published step, category 100 taken at 5e6 cycles', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 2.00'

@@ -6,13 +6,13 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 1,2 title 'Mechanism at its critical instants, forces on the beam; grey: t = 0' noenhanced
+set multiplot layout 1,2 title 'Mechanism at its critical instants, joint forces on the beam; grey: t = 0' noenhanced
 set size ratio -1
 set xlabel 'x [m]'
 set ylabel 'y [m]'
 unset key
 set xrange [-1.556383027e+00:2.241060435e+00]
-set yrange [-3.696000000e+00:3.496000000e+00]
+set yrange [-3.993600000e+00:3.793600000e+00]
 $rest1_0 << e
 -1.919934898e-16 -3.200000000e+00
 3.949998046e-18 0.000000000e+00
@@ -34,7 +34,7 @@ $rest1_4 << e
 e
 $at1_0 << e
 -2.667830269e-01 -3.188859799e+00
-4.336808690e-18 0.000000000e+00
+1.734723476e-18 0.000000000e+00
 2.501090878e-01 2.989556061e+00
 e
 $at1_1 << e
@@ -51,13 +51,13 @@ e
 $at1_4 << e
 4.181263802e-01 -3.200000000e+00
 e
-set arrow 1 from -9.642250911e-01,-2.330964900e-01 to 4.336808690e-18,0.000000000e+00 lw 2 lc rgb '#202020' front
+set arrow 1 from -9.642250911e-01,-2.330964900e-01 to 1.734723476e-18,0.000000000e+00 lw 2 lc rgb '#202020' front
 set label 1 'O  215.4 kN' at -9.642250911e-01,-2.330964900e-01 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
 set arrow 2 from 7.643337249e-01,3.003091269e+00 to 2.501090878e-01,2.989556061e+00 lw 2 lc rgb '#202020' front
 set label 2 'B  111.7 kN' at 7.643337249e-01,3.003091269e+00 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
 set arrow 3 from 1.808446407e-01,-3.192753888e+00 to -2.667830269e-01,-3.188859799e+00 lw 2 lc rgb '#202020' front
 set label 3 'C  97.18 kN' at 1.808446407e-01,-3.192753888e+00 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
-set title "t = 0.3571 s\nsmallest M, smallest stress"
+set title "t = 0.3571 s\nmost negative M, most negative stress"
 plot $rest1_0 using 1:2 with lines lw 5 lc rgb '#c4c4c4', $rest1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_1 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest1_3 using 1:2 with lines lw 2 lc rgb '#c4c4c4', $rest1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_4 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $at1_0 using 1:2 with lines lw 5 lc rgb '#1f5fa8', $at1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_1 using 1:2 with lines lw 2 lc rgb '#1f5fa8', $at1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#1f5fa8', $at1_3 using 1:2 with lines lw 2 lc rgb '#1f5fa8', $at1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_4 using 1:2 with points pt 5 ps 1.6 lc rgb '#1f5fa8'
 unset label
 unset arrow

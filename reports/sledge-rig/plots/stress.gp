@@ -111,10 +111,10 @@ $h0 << e
 1.428571429e+00 -1.738181516e-01
 e
 $x0 << e
-1.071428569e+00 1.548168668e+01
+1.071428571e+00 1.548168668e+01
 3.571428571e-01 -1.618112850e+01
 e
-set label '15.48 MPa at 1.0714 s' at 1.071428569e+00,1.548168668e+01 center offset 0,9.000000000e-01 tc rgb '#1f5fa8' front
+set label '15.48 MPa at 1.0714 s' at 1.071428571e+00,1.548168668e+01 center offset 0,9.000000000e-01 tc rgb '#1f5fa8' front
 set label '-16.18 MPa at 0.3571 s' at 3.571428571e-01,-1.618112850e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
 $h1 << e
 0.000000000e+00 -8.152948808e-02
@@ -216,8 +216,8 @@ $h1 << e
 1.428571429e+00 -8.152948808e-02
 e
 $x1 << e
-1.071428575e+00 1.284898327e+01
-3.571428589e-01 -1.337778835e+01
+1.071428571e+00 1.284898327e+01
+3.571428571e-01 -1.337778835e+01
 e
 $h2 << e
 0.000000000e+00 -1.361945410e-01
@@ -319,8 +319,8 @@ $h2 << e
 1.428571429e+00 -1.361945410e-01
 e
 $x2 << e
-1.071428573e+00 1.167825843e+01
-3.571428623e-01 -1.226731405e+01
+1.071428571e+00 1.167825843e+01
+3.571428571e-01 -1.226731405e+01
 e
 set offsets 0,0,graph 0.12,graph 0.12
 plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 4.2 m, fibre +z: range 31.66 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 5.2+ m, fibre +z: range 26.23 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 4.7- m, fibre +z: range 23.95 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle

@@ -80,7 +80,8 @@ struct Writer {
   }
 
   void operator()(const AngleCoupling& coupling) {
-    phi[row] = angle_of(coupling.a.body) - coupling.ratio * angle_of(coupling.b.body) - coupling.offset;
+    phi[row] =
+        angle_of(coupling.a.body) - coupling.ratio * angle_of(coupling.b.body) - coupling.offset;
     angle_entry(coupling.a.body, 1.0);
     angle_entry(coupling.b.body, -coupling.ratio);
     ++row;

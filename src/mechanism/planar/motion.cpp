@@ -73,25 +73,62 @@ int nth_prime(std::size_t n) {
   }
 }
 
-/// Largest second difference between neighbouring instants, of each component by its largest value.
-double roughness_of(const Motion& motion, Eigen::VectorXd State::*values) {
+/// Largest difference of two positions; whole turns of an angle are none.
+double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    double difference = a[i] - b[i];
+    if (i % 3 == 2) difference = std::remainder(difference, 2.0 * std::numbers::pi);
+    largest = std::max(largest, std::abs(difference));
+  }
+  return largest;
+}
+
+/// Largest second difference between neighbouring instants, of each component by its largest
+/// value, and where it is.
+struct Roughness {
+  double value = 0.0;
+  std::size_t instant = 0;
+};
+
+Roughness roughness_of(const Motion& motion, Eigen::VectorXd State::*values) {
   const std::size_t n = motion.states.size();
   Eigen::VectorXd largest = Eigen::VectorXd::Zero((motion.states.front().*values).size());
-  Eigen::VectorXd bend = largest;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::VectorXd& before = motion.states[(i + n - 1) % n].*values;
-    const Eigen::VectorXd& here = motion.states[i].*values;
-    const Eigen::VectorXd& after = motion.states[(i + 1) % n].*values;
-    largest = largest.cwiseMax(here.cwiseAbs());
-    bend = bend.cwiseMax((before - 2.0 * here + after).cwiseAbs());
-  }
+  for (const State& state : motion.states) largest = largest.cwiseMax((state.*values).cwiseAbs());
   // A component that is round-off beside the others has no waves of its own to resolve.
   const double floor = 1e-6 * largest.maxCoeff();
-  double worst = 0.0;
-  for (Eigen::Index k = 0; k < bend.size(); ++k) {
-    if (largest[k] > floor) worst = std::max(worst, bend[k] / largest[k]);
+  Roughness worst;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::VectorXd bend = motion.states[(i + n - 1) % n].*values -
+                                 2.0 * (motion.states[i].*values) +
+                                 motion.states[(i + 1) % n].*values;
+    for (Eigen::Index k = 0; k < bend.size(); ++k) {
+      const double value = largest[k] > floor ? std::abs(bend[k]) / largest[k] : 0.0;
+      if (value > worst.value) worst = {value, i};
+    }
   }
   return worst;
+}
+
+/// The loop whose measure comes nearest to zero, by its own largest value.
+std::string nearest_dead_point(const Mechanism& mechanism, const Motion& motion) {
+  std::string nearest = "mechanism";
+  double smallest = 1.0;
+  for (const Loop& loop : mechanism.loops) {
+    double low = 1e300;
+    double high = 0.0;
+    for (const State& state : motion.states) {
+      const double value = std::abs(
+          std::visit([&](const auto& kind) { return measure(kind, state.q); }, loop.measure));
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    if (low < smallest * high) {
+      smallest = low / high;
+      nearest = "loop " + loop.name;
+    }
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -314,6 +351,17 @@ Motion solve_motion(const Mechanism& mechanism, int instants) {
   for (int i = 1; i < instants; ++i) {
     motion.states.push_back(solver.solve_near(motion.period * i / instants, motion.states.back()));
   }
+  // Loops the case does not name are not watched: a motion that comes back elsewhere has jumped.
+  const State again = solver.solve_near(motion.period, motion.states.back());
+  if (largest_difference(again.q, motion.states.front().q) > 1e-6) {
+    throw AnalysisError(
+        {"the motion does not close: after one period of the drivers the mechanism is "
+         "on another branch; name its loops under [loops]",
+         "mechanism",
+         motion.period,
+         largest_difference(again.q, motion.states.front().q),
+         {}});
+  }
   return motion;
 }
 
@@ -322,17 +370,19 @@ Motion solve_motion(const Mechanism& mechanism) {
   constexpr int most = 6144;
   for (int instants = fewest;; instants *= 2) {
     Motion motion = solve_motion(mechanism, instants);
-    if (roughness_of(motion, &State::a) < 0.02 && roughness_of(motion, &State::lambda) < 0.02) {
-      return motion;
-    }
+    const Roughness accelerations = roughness_of(motion, &State::a);
+    const Roughness reactions = roughness_of(motion, &State::lambda);
+    if (accelerations.value < 0.02 && reactions.value < 0.02) return motion;
     if (2 * instants > most) {
+      const Roughness& worst = accelerations.value > reactions.value ? accelerations : reactions;
+      const State& state = motion.states[worst.instant];
       throw AnalysisError(
-          {fmt::format("accelerations or reactions change too fast to be resolved "
-                       "with {} instants in a period; the mechanism passes close to "
-                       "a dead point",
+          {fmt::format("accelerations or reactions change too fast to be resolved with "
+                       "{} instants in a period; the mechanism passes close to a dead "
+                       "point",
                        instants),
-           "mechanism",
-           {},
+           nearest_dead_point(mechanism, motion),
+           state.time,
            {},
            {}});
     }

@@ -41,7 +41,8 @@ TEST_CASE("the bending moments of the two ends meet at the pivot to 1e-10") {
   for (const State& state : solve_motion(project.mechanism, 24).states) {
     const BeamLoads loads = beam_loads_of(project.mechanism, state, body);
     const double pivot = 3.2;
-    const double from_below = cut_forces_of(project.beam, loads).at({si<Length>(pivot), Side::behind}).M_y.value();
+    const double from_below =
+        cut_forces_of(project.beam, loads).at({si<Length>(pivot), Side::behind}).M_y.value();
     double from_above = 0.0;
     for (const PointLoad& load : loads.points) {
       if (load.s.value() > pivot) {

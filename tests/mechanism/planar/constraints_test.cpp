@@ -100,8 +100,8 @@ TEST_CASE("a point's velocity and acceleration are derivatives of its position")
     };
     const double h = 1e-4;
     CHECK(((along(h) - along(-h)) / (2.0 * h) - velocity_of(point, q, v)).norm() < 1e-6);
-    CHECK(((along(h) - 2.0 * along(0.0) + along(-h)) / (h * h) - acceleration_of(point, q, v, a)).norm() <
-          1e-5);
+    CHECK(((along(h) - 2.0 * along(0.0) + along(-h)) / (h * h) - acceleration_of(point, q, v, a))
+              .norm() < 1e-5);
   }
 }
 

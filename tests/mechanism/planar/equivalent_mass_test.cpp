@@ -46,5 +46,6 @@ TEST_CASE("a body without influence cannot be adjusted") {
   const int joint = joint_index(project.mechanism, "C");
   const int lower_rod = body_index(project.mechanism, "lower_rod");
   const int blade = body_index(project.mechanism, "blade");
-  CHECK_THROWS_AS(equivalent_mass_of(project.mechanism, motion, joint, lower_rod, blade, 1.0), AnalysisError);
+  CHECK_THROWS_AS(equivalent_mass_of(project.mechanism, motion, joint, lower_rod, blade, 1.0),
+                  AnalysisError);
 }

@@ -54,7 +54,8 @@ TEST_CASE("power of the driver is the rate of kinetic and potential energy, at 1
       const Body& body = mechanism.bodies[i];
       const auto k = static_cast<Eigen::Index>(3 * i);
       const Eigen::Vector2d v = state.v.segment<2>(k);
-      rate += body.mass * v.dot(state.a.segment<2>(k)) + body.inertia * state.v[k + 2] * state.a[k + 2];
+      rate +=
+          body.mass * v.dot(state.a.segment<2>(k)) + body.inertia * state.v[k + 2] * state.a[k + 2];
       rate -= body.mass * mechanism.gravity.dot(v);
     }
     double power = 0.0;

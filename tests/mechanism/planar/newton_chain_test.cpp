@@ -19,7 +19,8 @@ const Project& published() {
 
 }  // namespace
 
-TEST_CASE("thesis 3.1: the chain of the published accelerations gives the published forces and mass") {
+TEST_CASE(
+    "thesis 3.1: the chain of the published accelerations gives the published forces and mass") {
   const test::CsvTable table =
       test::read_csv(test::project_file("tests/validation/data/thesis_accelerations.csv"));
   const std::vector<double>& row = table.rows[2];
@@ -48,8 +49,9 @@ TEST_CASE("the chain's loads on the beam are in balance, with a couple at the pi
   const Project& project = published();
   InstantSolver solver(project.mechanism);
   const State state = solver.solve_from_sketch(1.071, sketch_of(project.mechanism));
-  const BeamLoads loads = beam_loads_of(project.chain.value(), project.beam,
-                                        mass_distribution_of(project.beam), project.mechanism.gravity, state);
+  const BeamLoads loads =
+      beam_loads_of(project.chain.value(), project.beam, mass_distribution_of(project.beam),
+                    project.mechanism.gravity, state);
   const Imbalance open = imbalance_of(project.beam, loads);
   CHECK(open.force.norm() < 1e-8);
   CHECK(open.moment.norm() < 1e-8);

@@ -87,10 +87,12 @@ TEST_CASE("a driven pendulum: reactions by hand") {
   const double alpha = -0.9 * 25.0 * std::sin(5.0 * time + 0.4);
   const Eigen::Vector2d e(std::cos(phi), std::sin(phi));
   const Eigen::Vector2d n(-e.y(), e.x());
-  const Eigen::Vector2d force = m * (l * alpha * n - l * omega * omega * e + Eigen::Vector2d(0.0, 9.81));
+  const Eigen::Vector2d force =
+      m * (l * alpha * n - l * omega * omega * e + Eigen::Vector2d(0.0, 9.81));
   const auto reactions = reactions_per_joint(mechanism, state, 0);
   CHECK((reactions[0].force - force).norm() < 1e-11);
-  CHECK(reactions[1].moment == Approx(J * alpha + m * l * (l * alpha + 9.81 * std::cos(phi))).epsilon(1e-12));
+  CHECK(reactions[1].moment ==
+        Approx(J * alpha + m * l * (l * alpha + 9.81 * std::cos(phi))).epsilon(1e-12));
 }
 
 TEST_CASE("degrees of freedom: Gruebler and rank agree on the rig and differ where joints repeat") {
@@ -106,8 +108,9 @@ TEST_CASE("degrees of freedom: Gruebler and rank agree on the rig and differ whe
 
   // A second slider on the sledge says the same twice.
   Mechanism repeated = mechanism;
-  repeated.joints.insert(repeated.joints.begin(),
-                         mechanism.joints[static_cast<std::size_t>(joint_index(mechanism, "rail"))]);
+  repeated.joints.insert(
+      repeated.joints.begin(),
+      mechanism.joints[static_cast<std::size_t>(joint_index(mechanism, "rail"))]);
   const DegreesOfFreedom twice = degrees_of_freedom_of(repeated, state.q);
   CHECK(twice.gruebler == -1);
   CHECK(twice.by_rank == 1);
