@@ -50,7 +50,8 @@ LoadHistory::LoadHistory(const TaperedBeam& beam, Time period, std::size_t insta
 }
 
 Time LoadHistory::time_of(std::size_t instant) const {
-  return period_ * (static_cast<double>(instant) / static_cast<double>(diagrams_.size()));
+  // Rounded as the motion rounds it, so that the motion's own instants are met exactly.
+  return period_ * static_cast<double>(instant) / static_cast<double>(diagrams_.size());
 }
 
 const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {

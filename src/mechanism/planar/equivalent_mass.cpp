@@ -25,12 +25,13 @@ struct FirstHarmonic {
   }
 };
 
-double equivalent_mass_with(const Mechanism& mechanism, const Motion& motion, int joint, int on) {
-  InstantSolver solver(mechanism);
+/// States at equal steps over one period.
+double equivalent_mass_in(const Mechanism& mechanism, const std::vector<State>& states, int joint,
+                          int on) {
   FirstHarmonic force, acceleration;
-  const auto count = static_cast<double>(motion.states.size());
-  for (std::size_t i = 0; i < motion.states.size(); ++i) {
-    const State state = solver.solve_near(motion.states[i].time, motion.states[i]);
+  const auto count = static_cast<double>(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const State& state = states[i];
     const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / count;
     for (const Reaction& reaction : reactions_of(mechanism, state)) {
       if (reaction.joint != joint || reaction.on != on) continue;
@@ -49,17 +50,27 @@ double equivalent_mass_with(const Mechanism& mechanism, const Motion& motion, in
   return force.dot(acceleration) / squared;
 }
 
+/// The same positions with the reactions of other masses.
+std::vector<State> states_with(const Mechanism& mechanism, const Motion& motion) {
+  InstantSolver solver(mechanism);
+  std::vector<State> states;
+  states.reserve(motion.states.size());
+  for (const State& state : motion.states) states.push_back(solver.solve_near(state.time, state));
+  return states;
+}
+
 }  // namespace
 
 EquivalentMass equivalent_mass_of(const Mechanism& mechanism, const Motion& motion, int joint,
                                   int on, int adjustable, double wanted) {
   EquivalentMass result;
-  result.given = equivalent_mass_with(mechanism, motion, joint, on);
+  result.given = equivalent_mass_in(mechanism, motion.states, joint, on);
   Mechanism heavier = mechanism;
   Body& body = heavier.bodies[static_cast<std::size_t>(adjustable)];
   const double more = body.mass > 0.0 ? body.mass : 1.0;
   body.mass += more;
-  result.per_mass = (equivalent_mass_with(heavier, motion, joint, on) - result.given) / more;
+  result.per_mass =
+      (equivalent_mass_in(heavier, states_with(heavier, motion), joint, on) - result.given) / more;
   if (std::abs(result.per_mass) < 1e-9) {
     throw AnalysisError(
         {"no mass of this body gives the wanted equivalent mass: it has no influence",
