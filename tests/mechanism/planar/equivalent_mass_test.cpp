@@ -35,8 +35,8 @@ TEST_CASE("the mass that is asked for is reached, and the lever ratio squared is
 
   Mechanism adjusted = project.mechanism;
   adjusted.bodies[static_cast<std::size_t>(demand.adjust)].mass = mass.needed;
-  const EquivalentMass reached =
-      equivalent_mass_of(adjusted, motion, demand.joint, demand.on, demand.adjust, 20000.0);
+  const EquivalentMass reached = equivalent_mass_of(
+      adjusted, solve_motion(adjusted, 96), demand.joint, demand.on, demand.adjust, 20000.0);
   CHECK(reached.given == Approx(20000.0).epsilon(1e-10));
 }
 

@@ -20,7 +20,8 @@ struct EquivalentMass {
 ///
 /// The motion is given, so forces and m_eq are linear in every mass: two evaluations give the mass
 /// of body `adjustable` (whose moment of inertia stays) that brings m_eq to `wanted` [kg].
-/// Throws AnalysisError where the point does not move or the body has no influence.
+/// `motion` is that of this mechanism, reactions included. Throws AnalysisError where the point
+/// does not move or the body has no influence.
 EquivalentMass equivalent_mass_of(const Mechanism& mechanism, const Motion& motion, int joint,
                                   int on, int adjustable, double wanted);
 
