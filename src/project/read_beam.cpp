@@ -45,7 +45,7 @@ Section named_section(TableReader& table, std::string_view key, const Sections& 
 Segment read_segment(TableReader table, std::size_t number, Length start,
                      const Sections& sections) {
   Segment segment;
-  segment.name = table.text("name", fmt::format("segment {}", number));
+  segment.name = table.text("name", fmt::format("{}", number));
   segment.start = start;
   segment.length = si<Length>(table.positive("length", wanted::length));
   if (table.has("section") == (table.has("from") || table.has("to"))) {

@@ -150,7 +150,7 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
                               std::isfinite(N) ? text::cycles(N) : "unlimited",
                               text::significant(n / N, 3)));
     }
-    out += factor_line(check, fmt::format("k = {}", text::significant(check.safety_factor, 4)));
+    out += factor_line(check, "k");
   }
   out += line("beside", fmt::format("{} under constant amplitude (7.1(2): limit d_sigma_D)",
                                     text::significant(basis.constant_amplitude_factor, 4)));

@@ -341,14 +341,15 @@ void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
         "[MPa]'\n"
      << "set xrange [1e4:1e9]\nset yrange [10:1000]\nset key bottom left\n"
      << "set ytics (10,20,30,50,70,100,200,300,500,1000)\n";
+  gp << "set label 'knee " << text::significant(figure.knee * 1e-6, 3) << " MPa' at 5e6,"
+     << figure.knee * 1e-6 << " right offset -0.6,-0.9 point pt 6\n"
+     << "set label '" << (en ? "cut-off " : "at 1e8: ")
+     << text::significant(figure.cut_off * 1e-6, 3) << " MPa' at 1e8," << figure.cut_off * 1e-6
+     << " left offset 0.6,0.8 point pt 6\n";
   if (en) {
     gp << "set label 'm = 3' at 3e5," << 1.15 * figure.category * std::cbrt(2e6 / 3e5) << "\n"
        << "set label 'm = 5' at 2.5e7," << 1.12 * figure.knee * 1e-6 * std::pow(5e6 / 2.5e7, 0.2)
        << "\n"
-       << "set label 'knee " << text::significant(figure.knee * 1e-6, 3) << " MPa' at 5e6,"
-       << figure.knee * 1e-6 << " right offset -0.6,-0.9 point pt 6\n"
-       << "set label 'cut-off " << text::significant(figure.cut_off * 1e-6, 3) << " MPa' at 1e8,"
-       << figure.cut_off * 1e-6 << " left offset 0.6,0.8 point pt 6\n"
        << "set label 'category " << figure.category << "' at 2e6," << figure.category
        << " left offset 0.6,0.6 point pt 6\n";
   }

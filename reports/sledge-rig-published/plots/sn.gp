@@ -144,5 +144,7 @@ set xrange [1e4:1e9]
 set yrange [10:1000]
 set key bottom left
 set ytics (10,20,30,50,70,100,200,300,500,1000)
+set label 'knee 100 MPa' at 5e6,1.000000000e+02 right offset -0.6,-0.9 point pt 6
+set label 'at 1e8: 54.9 MPa' at 1e8,5.492802717e+01 left offset 0.6,0.8 point pt 6
 set label '32.4 MPa' at 1.000000000e+08,3.240000000e+01 left offset 1,-0.7 tc rgb '#c8551b'
 plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'published step, category 100 taken at 5e6 cycles', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 2.00'
