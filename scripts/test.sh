@@ -6,7 +6,7 @@ set -u
 . "$(dirname "$0")/common.sh"
 
 install_missing "${packages[@]}" "${test_packages[@]}"
-configure "$root/build" -DCMAKE_BUILD_TYPE=Release
+configure "$root/build" -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=ON -DBOXBEAM_BENCH=ON
 build "$root/build" all
 
 say "Running the tests"
