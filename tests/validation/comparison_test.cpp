@@ -186,6 +186,10 @@ std::map<std::string, std::function<double()>> computed() {
   values["g5 y"] = [] { return published_chain().g[4].y(); };
   values["g5 n"] = [] { return published_moments()[3]; };
   values["m6"] = [] { return published_chain().sought_mass; };
+  values["m6 exact"] = [] {
+    const Project project = read_project(test::project_file("sections/sledge-rig/published.toml"));
+    return verify(project).chain->chain_mass;
+  };
   values["m_eq"] = [] { return rig().equivalent_mass->given; };
   values["m6 for 20 t"] = [] { return rig().equivalent_mass->needed; };
   values["B x"] = [] { return rigorous_force("B", 1).x() / 1e3; };
