@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "boxbeam/report/format.hpp"
 
@@ -28,15 +29,15 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
   for (const TaperSlope& taper : verification.tapers) {
+    const double degrees = taper.angle * 180.0 / std::numbers::pi;
     std::string remark = fmt::format(
         "the flanges of segment {} slope {:.1f} deg: V S/(I b) leaves with the webs what the "
         "inclined "
         "flanges carry of V",
-        taper.segment, taper.degrees);
+        taper.segment, degrees);
     // Wedge under a tip force (Timoshenko and Goodier): M/W is 0.9939 of the exact edge stress at
     // a half-angle of 10 deg, 0.9861 at 15 deg.
-    if (taper.degrees > 10.0)
-      remark += "; M/W is 0.6 to 1.4 % low at the edge between 10 and 15 deg";
+    if (degrees > 10.0) remark += "; M/W is 0.6 to 1.4 % low at the edge between 10 and 15 deg";
     remarks.push_back(std::move(remark));
   }
 }
@@ -49,7 +50,7 @@ void add_published(const Project& project, const Verification& verification,
                     "miss each other at "
                     "the pivot by {}, taken there as a couple",
                     text::seconds(verification.chain->time.value()),
-                    text::kNm(verification.chain->moment_gap)));
+                    text::kNm(verification.chain->moment_gap.value())));
   }
   for (const GivenStress& given : project.given_stresses) {
     remarks.push_back(fmt::format("stress {} is given, not computed: {}", given.name, given.note));

@@ -115,7 +115,7 @@ std::string loads_section(const Verification& verification) {
     table.row({fmt::format("{:.4f}", row.time.value()), row.name,
                text::significant(row.s.value(), 4), text::kN(row.world.x()),
                text::kN(row.world.y()), text::kN(row.force.x()), text::kN(row.force.z()),
-               std::abs(row.couple) < 1e-6 ? "0" : text::kNm(row.couple)});
+               std::abs(row.couple.value()) < 1e-6 ? "0" : text::kNm(row.couple.value())});
   }
   out += table.text();
   out += fmt::format("\n  balance of all loads on the beam: {:.1e} of the largest force\n\n",
@@ -201,7 +201,7 @@ std::string chain_section(const Project& project, const Verification& verificati
   row("lower end, y", chain.chain_second.y(), chain.rigorous_second.y());
   out += table.text();
   out += fmt::format("\n  mass the chain yields for body {}: {}\n", project.chain->last.name,
-                     text::kilograms(chain.chain_mass));
+                     text::kilograms(chain.chain_mass.value()));
   out += paragraph(
       "The chain starts from the wanted equivalent mass times the blade's acceleration and hands "
       "the whole "
@@ -210,7 +210,7 @@ std::string chain_section(const Project& project, const Verification& verificati
       "forces at its ends instead of spreading it, and adds moments without force times arm; what "
       "is left "
       "over of the moments at the pivot, " +
-      text::kNm(chain.moment_gap) + ", is taken there as a couple.");
+      text::kNm(chain.moment_gap.value()) + ", is taken there as a couple.");
   return out + "\n";
 }
 

@@ -68,7 +68,7 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& load
       if (point.s == load.s) row.name = point.name;
     }
     row.force = load.force;
-    row.couple = load.moment.y();
+    row.couple = si<Moment>(load.moment.y());
     row.world = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(load.force.x(), load.force.z());
     rows.push_back(row);
   }

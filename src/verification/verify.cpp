@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
@@ -154,10 +153,10 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   const planar::ChainForces forces = planar::chain_at(chain, state);
   comparison.chain_first = forces.g[chain.first_end];
   comparison.chain_second = forces.g[chain.second_end];
-  comparison.chain_mass = forces.sought_mass;
+  comparison.chain_mass = si<Mass>(forces.sought_mass);
   const BeamLoads loads = planar::beam_loads_of(
       chain, project.beam, mass_distribution_of(project.beam), project.mechanism.gravity, state);
-  comparison.moment_gap = loads.points.back().moment.y();
+  comparison.moment_gap = si<Moment>(loads.points.back().moment.y());
   comparison.rigorous_first.setZero();
   comparison.rigorous_second.setZero();
   if (project.beam_body == planar::ground) return comparison;
@@ -235,7 +234,7 @@ void describe_beam(const Project& project, Verification& result) {
     const Length rise = 0.5 * abs(height_of(segment.to.outer) - height_of(segment.from.outer));
     if (rise.value() == 0.0) continue;
     const double slope = std::atan2(rise.value(), segment.length.value());
-    result.tapers.push_back({segment.name, slope * 180.0 / std::numbers::pi});
+    result.tapers.push_back({segment.name, slope});
   }
   for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
     if (project.hole_cases[i] != HoleCase::published_exponential) continue;

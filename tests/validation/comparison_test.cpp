@@ -188,7 +188,7 @@ std::map<std::string, std::function<double()>> computed() {
   values["m6"] = [] { return published_chain().sought_mass; };
   values["m6 exact"] = [] {
     const Project project = read_project(test::project_file("sections/sledge-rig/published.toml"));
-    return verify(project).chain->chain_mass;
+    return verify(project).chain->chain_mass.value();
   };
   values["m_eq"] = [] { return rig().equivalent_mass->given; };
   values["m6 for 20 t"] = [] { return rig().equivalent_mass->needed; };

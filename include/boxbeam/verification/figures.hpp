@@ -27,7 +27,7 @@ struct BeamLoadRow {
   Length s;
   Eigen::Vector2d world = Eigen::Vector2d::Zero();  ///< force, world axes [N]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< beam axes [N]
-  double couple = 0.0;                              ///< about y [N m]
+  Moment couple;                                    ///< about y
 };
 
 /// The positions of all bodies' points at an instant, for the drawing.

@@ -44,14 +44,14 @@ struct ChainComparison {
   Time time;
   Eigen::Vector2d chain_first, chain_second;        ///< at the chain's two stations, world [N]
   Eigen::Vector2d rigorous_first, rigorous_second;  ///< zero where not computed
-  double chain_mass = 0.0;  ///< that the chain yields for its last body [kg]
-  double moment_gap = 0.0;  ///< couple left over at the pivot [N m]
+  Mass chain_mass;                                  ///< that the chain yields for its last body
+  Moment moment_gap;                                ///< couple left over at the pivot
 };
 
 /// How far the flanges of a tapered segment are inclined to the axis.
 struct TaperSlope {
   std::string segment;
-  double degrees = 0.0;
+  double angle = 0.0;  ///< [rad]
 };
 
 /// The published concentration formula, evaluated for a hole that uses it.
