@@ -281,7 +281,7 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
       "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", project.title,
       motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s", motion.freedom.gruebler,
       motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s");
-  const auto f = [](double x) { return fmt::format("{:.6g}", x); };
+  const auto f = [](double x) { return fmt::format("{:.6g}", x == 0.0 ? 0.0 : x); };  // no "-0"
   for (const InstantResult& state : motion.states) {
     out += fmt::format("\nt = {:.6g} s   branch", state.time);
     for (const auto& [loop, sign] : state.branch)
