@@ -149,7 +149,7 @@ std::string option_hint(int argc, char** argv, const CLI::App& command) {
 
 /// The hint for a mistyped or missing command, case or option, which the parser does not give.
 std::string usage_hint(int argc, char** argv, const CLI::App& app) {
-  const std::string commands = "write boxbeam verify CASE.toml or boxbeam motion CASE.toml";
+  std::string commands = "write boxbeam verify CASE.toml or boxbeam motion CASE.toml";
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with('-')) continue;
