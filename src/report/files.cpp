@@ -29,7 +29,8 @@ void write_file(const std::string& path, const std::string& content) {
   };
   // A device or a pipe is written to, not replaced; a link keeps its target.
   const bool special = fs::exists(target, error) && !fs::is_regular_file(target, error);
-  const fs::path real = fs::is_symlink(target, error) ? fs::canonical(target, error) : target;
+  const fs::path real =
+      fs::is_symlink(target, error) ? fs::weakly_canonical(target, error) : target;
   const std::string temporary =
       special ? path : fmt::format("{}.{}.tmp", real.string(), ::getpid());
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(temporary.c_str(), "wb"),

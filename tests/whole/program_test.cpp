@@ -147,6 +147,17 @@ TEST_CASE("with gnuplot the four plots and their scripts are written") {
   }
 }
 
+TEST_CASE("figures of an earlier run do not stand beside a newer report") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  fs::create_directories(out + "/plots");
+  const std::string old = folder.write("out/sn.svg", "<svg/>");
+  const std::string mine = folder.write("out/mine.svg", "<svg/>");
+  REQUIRE(test::run_program({"verify", rig, "--no-plots", "--out", out}).exit_code == 1);
+  CHECK_FALSE(fs::exists(old));
+  CHECK(fs::exists(mine));
+}
+
 TEST_CASE("motion: bodies, points and reactions at the asked instants") {
   const test::ProgramResult result =
       test::run_program({"motion", rig, "--at", "1.071", "--at", "0", "--json", "-"});
