@@ -66,6 +66,7 @@ std::string describe(const AnalysisFailure& failure) {
   if (failure.time) text += fmt::format("\n  time       {:.6g} s", *failure.time);
   if (failure.residual) text += fmt::format("\n  residual   {:.3g}", *failure.residual);
   if (failure.condition) text += fmt::format("\n  condition  {:.3g}", *failure.condition);
+  for (const std::string& line : failure.details) text += "\n  " + line;
   return text;
 }
 

@@ -5,78 +5,16 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
+
+#include "text_file.hpp"
 
 namespace boxbeam {
 namespace {
 
-constexpr std::uintmax_t largest_file = 8u << 20;
 /// toml++ recurses once per part of a dotted key and overflows the stack on very many.
 constexpr int most_key_parts = 32;
-
-std::vector<std::string> split_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
-/// Length of the UTF-8 sequence at `at`, 0 where it is none (also overlong forms and surrogates).
-std::size_t utf8_length(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[at + i]))
-                                : 0U;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4) return 0;
-  unsigned code = first & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-    code = (code << 6U) | (byte(i) & 0x3FU);
-  }
-  constexpr unsigned smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (code < smallest[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return 0;
-  return length;
-}
-
-/// The place of the first byte that is not UTF-8, or npos.
-std::size_t find_not_utf8(const std::string& text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    if (length == 0) return i;
-    i += length;
-  }
-  return std::string::npos;
-}
-
-struct LineColumn {
-  int line = 1;
-  int column = 1;
-};
-
-LineColumn position_of(const std::string& text, std::size_t at) {
-  LineColumn position;
-  for (std::size_t i = 0; i < at;) {
-    if (text[i] == '\n') {
-      ++position.line;
-      position.column = 1;
-    } else {
-      ++position.column;
-    }
-    i += std::max<std::size_t>(1, utf8_length(text, i));
-  }
-  return position;
-}
 
 /// The place where a dotted key gets too many parts, or npos. Strings and comments are passed over.
 std::size_t find_overlong_key(const std::string& text) {
@@ -296,6 +234,19 @@ Problem CaseDocument::problem_at(const Place& place, std::string message, std::s
   return problem;
 }
 
+void CaseDocument::add_file(const std::string& written, const std::string& resolved,
+                            const std::string& text) {
+  lines.insert_or_assign(resolved, split_lines(text));
+  files.push_back({written, resolved, sha256_of(text)});
+}
+
+std::string CaseDocument::sha256_of_input() const {
+  if (files.empty()) return sha256;
+  std::string hashes = sha256 + "\n";
+  for (const InputFile& file : files) hashes += file.sha256 + "\n";
+  return sha256_of(hashes);
+}
+
 CaseDocument parse_document(const std::string& path, const std::string& text,
                             const std::vector<std::string>& overrides) {
   CaseDocument document;
@@ -311,27 +262,19 @@ CaseDocument parse_document(const std::string& path, const std::string& text,
 }
 
 CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const auto fail = [&](const std::string& message, const std::string& hint) {
-    throw InputError({Problem{path, 0, 0, {}, message, hint}});
+  const FileText file = read_text_file(path);
+  const auto hint = [&]() -> std::string {
+    switch (file.trouble) {
+      case FileText::Trouble::missing: return "give the path of a case file (.toml)";
+      case FileText::Trouble::folder: return "give a case file in it (.toml)";
+      case FileText::Trouble::too_large: return "a case file is a few kB of TOML";
+      default: return "";
+    }
   };
-  if (!fs::exists(path, error))
-    fail("there is no such file", "give the path of a case file (.toml)");
-  if (fs::is_directory(path, error)) fail("this is a folder", "give a case file in it (.toml)");
-  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > largest_file) {
-    fail("the file is over 8 MB", "a case file is a few kB of TOML");
+  if (file.trouble != FileText::Trouble::none) {
+    throw InputError({Problem{path, 0, 0, {}, file.why, hint()}});
   }
-  std::ifstream stream(path, std::ios::binary);
-  std::string text;
-  // Read in pieces and stop early: the path may also be a device or a pipe.
-  for (char buffer[65536]; stream.read(buffer, sizeof buffer) || stream.gcount() > 0;) {
-    text.append(buffer, static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > largest_file)
-      fail("the file is over 8 MB", "a case file is a few kB of TOML");
-  }
-  if (!stream.eof()) fail(fmt::format("the file cannot be read: {}", std::strerror(errno)), "");
-  return parse_document(path, text, overrides);
+  return parse_document(path, file.text, overrides);
 }
 
 }  // namespace boxbeam

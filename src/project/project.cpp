@@ -28,17 +28,14 @@ void read_case(TableReader table, Project& project) {
   }
 }
 
-/// Whether a joint pushes a body.
+/// Whether a joint pushes a body: with a force, not with a moment alone.
 bool acts_on(const planar::Joint& joint, int body) {
-  if (const auto* pin = std::get_if<planar::Pin>(&joint.kind)) {
-    return pin->a.body == body || pin->b.body == body;
+  const auto [a, b] = planar::ends_of(joint);
+  if (a.body != body && b.body != body) return false;
+  for (int row = 0; row < planar::equations_of(joint); ++row) {
+    if (planar::is_length_equation(joint, row)) return true;
   }
-  if (const auto* slider = std::get_if<planar::Slider>(&joint.kind)) {
-    return slider->point.body == body;
-  }
-  const auto* driven = std::get_if<planar::Driven>(&joint.kind);
-  return driven != nullptr && driven->point.body == body &&
-         driven->coordinate != planar::Coordinate::angle;
+  return false;
 }
 
 EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mechanism& mechanism,
@@ -113,9 +110,9 @@ void check_dynamics(TableReader& root, const Project& project) {
 Project read(CaseDocument document, const std::vector<std::string>& overrides,
              std::optional<Dynamics> dynamics) {
   ProblemList problems(document);
+  TimeTables tables(document);
   Project project;
   project.path = document.path;
-  project.sha256 = document.sha256;
   project.overrides = overrides;
   if (document.root.members.empty()) {
     problems.add({document.lines.begin()->first, 1, 1}, "the case is empty",
@@ -130,7 +127,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   TableReader beam = root.table("beam");
   readers::read_beam(beam, sections, project);
   const std::string beam_body = beam.text("body", "");
-  readers::MechanismDraft draft = readers::read_mechanism(root, beam_body);
+  readers::MechanismDraft draft = readers::read_mechanism(root, beam_body, tables);
   if (!beam_body.empty() || !root.has("beam")) {
     // A missing table or unknown name has been noted; any body stands in, so that reading goes on.
     project.beam_body = std::max(0, readers::body_of(beam, "body", draft.mechanism));
@@ -155,6 +152,8 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   check_dynamics(root, project);
   root.finish();
   problems.raise();
+  project.sha256 = document.sha256_of_input();
+  project.tables = document.files;
   return project;
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/project/table_reader.hpp"
+#include "time_tables.hpp"
 
 /// The parts of a case file, each read by one function. They note problems and go on; what they
 /// return is only meaningful where none was noted.
@@ -18,17 +21,72 @@ Sections read_sections(TableReader table);
 /// Segments, holes and places of [beam]; fills the project's beam and hole cases.
 void read_beam(TableReader& table, const Sections& sections, Project& project);
 
-/// Bodies, joints, drivers and loops. Points stay in the axes in which they are written until
+/// The mechanism as written. Points stay in the axes in which they are written until
 /// `place_at_centres` moves them; the mass of the beam body is not known before.
 struct MechanismDraft {
   planar::Mechanism mechanism;
   std::vector<Eigen::Vector2d> centres;  ///< of mass, in the axes in which the points are written
 };
 
-MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body);
+/// Bodies, joints, drivers, forces, loops and the time to look at. `tables` takes the files of
+/// numbers that drivers and forces follow.
+MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, TimeTables& tables);
 
 /// Gives the beam body the beam's mass properties and moves every body's axes to its centre.
 planar::Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam, int beam_body);
+
+/// [bodies]; where [beam] is missing or misspells its body, the body without a mass is meant.
+void read_bodies(TableReader& root, const std::string& beam_body, MechanismDraft& draft);
+
+/// [joints], [drivers] and [forces]: each is added to the mechanism.
+void read_joints(TableReader& root, planar::Mechanism& mechanism);
+void read_drivers(TableReader& root, planar::Mechanism& mechanism, TimeTables& tables);
+void read_forces(TableReader& root, planar::Mechanism& mechanism, TimeTables& tables);
+
+/// What a function of time gives, and the words for messages.
+struct FunctionOf {
+  WantedDimension value;
+  const char* unit;    ///< "m"
+  const char* column;  ///< of a table in examples, "stroke"
+  const char* still;   ///< where it is a constant: "the driver does not move"
+};
+
+/// A function of time: harmonic, constant rate, polynomial, smooth step or table. Nothing where its
+/// kind is not known and its other keys mean nothing.
+std::optional<Driver> read_function(TableReader& table, const FunctionOf& of, TimeTables& tables);
+
+/// A point written "body.point".
+planar::Attachment attachment_of(TableReader& table, std::string_view key,
+                                 const planar::Mechanism& mechanism);
+std::vector<planar::Attachment> attachments_of(TableReader& table, std::string_view key,
+                                               std::size_t count,
+                                               const planar::Mechanism& mechanism);
+
+/// A point "body.point", or "ground" with its place in the key "at".
+planar::Attachment place_of(TableReader& table, std::string_view key,
+                            const planar::Mechanism& mechanism);
+
+/// How two points are written in a list under a key.
+struct EndsKey {
+  const char* key;           ///< "connect"
+  const char* what;          ///< connects them: "a pin"
+  bool ground_point = true;  ///< whether "ground" wants its point in the key "at"
+};
+
+/// Two points of two bodies, or of a body and the ground.
+std::pair<planar::Attachment, planar::Attachment> ends_in(TableReader& table, const EndsKey& of,
+                                                          const planar::Mechanism& mechanism);
+
+/// Notes a name that a joint, driver or force before it has; `what`: "driver".
+void check_name(TableReader& table, const std::string& name, const char* what,
+                const planar::Mechanism& mechanism);
+
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
+}
 
 /// The nearest of the known names, or all of them where none is near.
 std::string unknown_hint(std::string_view name, const std::vector<std::string>& known);

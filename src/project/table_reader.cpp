@@ -31,19 +31,6 @@ const Node& empty_table() {
 
 }  // namespace
 
-void ProblemList::add(const Place& place, std::string message, std::string hint) {
-  problems_.push_back(document_->problem_at(place, std::move(message), std::move(hint)));
-}
-
-void ProblemList::raise() const {
-  if (problems_.empty()) return;
-  std::vector<Problem> sorted = problems_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Problem& a, const Problem& b) {
-    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-  });
-  throw InputError(std::move(sorted));
-}
-
 TableReader::TableReader(ProblemList& problems, const Node& table, std::string name)
     : problems_(&problems), table_(&table), name_(std::move(name)) {
   if (table.kind != Node::Kind::table) {
@@ -97,7 +84,7 @@ double TableReader::quantity_in(const Node& node, const std::string& what,
     return std::nan("");
   }
   const auto& quantity = std::get<ParsedQuantity>(parsed);
-  if (quantity.exponents != wanted.exponents) {
+  if (!is_of(quantity.exponents, wanted)) {
     problems_->add(node.place,
                    fmt::format("{} is {}, but \"{}\" is {}", what, wanted.name, node.text,
                                name_of(quantity.exponents)),
@@ -161,42 +148,84 @@ Eigen::Vector2d TableReader::pair(std::string_view key, const WantedDimension& w
   return pair_in(*node, fmt::format("\"{}\"", key), wanted);
 }
 
+double TableReader::not_zero(std::string_view key, const WantedDimension& wanted) {
+  const double value = quantity(key, wanted);
+  if (std::abs(value) < smallest_positive) {
+    problem(key,
+            value == 0.0 ? fmt::format("\"{}\" must not be zero", key)
+                         : fmt::format("\"{}\" is too small to be meant", key),
+            fmt::format("write for example {}", wanted.example));
+    return std::nan("");
+  }
+  return value;
+}
+
+const std::vector<Node>* TableReader::list_of(std::string_view key, const char* example) {
+  const Node* node = take(key, true, "a list of values with units");
+  if (node == nullptr || node->kind == Node::Kind::array) return node ? &node->items : nullptr;
+  problem(key, fmt::format("\"{}\" wants a list", key),
+          fmt::format("write {} = [{}]", key, example));
+  return nullptr;
+}
+
 std::vector<double> TableReader::quantities(std::string_view key, const WantedDimension& wanted) {
   std::vector<double> values;
-  const Node* node = take(key, true, "a list of values with units");
-  if (node == nullptr) return values;
-  if (node->kind != Node::Kind::array) {
-    problem(key, fmt::format("\"{}\" wants a list", key),
-            fmt::format("write {} = [{}]", key, wanted.example));
-    return values;
-  }
-  for (const Node& item : node->items) {
+  const std::vector<Node>* items = list_of(key, wanted.example);
+  if (items == nullptr) return values;
+  for (const Node& item : *items) {
     values.push_back(quantity_in(item, fmt::format("\"{}\"", key), wanted));
   }
   return values;
 }
 
-double TableReader::number(std::string_view key, std::optional<double> fallback) {
+std::vector<double> TableReader::quantities(std::string_view key,
+                                            std::span<const WantedDimension> each) {
+  std::vector<double> values;
+  const std::vector<Node>* items = list_of(key, each.front().example);
+  if (items == nullptr) return values;
+  if (items->size() > each.size()) {
+    problem(key, fmt::format("\"{}\" takes at most {} values", key, each.size()),
+            fmt::format("take away {}", items->size() - each.size()));
+    return values;
+  }
+  for (std::size_t i = 0; i < items->size(); ++i) {
+    values.push_back(
+        quantity_in((*items)[i], fmt::format("\"{}\", value {},", key, i + 1), each[i]));
+  }
+  return values;
+}
+
+double TableReader::bare_number(std::string_view key, std::optional<double> fallback,
+                                bool above_zero) {
   const Node* node = take(key, !fallback, "a number");
   if (node == nullptr) return fallback.value_or(std::nan(""));
+  const std::string hint = fmt::format("write {} = 2.0", key);
   if (node->kind != Node::Kind::number) {
     problem(key, fmt::format("\"{}\" is a number without unit, not {}", key, kind_name(*node)),
-            fmt::format("write {} = 2.0", key));
+            hint);
     return std::nan("");
   }
-  if (!(node->number > 0.0 && std::isfinite(node->number))) {
-    problem(key, fmt::format("\"{}\" must be finite and above zero", key),
-            fmt::format("write {} = 2.0", key));
+  const double value = node->number;
+  const double size = std::abs(value);
+  if (!std::isfinite(value) || (above_zero && value <= 0.0)) {
+    problem(key, fmt::format("\"{}\" must be finite{}", key, above_zero ? " and above zero" : ""),
+            hint);
     return std::nan("");
   }
-  if (node->number > largest_magnitude || node->number < smallest_positive) {
-    problem(
-        key,
-        fmt::format("\"{}\" is too {} to be meant", key, node->number > 1.0 ? "large" : "small"),
-        fmt::format("write {} = 2.0", key));
+  if (size > largest_magnitude || (size > 0.0 && size < smallest_positive)) {
+    problem(key, fmt::format("\"{}\" is too {} to be meant", key, size > 1.0 ? "large" : "small"),
+            hint);
     return std::nan("");
   }
-  return node->number;
+  return value;
+}
+
+double TableReader::number(std::string_view key, std::optional<double> fallback) {
+  return bare_number(key, fallback, true);
+}
+
+double TableReader::any_number(std::string_view key, std::optional<double> fallback) {
+  return bare_number(key, fallback, false);
 }
 
 int TableReader::whole_number(std::string_view key, std::optional<int> fallback) {

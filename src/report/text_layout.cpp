@@ -54,6 +54,11 @@ std::string paragraph(const std::string& text) { return wrapped(text, "  ", "  "
 
 std::string item(const std::string& text) { return wrapped(text, "  - ", "    "); }
 
+std::string entry(const std::string& name, const std::string& text) {
+  const std::string gap(name.size() < 10 ? 10 - name.size() : 1, ' ');
+  return wrapped(text, "  " + name + gap, std::string(12, ' '));
+}
+
 Table::Table(std::vector<std::string> header) : rows_{std::move(header)} {}
 
 void Table::row(std::vector<std::string> cells) {

@@ -13,6 +13,8 @@ std::string heading(const std::string& text);
 std::string paragraph(const std::string& text);
 /// A list item with a dash, wrapped.
 std::string item(const std::string& text);
+/// A short name and what is said of it, wrapped beside it.
+std::string entry(const std::string& name, const std::string& text);
 
 /// Columns after the first are right-aligned where every entry begins with a digit or a sign.
 class Table {

@@ -41,17 +41,21 @@ CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, d
 
 }  // namespace
 
-LoadHistory::LoadHistory(const TaperedBeam& beam, Time period, std::size_t instants,
-                         LoadsAt loads_at)
-    : beam_(&beam), period_(period), loads_at_(std::move(loads_at)) {
-  assert(instants >= 4);
-  diagrams_.resize(instants);
-  for (std::size_t i = 0; i < instants; ++i) diagrams_[i] = diagram_at(time_of(i));
+LoadHistory::LoadHistory(const TaperedBeam& beam, const LoadSpan& span, LoadsAt loads_at)
+    : beam_(&beam), span_(span), loads_at_(std::move(loads_at)) {
+  assert(span.instants >= 4);
+  diagrams_.resize(span.instants + (span.closed ? 0 : 1));
+  for (std::size_t i = 0; i < diagrams_.size(); ++i) diagrams_[i] = diagram_at(time_of(i));
 }
 
 Time LoadHistory::time_of(std::size_t instant) const {
   // Rounded as the motion rounds it, so that the motion's own instants are met exactly.
-  return period_ * static_cast<double>(instant) / static_cast<double>(diagrams_.size());
+  return span_.begin +
+         span_.period * static_cast<double>(instant) / static_cast<double>(span_.instants);
+}
+
+std::size_t LoadHistory::middle_near(std::size_t instant) const {
+  return span_.closed ? instant : std::clamp<std::size_t>(instant, 1, diagrams_.size() - 2);
 }
 
 const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {
@@ -59,7 +63,6 @@ const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {
   if (found != brackets_.end()) return found->second;
   Bracket bracket;
   const std::size_t n = diagrams_.size();
-  const Time step = period_ / static_cast<double>(n);
   for (std::size_t k = 0; k <= last_node; ++k) {
     if (k == 0)
       bracket[k] = diagrams_[(middle + n - 1) % n];
@@ -68,7 +71,7 @@ const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {
     else if (2 * k == last_node)
       bracket[k] = diagrams_[middle];
     else
-      bracket[k] = diagram_at(time_of(middle) + node(k) * step);
+      bracket[k] = diagram_at(time_of(middle) + node(k) * step());
   }
   return brackets_.emplace(middle, std::move(bracket)).first->second;
 }
@@ -117,28 +120,36 @@ std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction&
   return turns;
 }
 
-TurningPoint StationHistory::refine(std::size_t middle, bool maximum,
+TurningPoint StationHistory::refine(std::size_t instant, bool maximum,
                                     const CutForceFunction& f) const {
+  const std::size_t middle = loads_->middle_near(instant);
   const Nodes at_nodes = nodes_of(middle);
   const double sign = maximum ? 1.0 : -1.0;
-  const Extremum found =
+  Extremum found =
       find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
-  const Time step = loads_->period() / static_cast<double>(samples_.size());
+  if (middle != instant) {
+    // An open history may have its extremum at its very end.
+    const double at_end = sign * f(samples_[instant]);
+    if (at_end >= found.value) found = {instant < middle ? -1.0 : 1.0, at_end};
+  }
   // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
   const double offset = std::abs(found.at) < 1e-6 ? 0.0 : found.at;
-  Time time = loads_->time_of(middle) + offset * step;
-  if (time.value() < 0.0) time += loads_->period();
-  if (time >= loads_->period()) time -= loads_->period();
+  Time time = loads_->time_of(middle) + offset * loads_->step();
+  if (loads_->closed()) {
+    if (time < loads_->begin()) time += loads_->period();
+    if (time >= loads_->begin() + loads_->period()) time -= loads_->period();
+  }
   return {time, sign * found.value, maximum};
 }
 
 CutForces StationHistory::at(Time time) const {
-  const auto n = static_cast<double>(samples_.size());
-  const double position = time / loads_->period() * n;
+  const double position = (time - loads_->begin()) / loads_->step();
   const double nearest = std::round(position);
-  const auto middle = static_cast<std::size_t>(nearest) % samples_.size();
-  if (position == nearest) return samples_[middle];
-  return interpolate(nodes_of(middle), position - nearest);
+  const std::size_t instant = static_cast<std::size_t>(nearest) % samples_.size();
+  if (position == nearest) return samples_[instant];
+  const std::size_t middle = loads_->middle_near(instant);
+  return interpolate(nodes_of(middle),
+                     position - nearest + static_cast<double>(instant) - static_cast<double>(middle));
 }
 
 StationHistory::Nodes StationHistory::nodes_of(std::size_t middle) const {

@@ -12,7 +12,7 @@ InstantResult instant_of(const Project& project, const planar::State& state) {
   InstantResult result;
   result.time = state.time;
   result.residual = state.residual;
-  result.condition = planar::degrees_of_freedom_of(mechanism, state.q).condition;
+  result.condition = planar::condition_of(mechanism, state.q);
   const std::vector<int> signs = planar::branch_of(mechanism, state.q);
   for (std::size_t i = 0; i < signs.size(); ++i) {
     result.branch.emplace_back(mechanism.loops[i].name, signs[i]);
@@ -43,13 +43,13 @@ InstantResult instant_of(const Project& project, const planar::State& state) {
 MotionResult motion_of(const Project& project, std::vector<double> times) {
   const planar::Motion motion = planar::solve_motion(project.mechanism);
   if (times.empty()) {
-    for (int i = 0; i < 12; ++i) times.push_back(motion.period * i / 12.0);
+    for (int i = 0; i < 12; ++i) times.push_back(motion.begin + motion.period * i / 12.0);
   }
   MotionResult result;
-  result.freedom = planar::degrees_of_freedom_of(project.mechanism, motion.states.front().q);
-  planar::InstantSolver solver(project.mechanism);
+  result.freedom = motion.freedom;
+  planar::StateFinder finder(project.mechanism, motion);
   for (const double time : times) {
-    planar::State state = planar::state_at(solver, motion, time);
+    planar::State state = finder.at(time);
     state.time = time;
     result.states.push_back(instant_of(project, state));
   }

@@ -16,24 +16,26 @@ namespace {
 
 /// Where the loads on the beam come from at any time: the mechanism's reactions or the chain.
 LoadsAt loads_of(const Project& project, const planar::Motion& motion) {
-  auto solver = std::make_shared<planar::InstantSolver>(project.mechanism);
+  auto finder = std::make_shared<planar::StateFinder>(project.mechanism, motion);
   if (project.dynamics == Dynamics::newton_chain) {
     auto distribution = mass_distribution_of(project.beam);
-    return [&project, &motion, solver, distribution](Time time) {
+    return [&project, finder, distribution](Time time) {
       return planar::beam_loads_of(*project.chain, project.beam, distribution,
                                    project.mechanism.gravity,
-                                   planar::state_at(*solver, motion, time.value()));
+                                   finder->at(time.value()));
     };
   }
   auto body = planar::beam_body_of(project.beam, project.beam_body);
-  return [&project, &motion, solver, body](Time time) {
-    return planar::beam_loads_of(project.mechanism, planar::state_at(*solver, motion, time.value()),
+  return [&project, finder, body](Time time) {
+    return planar::beam_loads_of(project.mechanism, finder->at(time.value()),
                                  body);
   };
 }
 
 LoadHistory loads_on_beam(const Project& project, const planar::Motion& motion) {
-  return {project.beam, si<Time>(motion.period), motion.states.size(), loads_of(project, motion)};
+  const LoadSpan span{si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(),
+                      motion.closed};
+  return {project.beam, span, loads_of(project, motion)};
 }
 
 /// Largest force and moment left over on the beam, relative to the largest joint force. Anything
@@ -173,10 +175,10 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
 /// What the report shows of the instants that decide.
 void describe_instants(const Project& project, const planar::Motion& motion,
                        const LoadHistory& loads, Verification& result) {
-  planar::InstantSolver solver(project.mechanism);
+  planar::StateFinder finder(project.mechanism, motion);
   result.postures.push_back(posture_figure(project, motion.states.front(), "t = 0"));
   for (const auto& [time, why] : instants_to_show(result)) {
-    const planar::State state = planar::state_at(solver, motion, time.value());
+    const planar::State state = finder.at(time.value());
     result.lines.push_back(cut_force_line(loads, time, why));
     const auto rows = load_rows(project, loads.loads_at(time), time, beam_angle(project, state));
     result.loads.insert(result.loads.end(), rows.begin(), rows.end());
@@ -189,14 +191,14 @@ void describe_instants(const Project& project, const planar::Motion& motion,
         std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
                      [](const CriticalInstant& c) { return c.quantity == "M"; });
     result.chain =
-        compare_chain(project, planar::state_at(solver, motion, largest_M->time.value()));
+        compare_chain(project, finder.at(largest_M->time.value()));
   }
 }
 
 void describe_mechanism(const Project& project, const planar::Motion& motion,
                         Verification& result) {
   const planar::State& first = motion.states.front();
-  result.freedom = planar::degrees_of_freedom_of(project.mechanism, first.q);
+  result.freedom = motion.freedom;
   result.branch = planar::branch_of(project.mechanism, first.q);
   result.instants = motion.states.size();
   result.period = si<Time>(motion.period);

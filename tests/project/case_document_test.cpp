@@ -214,3 +214,14 @@ TEST_CASE("sha256 of the input: FIPS 180-4 and values of sha256sum (GNU coreutil
   CHECK(parse("a = 1\n", {"a=2"}).sha256 ==
         "44df1c57173aae3ad1b8ef76772f9dc0326cf9e8162951c83bb7d8ecf5408ec0");
 }
+
+TEST_CASE("files that a case names count as lines of hashes behind its own") {
+  CaseDocument document = parse("a = 1\n");
+  CHECK(document.sha256_of_input() == document.sha256);
+  document.add_file("one.csv", "folder/one.csv", "1, 2\n");
+  document.add_file("two.csv", "folder/two.csv", "");
+  // printf 'a = 1\n' > a; printf '1, 2\n' > b; touch c; sha256sum a b c | cut -c1-64 | sha256sum
+  CHECK(document.sha256_of_input() ==
+        "dd4c94500b7f4b04c4f318d9e8288b1597ad4802136426f104b905ac8811a446");
+  CHECK(document.problem_at({"folder/one.csv", 1, 1}, "wrong").source_line == "1, 2");
+}

@@ -153,13 +153,23 @@ TEST_CASE("the example of every wanted dimension is of that dimension") {
   for (const WantedDimension& dimension :
        {wanted::length, wanted::mass, wanted::time, wanted::angle, wanted::frequency,
         wanted::angular_frequency, wanted::acceleration, wanted::stress, wanted::density,
-        wanted::inertia}) {
+        wanted::inertia, wanted::velocity, wanted::force, wanted::moment, wanted::stiffness,
+        wanted::damping, wanted::torsional_stiffness, wanted::torsional_damping}) {
     const std::string example = dimension.example;
     const std::string first = example.substr(1, example.find('"', 1) - 1);
     CAPTURE(example);
     CHECK(good(first).exponents == dimension.exponents);
     CHECK(name_of(dimension.exponents) == dimension.name);
   }
+}
+
+TEST_CASE("a radian that may be left out is none that may be added") {
+  CHECK(is_of(good("5 kN m/rad").exponents, wanted::torsional_stiffness));
+  CHECK(is_of(good("5 kN m").exponents, wanted::torsional_stiffness));
+  CHECK_FALSE(is_of(good("5 kN m rad").exponents, wanted::torsional_stiffness));
+  CHECK(is_of(good("5 N m s").exponents, wanted::torsional_damping));
+  CHECK_FALSE(is_of(good("5 kN m/rad").exponents, wanted::moment));
+  CHECK_FALSE(is_of(good("5 Hz").exponents, wanted::angular_frequency));
 }
 
 TEST_CASE("the nearest word is one typing error away, or none") {

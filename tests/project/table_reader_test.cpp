@@ -196,6 +196,48 @@ TEST_CASE("a number must be finite and above zero") {
   CHECK(r.list.size() == 4);
 }
 
+TEST_CASE("a number of either sign, and a quantity that is not zero") {
+  Reading r("a = -2.5\nb = 0\nc = \"-1 m\"\nd = inf\ne = 1e-30\nf = \"0 m\"\ng = \"1e-30 m\"\n");
+  CHECK(r.root.any_number("a") == -2.5);
+  CHECK(r.root.any_number("b") == 0.0);
+  CHECK(r.root.any_number("z", -1.0) == -1.0);
+  CHECK(r.root.not_zero("c", wanted::length) == -1.0);
+  CHECK(r.list.empty());
+  CHECK(std::isnan(r.root.any_number("d")));
+  CHECK(std::isnan(r.root.any_number("e")));
+  CHECK(std::isnan(r.root.not_zero("f", wanted::length)));
+  CHECK(std::isnan(r.root.not_zero("g", wanted::length)));
+  const auto problems = r.problems();
+  REQUIRE(problems.size() == 4);
+  CHECK(says(problems[0], "must be finite"));
+  CHECK(says(problems[1], "too small"));
+  CHECK(says(problems[2], "must not be zero"));
+  CHECK(says(problems[3], "too small"));
+}
+
+TEST_CASE("quantities of a dimension each, and not more than these") {
+  const WantedDimension each[] = {wanted::length, wanted::velocity};
+  Reading r(
+      "a = [\"1 mm\", \"2 m/s\"]\nb = [\"1 m\"]\nc = [\"1 m\", \"2 m\"]\n"
+      "d = [\"1 m\", \"2 m/s\", \"3 m\"]\n");
+  CHECK(r.root.quantities("a", each) == std::vector<double>{0.001, 2.0});
+  CHECK(r.root.quantities("b", each) == std::vector<double>{1.0});
+  CHECK(r.list.empty());
+  r.root.quantities("c", each);
+  CHECK(r.root.quantities("d", each).empty());
+  const auto problems = r.problems();
+  REQUIRE(problems.size() == 2);
+  CHECK(says(problems[0], "\"c\", value 2, is a velocity, but \"2 m\" is a length"));
+  CHECK(says(problems[1], "\"d\" takes at most 2 values"));
+}
+
+TEST_CASE("a problem that is noted twice is reported once") {
+  Reading r("a = 1\n");
+  r.root.text("a");
+  r.root.text("a");
+  CHECK(r.problems().size() == 1);
+}
+
 TEST_CASE("a wrong value does not pass for a right one: it becomes not-a-number or empty") {
   Reading r("a = 1\nb = [1, 2]\n");
   CHECK(std::isnan(r.root.quantity("a", wanted::length)));

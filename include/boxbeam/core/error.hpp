@@ -39,6 +39,7 @@ struct AnalysisFailure {
   std::optional<double> time;       ///< [s]
   std::optional<double> residual;   ///< of the equations that were to be solved, SI
   std::optional<double> condition;  ///< number of the matrix that failed
+  std::vector<std::string> details = {};  ///< further lines: a closest position, a limiting value
 };
 
 /// The analysis cannot be done for this input. No partial result is ever reported with it.

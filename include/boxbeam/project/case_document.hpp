@@ -40,6 +40,13 @@ struct Node::Member {
   Node value;
 };
 
+/// A file that a case names besides its own.
+struct InputFile {
+  std::string written;   ///< its path as it stands in the case
+  std::string resolved;  ///< its path from the working folder, as in messages
+  std::string sha256;    ///< of its bytes
+};
+
 /// A case file as read: its tree, its text for messages, and the hash that identifies the input.
 struct CaseDocument {
   std::string path;
@@ -47,6 +54,15 @@ struct CaseDocument {
   std::map<std::string, std::vector<std::string>, std::less<>> lines;  ///< by file
   std::string
       sha256;  ///< of the file's bytes, and of a line "--set KEY=VALUE" per override behind it
+
+  std::vector<InputFile> files;  ///< in the order in which the case is read, each once
+
+  /// Takes the lines of a further file for messages, and its bytes for the hash.
+  void add_file(const std::string& written, const std::string& resolved, const std::string& text);
+
+  /// Identifies the input with all its files: `sha256` where there are none, else the hash of the
+  /// lines of hashes, `sha256` and one per file (sha256sum | cut -c1-64 | sha256sum).
+  std::string sha256_of_input() const;
 
   Problem problem_at(const Place& place, std::string message, std::string hint = {}) const;
 };

@@ -9,6 +9,7 @@
 #include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
+#include "boxbeam/project/case_document.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
 #include "boxbeam/strength/material.hpp"
 
@@ -75,7 +76,8 @@ struct Project {
   std::string name;
   std::string title;
   std::string path;
-  std::string sha256;
+  std::string sha256;             ///< of the case, its overrides and its tables
+  std::vector<InputFile> tables;  ///< files of numbers that drivers and forces follow
   std::vector<std::string> assumptions;
   std::vector<std::string> overrides;
 
@@ -83,8 +85,8 @@ struct Project {
   TaperedBeam beam;
   std::vector<HoleCase> hole_cases;  ///< one per hole of the beam
   int beam_body = planar::ground;    ///< ground: the beam is no body, only the chain can load it
-  std::optional<planar::NewtonChain> chain;
   Dynamics dynamics = Dynamics::rigorous;
+  std::optional<planar::NewtonChain> chain;
   std::optional<EquivalentMassDemand> equivalent_mass;
 
   Material material;

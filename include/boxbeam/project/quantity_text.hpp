@@ -20,7 +20,17 @@ struct WantedDimension {
   DimensionExponents exponents;
   const char* name;     ///< "a length"
   const char* example;  ///< "0.25 m"
+  /// Whether a radian in it may be left out ("N m" for "N m/rad").
+  bool radian_optional = false;
 };
+
+/// Whether a quantity is of the wanted dimension.
+constexpr bool is_of(const DimensionExponents& exponents, const WantedDimension& wanted) {
+  if (exponents == wanted.exponents) return true;
+  DimensionExponents without = wanted.exponents;
+  without.angle = 0;
+  return wanted.radian_optional && exponents == without;
+}
 
 namespace wanted {
 inline constexpr WantedDimension length{{1, 0, 0, 0}, "a length", "\"0.25 m\" or \"250 mm\""};
@@ -34,6 +44,15 @@ inline constexpr WantedDimension acceleration{{1, 0, -2, 0}, "an acceleration", 
 inline constexpr WantedDimension stress{{-1, 1, -2, 0}, "a stress", "\"355 MPa\""};
 inline constexpr WantedDimension density{{-3, 1, 0, 0}, "a density", "\"7850 kg/m^3\""};
 inline constexpr WantedDimension inertia{{2, 1, 0, 0}, "a moment of inertia", "\"7.43 kg m^2\""};
+inline constexpr WantedDimension velocity{{1, 0, -1, 0}, "a velocity", "\"10 mm/s\""};
+inline constexpr WantedDimension force{{1, 1, -2, 0}, "a force", "\"10 kN\""};
+inline constexpr WantedDimension moment{{2, 1, -2, 0}, "a moment", "\"12 kN m\""};
+inline constexpr WantedDimension stiffness{{0, 1, -2, 0}, "a force per length", "\"200 kN/m\""};
+inline constexpr WantedDimension damping{{0, 1, -1, 0}, "a force per velocity", "\"500 N s/m\""};
+inline constexpr WantedDimension torsional_stiffness{
+    {2, 1, -2, -1}, "a moment per angle", "\"5 kN m/rad\"", true};
+inline constexpr WantedDimension torsional_damping{
+    {2, 1, -1, -1}, "a moment per angular velocity", "\"20 N m s/rad\"", true};
 }  // namespace wanted
 
 /// A number with its unit, in SI base units.

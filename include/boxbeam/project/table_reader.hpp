@@ -1,33 +1,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "boxbeam/project/case_document.hpp"
+#include "boxbeam/project/problem_list.hpp"
 #include "boxbeam/project/quantity_text.hpp"
 
 namespace boxbeam {
-
-/// Collects the problems of a document, so that all are reported at once.
-class ProblemList {
- public:
-  explicit ProblemList(const CaseDocument& document) : document_(&document) {}
-
-  void add(const Place& place, std::string message, std::string hint = {});
-  bool empty() const { return problems_.empty(); }
-  std::size_t size() const { return problems_.size(); }
-  /// Throws InputError with all problems in the order of the file, where there are any.
-  void raise() const;
-
- private:
-  const CaseDocument* document_;
-  std::vector<Problem> problems_;
-};
 
 /// Reads one table key by key. A missing or wrong value is noted as a problem and replaced by a
 /// harmless one, so that reading goes on; keys never asked for are unknown keys.
@@ -53,10 +38,16 @@ class TableReader {
   /// Two quantities, ["1 m", "2 m"].
   Eigen::Vector2d pair(std::string_view key, const WantedDimension& wanted,
                        std::optional<Eigen::Vector2d> fallback = {});
+  /// A quantity of either sign, but not zero.
+  double not_zero(std::string_view key, const WantedDimension& wanted);
   std::vector<double> quantities(std::string_view key, const WantedDimension& wanted);
+  /// The same, each of a dimension of its own; not more than there are dimensions.
+  std::vector<double> quantities(std::string_view key, std::span<const WantedDimension> each);
 
   /// A bare, finite number above zero and of a size that can be meant.
   double number(std::string_view key, std::optional<double> fallback = {});
+  /// A bare, finite number of either sign, or zero.
+  double any_number(std::string_view key, std::optional<double> fallback = {});
   int whole_number(std::string_view key, std::optional<int> fallback = {});
   bool boolean(std::string_view key, bool fallback);
   /// Without `fallback` the text must not be empty: "" means that a problem has been noted.
@@ -90,6 +81,8 @@ class TableReader {
   const Node* take(std::string_view key, bool required, std::string_view example);
   const Node* take_or_say(std::string_view key, bool required, std::string hint);
   std::string name_below(std::string_view key) const;
+  double bare_number(std::string_view key, std::optional<double> fallback, bool above_zero);
+  const std::vector<Node>* list_of(std::string_view key, const char* example);
   double quantity_in(const Node& node, const std::string& what, const WantedDimension& wanted);
 
   ProblemList* problems_;

@@ -15,6 +15,14 @@ namespace boxbeam {
 /// The loads on the beam at any time of a period, whatever gives them.
 using LoadsAt = std::function<BeamLoads(Time)>;
 
+/// The time over which loads are looked at.
+struct LoadSpan {
+  Time begin;
+  Time period;
+  std::size_t instants = 0;  ///< equal steps of it
+  bool closed = true;        ///< it repeats; else its end is an instant of its own
+};
+
 /// The cut forces over one period: at equally spaced instants, and between three neighbours of
 /// them at Chebyshev points where an extremum is looked for.
 class LoadHistory {
@@ -24,12 +32,18 @@ class LoadHistory {
   static constexpr std::size_t nodes = 9;
   using Bracket = std::array<CutForceDiagram, nodes>;
 
-  LoadHistory(const TaperedBeam& beam, Time period, std::size_t instants, LoadsAt loads_at);
+  LoadHistory(const TaperedBeam& beam, const LoadSpan& span, LoadsAt loads_at);
 
-  Time period() const { return period_; }
+  Time period() const { return span_.period; }
+  Time begin() const { return span_.begin; }
+  bool closed() const { return span_.closed; }
+  Time step() const { return span_.period / static_cast<double>(span_.instants); }
   std::size_t instants() const { return diagrams_.size(); }
   Time time_of(std::size_t instant) const;
   const CutForceDiagram& diagram(std::size_t instant) const { return diagrams_[instant]; }
+
+  /// The instant itself, or where an open history ends its neighbour, so that it has two neighbours.
+  std::size_t middle_near(std::size_t instant) const;
 
   /// Diagrams from the instant before `middle` to the one behind it; solved when first asked for.
   const Bracket& bracket(std::size_t middle) const;
@@ -40,7 +54,7 @@ class LoadHistory {
 
  private:
   const TaperedBeam* beam_;
-  Time period_;
+  LoadSpan span_;
   LoadsAt loads_at_;
   std::vector<CutForceDiagram> diagrams_;
   mutable std::map<std::size_t, Bracket> brackets_;
@@ -79,7 +93,7 @@ class StationHistory {
  private:
   using Nodes = std::array<CutForces, LoadHistory::nodes>;
   Nodes nodes_of(std::size_t middle) const;
-  TurningPoint refine(std::size_t middle, bool maximum, const CutForceFunction& f) const;
+  TurningPoint refine(std::size_t instant, bool maximum, const CutForceFunction& f) const;
 
   const LoadHistory* loads_;
   Station station_;

@@ -24,14 +24,19 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
   const double alpha = state.a[i + 2];
 
   BeamLoads loads;
-  for (const Reaction& reaction : reactions_of(mechanism, state)) {
-    if (reaction.on != beam.body) continue;
+  const auto add = [&](const Eigen::Vector2d& point, const Eigen::Vector2d& force, double moment) {
     PointLoad load;
-    load.s = place_near(beam.places, si<Length>(beam.centre + reaction.point.x()));
-    load.force = in_beam_axes(reaction.force, angle);
+    load.s = place_near(beam.places, si<Length>(beam.centre + point.x()));
+    load.force = in_beam_axes(force, angle);
     // y points into the plane: a counter-clockwise moment is negative about it.
-    load.moment.y() = -reaction.moment + reaction.point.y() * load.force.x();
+    load.moment.y() = -moment + point.y() * load.force.x();
     loads.points.push_back(load);
+  };
+  for (const Reaction& reaction : reactions_of(mechanism, state)) {
+    if (reaction.on == beam.body) add(reaction.point, reaction.force, reaction.moment);
+  }
+  for (const AppliedLoad& load : applied_loads_of(mechanism, state.time, state.q, state.v)) {
+    if (load.on == beam.body) add(load.point, load.vector, load.moment);
   }
 
   AxisAcceleration acceleration;

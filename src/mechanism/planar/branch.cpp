@@ -35,6 +35,13 @@ std::vector<int> branch_of(const Mechanism& mechanism, const Eigen::VectorXd& q)
   return signs;
 }
 
+bool on_branch(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  for (const Loop& loop : mechanism.loops) {
+    if (!(measure_of(loop, q) * loop.sign > 0.0)) return false;
+  }
+  return true;
+}
+
 std::string loops_off_branch(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   std::string names;
   for (const Loop& loop : mechanism.loops) {

@@ -1,11 +1,13 @@
 #include "boxbeam/mechanism/planar/constraints.hpp"
 
+#include <cassert>
 #include <cmath>
+#include <numbers>
 
-/// Source of the equations: Nikravesh, Planar Multibody Dynamics (2007), chapter 7; Haug,
-/// Computer Aided Kinematics and Dynamics of Mechanical Systems (1989), chapter 3.
 namespace boxbeam::planar {
 namespace {
+
+Eigen::Vector2d left_of(const Eigen::Vector2d& vector) { return {-vector.y(), vector.x()}; }
 
 /// The vector from a body's centre of mass to a point of it, in world axes; for a point of the
 /// ground the point itself.
@@ -17,161 +19,364 @@ Eigen::Vector2d arm_of(const Attachment& point, const Eigen::VectorXd& q) {
   return {c * point.p.x() - s * point.p.y(), s * point.p.x() + c * point.p.y()};
 }
 
-Eigen::Vector2d position_with_arm(const Attachment& point, const Eigen::VectorXd& q,
-                                  const Eigen::Vector2d& arm) {
-  if (point.body == ground) return arm;
-  return q.segment<2>(3 * point.body) + arm;
-}
-
+/// The unit vector to the left of a direction.
 Eigen::Vector2d normal_of(double direction) { return {-std::sin(direction), std::cos(direction)}; }
-
-/// Writes residuals and, where a Jacobian is given, its rows; one equation after the other.
-struct Writer {
-  const Eigen::VectorXd& q;
-  double time;
-  Eigen::VectorXd& phi;
-  Eigen::MatrixXd* jacobian;
-  Eigen::Index row = 0;
-
-  /// Rows of +- d(position)/dq of a point.
-  void position_rows(const Attachment& point, const Eigen::Vector2d& arm, double sign) const {
-    if (jacobian == nullptr || point.body == ground) return;
-    const Eigen::Index i = 3 * point.body;
-    (*jacobian)(row, i) += sign;
-    (*jacobian)(row + 1, i + 1) += sign;
-    (*jacobian)(row, i + 2) -= sign * arm.y();
-    (*jacobian)(row + 1, i + 2) += sign * arm.x();
-  }
-
-  /// The row of d(n . position)/dq of a point.
-  void projected_row(const Attachment& point, const Eigen::Vector2d& arm,
-                     const Eigen::Vector2d& n) const {
-    if (jacobian == nullptr) return;
-    const Eigen::Index i = 3 * point.body;
-    (*jacobian)(row, i) = n.x();
-    (*jacobian)(row, i + 1) = n.y();
-    (*jacobian)(row, i + 2) = n.y() * arm.x() - n.x() * arm.y();
-  }
-
-  void angle_entry(int body, double factor) const {
-    if (jacobian != nullptr && body != ground) (*jacobian)(row, 3 * body + 2) += factor;
-  }
-
-  double angle_of(int body) const { return body == ground ? 0.0 : q[3 * body + 2]; }
-
-  void operator()(const Pin& pin) {
-    const Eigen::Vector2d arm_a = arm_of(pin.a, q);
-    const Eigen::Vector2d arm_b = arm_of(pin.b, q);
-    phi.segment<2>(row) = position_with_arm(pin.a, q, arm_a) - position_with_arm(pin.b, q, arm_b);
-    position_rows(pin.a, arm_a, 1.0);
-    position_rows(pin.b, arm_b, -1.0);
-    row += 2;
-  }
-
-  void operator()(const Slider& slider) {
-    const Eigen::Vector2d arm = arm_of(slider.point, q);
-    const Eigen::Vector2d n = normal_of(slider.direction);
-    phi[row] = n.dot(position_with_arm(slider.point, q, arm) - slider.through);
-    projected_row(slider.point, arm, n);
-    ++row;
-    phi[row] = angle_of(slider.point.body) - slider.angle;
-    angle_entry(slider.point.body, 1.0);
-    ++row;
-  }
-
-  void operator()(const AngleCoupling& coupling) {
-    phi[row] =
-        angle_of(coupling.a.body) - coupling.ratio * angle_of(coupling.b.body) - coupling.offset;
-    angle_entry(coupling.a.body, 1.0);
-    angle_entry(coupling.b.body, -coupling.ratio);
-    ++row;
-  }
-
-  void operator()(const Driven& driven) {
-    const double wanted = driver_at(driven.driver, time).value;
-    if (driven.coordinate == Coordinate::angle) {
-      phi[row] = angle_of(driven.point.body) - wanted;
-      angle_entry(driven.point.body, 1.0);
-    } else {
-      const Eigen::Vector2d axis =
-          driven.coordinate == Coordinate::x ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
-      const Eigen::Vector2d arm = arm_of(driven.point, q);
-      phi[row] = axis.dot(position_with_arm(driven.point, q, arm)) - wanted;
-      projected_row(driven.point, arm, axis);
-    }
-    ++row;
-  }
-};
-
-/// The part of a point's acceleration that its body's rotation rate gives: -omega^2 arm.
-Eigen::Vector2d centripetal(const Attachment& point, const Eigen::VectorXd& q,
-                            const Eigen::VectorXd& v) {
-  if (point.body == ground) return Eigen::Vector2d::Zero();
-  const double omega = v[3 * point.body + 2];
-  return -omega * omega * arm_of(point, q);
-}
 
 }  // namespace
 
 Eigen::Vector2d position_of(const Attachment& point, const Eigen::VectorXd& q) {
-  return position_with_arm(point, q, arm_of(point, q));
+  const Eigen::Vector2d arm = arm_of(point, q);
+  if (point.body == ground) return arm;
+  return q.segment<2>(3 * point.body) + arm;
 }
 
 Eigen::Vector2d velocity_of(const Attachment& point, const Eigen::VectorXd& q,
                             const Eigen::VectorXd& v) {
   if (point.body == ground) return Eigen::Vector2d::Zero();
-  const Eigen::Vector2d arm = arm_of(point, q);
   const double omega = v[3 * point.body + 2];
-  return v.segment<2>(3 * point.body) + omega * Eigen::Vector2d(-arm.y(), arm.x());
+  return v.segment<2>(3 * point.body) + omega * left_of(arm_of(point, q));
 }
 
 Eigen::Vector2d acceleration_of(const Attachment& point, const Eigen::VectorXd& q,
                                 const Eigen::VectorXd& v, const Eigen::VectorXd& a) {
   if (point.body == ground) return Eigen::Vector2d::Zero();
-  return velocity_of(point, q, a) + centripetal(point, q, v);
+  const double omega = v[3 * point.body + 2];
+  return velocity_of(point, q, a) - omega * omega * arm_of(point, q);
 }
 
-void evaluate_constraints(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                          Eigen::VectorXd& phi) {
-  Writer writer{q, time, phi, nullptr};
-  for (const Joint& joint : mechanism.joints) std::visit(writer, joint.kind);
-}
+/// Takes joints apart into terms and notes where their derivatives go.
+struct ConstraintEquations::Builder {
+  ConstraintEquations& equations;
+  int bodies;
 
-void evaluate_constraints(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                          Eigen::VectorXd& phi, Eigen::MatrixXd& jacobian) {
-  jacobian.setZero();
-  Writer writer{q, time, phi, &jacobian};
-  for (const Joint& joint : mechanism.joints) std::visit(writer, joint.kind);
-}
+  int index_of(const Attachment& point) const { return point.body == ground ? bodies : point.body; }
 
-void velocity_right_side(const Mechanism& mechanism, double time, Eigen::VectorXd& nu) {
-  nu.setZero();
+  Term between(Kind kind, const Attachment& a, const Attachment& b) const {
+    Term term;
+    term.kind = kind;
+    term.a = index_of(a);
+    term.b = index_of(b);
+    term.p_a = a.p;
+    term.p_b = b.p;
+    return term;
+  }
+
+  void add(Term term) const {
+    term.row = static_cast<int>(equations.pattern_.rows);
+    equations.pattern_.rows += term.kind == Kind::coincide ? 2 : 1;
+    equations.terms_.push_back(term);
+  }
+
+  void add_angle(const Attachment& a, const Attachment& b, double ratio, double offset) const {
+    Term term = between(Kind::turn, a, b);
+    term.ratio = ratio;
+    term.offset = offset;
+    add(term);
+  }
+
+  void add_along(const Attachment& a, const Attachment& b, const Eigen::Vector2d& n,
+                 double r = 0.0, double offset = 0.0) const {
+    Term term = between(Kind::along, a, b);
+    term.n = n;
+    term.ratio = r;
+    term.offset = offset;
+    add(term);
+  }
+
+  void operator()(const Pin& pin) const { add(between(Kind::coincide, pin.a, pin.b)); }
+
+  void operator()(const Slider& slider) const {
+    add_along(slider.point, slider.guide, normal_of(slider.direction));
+    add_angle(slider.point, slider.guide, 1.0, slider.angle);
+  }
+
+  void operator()(const PinInSlot& slot) const {
+    add_along(slot.point, slot.guide, normal_of(slot.direction));
+  }
+
+  void operator()(const Rigid& rigid) const {
+    add(between(Kind::coincide, rigid.a, rigid.b));
+    add_angle(rigid.a, rigid.b, 1.0, rigid.angle);
+  }
+
+  void operator()(const Distance& distance) const {
+    Term term = between(Kind::length, distance.a, distance.b);
+    term.offset = distance.length;
+    add(term);
+  }
+
+  void operator()(const AngleCoupling& coupling) const {
+    add_angle(coupling.a, coupling.b, coupling.ratio, coupling.offset);
+  }
+
+  void operator()(const Gear& gear) const {
+    Term term = between(Kind::mesh, gear.a, gear.b);
+    term.ratio = gear.radius_a;
+    term.r_b = gear.radius_b;
+    term.offset = gear.offset;
+    add(term);
+  }
+
+  void operator()(const Rack& rack) const {
+    add_along(rack.pinion, rack.rack, {std::cos(rack.direction), std::sin(rack.direction)},
+              rack.radius, rack.offset);
+  }
+
+  void operator()(const Driven& driven) const {
+    equations.drivers_.push_back(&driven.driver);
+    equations.driver_rows_.push_back(equations.pattern_.rows);
+    Term term;
+    if (driven.coordinate == Coordinate::angle) {
+      term = between(Kind::turn, driven.point, driven.other);
+      term.ratio = 1.0;
+    } else if (driven.coordinate == Coordinate::length) {
+      term = between(Kind::length, driven.point, driven.other);
+    } else {
+      term = between(Kind::along, driven.point, {});
+      term.n = driven.coordinate == Coordinate::x ? Eigen::Vector2d::UnitX()
+                                                  : Eigen::Vector2d::UnitY();
+    }
+    term.driver = static_cast<int>(equations.drivers_.size()) - 1;
+    add(term);
+  }
+
+  /// Notes the entries of all rows in the pattern and in the terms, and writes the constant ones.
+  void place_entries() const {
+    SparsePattern& pattern = equations.pattern_;
+    std::vector<double>& values = equations.constant_;
+    std::vector<std::uint32_t*> nowhere;
+    const auto begin_row = [&] { pattern.row_start.push_back(static_cast<int>(values.size())); };
+    // An entry of the row at hand; `at` learns its place. The ground has no coordinates.
+    const auto entry = [&](int body, int coordinate, double value, std::uint32_t* at) {
+      if (body == bodies) {
+        if (at != nullptr) nowhere.push_back(at);
+        return;
+      }
+      if (at != nullptr) *at = static_cast<std::uint32_t>(values.size());
+      pattern.col.push_back(3 * body + coordinate);
+      values.push_back(value);
+    };
+    for (Term& term : equations.terms_) {
+      begin_row();
+      if (term.kind == Kind::coincide) {
+        entry(term.a, 0, 1.0, nullptr);
+        entry(term.a, 2, 0.0, &term.at[0]);
+        entry(term.b, 0, -1.0, nullptr);
+        entry(term.b, 2, 0.0, &term.at[1]);
+        begin_row();
+        entry(term.a, 1, 1.0, nullptr);
+        entry(term.a, 2, 0.0, &term.at[2]);
+        entry(term.b, 1, -1.0, nullptr);
+        entry(term.b, 2, 0.0, &term.at[3]);
+      } else if (term.kind == Kind::turn) {
+        entry(term.a, 2, 1.0, nullptr);
+        entry(term.b, 2, -term.ratio, nullptr);
+      } else {
+        for (int c = 0; c < 3; ++c) entry(term.a, c, 0.0, &term.at[static_cast<std::size_t>(c)]);
+        for (int c = 0; c < 3; ++c) {
+          entry(term.b, c, 0.0, &term.at[static_cast<std::size_t>(c) + 3]);
+        }
+      }
+    }
+    begin_row();
+    values.push_back(0.0);  // a last place for what concerns the ground
+    for (std::uint32_t* at : nowhere) *at = static_cast<std::uint32_t>(pattern.col.size());
+  }
+};
+
+ConstraintEquations::ConstraintEquations(const Mechanism& mechanism) {
+  const auto bodies = static_cast<int>(mechanism.bodies.size());
+  pattern_.cols = mechanism.coordinates();
+  const Builder builder{*this, bodies};
+  for (const Joint& joint : mechanism.joints) std::visit(builder, joint.kind);
+  builder.place_entries();
+  driver_states_.resize(drivers_.size());
+  poses_.resize(static_cast<std::size_t>(bodies) + 1);
+
+  const double size = size_of(mechanism);
+  row_scale_ = Eigen::VectorXd::Ones(pattern_.rows);
+  col_scale_ = Eigen::VectorXd::Ones(pattern_.cols);
   Eigen::Index row = 0;
   for (const Joint& joint : mechanism.joints) {
-    if (const auto* driven = std::get_if<Driven>(&joint.kind)) {
-      nu[row] = driver_at(driven->driver, time).rate;
+    for (int k = 0; k < equations_of(joint); ++k, ++row) {
+      if (is_length_equation(joint, k)) row_scale_[row] = 1.0 / size;
     }
-    row += equations_of(joint);
+  }
+  for (Eigen::Index i = 0; i < pattern_.cols; ++i) {
+    if (i % 3 != 2) col_scale_[i] = size;
   }
 }
 
-void acceleration_right_side(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                             const Eigen::VectorXd& v, Eigen::VectorXd& gamma) {
-  gamma.setZero();
-  Eigen::Index row = 0;
-  for (const Joint& joint : mechanism.joints) {
-    if (const auto* pin = std::get_if<Pin>(&joint.kind)) {
-      gamma.segment<2>(row) = centripetal(pin->b, q, v) - centripetal(pin->a, q, v);
-    } else if (const auto* slider = std::get_if<Slider>(&joint.kind)) {
-      gamma[row] = -normal_of(slider->direction).dot(centripetal(slider->point, q, v));
-    } else if (const auto* driven = std::get_if<Driven>(&joint.kind)) {
-      gamma[row] = driver_at(driven->driver, time).acceleration;
-      if (driven->coordinate != Coordinate::angle) {
-        const Eigen::Vector2d own = centripetal(driven->point, q, v);
-        gamma[row] -= driven->coordinate == Coordinate::x ? own.x() : own.y();
+void ConstraintEquations::set_time(double time) {
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    driver_states_[i] = driver_at(*drivers_[i], time);
+  }
+}
+
+void ConstraintEquations::set_driver_values(const std::vector<double>& values) {
+  assert(values.size() == drivers_.size());
+  for (std::size_t i = 0; i < drivers_.size(); ++i) driver_states_[i] = {values[i], 0.0, 0.0};
+}
+
+void ConstraintEquations::set_position(const Eigen::VectorXd& q) {
+  for (std::size_t i = 0; i + 1 < poses_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(3 * i);
+    poses_[i] = {q[k], q[k + 1], q[k + 2], std::cos(q[k + 2]), std::sin(q[k + 2])};
+  }
+}
+
+void ConstraintEquations::move_position(const Eigen::VectorXd& q) {
+  for (std::size_t i = 0; i + 1 < poses_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(3 * i);
+    Pose& pose = poses_[i];
+    pose.x = q[k];
+    pose.y = q[k + 1];
+    const double turned = q[k + 2] - pose.angle;
+    pose.angle = q[k + 2];
+    if (std::abs(turned) < 1e-3) {
+      // Terms left out: turned^7/5040 and turned^6/720.
+      const double square = turned * turned;
+      const double s = turned * (1.0 - square / 6.0 * (1.0 - square / 20.0));
+      const double c = -0.5 * square * (1.0 - square / 12.0);  // cosine - 1
+      const double cos = pose.cos;
+      pose.cos += c * cos - s * pose.sin;
+      pose.sin += c * pose.sin + s * cos;
+    } else {
+      pose.cos = std::cos(pose.angle);
+      pose.sin = std::sin(pose.angle);
+    }
+  }
+}
+
+template <bool with_jacobian>
+void ConstraintEquations::evaluate_terms(Eigen::VectorXd& phi,
+                                         std::vector<double>* jacobian) const {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  double* const values = with_jacobian ? jacobian->data() : nullptr;
+  for (const Term& term : terms_) {
+    const Pose& a = poses_[static_cast<std::size_t>(term.a)];
+    const Pose& b = poses_[static_cast<std::size_t>(term.b)];
+    if (term.kind == Kind::turn) {
+      phi[term.row] = a.angle - term.ratio * b.angle - offset_of(term);
+      continue;
+    }
+    const Eigen::Vector2d arm_a = a.turned(term.p_a);
+    const Eigen::Vector2d arm_b = b.turned(term.p_b);
+    const Eigen::Vector2d d((a.x - b.x) + (arm_a.x() - arm_b.x()),
+                            (a.y - b.y) + (arm_a.y() - arm_b.y()));
+    if (term.kind == Kind::coincide) {
+      phi[term.row] = d.x();
+      phi[term.row + 1] = d.y();
+      if constexpr (with_jacobian) {
+        values[term.at[0]] = -arm_a.y();
+        values[term.at[1]] = arm_b.y();
+        values[term.at[2]] = arm_a.x();
+        values[term.at[3]] = -arm_b.x();
+      }
+      continue;
+    }
+    // A row n . (p_a - p_b) + ...: its derivatives by the points and by what else turns with them.
+    Eigen::Vector2d n;
+    double by_angle_a = 0.0;
+    double by_angle_b = 0.0;
+    if (term.kind == Kind::along) {
+      n = b.turned(term.n);
+      phi[term.row] = n.dot(d) + term.ratio * (a.angle - b.angle) - offset_of(term);
+      by_angle_a = term.ratio;
+      by_angle_b = left_of(n).dot(d) - term.ratio;
+    } else {
+      const double distance = d.norm();
+      const Eigen::Vector2d u =
+          distance > 0.0 ? Eigen::Vector2d(d / distance) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+      if (term.kind == Kind::length) {
+        n = u;
+        phi[term.row] = distance - offset_of(term);
+      } else {
+        const double sum = term.ratio + term.r_b;
+        const double theta = std::atan2(-d.y(), -d.x());
+        phi[term.row] =
+            std::remainder(term.ratio * (a.angle - theta) + term.r_b * (b.angle - theta) -
+                               term.offset,
+                           turn * sum);
+        // theta turns by -(left of u) . (dp_a - dp_b)/distance seen from b to a: u points from b.
+        n = -sum / distance * left_of(u);
+        by_angle_a = term.ratio;
+        by_angle_b = term.r_b;
       }
     }
-    row += equations_of(joint);
+    if constexpr (with_jacobian) {
+      values[term.at[0]] = n.x();
+      values[term.at[1]] = n.y();
+      values[term.at[2]] = n.dot(left_of(arm_a)) + by_angle_a;
+      values[term.at[3]] = -n.x();
+      values[term.at[4]] = -n.y();
+      values[term.at[5]] = -n.dot(left_of(arm_b)) + by_angle_b;
+    }
+  }
+}
+
+void ConstraintEquations::evaluate(Eigen::VectorXd& phi) const {
+  evaluate_terms<false>(phi, nullptr);
+}
+
+void ConstraintEquations::evaluate(Eigen::VectorXd& phi, std::vector<double>& jacobian) const {
+  if (jacobian.size() != constant_.size()) jacobian = constant_;
+  evaluate_terms<true>(phi, &jacobian);
+}
+
+void ConstraintEquations::velocity_right_side(Eigen::VectorXd& nu) const {
+  nu.setZero();
+  for (std::size_t i = 0; i < drivers_.size(); ++i) nu[driver_rows_[i]] = driver_states_[i].rate;
+}
+
+void ConstraintEquations::acceleration_right_side(const Eigen::VectorXd& v,
+                                                  Eigen::VectorXd& gamma) const {
+  // Velocities of the ground are none.
+  const auto part = [&](int body, int coordinate) {
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(body) + coordinate;
+    return i < v.size() ? v[i] : 0.0;
+  };
+  for (const Term& term : terms_) {
+    const double from_driver =
+        term.driver < 0 ? 0.0 : driver_states_[static_cast<std::size_t>(term.driver)].acceleration;
+    if (term.kind == Kind::turn) {
+      gamma[term.row] = from_driver;
+      continue;
+    }
+    const Pose& a = poses_[static_cast<std::size_t>(term.a)];
+    const Pose& b = poses_[static_cast<std::size_t>(term.b)];
+    const double omega_a = part(term.a, 2);
+    const double omega_b = part(term.b, 2);
+    const Eigen::Vector2d arm_a = a.turned(term.p_a);
+    const Eigen::Vector2d arm_b = b.turned(term.p_b);
+    // The acceleration of p_a - p_b that the rotation rates give.
+    const Eigen::Vector2d centripetal = omega_b * omega_b * arm_b - omega_a * omega_a * arm_a;
+    if (term.kind == Kind::coincide) {
+      gamma[term.row] = -centripetal.x();
+      gamma[term.row + 1] = -centripetal.y();
+      continue;
+    }
+    const Eigen::Vector2d d((a.x - b.x) + (arm_a.x() - arm_b.x()),
+                            (a.y - b.y) + (arm_a.y() - arm_b.y()));
+    const Eigen::Vector2d rate =
+        Eigen::Vector2d(part(term.a, 0) - part(term.b, 0), part(term.a, 1) - part(term.b, 1)) +
+        omega_a * left_of(arm_a) - omega_b * left_of(arm_b);
+    double own = 0.0;
+    if (term.kind == Kind::along) {
+      const Eigen::Vector2d n = b.turned(term.n);
+      own = n.dot(centripetal) + 2.0 * omega_b * left_of(n).dot(rate) - omega_b * omega_b * n.dot(d);
+    } else {
+      const double distance = d.norm();
+      const Eigen::Vector2d u = d / distance;
+      const double across = left_of(u).dot(rate);
+      if (term.kind == Kind::length) {
+        own = u.dot(centripetal) + across * across / distance;
+      } else {
+        own = -(term.ratio + term.r_b) / distance *
+              (left_of(u).dot(centripetal) - 2.0 * u.dot(rate) * across / distance);
+      }
+    }
+    gamma[term.row] = from_driver - own;
   }
 }
 

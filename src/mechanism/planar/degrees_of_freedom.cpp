@@ -2,68 +2,135 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <vector>
+#include <cmath>
+#include <limits>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
 
 namespace boxbeam::planar {
 namespace {
 
-/// The largest distance of a named point from its body's centre of mass.
-double size_of(const Mechanism& mechanism) {
-  double size = 0.0;
-  for (const Body& body : mechanism.bodies) {
-    for (const BodyPoint& point : body.points) size = std::max(size, point.p.norm());
-  }
-  return size > 0.0 ? size : 1.0;
+/// The Jacobian with lengths scaled.
+Eigen::MatrixXd scaled_jacobian(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  ConstraintEquations equations(mechanism);
+  Eigen::VectorXd phi(equations.rows());
+  std::vector<double> values;
+  equations.set_time(0.0);  // drivers move the right side only
+  equations.set_position(q);
+  equations.evaluate(phi, values);
+  return equations.row_scale().asDiagonal() * equations.pattern().dense(values) *
+         equations.col_scale().asDiagonal();
 }
 
-bool is_length_equation(const Joint& joint, int row_in_joint) {
-  if (std::holds_alternative<Pin>(joint.kind)) return true;
-  if (std::holds_alternative<Slider>(joint.kind)) return row_in_joint == 0;
-  if (const auto* driven = std::get_if<Driven>(&joint.kind)) {
-    return driven->coordinate != Coordinate::angle;
+struct Rank {
+  Eigen::Index rank = 0;
+  double gap = std::numeric_limits<double>::infinity();
+};
+
+Rank rank_of(const Eigen::VectorXd& values) {
+  constexpr double widest_needed = 1e6;
+  constexpr double bound = 1e-10;
+  Rank result;
+  if (values.size() == 0 || values[0] == 0.0) return result;
+  // A gap inside what is surely regular is none; what is surely round-off needs no gap.
+  constexpr double surely = 1e-5;
+  constexpr double never = 1e-13;
+  double widest = 0.0;
+  Eigen::Index at = values.size();
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const double relative = values[i] / values[0];
+    if (relative > surely) continue;
+    const double before = i > 0 ? values[i - 1] / values[0] : 1.0;
+    const double ratio = before / std::max(relative, 1e-18);
+    if (ratio > widest) {
+      widest = ratio;
+      at = i;
+    }
+    if (relative < never) break;
   }
-  return false;
+  if (widest < widest_needed) {
+    at = 0;
+    while (at < values.size() && values[at] > bound * values[0]) ++at;
+  }
+  result.rank = at;
+  if (at > 0 && at < values.size()) {
+    result.gap = values[at - 1] / std::max(values[at], 1e-18 * values[0]);
+  }
+  return result;
 }
 
 }  // namespace
 
-DegreesOfFreedom degrees_of_freedom_of(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  const Eigen::Index rows = mechanism.equations();
-  Eigen::VectorXd phi(rows);
-  Eigen::MatrixXd jacobian(rows, mechanism.coordinates());
-  evaluate_constraints(mechanism, 0.0, q, phi, jacobian);
+double DegreesOfFreedom::digits_left() const {
+  if (!(condition > 0.0)) return 0.0;
+  const double lost = std::numeric_limits<double>::epsilon() * condition * condition;
+  return std::max(0.0, -std::log10(lost));
+}
 
-  const double size = size_of(mechanism);
+DegreesOfFreedom degrees_of_freedom_of(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  constexpr double none = 1e-7;  // a part of a unit vector that is round-off
+  const Eigen::MatrixXd jacobian = scaled_jacobian(mechanism, q);
   std::vector<Eigen::Index> of_joints;
+  std::vector<int> owner;
   DegreesOfFreedom result;
-  Eigen::Index row = 0;
-  for (const Joint& joint : mechanism.joints) {
-    const bool driver = std::holds_alternative<Driven>(joint.kind);
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const bool driver = is_driver(mechanism.joints[i]);
     result.drivers += driver ? 1 : 0;
-    for (int k = 0; k < equations_of(joint); ++k, ++row) {
-      if (!driver) of_joints.push_back(row);
-      if (is_length_equation(joint, k)) jacobian.row(row) /= size;
+    for (int k = 0; k < equations_of(mechanism.joints[i]); ++k) {
+      if (!driver) of_joints.push_back(static_cast<Eigen::Index>(owner.size()));
+      owner.push_back(static_cast<int>(i));
     }
   }
-  for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
-    if (i % 3 != 2) jacobian.col(i) *= size;
-  }
-
+  const auto coordinates = static_cast<int>(mechanism.coordinates());
+  result.gruebler = coordinates - static_cast<int>(of_joints.size());
   const Eigen::MatrixXd joints_only = jacobian(of_joints, Eigen::all);
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(joints_only);
-  svd.setThreshold(1e-9);
-  const int rank = static_cast<int>(svd.rank());
-  const int equations = static_cast<int>(of_joints.size());
-  result.gruebler = static_cast<int>(mechanism.coordinates()) - equations;
-  result.by_rank = static_cast<int>(mechanism.coordinates()) - rank;
-  result.redundant = equations - rank;
-  if (rows == mechanism.coordinates()) {
-    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
-    result.condition = values.minCoeff() > 0.0 ? values.maxCoeff() / values.minCoeff() : 0.0;
+  result.by_rank =
+      coordinates -
+      static_cast<int>(rank_of(Eigen::JacobiSVD<Eigen::MatrixXd>(joints_only).singularValues()).rank);
+
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::VectorXd& values = svd.singularValues();
+  const Rank rank = rank_of(values);
+  result.gap = rank.gap;
+  result.redundant = static_cast<int>(jacobian.rows() - rank.rank);
+  result.undriven = static_cast<int>(jacobian.cols() - rank.rank);
+  if (result.undriven == 0) result.condition = values[0] / values[rank.rank - 1];
+
+  // Redundancies: rows whose combination gives nothing.
+  const auto combinations = svd.matrixU().rightCols(jacobian.rows() - rank.rank);
+  result.unique.assign(owner.size(), 1);
+  for (std::size_t row = 0; row < owner.size(); ++row) {
+    if (combinations.row(static_cast<Eigen::Index>(row)).norm() < none) continue;
+    result.unique[row] = 0;
+    if (result.repeating.empty() || result.repeating.back() != owner[row]) {
+      result.repeating.push_back(owner[row]);
+    }
+  }
+  const auto motions = svd.matrixV().rightCols(jacobian.cols() - rank.rank);
+  for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
+    const auto rows = motions.middleRows(3 * static_cast<Eigen::Index>(body), 3);
+    if (rows.norm() > none) result.moving.push_back(static_cast<int>(body));
   }
   return result;
+}
+
+bool is_unique(const Mechanism& mechanism, const DegreesOfFreedom& freedom, int joint) {
+  std::size_t row = 0;
+  for (int i = 0; i < joint; ++i) {
+    row += static_cast<std::size_t>(equations_of(mechanism.joints[static_cast<std::size_t>(i)]));
+  }
+  const auto count = static_cast<std::size_t>(
+      equations_of(mechanism.joints[static_cast<std::size_t>(joint)]));
+  return std::all_of(freedom.unique.begin() + static_cast<std::ptrdiff_t>(row),
+                     freedom.unique.begin() + static_cast<std::ptrdiff_t>(row + count),
+                     [](char unique) { return unique != 0; });
+}
+
+double condition_of(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  const Eigen::VectorXd values =
+      Eigen::JacobiSVD<Eigen::MatrixXd>(scaled_jacobian(mechanism, q)).singularValues();
+  const Eigen::Index rank = rank_of(values).rank;
+  return rank == mechanism.coordinates() ? values[0] / values[rank - 1] : 0.0;
 }
 
 }  // namespace boxbeam::planar

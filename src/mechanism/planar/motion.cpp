@@ -7,42 +7,105 @@
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/assembly.hpp"
+#include "boxbeam/mechanism/planar/reach.hpp"
 
 namespace boxbeam::planar {
 namespace {
 
-/// Largest difference of two positions; whole turns of an angle are none.
-double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+constexpr double turn = 2.0 * std::numbers::pi;
+
+/// Largest difference of two positions, lengths by the mechanism's size; whole turns are none.
+double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size) {
   double largest = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i) {
-    double difference = a[i] - b[i];
-    if (i % 3 == 2) difference = std::remainder(difference, 2.0 * std::numbers::pi);
+    const double difference =
+        i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
     largest = std::max(largest, std::abs(difference));
   }
   return largest;
 }
 
-/// Largest second difference between neighbouring instants, of each component by its largest
-/// value, and where it is.
-struct Roughness {
+/// What no driver moves, where the first position is regular or nothing moves it at all.
+DegreesOfFreedom freedom_at_start(const Mechanism& mechanism) {
+  Assembler assembler(mechanism);
+  const Assembly first = assembler.assemble(0.0, sketch_of(mechanism));
+  if (!first.closed) throw AnalysisError(failure_of_assembly(mechanism, 0.0, first));
+  DegreesOfFreedom freedom = degrees_of_freedom_of(mechanism, first.q);
+  if (freedom.undriven == 0 || mechanism.equations() < mechanism.coordinates()) return freedom;
+  // A dead point looks like a freedom without driver: a little later it is none.
+  const double later = 1e-3 * time_span_of(mechanism).length;
+  const Assembly second = assembler.assemble(later, first.q);
+  return second.closed ? degrees_of_freedom_of(mechanism, second.q) : freedom;
+}
+
+std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
+                                                   const DegreesOfFreedom& freedom) {
+  if (freedom.undriven == 0) return InstantSolver(mechanism);
+  if (mechanism.duration.length > 0.0) return FreeSolver(mechanism);
+  std::string names;
+  for (const int body : freedom.moving) {
+    names += (names.empty() ? "body " : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
+  }
+  throw AnalysisError(
+      {fmt::format("the motion is not determined: {} {} no driver moves; add a driver, or give "
+                   "[motion] duration to let the forces move it",
+                   freedom.undriven, freedom.undriven == 1 ? "freedom that" : "freedoms that"),
+       names,
+       {},
+       {},
+       {}});
+}
+
+/// How far values half-way between instants are from what the instants say.
+struct Misfit {
   double value = 0.0;
-  std::size_t instant = 0;
+  double time = 0.0;
 };
 
-Roughness roughness_of(const Motion& motion, Eigen::VectorXd State::*values) {
-  const std::size_t n = motion.states.size();
-  Eigen::VectorXd largest = Eigen::VectorXd::Zero((motion.states.front().*values).size());
-  for (const State& state : motion.states) largest = largest.cwiseMax((state.*values).cwiseAbs());
+/// States of a motion with their end.
+std::vector<const State*> all_of(const Motion& motion) {
+  std::vector<const State*> all;
+  for (const State& state : motion.states) all.push_back(&state);
+  all.push_back(&motion.end);
+  return all;
+}
+
+/// Every second state against the cubic through the four others around it, by component of
+/// `values`, relative to the component's range.
+Misfit misfit_of(const Motion& motion, Eigen::VectorXd State::*values,
+                 const Eigen::VectorXd& scale) {
+  const std::vector<const State*> all = all_of(motion);
+  const auto count = static_cast<std::ptrdiff_t>(motion.states.size());
+  const Eigen::Index size = (all.front()->*values).size();
+  Eigen::VectorXd low = all.front()->*values;
+  Eigen::VectorXd high = low;
+  for (const State* state : all) {
+    low = low.cwiseMin(state->*values);
+    high = high.cwiseMax(state->*values);
+  }
+  const Eigen::VectorXd range = high - low;
   // A component that is round-off beside the others has no waves of its own to resolve.
-  const double floor = 1e-6 * largest.maxCoeff();
-  Roughness worst;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::VectorXd bend = motion.states[(i + n - 1) % n].*values -
-                                 2.0 * (motion.states[i].*values) +
-                                 motion.states[(i + 1) % n].*values;
-    for (Eigen::Index k = 0; k < bend.size(); ++k) {
-      const double value = largest[k] > floor ? std::abs(bend[k]) / largest[k] : 0.0;
-      if (value > worst.value) worst = {value, i};
+  const double floor =
+      1e-6 * scale.cwiseProduct(high.cwiseAbs().cwiseMax(low.cwiseAbs())).maxCoeff();
+  const auto at = [&](std::ptrdiff_t i) -> const Eigen::VectorXd& {
+    if (motion.closed) i = (i + count) % count;
+    return all[static_cast<std::size_t>(i)]->*values;
+  };
+  Misfit worst;
+  Eigen::VectorXd expected(size);
+  for (std::ptrdiff_t i = 1; i < count; i += 2) {
+    if (motion.closed || (i >= 3 && i + 3 <= count)) {
+      expected = (9.0 * (at(i - 1) + at(i + 1)) - (at(i - 3) + at(i + 3))) / 16.0;
+    } else if (i < 3) {
+      expected = (3.0 * at(i - 1) + 6.0 * at(i + 1) - at(i + 3)) / 8.0;
+    } else {
+      expected = (3.0 * at(i + 1) + 6.0 * at(i - 1) - at(i - 3)) / 8.0;
+    }
+    for (Eigen::Index k = 0; k < size; ++k) {
+      if (!(scale[k] * range[k] > floor)) continue;
+      const double value = std::abs(at(i)[k] - expected[k]) / range[k];
+      if (value > worst.value) worst = {value, all[static_cast<std::size_t>(i)]->time};
     }
   }
   return worst;
@@ -68,65 +131,152 @@ std::string nearest_dead_point(const Mechanism& mechanism, const Motion& motion)
   return nearest;
 }
 
+/// The highest rate of turn of a body [rad/s].
+double fastest_turn(const Motion& motion) {
+  double fastest = 0.0;
+  for (const State& state : motion.states) {
+    for (Eigen::Index i = 2; i < state.v.size(); i += 3) {
+      fastest = std::max(fastest, std::abs(state.v[i]));
+    }
+  }
+  return fastest;
+}
+
+double time_of(const Motion& motion, std::size_t instant, std::size_t count) {
+  return motion.begin + motion.period * static_cast<double>(instant) / static_cast<double>(count);
+}
+
+Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants) {
+  const TimeSpan span = time_span_of(mechanism);
+  const auto count = static_cast<std::size_t>(instants);
+  Motion motion;
+  motion.period = span.length;
+  motion.closed = span.closed && !solver.integrates();
+  motion.begin = motion.closed ? 0.0 : span.begin;
+  motion.freedom = solver.freedom();
+  motion.states.reserve(count);
+  State first = solver.start();
+  if (motion.begin > 0.0) first = solver.near(motion.begin, first);
+  motion.states.push_back(std::move(first));
+  for (std::size_t i = 1; i < count; ++i) {
+    motion.states.push_back(solver.near(time_of(motion, i, count), motion.states.back()));
+  }
+  motion.end = solver.near(time_of(motion, count, count), motion.states.back());
+  motion.change_points = solver.change_points();
+  if (!motion.closed) return motion;
+  // An odd number of change points, or a gear that needs more turns, leads elsewhere.
+  const double open =
+      largest_difference(motion.end.q, motion.states.front().q, size_of(mechanism));
+  if (open < 1e-6) return motion;
+  if (mechanism.duration.length > 0.0) {
+    motion.closed = false;
+    return motion;
+  }
+  throw AnalysisError(
+      {"the motion does not close: after one period of the drivers the mechanism is elsewhere (on "
+       "another branch, or a gear needs more turns); give [motion] duration",
+       "mechanism",
+       motion.period,
+       open,
+       {}});
+}
+
+/// The motion with a state between every two.
+Motion doubled(StateSolver& solver, const Motion& coarse) {
+  Motion fine = coarse;
+  const std::size_t count = 2 * coarse.states.size();
+  fine.states.clear();
+  fine.states.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % 2 == 0) {
+      fine.states.push_back(coarse.states[i / 2]);
+    } else {
+      fine.states.push_back(solver.near(time_of(coarse, i, count), fine.states.back()));
+    }
+  }
+  return fine;
+}
+
 }  // namespace
 
+StateSolver::StateSolver(const Mechanism& mechanism)
+    : mechanism_(&mechanism),
+      freedom_(freedom_at_start(mechanism)),
+      solver_(solver_for(mechanism, freedom_)) {}
+
+State StateSolver::start() {
+  if (auto* free = std::get_if<FreeSolver>(&solver_)) {
+    return free->start(0.0, sketch_of(*mechanism_), start_velocity_of(*mechanism_));
+  }
+  return std::get<InstantSolver>(solver_).solve_from_sketch(0.0, sketch_of(*mechanism_));
+}
+
+State StateSolver::near(double time, const State& known) {
+  if (auto* free = std::get_if<FreeSolver>(&solver_)) return free->advance(time, known);
+  return std::get<InstantSolver>(solver_).solve_near(time, known);
+}
+
+std::vector<double> StateSolver::change_points() const {
+  const auto* driven = std::get_if<InstantSolver>(&solver_);
+  return driven != nullptr ? driven->change_points() : std::vector<double>{};
+}
+
 Motion solve_motion(const Mechanism& mechanism, int instants) {
-  InstantSolver solver(mechanism);
-  Motion motion;
-  motion.period = period_of(mechanism);
-  motion.states.reserve(static_cast<std::size_t>(instants));
-  motion.states.push_back(solver.solve_from_sketch(0.0, sketch_of(mechanism)));
-  for (int i = 1; i < instants; ++i) {
-    motion.states.push_back(solver.solve_near(motion.period * i / instants, motion.states.back()));
-  }
-  // Loops the case does not name are not watched: a motion that comes back elsewhere has jumped.
-  const State again = solver.solve_near(motion.period, motion.states.back());
-  if (largest_difference(again.q, motion.states.front().q) > 1e-6) {
-    throw AnalysisError(
-        {"the motion does not close: after one period of the drivers the mechanism is "
-         "on another branch; name its loops under [loops]",
-         "mechanism",
-         motion.period,
-         largest_difference(again.q, motion.states.front().q),
-         {}});
-  }
-  return motion;
+  StateSolver solver(mechanism);
+  return motion_with(mechanism, solver, instants);
 }
 
 Motion solve_motion(const Mechanism& mechanism) {
-  constexpr int fewest = 96;
-  constexpr int most = 6144;
-  for (int instants = fewest;; instants *= 2) {
-    Motion motion = solve_motion(mechanism, instants);
-    const Roughness accelerations = roughness_of(motion, &State::a);
-    const Roughness reactions = roughness_of(motion, &State::lambda);
-    if (accelerations.value < 0.02 && reactions.value < 0.02) return motion;
-    if (2 * instants > most) {
-      const Roughness& worst = accelerations.value > reactions.value ? accelerations : reactions;
-      const State& state = motion.states[worst.instant];
+  constexpr int fewest = 48;
+  constexpr int most = 24576;
+  constexpr double enough = 0.01;
+  StateSolver solver(mechanism);
+  const ConstraintEquations equations(mechanism);
+  const TimeSpan span = time_span_of(mechanism);
+  const double waves = span.length * span.highest_omega / turn;
+  const int instants = std::clamp(static_cast<int>(std::ceil(4.0 * waves)), fewest, most / 2);
+  Motion motion = motion_with(mechanism, solver, instants);
+  while (true) {
+    motion = doubled(solver, motion);
+    const Misfit accelerations =
+        misfit_of(motion, &State::a, equations.col_scale().cwiseInverse());
+    const Misfit reactions =
+        misfit_of(motion, &State::lambda, equations.row_scale().cwiseInverse());
+    const auto count = static_cast<double>(motion.states.size());
+    const bool turns_seen = count >= 8.0 * motion.period * fastest_turn(motion) / turn;
+    if (accelerations.value < enough && reactions.value < enough && turns_seen) return motion;
+    if (2.0 * count > most) {
+      const Misfit& worst = accelerations.value > reactions.value ? accelerations : reactions;
       throw AnalysisError(
-          {fmt::format("accelerations or reactions change too fast to be resolved with "
-                       "{} instants in a period; the mechanism passes close to a dead "
-                       "point",
-                       instants),
+          {fmt::format("accelerations or reactions change too fast to be resolved with {} instants "
+                       "in a period; the mechanism passes close to a dead point, or slides back "
+                       "and forth against much friction with a small creep velocity",
+                       motion.states.size()),
            nearest_dead_point(mechanism, motion),
-           state.time,
+           worst.time,
            {},
            {}});
     }
   }
 }
 
-State state_at(InstantSolver& solver, const Motion& motion, double time) {
-  const double within = time - motion.period * std::floor(time / motion.period);
+State StateFinder::at(double time) {
+  const Motion& motion = *motion_;
+  double within = time;
+  if (motion.closed) {
+    within -= motion.period * std::floor((time - motion.begin) / motion.period);
+  } else if (time < motion.begin || time > motion.begin + motion.period * (1.0 + 1e-12)) {
+    throw AnalysisError({fmt::format("the motion lasts from {:.6g} s to {:.6g} s", motion.begin,
+                                     motion.begin + motion.period),
+                         "mechanism",
+                         time,
+                         {},
+                         {}});
+  }
   const auto count = motion.states.size();
-  const double position = within / motion.period * static_cast<double>(count);
+  const double position = (within - motion.begin) / motion.period * static_cast<double>(count);
   const auto nearest = static_cast<std::size_t>(std::lround(position));
-  if (nearest < count) return solver.solve_near(within, motion.states[nearest]);
-  // Behind the last instant the motion begins again: the first instant is the nearest one.
-  State first = motion.states.front();
-  first.time = motion.period;
-  return solver.solve_near(within, first);
+  return solver_.near(within, nearest < count ? motion.states[nearest] : motion.end);
 }
 
 }  // namespace boxbeam::planar

@@ -26,6 +26,8 @@ struct Body {
   double inertia = 0.0;  ///< about the centre of mass [kg m^2]
   std::vector<BodyPoint> points;
   Posture sketch;  ///< rough position from which the assembly starts
+  /// Rough velocity (x, y, angle) at the start of a motion that forces decide [m/s, rad/s].
+  Eigen::Vector3d start_velocity = Eigen::Vector3d::Zero();
 };
 
 }  // namespace boxbeam

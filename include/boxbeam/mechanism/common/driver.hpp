@@ -1,18 +1,61 @@
 #pragma once
 
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "boxbeam/numerics/cubic_spline.hpp"
+
+/// Functions of time that a coordinate, a force or a couple follows. Plain SI numbers, by what is
+/// driven: metres or radians, newtons or newton metres.
 namespace boxbeam {
 
-/// A prescribed coordinate as a function of time,
-///
-///     x(t) = mean + amplitude sin(omega t + phase)
-///
-/// Plain SI numbers: metres or radians, by the coordinate that is driven.
+/// One harmonic, amplitude sin(omega t + phase).
+struct Harmonic {
+  double amplitude = 0.0;
+  double omega = 0.0;  ///< [rad/s]
+  double phase = 0.0;  ///< [rad]
+};
+
+/// mean + amplitude sin(omega t + phase) + the same of `further` harmonics.
 struct HarmonicDriver {
   double mean = 0.0;
   double amplitude = 0.0;
   double omega = 0.0;  ///< [rad/s]
   double phase = 0.0;  ///< [rad]
+  std::vector<Harmonic> further;
 };
+
+/// start + rate t. On an angle the mechanism comes back after a turn.
+struct RateDriver {
+  double start = 0.0;
+  double rate = 0.0;  ///< [1/s]
+};
+
+/// c[0] + c[1] t + c[2] t^2 + ...
+struct PolynomialDriver {
+  std::vector<double> c;
+};
+
+/// From one value to another between two times, rate and acceleration zero at both ends:
+///
+///     from + (to - from) (10 u^3 - 15 u^4 + 6 u^5),   u = (t - begin)/(end - begin)
+///
+/// and constant before and behind.
+struct StepDriver {
+  double from = 0.0;
+  double to = 0.0;
+  double begin = 0.0;  ///< [s]
+  double end = 1.0;    ///< [s]
+};
+
+/// Through the points of a table, twice continuously differentiable.
+struct TableDriver {
+  CubicSpline spline;
+};
+
+using Driver =
+    std::variant<HarmonicDriver, RateDriver, PolynomialDriver, StepDriver, TableDriver>;
 
 /// Value and first two time derivatives of a driver.
 struct DriverState {
@@ -21,6 +64,26 @@ struct DriverState {
   double acceleration = 0.0;
 };
 
-DriverState driver_at(const HarmonicDriver& driver, double time);
+DriverState driver_at(const Driver& driver, double time);
+
+/// What a driver says about how long to look at the motion.
+struct DriverTiming {
+  /// Angular frequencies after which it repeats: of each harmonic, of a periodic table, of a turn
+  /// at constant rate where `turning`. Empty for a driver that does not repeat, and for a constant.
+  std::vector<double> omegas;
+  /// Whether it repeats (a constant does).
+  bool repeats = true;
+  /// Where it does not repeat: the end of a step or table [s], 0 where it has none.
+  double end = 0.0;
+  /// Highest angular frequency that it holds [rad/s]: a bound for the sampling of what follows it.
+  double highest_omega = 0.0;
+};
+
+/// `turning`: the driver moves an angle, whose whole turns are no difference.
+DriverTiming timing_of(const Driver& driver, bool turning);
+
+/// The shortest time after which all of the angular frequencies have completed whole cycles, or
+/// nothing where there is none with at most `most` cycles of the fastest [s].
+std::optional<double> common_period_of(const std::vector<double>& omegas, int most = 1000);
 
 }  // namespace boxbeam

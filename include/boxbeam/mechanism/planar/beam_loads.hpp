@@ -20,8 +20,9 @@ BeamBody beam_body_of(const TaperedBeam& beam, int body);
 /// World vector in beam axes: x along the axis, z its left normal, y into the plane.
 Eigen::Vector3d in_beam_axes(const Eigen::Vector2d& world, double angle);
 
-/// Loads on the beam at an instant, rigorously: the reactions of its joints and its own weight and
-/// inertia per length, along and across the axis. A joint off the axis adds its couple.
+/// Loads on the beam at an instant, rigorously: the reactions of its joints, the forces
+/// applied to it, and its own weight and inertia per length, along and across the axis. What acts
+/// off the axis adds its couple.
 BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const BeamBody& beam);
 
 }  // namespace boxbeam::planar

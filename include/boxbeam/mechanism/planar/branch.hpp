@@ -15,6 +15,9 @@ double measure_of(const Loop& loop, const Eigen::VectorXd& q);
 /// Whether each loop is on +1 or -1 (or 0, exactly at a dead point) in a position.
 std::vector<int> branch_of(const Mechanism& mechanism, const Eigen::VectorXd& q);
 
+/// Whether every loop is on the wanted branch.
+bool on_branch(const Mechanism& mechanism, const Eigen::VectorXd& q);
+
 /// The names of the loops that are not on the wanted branch, "" where all are.
 std::string loops_off_branch(const Mechanism& mechanism, const Eigen::VectorXd& q);
 

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
 
 #include "boxbeam/mechanism/planar/mechanism.hpp"
+#include "boxbeam/numerics/sparse_elimination.hpp"
 
 namespace boxbeam::planar {
 
@@ -14,19 +18,90 @@ Eigen::Vector2d velocity_of(const Attachment& point, const Eigen::VectorXd& q,
 Eigen::Vector2d acceleration_of(const Attachment& point, const Eigen::VectorXd& q,
                                 const Eigen::VectorXd& v, const Eigen::VectorXd& a);
 
-/// Constraint equations Phi(q, t), metres and radians; `phi` must have the mechanism's size.
-void evaluate_constraints(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                          Eigen::VectorXd& phi);
+/// The constraint equations Phi(q, t) = 0 of a mechanism, metres and radians, joint after joint in
+/// the order of the mechanism, with their derivatives. Built once; evaluations allocate nothing.
+/// Sources: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems (1989), chapter 3;
+/// Nikravesh, Planar Multibody Dynamics (2007), chapter 7.
+class ConstraintEquations {
+ public:
+  explicit ConstraintEquations(const Mechanism& mechanism);
 
-/// Constraints and their Jacobian dPhi/dq at once; analytic.
-void evaluate_constraints(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                          Eigen::VectorXd& phi, Eigen::MatrixXd& jacobian);
+  Eigen::Index rows() const { return pattern_.rows; }
+  /// Where the Jacobian dPhi/dq may differ from zero.
+  const SparsePattern& pattern() const { return pattern_; }
 
-/// Right side of J v = -dPhi/dt.
-void velocity_right_side(const Mechanism& mechanism, double time, Eigen::VectorXd& nu);
+  /// Factors that make equations and coordinates free of the unit of length: 1/size or 1 per
+  /// equation, size or 1 per coordinate.
+  const Eigen::VectorXd& row_scale() const { return row_scale_; }
+  const Eigen::VectorXd& col_scale() const { return col_scale_; }
 
-/// Right side of J a = -(J v)_q v - d2Phi/dt2.
-void acceleration_right_side(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
-                             const Eigen::VectorXd& v, Eigen::VectorXd& gamma);
+  /// The instant and the position that the next evaluations are for.
+  void set_time(double time);
+  void set_position(const Eigen::VectorXd& q);
+  /// A position close to the one before: cosines and sines by their series where a body has turned
+  /// by less than a milliradian (exact to round-off).
+  void move_position(const Eigen::VectorXd& q);
+
+  void evaluate(Eigen::VectorXd& phi) const;
+  /// Constraints and the values of their Jacobian at once; analytic.
+  void evaluate(Eigen::VectorXd& phi, std::vector<double>& jacobian) const;
+  /// Right side of J v = -dPhi/dt.
+  void velocity_right_side(Eigen::VectorXd& nu) const;
+  /// Right side of J a = -(J v)_q v - d2Phi/dt2.
+  void acceleration_right_side(const Eigen::VectorXd& v, Eigen::VectorXd& gamma) const;
+
+  /// The drivers' present states, in the order of their joints.
+  const std::vector<DriverState>& driver_states() const { return driver_states_; }
+  /// Values taken instead of the drivers' own at the set time, for continuation along the drivers.
+  void set_driver_values(const std::vector<double>& values);
+  /// The row of each driver, in the order of their joints.
+  const std::vector<Eigen::Index>& driver_rows() const { return driver_rows_; }
+
+ private:
+  /// Equations are of five kinds; every joint is made of them.
+  enum class Kind {
+    coincide,  ///< p_a - p_b (two rows)
+    along,     ///< n . (p_a - p_b) + r (phi_a - phi_b) - offset, n fixed to b
+    turn,      ///< phi_a - ratio phi_b - offset
+    length,    ///< |p_a - p_b| - offset
+    mesh,      ///< r (phi_a - theta) + r_b (phi_b - theta) - offset
+  };
+  struct Term {
+    Kind kind = Kind::coincide;
+    int row = 0;
+    int a = 0, b = 0;  ///< bodies; the ground is the one behind the last
+    Eigen::Vector2d p_a = Eigen::Vector2d::Zero(), p_b = Eigen::Vector2d::Zero();
+    Eigen::Vector2d n = Eigen::Vector2d::Zero();
+    double offset = 0.0;
+    double ratio = 0.0;  ///< or r
+    double r_b = 0.0;
+    int driver = -1;
+    std::array<std::uint32_t, 6> at{};  ///< places of the Jacobian's entries in the values
+  };
+  struct Pose {
+    double x = 0.0, y = 0.0, angle = 0.0, cos = 1.0, sin = 0.0;
+
+    Eigen::Vector2d turned(const Eigen::Vector2d& p) const {
+      return {cos * p.x() - sin * p.y(), sin * p.x() + cos * p.y()};
+    }
+  };
+  struct Builder;
+
+  double offset_of(const Term& term) const {
+    return term.driver < 0 ? term.offset
+                           : driver_states_[static_cast<std::size_t>(term.driver)].value;
+  }
+  template <bool with_jacobian>
+  void evaluate_terms(Eigen::VectorXd& phi, std::vector<double>* jacobian) const;
+
+  std::vector<Term> terms_;
+  std::vector<const Driver*> drivers_;
+  std::vector<Eigen::Index> driver_rows_;
+  std::vector<DriverState> driver_states_;
+  std::vector<Pose> poses_;  ///< of the bodies and, last, of the ground
+  SparsePattern pattern_;
+  std::vector<double> constant_;  ///< the Jacobian with the entries that never change
+  Eigen::VectorXd row_scale_, col_scale_;
+};
 
 }  // namespace boxbeam::planar

@@ -2,7 +2,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <cstdint>
+#include <string>
+#include <vector>
 
+#include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 
 namespace boxbeam::planar {
@@ -14,22 +19,33 @@ struct State {
   Eigen::VectorXd v;       ///< [m/s, rad/s]
   Eigen::VectorXd a;       ///< [m/s^2, rad/s^2]
   Eigen::VectorXd lambda;  ///< multipliers, one per constraint equation [N, N m]
-  double residual = 0.0;   ///< largest error of the constraints [m, rad]
+  double residual = 0.0;   ///< largest error of the constraints, lengths by the size of the mechanism
+  /// Tells assemblies apart: the signs of the determinants of the Jacobian's irreducible blocks (a
+  /// block is a loop that closes by itself). Zero where it is not known.
+  std::uint64_t assembly = 0;
 };
 
-/// Everything of instants of one mechanism whose drivers fix its motion: as many independent
-/// equations as coordinates.
+/// How linear systems are solved.
+enum class Elimination {
+  sparse,  ///< in an order found once per mechanism
+  dense,   ///< Eigen's LU with partial pivoting, for comparison
+};
+
+/// Everything of instants of one mechanism whose drivers fix its motion: at least as many
+/// independent equations as coordinates.
 ///
 ///     Phi(q, t) = 0,  J v = -Phi_t,  J a = -(J v)_q v - Phi_tt,  J^T lambda = Q - M a
 ///
-/// Source: Haug (1989), chapters 3, 6 and 7. Holds the mechanism and the work space of the solver.
+/// Equations that only repeat others are left out, and their multipliers are zero. Holds the
+/// mechanism and the work space of the solver; following a motion allocates no memory.
+/// Source: Haug (1989), chapters 3, 6 and 7.
 class InstantSolver {
  public:
-  /// Throws AnalysisError where the number of equations is not the number of coordinates.
-  explicit InstantSolver(const Mechanism& mechanism);
+  /// Throws AnalysisError where there are fewer equations than coordinates.
+  explicit InstantSolver(const Mechanism& mechanism, Elimination elimination = Elimination::sparse);
 
-  /// Positions by Newton's method with step halving (damped) from `start`, whatever branch that
-  /// leads to. Throws AnalysisError where it does not converge or the Jacobian is singular.
+  /// Positions from `start` by damped least squares and Newton's method, whatever branch that leads
+  /// to. Throws AnalysisError where there is no assembly near.
   Eigen::VectorXd assemble(double time, const Eigen::VectorXd& start);
 
   /// The state on the wanted branch of every loop, from a rough position. Where the rough position
@@ -38,29 +54,74 @@ class InstantSolver {
   State solve_from_sketch(double time, const Eigen::VectorXd& sketch);
 
   /// The state near a known one: predicted by a Taylor series of second order, corrected by
-  /// Newton, branch checked; the step of time is halved until it holds. Throws AnalysisError where
-  /// the branch cannot be followed.
+  /// Newton, and accepted where Newton contracts fast, no irreducible block of the Jacobian has
+  /// changed its sign, the wanted branches hold and the position's change agrees with velocities
+  /// and accelerations of both ends; else the step of time is halved. A change point, where two
+  /// branches cross, is passed on the smooth one and counted in `change_points`. Throws
+  /// AnalysisError where the branch cannot be followed.
   State solve_near(double time, const State& known);
+  /// The same into a state whose memory is used again.
+  void solve_near(double time, const State& known, State& result);
+
+  /// Velocities, accelerations and multipliers at an assembled position. Throws AnalysisError where
+  /// they are not determined.
+  State solve_at(double time, const Eigen::VectorXd& q);
 
   const Mechanism& mechanism() const { return *mechanism_; }
+  const ConstraintEquations& equations() const { return equations_; }
+  /// The elimination in use, after a first solution.
+  const SparseElimination& elimination() const { return sparse_; }
+  /// How often the order of elimination had to be found anew.
+  int reorderings() const { return reorderings_; }
+  /// Times of change points passed so far.
+  const std::vector<double>& change_points() const { return change_points_; }
 
  private:
-  /// Damped Newton; false, and the place where it ended in `q`, where no assembly is found.
-  bool try_assemble(double time, Eigen::VectorXd& q);
-  State follow(double time, const State& known, int splits);
-  /// Newton without damping from a good start; false where it does not converge at once.
-  bool correct(double time, Eigen::VectorXd& q);
-  State complete(double time, Eigen::VectorXd q);
-  double residual_at(double time, const Eigen::VectorXd& q);
+  enum class Outcome { good, no_convergence, singular, other_assembly, off_branch, not_smooth };
+
+  void order_anew();
+  /// Factors the Jacobian at hand; false where it is singular.
+  bool factor_at_position();
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+  void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& y) const;
+
+  /// Newton without damping from a good start; leaves the equations at the position.
+  bool correct(Eigen::VectorXd& q);
+  /// Everything but the position, where the equations stand; false at a singular position.
+  bool complete(State& state);
+  void solve_multipliers(State& state);
+  std::uint64_t assembly_of_factors() const;
+  /// Whether the change of position agrees with the rates of both ends.
+  bool smooth(const State& from, const State& to, double tolerance) const;
+  /// One step of time, without splitting.
+  Outcome step(double time, const State& known, State& result, double tolerance, bool crossing);
+  /// Steps of time down to `splits` halvings; `reached`: the last state before the failure.
+  Outcome follow(double time, const State& known, State& result, State& reached, int splits);
+  bool pass_change_point(double time, double place, const State& known, State& result);
+  /// Whether the mechanism can be assembled all around a change point between two states.
+  bool assembles_around(double place, const State& before, const State& behind) const;
+  State start_at_change_point(double time, const Eigen::VectorXd& q);
+  /// The state at a singular position between two regular ones of a smooth motion.
+  void interpolate_singular(double time, const State& before, const State& behind, State& result);
 
   const Mechanism* mechanism_;
-  Eigen::VectorXd mass_;  ///< diagonal of the mass matrix
-  Eigen::VectorXd load_;  ///< applied forces Q: weight
-  Eigen::MatrixXd jacobian_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  Eigen::VectorXd phi_;
-  Eigen::VectorXd step_;
-  Eigen::VectorXd trial_;
+  Elimination kind_;
+  ConstraintEquations equations_;
+  SparseElimination sparse_;
+  Eigen::MatrixXd dense_matrix_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> dense_;
+  bool ordered_ = false;
+  int reorderings_ = 0;
+  std::vector<std::uint64_t> block_key_;  ///< per pivot: the key of its block
+  std::uint64_t parity_key_ = 0;          ///< signs of the order of rows and columns
+  std::vector<double> change_points_;
+  std::vector<FrictionContact> contacts_;
+
+  Eigen::VectorXd mass_;    ///< diagonal of the mass matrix
+  Eigen::VectorXd weight_;  ///< generalised force of gravity
+  Eigen::VectorXd inverse_scale_;
+  std::vector<double> jacobian_;
+  Eigen::VectorXd phi_, right_, step_;
 };
 
 }  // namespace boxbeam::planar

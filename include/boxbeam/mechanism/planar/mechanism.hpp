@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,33 +27,101 @@ struct Pin {
   Attachment a, b;
 };
 
-/// A point of a body stays on a line of the world and the body keeps its angle:
-/// n . (p - through) = 0, phi = angle.
-struct Slider {
-  Attachment point;  ///< on the body that slides
-  Eigen::Vector2d through = Eigen::Vector2d::Zero();
-  double direction = 0.0;  ///< of the line against world x [rad]
-  double angle = 0.0;      ///< of the body [rad]
+/// What resists sliding, along the guide and against the sliding velocity v:
+///
+///     F = mu P v / sqrt(v^2 + creep^2) + c v
+///
+/// P is what presses on the guide: |N|, or, with a moment M taken by a guide of length l, the sum
+/// over its two ends max(|N|, 2 |M|/l). Source: Coulomb's law, smoothed where the direction
+/// changes; Marques et al., Nonlinear Dynamics 86 (2016), for such smoothing.
+struct Friction {
+  double coulomb = 0.0;  ///< mu
+  double viscous = 0.0;  ///< c [N s/m]
+  double creep = 0.01;   ///< sliding velocity at which 71 % of the Coulomb part acts [m/s]
+  double guide = 0.0;    ///< l [m]; 0: the moment presses nowhere
 };
 
-/// phi_a = ratio * phi_b + offset. The points say where the coupling's moments act on its bodies.
+/// A point of a body stays on a line of another (or of the ground) and the bodies keep their angle:
+/// n . (p - p_guide) = 0, phi - phi_guide = angle.
+struct Slider {
+  Attachment point;        ///< on the body that slides
+  Attachment guide;        ///< a point of the line, on the body that carries it
+  double direction = 0.0;  ///< of the line in the axes of the guide's body [rad]
+  double angle = 0.0;      ///< of the sliding body against the guide's body [rad]
+  Friction friction = {};
+};
+
+/// A point of a body stays on a line of another, which may turn about it: n . (p - p_guide) = 0.
+struct PinInSlot {
+  Attachment point;
+  Attachment guide;
+  double direction = 0.0;  ///< of the slot in the axes of its body [rad]
+  Friction friction = {};
+};
+
+/// Two bodies move as one: p_a = p_b, phi_a - phi_b = angle.
+struct Rigid {
+  Attachment a, b;
+  double angle = 0.0;
+};
+
+/// A rod without mass: |p_a - p_b| = length > 0.
+struct Distance {
+  Attachment a, b;
+  double length = 1.0;
+};
+
+/// phi_a = ratio * phi_b + offset, by moments alone (a gearbox whose housing, on the ground, takes
+/// their difference). The points say where the moments act on the bodies.
 struct AngleCoupling {
   Attachment a, b;
   double ratio = 1.0;
   double offset = 0.0;
 };
 
-enum class Coordinate { x, y, angle };
+/// Two toothed wheels in mesh, turning about `a` and `b` on whatever keeps these at the distance of
+/// the radii's sum:
+///
+///     r_a (phi_a - theta) + r_b (phi_b - theta) = offset,  theta the direction of p_b - p_a
+///
+/// up to whole turns of theta. The multiplier is the tooth force along the pitch circles; the part
+/// of the force that a pressure angle adds along the line of centres is left out. An annulus has a
+/// negative radius.
+struct Gear {
+  Attachment a, b;
+  double radius_a = 1.0;
+  double radius_b = 1.0;
+  double offset = 0.0;  ///< [m]
+};
 
-/// A coordinate of a body's point (or the body's angle, the moment acting at the point) follows a
-/// driver.
+/// A toothed wheel about `pinion` rolls on a straight rack: e . (p_pinion - p_rack) +
+/// r (phi_pinion - phi_rack) = offset, with e the rack's direction; positive r: the wheel lies to
+/// the left of the direction. The multiplier is the force along the pitch line.
+struct Rack {
+  Attachment pinion, rack;
+  double direction = 0.0;  ///< of the pitch line in the rack body's axes [rad]
+  double radius = 1.0;
+  double offset = 0.0;  ///< [m]
+};
+
+enum class Coordinate {
+  x,       ///< of the point, in the world
+  y,       ///< of the point, in the world
+  angle,   ///< of the point's body against the other's
+  length,  ///< from the point to the other point
+};
+
+/// A coordinate follows a driver. `other` is the ground unless an angle or a length between bodies
+/// is driven; the moment of a driven angle acts at the points.
 struct Driven {
   Attachment point;
   Coordinate coordinate = Coordinate::x;
-  HarmonicDriver driver;
+  Driver driver;
+  Attachment other = {};
 };
 
-using JointKind = std::variant<Pin, Slider, AngleCoupling, Driven>;
+using JointKind = std::variant<Pin, Slider, PinInSlot, Rigid, Distance, AngleCoupling, Gear, Rack,
+                               Driven>;
 
 /// A joint or a driver: a named set of constraint equations.
 struct Joint {
@@ -60,8 +129,55 @@ struct Joint {
   JointKind kind;
 };
 
-/// How many equations a joint contributes: 2 for pin and slider, 1 for coupling and driver.
+/// How many equations a joint contributes: 3 for rigid, 2 for pin and slider, 1 for the others.
 int equations_of(const Joint& joint);
+
+/// Whether equation `row` of a joint is one of lengths [m]; otherwise of angles [rad].
+bool is_length_equation(const Joint& joint, int row);
+
+inline bool is_driver(const Joint& joint) { return std::holds_alternative<Driven>(joint.kind); }
+
+/// The two attachments of a joint; of a driven coordinate of the world the second is the ground.
+std::pair<Attachment, Attachment> ends_of(const Joint& joint);
+
+/// A spring and a damper between two points, pulling them together with
+/// stiffness (d - free_length) + damping d', d their distance.
+struct Spring {
+  Attachment a, b;
+  double stiffness = 0.0;    ///< [N/m]
+  double free_length = 0.0;  ///< [m]
+  double damping = 0.0;      ///< [N s/m]
+};
+
+/// The same between two angles: the moment stiffness (phi_a - phi_b - free_angle) + damping
+/// (omega_a - omega_b) turns them together.
+struct TorsionSpring {
+  Attachment a, b;
+  double stiffness = 0.0;   ///< [N m/rad]
+  double free_angle = 0.0;  ///< [rad]
+  double damping = 0.0;     ///< [N m s/rad]
+};
+
+/// A force on a point, of a size that follows a function of time.
+struct PointForce {
+  Attachment at;
+  double direction = 0.0;  ///< against world x, or against the body's x if `turns` [rad]
+  bool turns = false;      ///< whether it turns with the body
+  Driver size;             ///< [N]
+};
+
+/// A moment on `a` and its opposite on `b`.
+struct Couple {
+  Attachment a, b;
+  Driver size;  ///< counter-clockwise on a [N m]
+};
+
+using ForceKind = std::variant<Spring, TorsionSpring, PointForce, Couple>;
+
+struct AppliedForce {
+  std::string name;
+  ForceKind kind;
+};
 
 /// A loop whose two assemblies are told apart by the sense of turn of three points:
 /// sign of the area of the triangle from -> via -> to, counter-clockwise positive.
@@ -84,11 +200,19 @@ struct Loop {
   int sign = 1;  ///< +1 or -1
 };
 
+/// The time that is looked at. All zero: one period of the drivers.
+struct Duration {
+  double settle = 0.0;  ///< time before, solved and left out [s]
+  double length = 0.0;  ///< [s]
+};
+
 struct Mechanism {
   std::vector<Body> bodies;
   std::vector<Joint> joints;  ///< drivers among them
+  std::vector<AppliedForce> forces;
   std::vector<Loop> loops;
   Eigen::Vector2d gravity = Eigen::Vector2d::Zero();  ///< [m/s^2]
+  Duration duration;
 
   Eigen::Index coordinates() const { return 3 * static_cast<Eigen::Index>(bodies.size()); }
   Eigen::Index equations() const;
@@ -101,8 +225,24 @@ int joint_index(const Mechanism& mechanism, std::string_view name);
 /// The coordinates of the rough positions given with the bodies.
 Eigen::VectorXd sketch_of(const Mechanism& mechanism);
 
-/// The time after which all drivers repeat [s]. All drivers share one frequency (the reader of a
-/// case sees to it); 0 where there is none.
-double period_of(const Mechanism& mechanism);
+/// The rough velocities given with the bodies.
+Eigen::VectorXd start_velocity_of(const Mechanism& mechanism);
+
+/// The length by which equations of lengths and coordinates are made comparable with angles: the
+/// largest distance of a joint's point from its body's centre of mass, or between points of the
+/// ground; 1 where there is none. Changes with the unit of length as every length does.
+double size_of(const Mechanism& mechanism);
+
+/// How long the motion is looked at.
+struct TimeSpan {
+  double begin = 0.0;       ///< [s]
+  double length = 0.0;      ///< [s]
+  bool closed = true;       ///< the drivers repeat after `length`
+  double highest_omega = 0.0;  ///< of drivers and forces [rad/s]
+};
+
+/// From the mechanism's duration, or one common period of drivers and forces, or up to the end of
+/// the last step or table. Throws AnalysisError where none of these is known.
+TimeSpan time_span_of(const Mechanism& mechanism);
 
 }  // namespace boxbeam::planar

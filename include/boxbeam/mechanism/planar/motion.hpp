@@ -1,28 +1,70 @@
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/branch.hpp"
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
+#include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 
 namespace boxbeam::planar {
 
-/// States over one period of the drivers, equally spaced, the first at t = 0.
+/// States over one period of the drivers, or over the time that is looked at, equally spaced.
 struct Motion {
+  double begin = 0.0;   ///< time of the first state [s]
   double period = 0.0;  ///< [s]
+  bool closed = true;   ///< it repeats after the period; else it ends there
   std::vector<State> states;
+  State end;  ///< at begin + period: the first state again, or where an open motion ends
+  DegreesOfFreedom freedom;
+  std::vector<double> change_points;  ///< times at which two branches cross [s]
+};
+
+/// Finds states of a mechanism: instant by instant where drivers fix the motion, else by
+/// integration from the state before.
+class StateSolver {
+ public:
+  /// Throws AnalysisError where a freedom is left that no driver moves and the mechanism has no
+  /// duration over which forces should.
+  explicit StateSolver(const Mechanism& mechanism);
+
+  bool integrates() const { return std::holds_alternative<FreeSolver>(solver_); }
+  const DegreesOfFreedom& freedom() const { return freedom_; }
+  /// The first state, at t = 0, on the wanted branch.
+  State start();
+  State near(double time, const State& known);
+  std::vector<double> change_points() const;
+
+ private:
+  const Mechanism* mechanism_;
+  DegreesOfFreedom freedom_;
+  std::variant<InstantSolver, FreeSolver> solver_;
 };
 
 /// Solves `instants` states over the period, each from the one before.
 Motion solve_motion(const Mechanism& mechanism, int instants);
 
-/// The motion at enough instants to bracket every peak: the number is doubled until neither an
-/// acceleration nor a reaction bends by more than 2 % of its largest value between neighbours (44
-/// instants per period of the highest harmonic that matters, at least 96). Throws AnalysisError
-/// where 6144 are not enough.
+/// The motion at enough instants to bracket every peak. The first number follows from the highest
+/// harmonic of drivers and forces and from the turns of the bodies (eight instants to each, at
+/// least 96); it is doubled until every acceleration and reaction half-way between two instants is
+/// what the cubic through their neighbours says, within 1 % of its range (a harmonic of full size
+/// then has eight instants to its period). Throws AnalysisError where 24 576 are not enough.
 Motion solve_motion(const Mechanism& mechanism);
 
-/// The state at any time of a solved motion (taken modulo the period), from the nearest instant.
-State state_at(InstantSolver& solver, const Motion& motion, double time);
+/// States at any time of a solved motion (taken modulo the period of a closed one), from the
+/// nearest instant.
+class StateFinder {
+ public:
+  StateFinder(const Mechanism& mechanism, const Motion& motion)
+      : solver_(mechanism), motion_(&motion) {}
+
+  /// Throws AnalysisError for a time outside an open motion.
+  State at(double time);
+
+ private:
+  StateSolver solver_;
+  const Motion* motion_;
+};
 
 }  // namespace boxbeam::planar

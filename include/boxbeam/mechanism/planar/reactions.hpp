@@ -16,8 +16,10 @@ struct Reaction {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();  ///< where, in the body's axes [m]
 };
 
-/// The reaction of every joint on every body it touches, from the multipliers: the generalised
-/// force of a constraint on its bodies is -J^T lambda. Source: Haug (1989), section 6.6.
+/// The reaction of every joint on every body it touches, friction included, from the multipliers:
+/// the generalised force of a constraint on its bodies is -J^T lambda. Where a point slides along a
+/// body, the force on that body stands at the place of the point, which changes.
+/// Source: Haug (1989), section 6.6.
 std::vector<Reaction> reactions_of(const Mechanism& mechanism, const State& state);
 
 /// One reaction per joint, on `preferred` where that body is in the joint, else on the first body.

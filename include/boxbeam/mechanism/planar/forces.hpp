@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "boxbeam/mechanism/planar/mechanism.hpp"
+
+namespace boxbeam::planar {
+
+/// What an applied force (spring, damper, force, couple) does to one body, at a point.
+struct AppliedLoad {
+  int force = 0;  ///< index in the mechanism's forces
+  int on = ground;
+  Eigen::Vector2d vector = Eigen::Vector2d::Zero();  ///< world axes [N]
+  double moment = 0.0;                               ///< counter-clockwise [N m]
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< where, in the body's axes [m]
+};
+
+std::vector<AppliedLoad> applied_loads_of(const Mechanism& mechanism, double time,
+                                          const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+
+/// Adds the generalised applied forces to Q.
+void add_applied_forces(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
+                        const Eigen::VectorXd& v, Eigen::VectorXd& Q);
+
+/// A sliding contact with friction, prepared for evaluation.
+struct FrictionContact {
+  int joint = 0;
+  Eigen::Index row = 0;  ///< of the constraint whose multiplier is the normal force N
+  bool moment = false;   ///< whether the next row's multiplier is a moment that presses as well
+  Attachment point, guide;
+  double direction = 0.0;
+  Friction law;
+};
+
+std::vector<FrictionContact> friction_contacts_of(const Mechanism& mechanism);
+
+/// Direction of a contact's guide in the world.
+Eigen::Vector2d tangent_of(const FrictionContact& contact, const Eigen::VectorXd& q);
+
+/// Velocity of the sliding point along the guide, relative to the guide's body [m/s].
+double sliding_velocity_of(const FrictionContact& contact, const Eigen::VectorXd& q,
+                           const Eigen::VectorXd& v);
+
+/// Friction force on the sliding body along the guide's direction, for given multipliers [N].
+double friction_force_of(const FrictionContact& contact, const Eigen::VectorXd& lambda,
+                         double sliding_velocity);
+
+/// The generalised force of a unit friction force: on the sliding body along the guide, and its
+/// opposite on the guide's body at the same place.
+void unit_friction(const FrictionContact& contact, const Eigen::VectorXd& q, Eigen::VectorXd& Q);
+
+/// Solves for friction forces that depend on multipliers which depend on them,
+///
+///     f_j = friction_j(lambda_0 + sum_k response_k f_k)
+///
+/// by Newton's method on this piecewise linear system. `response`: change of the multipliers per
+/// unit of each force, a column each. Throws AnalysisError where friction locks the mechanism:
+/// more pressure asks for more friction than it gives (Painleve's paradox, self-locking).
+Eigen::VectorXd solve_friction(const Mechanism& mechanism,
+                               const std::vector<FrictionContact>& contacts, double time,
+                               const Eigen::VectorXd& lambda_0, const Eigen::MatrixXd& response,
+                               const Eigen::VectorXd& sliding_velocity);
+
+}  // namespace boxbeam::planar

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/project/case_document.hpp"
+
+namespace boxbeam {
+
+/// Collects the problems of a document, so that all are reported at once.
+class ProblemList {
+ public:
+  explicit ProblemList(const CaseDocument& document) : document_(&document) {}
+
+  void add(const Place& place, std::string message, std::string hint = {});
+  bool empty() const { return problems_.empty(); }
+  std::size_t size() const { return problems_.size(); }
+  /// Throws InputError with all problems, where there are any: those of the case in its order, then
+  /// those of the files that it names.
+  void raise() const;
+
+ private:
+  const CaseDocument* document_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace boxbeam

@@ -1,0 +1,215 @@
+#include "boxbeam/mechanism/planar/forces.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/constraints.hpp"
+
+namespace boxbeam::planar {
+namespace {
+
+double angle_in(const Eigen::VectorXd& x, int body) {
+  return body == ground ? 0.0 : x[3 * static_cast<Eigen::Index>(body) + 2];
+}
+
+Eigen::Vector2d unit_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Hands every load of an applied force on a body to `sink`.
+template <class Sink>
+struct Applier {
+  double time;
+  const Eigen::VectorXd& q;
+  const Eigen::VectorXd& v;
+  const Sink& sink;
+  int force = 0;
+
+  void add(const Attachment& at, const Eigen::Vector2d& vector, double moment) const {
+    if (at.body != ground) sink(AppliedLoad{force, at.body, vector, moment, at.p});
+  }
+
+  void operator()(const Spring& spring) const {
+    const Eigen::Vector2d d = position_of(spring.b, q) - position_of(spring.a, q);
+    const double distance = d.norm();
+    // Ends that coincide pull in no direction.
+    if (!(distance > 0.0)) return;
+    const Eigen::Vector2d u = d / distance;
+    const double rate = u.dot(velocity_of(spring.b, q, v) - velocity_of(spring.a, q, v));
+    const double pull =
+        spring.stiffness * (distance - spring.free_length) + spring.damping * rate;
+    add(spring.a, pull * u, 0.0);
+    add(spring.b, -pull * u, 0.0);
+  }
+
+  void operator()(const TorsionSpring& spring) const {
+    const double turn = angle_in(q, spring.a.body) - angle_in(q, spring.b.body);
+    const double rate = angle_in(v, spring.a.body) - angle_in(v, spring.b.body);
+    const double moment = spring.stiffness * (turn - spring.free_angle) + spring.damping * rate;
+    add(spring.a, Eigen::Vector2d::Zero(), -moment);
+    add(spring.b, Eigen::Vector2d::Zero(), moment);
+  }
+
+  void operator()(const PointForce& point) const {
+    const double direction = point.direction + (point.turns ? angle_in(q, point.at.body) : 0.0);
+    add(point.at, driver_at(point.size, time).value * unit_of(direction), 0.0);
+  }
+
+  void operator()(const Couple& couple) const {
+    const double moment = driver_at(couple.size, time).value;
+    add(couple.a, Eigen::Vector2d::Zero(), moment);
+    add(couple.b, Eigen::Vector2d::Zero(), -moment);
+  }
+};
+
+template <class Sink>
+void for_each_load(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
+                   const Eigen::VectorXd& v, const Sink& sink) {
+  Applier<Sink> applier{time, q, v, sink};
+  for (const AppliedForce& force : mechanism.forces) {
+    std::visit(applier, force.kind);
+    ++applier.force;
+  }
+}
+
+/// What presses on a contact's guide, and its derivative by a change of the multipliers.
+double pressure_of(const FrictionContact& contact, const Eigen::VectorXd& lambda) {
+  const double normal = std::abs(lambda[contact.row]);
+  if (!contact.moment || contact.law.guide == 0.0) return normal;
+  return std::max(normal, 2.0 * std::abs(lambda[contact.row + 1]) / contact.law.guide);
+}
+
+double pressure_change(const FrictionContact& contact, const Eigen::VectorXd& lambda,
+                       const Eigen::VectorXd& change) {
+  const auto along = [&](Eigen::Index row) {
+    return lambda[row] < 0.0 ? -change[row] : change[row];
+  };
+  const double normal = std::abs(lambda[contact.row]);
+  if (contact.moment && contact.law.guide > 0.0 &&
+      2.0 * std::abs(lambda[contact.row + 1]) / contact.law.guide > normal) {
+    return 2.0 * along(contact.row + 1) / contact.law.guide;
+  }
+  return along(contact.row);
+}
+
+/// The share of the Coulomb part that acts, with its sign against the sliding.
+double coulomb_share(const FrictionContact& contact, double velocity) {
+  return -contact.law.coulomb * velocity / std::hypot(velocity, contact.law.creep);
+}
+
+}  // namespace
+
+std::vector<AppliedLoad> applied_loads_of(const Mechanism& mechanism, double time,
+                                          const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  std::vector<AppliedLoad> loads;
+  for_each_load(mechanism, time, q, v, [&](const AppliedLoad& load) { loads.push_back(load); });
+  return loads;
+}
+
+void add_applied_forces(const Mechanism& mechanism, double time, const Eigen::VectorXd& q,
+                        const Eigen::VectorXd& v, Eigen::VectorXd& Q) {
+  for_each_load(mechanism, time, q, v, [&](const AppliedLoad& load) {
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(load.on);
+    const Eigen::Vector2d arm = position_of({load.on, load.point}, q) - q.segment<2>(i);
+    Q.segment<2>(i) += load.vector;
+    Q[i + 2] += load.moment + arm.x() * load.vector.y() - arm.y() * load.vector.x();
+  });
+}
+
+std::vector<FrictionContact> friction_contacts_of(const Mechanism& mechanism) {
+  std::vector<FrictionContact> contacts;
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const auto take = [&](const auto& slide, bool moment) {
+      if (slide.friction.coulomb == 0.0 && slide.friction.viscous == 0.0) return;
+      contacts.push_back({static_cast<int>(i), row, moment, slide.point, slide.guide,
+                          slide.direction, slide.friction});
+    };
+    if (const auto* slider = std::get_if<Slider>(&mechanism.joints[i].kind)) take(*slider, true);
+    if (const auto* slot = std::get_if<PinInSlot>(&mechanism.joints[i].kind)) take(*slot, false);
+    row += equations_of(mechanism.joints[i]);
+  }
+  return contacts;
+}
+
+Eigen::Vector2d tangent_of(const FrictionContact& contact, const Eigen::VectorXd& q) {
+  return unit_of(contact.direction + angle_in(q, contact.guide.body));
+}
+
+double sliding_velocity_of(const FrictionContact& contact, const Eigen::VectorXd& q,
+                           const Eigen::VectorXd& v) {
+  // The guide's body at the place of the sliding point.
+  Eigen::Vector2d carried = Eigen::Vector2d::Zero();
+  if (contact.guide.body != ground) {
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(contact.guide.body);
+    const Eigen::Vector2d arm = position_of(contact.point, q) - q.segment<2>(i);
+    carried = v.segment<2>(i) + v[i + 2] * Eigen::Vector2d(-arm.y(), arm.x());
+  }
+  return tangent_of(contact, q).dot(velocity_of(contact.point, q, v) - carried);
+}
+
+double friction_force_of(const FrictionContact& contact, const Eigen::VectorXd& lambda,
+                         double sliding_velocity) {
+  return coulomb_share(contact, sliding_velocity) * pressure_of(contact, lambda) -
+         contact.law.viscous * sliding_velocity;
+}
+
+void unit_friction(const FrictionContact& contact, const Eigen::VectorXd& q, Eigen::VectorXd& Q) {
+  Q.setZero();
+  const Eigen::Vector2d tangent = tangent_of(contact, q);
+  const Eigen::Vector2d place = position_of(contact.point, q);
+  const auto push = [&](int body, const Eigen::Vector2d& force) {
+    if (body == ground) return;
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(body);
+    const Eigen::Vector2d arm = place - q.segment<2>(i);
+    Q.segment<2>(i) += force;
+    Q[i + 2] += arm.x() * force.y() - arm.y() * force.x();
+  };
+  push(contact.point.body, tangent);
+  push(contact.guide.body, -tangent);
+}
+
+Eigen::VectorXd solve_friction(const Mechanism& mechanism,
+                               const std::vector<FrictionContact>& contacts, double time,
+                               const Eigen::VectorXd& lambda_0, const Eigen::MatrixXd& response,
+                               const Eigen::VectorXd& sliding_velocity) {
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd lambda = lambda_0;
+  Eigen::MatrixXd slope(count, count);
+  Eigen::VectorXd gap(count);
+  constexpr int most = 50;
+  for (int iteration = 0; iteration < most; ++iteration) {
+    double largest = 0.0;
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const FrictionContact& contact = contacts[static_cast<std::size_t>(j)];
+      const double share = coulomb_share(contact, sliding_velocity[j]);
+      gap[j] = force[j] - friction_force_of(contact, lambda, sliding_velocity[j]);
+      largest = std::max(largest, std::abs(force[j]) + std::abs(gap[j]));
+      for (Eigen::Index k = 0; k < count; ++k) {
+        slope(j, k) =
+            (j == k ? 1.0 : 0.0) - share * pressure_change(contact, lambda, response.col(k));
+      }
+    }
+    if (gap.lpNorm<Eigen::Infinity>() <= 1e-13 * largest) return force;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(slope);
+    // Without friction the determinant is 1; where it reaches zero, friction holds any force.
+    if (!(lu.determinant() > 1e-9)) break;
+    force -= lu.solve(gap);
+    lambda = lambda_0 + response * force;
+  }
+  std::string names;
+  for (const FrictionContact& contact : contacts) {
+    names += (names.empty() ? "joint " : ", joint ") +
+             mechanism.joints[static_cast<std::size_t>(contact.joint)].name;
+  }
+  throw AnalysisError(
+      {"friction locks the mechanism: the pressure it causes asks for more friction than the "
+       "driver can overcome; lower the friction coefficient or guide the slider otherwise",
+       names,
+       time,
+       {},
+       {}});
+}
+
+}  // namespace boxbeam::planar

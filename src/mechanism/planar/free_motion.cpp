@@ -1,0 +1,245 @@
+#include "boxbeam/mechanism/planar/free_motion.hpp"
+
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_fehlberg78.hpp>
+#include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/assembly.hpp"
+#include "boxbeam/mechanism/planar/branch.hpp"
+#include "boxbeam/mechanism/planar/reach.hpp"
+
+namespace boxbeam::planar {
+namespace {
+
+constexpr std::uint32_t diagonal = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+FreeSolver::FreeSolver(const Mechanism& mechanism, double tolerance, bool project)
+    : mechanism_(&mechanism),
+      tolerance_(tolerance),
+      project_(project),
+      equations_(mechanism),
+      contacts_(friction_contacts_of(mechanism)),
+      mass_(mechanism.coordinates()),
+      weight_(mechanism.coordinates()),
+      phi_(mechanism.equations()),
+      gamma_(mechanism.equations()) {
+  Eigen::Index i = 0;
+  for (const Body& body : mechanism.bodies) {
+    mass_.segment<3>(i) << body.mass, body.mass, body.inertia;
+    weight_.segment<3>(i) << body.mass * mechanism.gravity, 0.0;
+    i += 3;
+  }
+  const Eigen::Index n = mechanism.coordinates();
+  const Eigen::Index m = mechanism.equations();
+  metric_ = equations_.col_scale().cwiseAbs2().cwiseInverse();
+  // Scaled so that masses and Jacobian are comparable, whatever the units.
+  const double largest = mass_.cwiseProduct(equations_.col_scale().cwiseAbs2()).maxCoeff();
+  const double root = largest > 0.0 ? std::sqrt(largest) : 1.0;
+  scale_.resize(n + m);
+  scale_ << equations_.col_scale() / root, equations_.row_scale() * root;
+
+  const SparsePattern& own = equations_.pattern();
+  std::vector<std::vector<std::pair<int, std::uint32_t>>> rows(static_cast<std::size_t>(n + m));
+  for (Eigen::Index k = 0; k < n; ++k) {
+    rows[static_cast<std::size_t>(k)].emplace_back(static_cast<int>(k), diagonal);
+  }
+  for (Eigen::Index r = 0; r < m; ++r) {
+    for (int e = own.row_start[static_cast<std::size_t>(r)];
+         e < own.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
+      const auto entry = static_cast<std::size_t>(e);
+      const auto number = static_cast<std::uint32_t>(e);
+      rows[static_cast<std::size_t>(own.col[entry])].emplace_back(static_cast<int>(n + r), number);
+      rows[static_cast<std::size_t>(n + r)].emplace_back(own.col[entry], number);
+    }
+  }
+  pattern_.rows = pattern_.cols = n + m;
+  for (const auto& row : rows) {
+    pattern_.row_start.push_back(static_cast<int>(pattern_.col.size()));
+    for (const auto& [col, source] : row) {
+      pattern_.col.push_back(col);
+      source_.push_back(source);
+    }
+  }
+  pattern_.row_start.push_back(static_cast<int>(pattern_.col.size()));
+  values_.resize(pattern_.col.size());
+  right_.resize(n + m);
+  solution_.resize(n + m);
+}
+
+void FreeSolver::factor(SparseElimination& elimination, const Eigen::VectorXd& weight,
+                        double time) {
+  equations_.evaluate(phi_, jacobian_);
+  Eigen::Index k = 0;
+  for (std::size_t e = 0; e < values_.size(); ++e) {
+    values_[e] = source_[e] == diagonal ? weight[k++] : jacobian_[source_[e]];
+  }
+  if (elimination.pivots() > 0 && elimination.factor(values_)) return;
+  elimination.analyse(pattern_, values_, scale_, scale_);
+  const auto& left = elimination.cols_left();
+  if (!elimination.factor(values_) ||
+      std::any_of(left.begin(), left.end(),
+                  [&](int col) { return col < mechanism_->coordinates(); })) {
+    throw AnalysisError({"accelerations are not determined: a freedom that no driver moves has no "
+                         "mass; give the body a mass (and inertia), or drive it",
+                         "mechanism",
+                         time,
+                         {},
+                         {}});
+  }
+}
+
+void FreeSolver::solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                             Eigen::VectorXd& a, Eigen::VectorXd& lambda) {
+  const Eigen::Index n = mechanism_->coordinates();
+  ++evaluations_;
+  equations_.set_time(time);
+  equations_.set_position(q);
+  factor(dynamics_, mass_, time);
+  Eigen::VectorXd Q = weight_;
+  add_applied_forces(*mechanism_, time, q, v, Q);
+  equations_.acceleration_right_side(v, gamma_);
+  right_ << Q, gamma_;
+  dynamics_.solve(right_, solution_);
+  a = solution_.head(n);
+  lambda = solution_.tail(solution_.size() - n);
+  if (contacts_.empty()) return;
+  const auto count = static_cast<Eigen::Index>(contacts_.size());
+  Eigen::MatrixXd response(solution_.size(), count);
+  Eigen::VectorXd velocity(count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const FrictionContact& contact = contacts_[static_cast<std::size_t>(j)];
+    unit_friction(contact, q, Q);
+    right_ << Q, Eigen::VectorXd::Zero(gamma_.size());
+    dynamics_.solve(right_, solution_);
+    response.col(j) = solution_;
+    velocity[j] = sliding_velocity_of(contact, q, v);
+  }
+  const Eigen::VectorXd friction = solve_friction(
+      *mechanism_, contacts_, time, lambda, response.bottomRows(lambda.size()), velocity);
+  a += response.topRows(n) * friction;
+  lambda += response.bottomRows(lambda.size()) * friction;
+}
+
+void FreeSolver::project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v) {
+  constexpr int most = 8;
+  const Eigen::Index n = mechanism_->coordinates();
+  equations_.set_time(time);
+  for (int i = 0; i < most; ++i) {
+    equations_.set_position(q);
+    factor(projection_, metric_, time);
+    const double open = phi_.cwiseProduct(equations_.row_scale()).lpNorm<Eigen::Infinity>();
+    if (i > 0 && open < 1e-14) break;
+    right_ << Eigen::VectorXd::Zero(n), -phi_;
+    projection_.solve(right_, solution_);
+    q += solution_.head(n);
+    if (open < 1e-15) break;
+  }
+  equations_.set_position(q);
+  factor(projection_, metric_, time);
+  equations_.velocity_right_side(gamma_);
+  const SparsePattern& own = equations_.pattern();
+  for (Eigen::Index r = 0; r < own.rows; ++r) {
+    for (int e = own.row_start[static_cast<std::size_t>(r)];
+         e < own.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
+      gamma_[r] -= jacobian_[static_cast<std::size_t>(e)] * v[own.col[static_cast<std::size_t>(e)]];
+    }
+  }
+  right_ << Eigen::VectorXd::Zero(n), gamma_;
+  projection_.solve(right_, solution_);
+  v += solution_.head(n);
+}
+
+State FreeSolver::state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  State state;
+  state.time = time;
+  state.q = q;
+  state.v = v;
+  solve_rates(time, q, v, state.a, state.lambda);
+  state.residual = phi_.cwiseProduct(equations_.row_scale()).lpNorm<Eigen::Infinity>();
+  return state;
+}
+
+State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  Assembler assembler(*mechanism_);
+  Assembly assembly = assembler.assemble(time, q);
+  if (!assembly.closed) throw AnalysisError(failure_of_assembly(*mechanism_, time, assembly));
+  constexpr int other_starts = 256;
+  const std::string off = loops_off_branch(*mechanism_, assembly.q);
+  for (int attempt = 1; !(assembly.closed && on_branch(*mechanism_, assembly.q)); ++attempt) {
+    if (attempt > other_starts) {
+      throw AnalysisError({"no assembly found on the wanted branch; change the sign asked for, or "
+                           "the sketch",
+                           off,
+                           time,
+                           {},
+                           {}});
+    }
+    assembly = assembler.assemble(time, other_start(*mechanism_, q, attempt));
+  }
+  Eigen::VectorXd position = assembly.q;
+  Eigen::VectorXd velocity = v;
+  project(time, position, velocity);
+  return state_of(time, position, velocity);
+}
+
+State FreeSolver::advance(double time, const State& known) {
+  using Vector = std::vector<double>;
+  const Eigen::Index n = mechanism_->coordinates();
+  const Eigen::VectorXd& scale = equations_.col_scale();
+  Eigen::VectorXd q = known.q;
+  Eigen::VectorXd v = known.v;
+  Eigen::VectorXd a, lambda;
+  Vector y(static_cast<std::size_t>(2 * n));
+  const auto pack = [&] {
+    Eigen::Map<Eigen::VectorXd>(y.data(), n) = q.cwiseQuotient(scale);
+    Eigen::Map<Eigen::VectorXd>(y.data() + n, n) = v.cwiseQuotient(scale);
+  };
+  const auto unpack = [&](const Vector& from) {
+    q = Eigen::Map<const Eigen::VectorXd>(from.data(), n).cwiseProduct(scale);
+    v = Eigen::Map<const Eigen::VectorXd>(from.data() + n, n).cwiseProduct(scale);
+  };
+  const auto rates = [&](const Vector& at, Vector& rate, double t) {
+    unpack(at);
+    solve_rates(t, q, v, a, lambda);
+    Eigen::Map<Eigen::VectorXd>(rate.data(), n) = v.cwiseQuotient(scale);
+    Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = a.cwiseQuotient(scale);
+  };
+  namespace odeint = boost::numeric::odeint;
+  auto stepper = odeint::make_controlled(tolerance_, tolerance_,
+                                         odeint::runge_kutta_fehlberg78<Vector>());
+  pack();
+  double t = known.time;
+  double dt = time - t;
+  const double direction = dt < 0.0 ? -1.0 : 1.0;
+  const double smallest = 1e-13 * std::max(std::abs(time), std::abs(known.time)) + 1e-300;
+  while (direction * (time - t) > smallest) {
+    dt = direction * std::min(std::abs(dt), std::abs(time - t));
+    if (stepper.try_step(rates, y, t, dt) == odeint::fail) {
+      if (std::abs(dt) > smallest) continue;
+      throw AnalysisError({"the motion under the applied forces cannot be integrated further: it "
+                           "changes faster than the arithmetic can follow (a singular position, or "
+                           "far too stiff a spring)",
+                           "mechanism",
+                           t,
+                           {},
+                           {}});
+    }
+    ++steps_;
+    if (!project_) continue;
+    unpack(y);
+    project(t, q, v);
+    pack();
+  }
+  unpack(y);
+  return state_of(time, q, v);
+}
+
+}  // namespace boxbeam::planar

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+using planar::Attachment;
+using planar::Mechanism;
+
+/// A reference "body.point".
+Attachment attachment_in(TableReader& table, std::string_view key, const std::string& reference,
+                         const Mechanism& mechanism) {
+  Attachment attachment;
+  const std::size_t dot = reference.rfind('.');
+  if (dot == std::string::npos) {
+    table.problem(key, fmt::format("\"{}\" is not a point of a body", reference),
+                  "write \"body.point\", for example \"beam.B\"");
+    return attachment;
+  }
+  const std::string body_name = reference.substr(0, dot);
+  const std::string point_name = reference.substr(dot + 1);
+  attachment.body = body_index(mechanism, body_name);
+  if (attachment.body < 0) {
+    table.problem(key, fmt::format("there is no body \"{}\"", body_name),
+                  unknown_hint(body_name, names_of(mechanism.bodies)));
+    return attachment;
+  }
+  const Body& body = mechanism.bodies[static_cast<std::size_t>(attachment.body)];
+  const auto point = std::find_if(body.points.begin(), body.points.end(),
+                                  [&](const BodyPoint& p) { return p.name == point_name; });
+  if (point == body.points.end()) {
+    table.problem(key, fmt::format("body \"{}\" has no point \"{}\"", body_name, point_name),
+                  unknown_hint(point_name, names_of(body.points)));
+    return attachment;
+  }
+  attachment.p = point->p;
+  return attachment;
+}
+
+Attachment ground_at(TableReader& table) {
+  return {planar::ground, table.pair("at", wanted::length)};
+}
+
+}  // namespace
+
+Attachment attachment_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
+  const std::string reference = table.text(key);
+  if (reference.empty()) return {};
+  return attachment_in(table, key, reference, mechanism);
+}
+
+std::vector<Attachment> attachments_of(TableReader& table, std::string_view key, std::size_t count,
+                                       const Mechanism& mechanism) {
+  std::vector<Attachment> attachments;
+  const std::vector<std::string> references = table.texts(key, true);
+  if (references.size() != count && table.has(key)) {
+    table.problem(key, fmt::format("\"{}\" wants {} points", key, count),
+                  "each as \"body.point\", for example \"beam.B\"");
+  }
+  for (const std::string& reference : references) {
+    attachments.push_back(attachment_in(table, key, reference, mechanism));
+  }
+  attachments.resize(count);
+  return attachments;
+}
+
+Attachment place_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
+  const std::string reference = table.text(key);
+  if (reference.empty()) return {};
+  if (reference == "ground") return ground_at(table);
+  return attachment_in(table, key, reference, mechanism);
+}
+
+std::pair<Attachment, Attachment> ends_in(TableReader& table, const EndsKey& of,
+                                          const Mechanism& mechanism) {
+  const std::string hint =
+      fmt::format("write {} = [\"beam.B\", \"rod.B\"], or \"ground\" for one of them", of.key);
+  Attachment ends[2];
+  const std::size_t before = table.problems().size();
+  const std::vector<std::string> references = table.texts(of.key, true);
+  if (table.problems().size() != before) return {};
+  if (references.size() != 2) {
+    table.problem(of.key, fmt::format("{} connects two points", of.what), hint);
+    return {};
+  }
+  int grounds = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (references[i] != "ground") {
+      ends[i] = attachment_in(table, of.key, references[i], mechanism);
+    } else if (++grounds == 1 && of.ground_point) {
+      ends[i] = ground_at(table);
+    }
+  }
+  if (grounds == 2 || (grounds == 0 && ends[0].body == ends[1].body && ends[0].body >= 0)) {
+    table.problem(
+        of.key, fmt::format("{} connects two different bodies, or a body and the ground", of.what),
+        hint);
+  }
+  return {ends[0], ends[1]};
+}
+
+}  // namespace boxbeam::readers

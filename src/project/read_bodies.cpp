@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+/// The mass properties of the beam have no place among its keys.
+void refuse_mass(TableReader& table) {
+  for (const char* key : {"mass", "inertia", "uniform_rod", "centre"}) {
+    const bool there = std::any_of(table.members().begin(), table.members().end(),
+                                   [&](const Node::Member& m) { return m.key == key; });
+    if (!there || !table.has(key)) continue;
+    table.problem(key,
+                  fmt::format("the mass properties of the beam come from its sections; \"{}\" "
+                              "has no place here",
+                              key),
+                  "remove this line");
+  }
+}
+
+void read_mass(TableReader& table, Body& body, Eigen::Vector2d& centre) {
+  body.mass = table.not_negative("mass", wanted::mass);
+  centre = table.pair("centre", wanted::length, Eigen::Vector2d::Zero());
+  if (table.has("uniform_rod")) {
+    const double length = table.positive("uniform_rod", wanted::length);
+    body.inertia = body.mass * length * length / 12.0;
+  } else {
+    body.inertia = table.not_negative("inertia", wanted::inertia, 0.0);
+  }
+}
+
+Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen::Vector2d& centre) {
+  Body body;
+  body.name = name;
+  if (name == "ground") {
+    table.problem("", "\"ground\" is the world and no body", "give the body another name");
+  }
+  if (is_beam) {
+    refuse_mass(table);
+  } else {
+    read_mass(table, body, centre);
+  }
+  TableReader points = table.table("points");
+  points.accept_all();
+  for (const Node::Member& member : points.members()) {
+    body.points.push_back(
+        {member.key,
+         points.pair_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
+  }
+  TableReader sketch = table.table("sketch");
+  body.sketch.centre = sketch.pair("at", wanted::length);
+  body.sketch.angle = sketch.quantity("angle", wanted::angle, 0.0);
+  sketch.finish();
+  table.finish();
+  return body;
+}
+
+}  // namespace
+
+void read_bodies(TableReader& root, const std::string& beam_body, MechanismDraft& draft) {
+  TableReader bodies = root.table("bodies");
+  const bool beam_known = root.has("beam") && (beam_body.empty() || bodies.has(beam_body));
+  for (auto& [name, table] : bodies.named_tables()) {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    const bool is_beam = name == beam_body || (!beam_known && !table.has("mass"));
+    draft.mechanism.bodies.push_back(read_body(name, table, is_beam, centre));
+    draft.centres.push_back(centre);
+  }
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+/// The dimension of the k-th derivative by time, with words of its own for messages.
+class Derivative {
+ public:
+  Derivative(const FunctionOf& of, int k) : exponents_(of.value.exponents) {
+    const std::string seconds = k == 1 ? "s" : fmt::format("s^{}", k);
+    exponents_.time -= k;
+    name_ = k == 0 ? of.value.name : fmt::format("{} per {}", of.value.name, seconds);
+    example_ =
+        k == 0 ? fmt::format("\"1 {}\"", of.unit) : fmt::format("\"1 {}/{}\"", of.unit, seconds);
+    if (k == 1 && of.value.exponents == wanted::angle.exponents) {
+      example_ = "\"6 rpm\" or \"0.63 rad/s\"";
+    }
+  }
+  WantedDimension wanted() const { return {exponents_, name_.c_str(), example_.c_str()}; }
+
+ private:
+  DimensionExponents exponents_;
+  std::string name_;
+  std::string example_;
+};
+
+/// What stands still is no function of time.
+void refuse_still(TableReader& table, const FunctionOf& of, std::string_view key,
+                  std::string_view wish) {
+  table.problem(key, of.still, fmt::format("give {}", wish));
+}
+
+double angular_frequency_of(TableReader& table) {
+  if (table.has("angular_frequency")) {
+    return table.positive("angular_frequency", wanted::angular_frequency);
+  }
+  return 2.0 * std::numbers::pi * table.positive("frequency", wanted::frequency);
+}
+
+HarmonicDriver read_harmonic(TableReader& table, const FunctionOf& of) {
+  HarmonicDriver driver;
+  driver.mean = table.quantity("mean", of.value);
+  driver.amplitude = table.quantity("amplitude", of.value);
+  driver.phase = table.quantity("phase", wanted::angle, 0.0);
+  driver.omega = angular_frequency_of(table);
+  for (TableReader& row : table.tables("further")) {
+    Harmonic& harmonic = driver.further.emplace_back();
+    harmonic.amplitude = row.quantity("amplitude", of.value);
+    harmonic.phase = row.quantity("phase", wanted::angle, 0.0);
+    harmonic.omega = angular_frequency_of(row);
+    row.finish();
+  }
+  const bool further_still = std::all_of(driver.further.begin(), driver.further.end(),
+                                         [](const Harmonic& h) { return h.amplitude == 0.0; });
+  if (driver.amplitude == 0.0 && further_still) {
+    refuse_still(table, of, "amplitude", "an amplitude other than zero");
+  }
+  return driver;
+}
+
+RateDriver read_constant_rate(TableReader& table, const FunctionOf& of) {
+  return {table.quantity("start", of.value), table.not_zero("rate", Derivative(of, 1).wanted())};
+}
+
+PolynomialDriver read_polynomial(TableReader& table, const FunctionOf& of) {
+  constexpr int most = 8;
+  std::vector<Derivative> derivatives;
+  for (int k = 0; k < most; ++k) derivatives.emplace_back(of, k);
+  std::vector<WantedDimension> dimensions;
+  for (const Derivative& derivative : derivatives) dimensions.push_back(derivative.wanted());
+  const std::size_t before = table.problems().size();
+  PolynomialDriver driver{table.quantities("coefficients", dimensions)};
+  const bool still = std::all_of(driver.c.begin() + (driver.c.empty() ? 0 : 1), driver.c.end(),
+                                 [](double c) { return c == 0.0; });
+  if (still && table.problems().size() == before) {
+    refuse_still(
+        table, of, "coefficients",
+        fmt::format("one other than zero behind the first: [\"0 {0}\", \"1 {0}/s\"]", of.unit));
+  }
+  return driver;
+}
+
+StepDriver read_step(TableReader& table, const FunctionOf& of) {
+  StepDriver driver;
+  driver.from = table.quantity("from", of.value);
+  driver.to = table.quantity("to", of.value);
+  driver.begin = table.quantity("begin", wanted::time, 0.0);
+  driver.end = table.positive("end", wanted::time);
+  if (driver.end - driver.begin < 1e-9) {
+    table.problem("end", "the step must end after it begins",
+                  fmt::format("write a time behind {:.6g} s", driver.begin));
+  }
+  if (driver.from == driver.to) refuse_still(table, of, "to", "another value than \"from\"");
+  return driver;
+}
+
+/// Sets the last value of a table that repeats to its first, from which rounding may keep it.
+void close(TableReader& reader, TimeTable& table) {
+  const auto [low, high] = std::minmax_element(table.value.begin(), table.value.end());
+  const double gap = table.value.back() - table.value.front();
+  if (std::abs(gap) <= 1e-9 * (*high - *low)) {
+    table.value.back() = table.value.front();
+    return;
+  }
+  reader.problems().add(table.end,
+                        fmt::format("the table is to repeat, but its last value misses its first "
+                                    "by {:.6g} in SI units",
+                                    gap),
+                        "end it with the first value once more, or write periodic = false");
+}
+
+Driver read_table(TableReader& table, const FunctionOf& of, TimeTables& tables) {
+  const bool periodic = table.boolean("periodic", false);
+  auto points = tables.read(table, "file", of.value, of.column);
+  if (!points) return {};
+  if (periodic) {
+    const std::size_t before = table.problems().size();
+    close(table, *points);
+    if (table.problems().size() != before) return {};
+  }
+  return TableDriver{CubicSpline(std::move(points->time), std::move(points->value),
+                                 periodic ? SplineEnds::periodic : SplineEnds::clamped)};
+}
+
+}  // namespace
+
+std::optional<Driver> read_function(TableReader& table, const FunctionOf& of, TimeTables& tables) {
+  const std::size_t before = table.problems().size();
+  const std::size_t kind =
+      table.choice("kind", {"harmonic", "constant rate", "polynomial", "smooth step", "table"});
+  if (table.problems().size() != before) return std::nullopt;
+  switch (kind) {
+    case 0: return read_harmonic(table, of);
+    case 1: return read_constant_rate(table, of);
+    case 2: return read_polynomial(table, of);
+    case 3: return read_step(table, of);
+    default: return read_table(table, of, tables);
+  }
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+using planar::Attachment;
+using planar::Mechanism;
+
+/// A point and the line that it stays on.
+struct Guided {
+  Attachment point, guide;
+  double direction = 0.0;
+};
+
+/// The point of a guide: on the ground ("through"), or on a body ("guide").
+Attachment read_guide(TableReader& table, const char* what, const Mechanism& mechanism) {
+  const bool through = table.has("through");
+  if (through == table.has("guide")) {
+    table.problem("", fmt::format("{} wants either \"through\" or \"guide\"", what),
+                  "through = [x, y] for a line on the ground, guide = \"body.point\" for one on "
+                  "a body, which moves with it");
+    return {};
+  }
+  if (through) return {planar::ground, table.pair("through", wanted::length)};
+  if (table.text("guide") == "ground") {
+    table.problem("guide", "a line on the ground is given by a point that it goes through",
+                  "write through = [x, y] instead");
+    return {};
+  }
+  return attachment_of(table, "guide", mechanism);
+}
+
+Guided read_guided(TableReader& table, const char* what, const Mechanism& mechanism) {
+  Guided guided;
+  guided.point = place_of(table, "point", mechanism);
+  const std::size_t before = table.problems().size();
+  guided.guide = read_guide(table, what, mechanism);
+  guided.direction = table.quantity("direction", wanted::angle);
+  const bool point_known = guided.point.body >= 0 || table.text("point") == "ground";
+  if (table.problems().size() == before && point_known && guided.point.body == guided.guide.body) {
+    table.problem("point",
+                  fmt::format("{} connects two different bodies, or a body and the ground", what),
+                  "the line is on another body than the point: write guide = \"body.point\", or "
+                  "through = [x, y] for the ground");
+  }
+  return guided;
+}
+
+planar::Friction read_friction(TableReader& joint) {
+  planar::Friction friction;
+  if (!joint.has("friction")) return friction;
+  TableReader table = joint.table("friction");
+  friction.coulomb = table.any_number("coefficient", friction.coulomb);
+  if (friction.coulomb < 0.0 || friction.coulomb > 2.0) {
+    table.problem("coefficient", "\"coefficient\" is a coefficient of friction, from 0 to 2",
+                  "write for example coefficient = 0.1");
+  }
+  friction.viscous = table.not_negative("viscous", wanted::damping, friction.viscous);
+  friction.creep = table.positive("creep", wanted::velocity, friction.creep);
+  friction.guide = table.not_negative("guide_length", wanted::length, friction.guide);
+  table.finish();
+  return friction;
+}
+
+planar::Slider read_slider(TableReader& table, const Mechanism& mechanism) {
+  const Guided guided = read_guided(table, "a slider", mechanism);
+  const double angle = table.quantity("angle", wanted::angle, 0.0);
+  return {guided.point, guided.guide, guided.direction, angle, read_friction(table)};
+}
+
+planar::PinInSlot read_pin_in_slot(TableReader& table, const Mechanism& mechanism) {
+  const Guided guided = read_guided(table, "a pin in a slot", mechanism);
+  return {guided.point, guided.guide, guided.direction, read_friction(table)};
+}
+
+planar::Pin read_pin(TableReader& table, const Mechanism& mechanism) {
+  const auto [a, b] = ends_in(table, {"connect", "a pin"}, mechanism);
+  return {a, b};
+}
+
+planar::Rigid read_rigid(TableReader& table, const Mechanism& mechanism) {
+  const auto [a, b] = ends_in(table, {"connect", "a rigid joint"}, mechanism);
+  return {a, b, table.quantity("angle", wanted::angle, 0.0)};
+}
+
+planar::Distance read_distance(TableReader& table, const Mechanism& mechanism) {
+  const auto [a, b] = ends_in(table, {"connect", "a distance"}, mechanism);
+  return {a, b, table.positive("length", wanted::length)};
+}
+
+planar::AngleCoupling read_coupling(TableReader& table, const Mechanism& mechanism) {
+  const auto [a, b] = ends_in(table, {"points", "a coupling", false}, mechanism);
+  const double ratio = table.any_number("ratio", 1.0);
+  if (ratio == 0.0) {
+    table.problem("ratio", "\"ratio\" must not be zero",
+                  "write for example ratio = -0.5; to fix an angle use a slider or a rigid joint");
+  }
+  return {a, b, ratio, table.quantity("offset", wanted::angle, 0.0)};
+}
+
+planar::Gear read_gear(TableReader& table, const Mechanism& mechanism) {
+  planar::Gear gear;
+  std::tie(gear.a, gear.b) = ends_in(table, {"connect", "a gear"}, mechanism);
+  gear.offset = table.quantity("offset", wanted::length, 0.0);
+  const std::size_t before = table.problems().size();
+  const std::vector<double> radii = table.quantities("radii", wanted::length);
+  if (table.problems().size() != before) return gear;
+  if (radii.size() != 2) {
+    table.problem("radii", "a gear has two radii, in the order of the wheels",
+                  "write radii = [\"0.1 m\", \"0.3 m\"], an annulus below zero");
+    return gear;
+  }
+  gear.radius_a = radii[0];
+  gear.radius_b = radii[1];
+  if (std::abs(radii[0]) < 1e-20 || std::abs(radii[1]) < 1e-20) {
+    table.problem("radii", "a wheel's radius must not be zero",
+                  "write radii = [\"0.1 m\", \"0.3 m\"], an annulus below zero");
+  } else if (std::abs(radii[0] + radii[1]) < 1e-12 * std::abs(radii[0])) {
+    table.problem("radii", "wheel and annulus of one size do not roll on each other",
+                  "the radii's sum is the distance of the centres, and not zero");
+  }
+  return gear;
+}
+
+planar::Rack read_rack(TableReader& table, const Mechanism& mechanism) {
+  planar::Rack rack;
+  const std::size_t before = table.problems().size();
+  rack.pinion = place_of(table, "pinion", mechanism);
+  rack.rack = place_of(table, "rack", mechanism);
+  if (table.problems().size() == before && rack.pinion.body == rack.rack.body) {
+    table.problem("rack", "a rack connects two different bodies, or a body and the ground",
+                  "write pinion = \"wheel.C\" and rack = \"other_body.point\", or rack = "
+                  "\"ground\" with its point in \"at\"");
+  }
+  rack.direction = table.quantity("direction", wanted::angle);
+  rack.radius = table.not_zero("radius", wanted::length);
+  rack.offset = table.quantity("offset", wanted::length, 0.0);
+  return rack;
+}
+
+planar::JointKind read_kind(TableReader& table, std::size_t kind, const Mechanism& mechanism) {
+  switch (kind) {
+    case 0: return read_pin(table, mechanism);
+    case 1: return read_slider(table, mechanism);
+    case 2: return read_pin_in_slot(table, mechanism);
+    case 3: return read_rigid(table, mechanism);
+    case 4: return read_distance(table, mechanism);
+    case 5: return read_coupling(table, mechanism);
+    case 6: return read_gear(table, mechanism);
+    default: return read_rack(table, mechanism);
+  }
+}
+
+}  // namespace
+
+void read_joints(TableReader& root, Mechanism& mechanism) {
+  TableReader joints = root.table("joints");
+  for (auto& [name, table] : joints.named_tables()) {
+    planar::Joint joint{name, planar::Pin{}};
+    const std::size_t before = table.problems().size();
+    const std::size_t kind = table.choice("kind", {"pin", "slider", "pin in slot", "rigid",
+                                                   "distance", "angle coupling", "gear", "rack"});
+    // Where the kind is not known, neither is what the other keys mean.
+    if (table.problems().size() == before) {
+      joint.kind = read_kind(table, kind, mechanism);
+      table.finish();
+    }
+    mechanism.joints.push_back(std::move(joint));
+  }
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Text files as the user writes them: their bytes, their lines, their encoding.
+namespace boxbeam {
+
+/// What a file holds, or why it cannot be read.
+struct FileText {
+  enum class Trouble { none, missing, folder, too_large, unreadable };
+
+  std::string text;
+  Trouble trouble = Trouble::none;
+  std::string why;  ///< of the trouble: "there is no such file"
+};
+
+/// Reads a file, a device or a pipe of at most 8 MB.
+FileText read_text_file(const std::string& path);
+
+/// The lines of a text without their ends.
+std::vector<std::string> split_lines(const std::string& text);
+
+/// Length of the UTF-8 sequence at `at`, 0 where it is none (also overlong forms and surrogates).
+std::size_t utf8_length(std::string_view text, std::size_t at);
+
+/// The place of the first byte that is not UTF-8, or npos.
+std::size_t find_not_utf8(std::string_view text);
+
+/// Counted from 1; columns in characters.
+struct LineColumn {
+  int line = 1;
+  int column = 1;
+};
+
+LineColumn position_of(std::string_view text, std::size_t at);
+
+}  // namespace boxbeam

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/project/case_document.hpp"
+#include "boxbeam/project/quantity_text.hpp"
+#include "boxbeam/project/table_reader.hpp"
+
+namespace boxbeam {
+
+/// A value over time, from a text file beside the case.
+struct TimeTable {
+  std::vector<double> time;   ///< strictly ascending [s]
+  std::vector<double> value;  ///< SI
+  Place end;                  ///< its last row
+};
+
+/// The tables of numbers that a case names: files of comma-separated values whose first line names
+/// two columns with their units, `time [s], stroke [mm]`; behind "#" stands a comment. Every file
+/// becomes part of the document, whose hash covers it.
+class TimeTables {
+ public:
+  explicit TimeTables(CaseDocument& document) : document_(&document) {}
+
+  /// The table in the file that a key names, its path taken from the folder of the case file; a
+  /// problem and nothing where it cannot be read. `column` names the value in examples.
+  std::optional<TimeTable> read(TableReader& table, std::string_view key,
+                                const WantedDimension& wanted, const char* column);
+
+ private:
+  /// The lines of a file, read once; nothing and a problem where it cannot be read.
+  const std::vector<std::string>* lines_of(TableReader& table, std::string_view key,
+                                           const std::string& written, const std::string& resolved);
+
+  CaseDocument* document_;
+};
+
+}  // namespace boxbeam
