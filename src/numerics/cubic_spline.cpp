@@ -8,7 +8,8 @@ namespace boxbeam {
 namespace {
 
 /// Solves a tridiagonal system by elimination without pivoting (it is diagonally dominant).
-std::vector<double> solve_tridiagonal(const std::vector<double>& lower, std::vector<double> diagonal,
+std::vector<double> solve_tridiagonal(const std::vector<double>& lower,
+                                      std::vector<double> diagonal,
                                       const std::vector<double>& upper, std::vector<double> right) {
   const std::size_t n = diagonal.size();
   for (std::size_t i = 1; i < n; ++i) {
@@ -78,8 +79,8 @@ CubicSpline::CubicSpline(std::vector<double> x, std::vector<double> y, SplineEnd
     corner[m - 1] = edge;
     const std::vector<double> plain = solve_tridiagonal(lower, diagonal, upper, right);
     const std::vector<double> extra = solve_tridiagonal(lower, diagonal, upper, corner);
-    const double share = (plain[0] + edge * plain[m - 1] / gamma) /
-                         (1.0 + extra[0] + edge * extra[m - 1] / gamma);
+    const double share =
+        (plain[0] + edge * plain[m - 1] / gamma) / (1.0 + extra[0] + edge * extra[m - 1] / gamma);
     bend_.resize(m);
     for (std::size_t i = 0; i < m; ++i) bend_[i] = plain[i] - share * extra[i];
   }
@@ -101,8 +102,9 @@ Derivatives CubicSpline::at(double x) const {
   const double u = (x - x_[i]) / h;
   const double w = 1.0 - u;
   const double second = w * bend_[i] + u * bend_[i + 1];
-  const double first = (y_[i + 1] - y_[i]) / h +
-                       h / 6.0 * ((3.0 * u * u - 1.0) * bend_[i + 1] - (3.0 * w * w - 1.0) * bend_[i]);
+  const double first =
+      (y_[i + 1] - y_[i]) / h +
+      h / 6.0 * ((3.0 * u * u - 1.0) * bend_[i + 1] - (3.0 * w * w - 1.0) * bend_[i]);
   const double value = w * y_[i] + u * y_[i + 1] +
                        h * h / 6.0 * ((w * w * w - w) * bend_[i] + (u * u * u - u) * bend_[i + 1]);
   return {value, first, second};

@@ -33,9 +33,8 @@ class ActiveMatrix {
     for (std::size_t r = 0; r < row_.size(); ++r) {
       for (int e = pattern.row_start[r]; e < pattern.row_start[r + 1]; ++e) {
         const int c = pattern.col[static_cast<std::size_t>(e)];
-        const double value =
-            values[static_cast<std::size_t>(e)] * row_scale[static_cast<Eigen::Index>(r)] *
-            col_scale[c];
+        const double value = values[static_cast<std::size_t>(e)] *
+                             row_scale[static_cast<Eigen::Index>(r)] * col_scale[c];
         row_[r].push_back({c, value});
         col_[static_cast<std::size_t>(c)].push_back(static_cast<int>(r));
       }
@@ -56,8 +55,7 @@ class ActiveMatrix {
     // (Zlatev), and no list of larger count can be cheaper than the square of its count.
     while (row != rows_by_count_.end() || col != cols_by_count_.end()) {
       const bool take_col =
-          row == rows_by_count_.end() ||
-          (col != cols_by_count_.end() && col->first <= row->first);
+          row == rows_by_count_.end() || (col != cols_by_count_.end() && col->first <= row->first);
       const std::size_t count = take_col ? col->first : row->first;
       if (best.row >= 0 && count > 0 && (count - 1) * (count - 1) >= best.cost) break;
       const bool found = take_col ? look_at_col(col->second, best) : look_at_row(row->second, best);

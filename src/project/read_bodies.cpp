@@ -32,6 +32,16 @@ void read_mass(TableReader& table, Body& body, Eigen::Vector2d& centre) {
   }
 }
 
+/// Rough position and velocity, of the origin of the body's axes until the centre is known.
+void read_sketch(TableReader sketch, Body& body) {
+  body.sketch.centre = sketch.pair("at", wanted::length);
+  body.sketch.angle = sketch.quantity("angle", wanted::angle, 0.0);
+  body.start_velocity.head<2>() =
+      sketch.pair("velocity", wanted::velocity, Eigen::Vector2d::Zero());
+  body.start_velocity.z() = sketch.quantity("angular_velocity", wanted::angular_velocity, 0.0);
+  sketch.finish();
+}
+
 Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen::Vector2d& centre) {
   Body body;
   body.name = name;
@@ -50,10 +60,7 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen:
         {member.key,
          points.pair_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
   }
-  TableReader sketch = table.table("sketch");
-  body.sketch.centre = sketch.pair("at", wanted::length);
-  body.sketch.angle = sketch.quantity("angle", wanted::angle, 0.0);
-  sketch.finish();
+  read_sketch(table.table("sketch"), body);
   table.finish();
   return body;
 }

@@ -19,7 +19,7 @@ class Derivative {
     example_ =
         k == 0 ? fmt::format("\"1 {}\"", of.unit) : fmt::format("\"1 {}/{}\"", of.unit, seconds);
     if (k == 1 && of.value.exponents == wanted::angle.exponents) {
-      example_ = "\"6 rpm\" or \"0.63 rad/s\"";
+      example_ = wanted::angular_velocity.example;
     }
   }
   WantedDimension wanted() const { return {exponents_, name_.c_str(), example_.c_str()}; }

@@ -252,7 +252,10 @@ Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam, int be
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     Body& body = mechanism.bodies[i];
     for (BodyPoint& point : body.points) point.p -= draft.centres[i];
-    body.sketch.centre += Eigen::Rotation2Dd(body.sketch.angle) * draft.centres[i];
+    const Eigen::Vector2d to_centre = Eigen::Rotation2Dd(body.sketch.angle) * draft.centres[i];
+    body.sketch.centre += to_centre;
+    body.start_velocity.head<2>() +=
+        body.start_velocity.z() * Eigen::Vector2d(-to_centre.y(), to_centre.x());
   }
   return std::move(mechanism);
 }

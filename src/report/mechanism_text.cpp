@@ -255,6 +255,12 @@ std::string mechanism_text(const Mechanism& mechanism) {
     out += layout::entry(
         "force", fmt::format("{}: {}", force.name, std::visit(ForceText{names}, force.kind)));
   }
+  for (const Body& body : mechanism.bodies) {
+    const Eigen::Vector3d& v = body.start_velocity;
+    if (v.isZero(0.0)) continue;
+    out += layout::entry("start", fmt::format("{}: centre at ({}, {}) m/s, turning at {} rad/s",
+                                              body.name, plain(v.x()), plain(v.y()), plain(v.z())));
+  }
   if (mechanism.duration.length > 0.0) {
     out += layout::entry(
         "motion", fmt::format("{} s looked at, after {} s left out",

@@ -6,7 +6,8 @@
 
 namespace boxbeam {
 
-/// Joints, drivers, forces and the time looked at, in words with units, an entry for each.
+/// Joints, drivers, forces, velocities at the start and the time looked at, in words with units, an
+/// entry for each.
 std::string mechanism_text(const planar::Mechanism& mechanism);
 
 }  // namespace boxbeam

@@ -148,8 +148,8 @@ CutForces StationHistory::at(Time time) const {
   const std::size_t instant = static_cast<std::size_t>(nearest) % samples_.size();
   if (position == nearest) return samples_[instant];
   const std::size_t middle = loads_->middle_near(instant);
-  return interpolate(nodes_of(middle),
-                     position - nearest + static_cast<double>(instant) - static_cast<double>(middle));
+  return interpolate(nodes_of(middle), position - nearest + static_cast<double>(instant) -
+                                           static_cast<double>(middle));
 }
 
 StationHistory::Nodes StationHistory::nodes_of(std::size_t middle) const {

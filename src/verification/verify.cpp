@@ -21,14 +21,12 @@ LoadsAt loads_of(const Project& project, const planar::Motion& motion) {
     auto distribution = mass_distribution_of(project.beam);
     return [&project, finder, distribution](Time time) {
       return planar::beam_loads_of(*project.chain, project.beam, distribution,
-                                   project.mechanism.gravity,
-                                   finder->at(time.value()));
+                                   project.mechanism.gravity, finder->at(time.value()));
     };
   }
   auto body = planar::beam_body_of(project.beam, project.beam_body);
   return [&project, finder, body](Time time) {
-    return planar::beam_loads_of(project.mechanism, finder->at(time.value()),
-                                 body);
+    return planar::beam_loads_of(project.mechanism, finder->at(time.value()), body);
   };
 }
 
@@ -190,8 +188,7 @@ void describe_instants(const Project& project, const planar::Motion& motion,
     const auto largest_M =
         std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
                      [](const CriticalInstant& c) { return c.quantity == "M"; });
-    result.chain =
-        compare_chain(project, finder.at(largest_M->time.value()));
+    result.chain = compare_chain(project, finder.at(largest_M->time.value()));
   }
 }
 

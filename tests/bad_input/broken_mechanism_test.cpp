@@ -199,6 +199,18 @@ TEST_CASE("forces that cannot be are refused", "[bad_input]") {
   });
 }
 
+TEST_CASE("a velocity at the start is one", "[bad_input]") {
+  const std::string sketch = "sketch = { at = [\"0.5 m\", \"3 m\"], angle = \"0 deg\" }";
+  check_refused({
+      replaced("velocity in m", sketch,
+               "sketch = { at = [\"0.5 m\", \"3 m\"], velocity = [\"1 m\", \"0 m/s\"] }",
+               {"\"velocity\" x is a velocity, but \"1 m\" is a length", "10 mm/s"}),
+      replaced("turning in Hz", sketch,
+               "sketch = { at = [\"0.5 m\", \"3 m\"], angular_velocity = \"1 Hz\" }",
+               {"an angular velocity, but \"1 Hz\" is a frequency", "6 rpm"}),
+  });
+}
+
 TEST_CASE("a motion of unknown length is refused with both remedies", "[bad_input]") {
   const std::string beam_angle = "point = \"beam.O\"\ncoordinate = \"angle\"\n";
   check_refused({

@@ -7,13 +7,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/verify.hpp"
+#include "chain.hpp"
 
 namespace {
 
@@ -24,20 +27,41 @@ std::string case_path(const char* name) {
 }
 
 /// Positions, velocities, accelerations and reactions of one instant, each from the one before at
-/// 96 instants per period; dense Jacobian.
-void instant(benchmark::State& bench, const char* name) {
-  const Project project = read_project(case_path(name));
-  planar::InstantSolver solver(project.mechanism);
-  const planar::Motion motion = planar::solve_motion(project.mechanism, 96);
-  std::size_t i = 0;
+/// 96 instants per period, into a state whose memory is used again.
+void instants_of(benchmark::State& bench, const planar::Mechanism& mechanism,
+                 planar::Elimination elimination, double period) {
+  constexpr int count = 96;
+  planar::InstantSolver solver(mechanism, elimination);
+  planar::State state = solver.solve_from_sketch(0.0, planar::sketch_of(mechanism));
+  planar::State next;
+  std::int64_t i = 0;
   for (auto _ : bench) {
-    const std::size_t next = (i + 1) % motion.states.size();
-    planar::State from = motion.states[i];
-    if (next == 0) from.time -= motion.period;
-    benchmark::DoNotOptimize(solver.solve_near(motion.states[next].time, from));
-    i = next;
+    solver.solve_near(period * static_cast<double>(++i) / count, state, next);
+    std::swap(state, next);
+    if (i == 1000 * count) {  // time loses digits where it grows for ever
+      state.time = 0.0;
+      i = 0;
+    }
   }
-  bench.counters["unknowns"] = static_cast<double>(project.mechanism.coordinates());
+  bench.counters["unknowns"] = static_cast<double>(mechanism.coordinates());
+  bench.counters["entries"] = static_cast<double>(solver.equations().pattern().entries());
+  bench.counters["flops/factor"] = static_cast<double>(solver.elimination().factor_operations());
+  bench.counters["flops/solve"] = static_cast<double>(solver.elimination().solve_operations());
+  bench.counters["reorderings"] = solver.reorderings();
+}
+
+void instant(benchmark::State& bench, const char* name, planar::Elimination elimination) {
+  const Project project = read_project(case_path(name));
+  instants_of(bench, project.mechanism, elimination,
+              planar::time_span_of(project.mechanism).length);
+}
+
+/// The same for chains of four-bars, sparse: time per instant against the number of four-bars.
+void chain(benchmark::State& bench) {
+  const planar::Mechanism mechanism = bench::chain_of_four_bars(static_cast<int>(bench.range(0)));
+  instants_of(bench, mechanism, planar::Elimination::sparse,
+              planar::time_span_of(mechanism).length);
+  bench.SetComplexityN(bench.range(0));
 }
 
 /// Reading the case and verifying it, in one process that is already warm.
@@ -77,8 +101,21 @@ void verify_as_process(benchmark::State& bench) {
 
 }  // namespace
 
-BENCHMARK_CAPTURE(instant, rig, "rig.toml")->Name("instant/sledge/dense");
-BENCHMARK_CAPTURE(instant, published, "published.toml")->Name("instant/sledge-published/dense");
+BENCHMARK_CAPTURE(instant, rig_sparse, "rig.toml", boxbeam::planar::Elimination::sparse)
+    ->Name("instant/sledge/sparse");
+BENCHMARK_CAPTURE(instant, rig_dense, "rig.toml", boxbeam::planar::Elimination::dense)
+    ->Name("instant/sledge/dense");
+BENCHMARK_CAPTURE(instant, published_sparse, "published.toml", boxbeam::planar::Elimination::sparse)
+    ->Name("instant/sledge-published/sparse");
+BENCHMARK_CAPTURE(instant, published_dense, "published.toml", boxbeam::planar::Elimination::dense)
+    ->Name("instant/sledge-published/dense");
+BENCHMARK(chain)
+    ->Name("instant/four-bars")
+    ->Arg(1)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Complexity(benchmark::oN);
 BENCHMARK(verify_in_process)->Name("verify/sledge")->Unit(benchmark::kMillisecond);
 BENCHMARK(verify_as_process)
     ->Name("verify/sledge/process")

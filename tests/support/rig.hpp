@@ -14,6 +14,12 @@ inline const boxbeam::Project& rig() {
   return project;
 }
 
+/// The driver of a copy of its mechanism.
+inline boxbeam::HarmonicDriver& exciter_of(boxbeam::planar::Mechanism& mechanism) {
+  auto& driven = std::get<boxbeam::planar::Driven>(mechanism.joints.back().kind);
+  return std::get<boxbeam::HarmonicDriver>(driven.driver);
+}
+
 inline boxbeam::planar::State rig_state(double time) {
   boxbeam::planar::InstantSolver solver(rig().mechanism);
   return solver.solve_from_sketch(time, boxbeam::planar::sketch_of(rig().mechanism));

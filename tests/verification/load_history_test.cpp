@@ -26,7 +26,7 @@ TaperedBeam metre_of_tube() {
 template <class Function>
 LoadHistory pulled(const TaperedBeam& beam, double period, std::size_t instants,
                    const Function& f) {
-  return {beam, si<Time>(period), instants, [&beam, f](Time time) {
+  return {beam, {Time{}, si<Time>(period), instants}, [&beam, f](Time time) {
             BeamLoads loads;
             PointLoad first, last;
             last.s = beam.length();
@@ -90,11 +90,10 @@ TEST_CASE("interpolated cut forces of the rig equal the mechanism solved anew") 
   const Project& project = test::rig();
   const planar::Motion motion = planar::solve_motion(project.mechanism);
   const planar::BeamBody body = planar::beam_body_of(project.beam, project.beam_body);
-  planar::InstantSolver solver(project.mechanism);
+  planar::StateFinder finder(project.mechanism, motion);
   const LoadHistory loads(
-      project.beam, si<Time>(motion.period), motion.states.size(), [&](Time time) {
-        return planar::beam_loads_of(project.mechanism,
-                                     planar::state_at(solver, motion, time.value()), body);
+      project.beam, {Time{}, si<Time>(motion.period), motion.states.size()}, [&](Time time) {
+        return planar::beam_loads_of(project.mechanism, finder.at(time.value()), body);
       });
   const StationHistory history(loads, {4.2 * metre});
   for (int i = 0; i < 200; ++i) {

@@ -130,10 +130,11 @@ TEST_CASE("the mechanism seen in a mirror gives the same factors on the other fi
   planar::Mechanism& mechanism = mirror.mechanism;
   const auto flip = [](Eigen::Vector2d& v) { v.x() = -v.x(); };
   for (planar::Joint& joint : mechanism.joints) {
-    if (auto* slider = std::get_if<planar::Slider>(&joint.kind)) flip(slider->through);
+    if (auto* slider = std::get_if<planar::Slider>(&joint.kind)) flip(slider->guide.p);
     if (auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
-      driven->driver.mean = -driven->driver.mean;
-      driven->driver.amplitude = -driven->driver.amplitude;
+      auto& driver = std::get<HarmonicDriver>(driven->driver);
+      driver.mean = -driver.mean;
+      driver.amplitude = -driver.amplitude;
     }
   }
   for (planar::Loop& loop : mechanism.loops) loop.sign = -loop.sign;

@@ -40,6 +40,9 @@ inline constexpr WantedDimension angle{{0, 0, 0, 1}, "an angle", "\"25 deg\" or 
 inline constexpr WantedDimension frequency{{0, 0, -1, 0}, "a frequency", "\"0.7 Hz\""};
 inline constexpr WantedDimension angular_frequency{
     {0, 0, -1, 1}, "an angular frequency", "\"4.396 rad/s\""};
+/// The same in the words of motion.
+inline constexpr WantedDimension angular_velocity{
+    {0, 0, -1, 1}, "an angular velocity", "\"6 rpm\" or \"0.63 rad/s\""};
 inline constexpr WantedDimension acceleration{{1, 0, -2, 0}, "an acceleration", "\"9.81 m/s^2\""};
 inline constexpr WantedDimension stress{{-1, 1, -2, 0}, "a stress", "\"355 MPa\""};
 inline constexpr WantedDimension density{{-3, 1, 0, 0}, "a density", "\"7850 kg/m^3\""};

@@ -42,7 +42,8 @@ class LoadHistory {
   Time time_of(std::size_t instant) const;
   const CutForceDiagram& diagram(std::size_t instant) const { return diagrams_[instant]; }
 
-  /// The instant itself, or where an open history ends its neighbour, so that it has two neighbours.
+  /// The instant itself, or where an open history ends its neighbour, so that it has two
+  /// neighbours.
   std::size_t middle_near(std::size_t instant) const;
 
   /// Diagrams from the instant before `middle` to the one behind it; solved when first asked for.

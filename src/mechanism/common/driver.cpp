@@ -121,7 +121,8 @@ struct Timing {
 
 DriverState driver_at(const Driver& driver, double time) {
   // The common case without the detour over the table of a variant.
-  if (const auto* harmonic = std::get_if<HarmonicDriver>(&driver)) return Evaluator{time}(*harmonic);
+  if (const auto* harmonic = std::get_if<HarmonicDriver>(&driver))
+    return Evaluator{time}(*harmonic);
   return std::visit(Evaluator{time}, driver);
 }
 

@@ -47,8 +47,7 @@ double reach_of(const Mechanism& mechanism) {
 double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size) {
   double largest = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i) {
-    const double difference =
-        i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
+    const double difference = i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
     largest = std::max(largest, std::abs(difference));
   }
   return largest;
@@ -113,8 +112,8 @@ Assembly Assembler::assemble_at(const std::vector<double>& driver_values,
 }
 
 Assembly Assembler::search(const Eigen::VectorXd& start) {
-  constexpr double closed = 1e-13;      // scaled residual that is round-off
-  constexpr double good = 1e-11;        // and what counts as closed when no step helps any more
+  constexpr double closed = 1e-13;  // scaled residual that is round-off
+  constexpr double good = 1e-11;    // and what counts as closed when no step helps any more
   Eigen::SparseMatrix<double> identity(mechanism_->coordinates(), mechanism_->coordinates());
   identity.setIdentity();
   Assembly result;

@@ -74,8 +74,8 @@ struct ConstraintEquations::Builder {
     add(term);
   }
 
-  void add_along(const Attachment& a, const Attachment& b, const Eigen::Vector2d& n,
-                 double r = 0.0, double offset = 0.0) const {
+  void add_along(const Attachment& a, const Attachment& b, const Eigen::Vector2d& n, double r = 0.0,
+                 double offset = 0.0) const {
     Term term = between(Kind::along, a, b);
     term.n = n;
     term.ratio = r;
@@ -133,8 +133,8 @@ struct ConstraintEquations::Builder {
       term = between(Kind::length, driven.point, driven.other);
     } else {
       term = between(Kind::along, driven.point, {});
-      term.n = driven.coordinate == Coordinate::x ? Eigen::Vector2d::UnitX()
-                                                  : Eigen::Vector2d::UnitY();
+      term.n =
+          driven.coordinate == Coordinate::x ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
     }
     term.driver = static_cast<int>(equations.drivers_.size()) - 1;
     add(term);
@@ -286,18 +286,17 @@ void ConstraintEquations::evaluate_terms(Eigen::VectorXd& phi,
       by_angle_b = left_of(n).dot(d) - term.ratio;
     } else {
       const double distance = d.norm();
-      const Eigen::Vector2d u =
-          distance > 0.0 ? Eigen::Vector2d(d / distance) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+      const Eigen::Vector2d u = distance > 0.0 ? Eigen::Vector2d(d / distance)
+                                               : Eigen::Vector2d(Eigen::Vector2d::UnitX());
       if (term.kind == Kind::length) {
         n = u;
         phi[term.row] = distance - offset_of(term);
       } else {
         const double sum = term.ratio + term.r_b;
         const double theta = std::atan2(-d.y(), -d.x());
-        phi[term.row] =
-            std::remainder(term.ratio * (a.angle - theta) + term.r_b * (b.angle - theta) -
-                               term.offset,
-                           turn * sum);
+        phi[term.row] = std::remainder(
+            term.ratio * (a.angle - theta) + term.r_b * (b.angle - theta) - term.offset,
+            turn * sum);
         // theta turns by -(left of u) . (dp_a - dp_b)/distance seen from b to a: u points from b.
         n = -sum / distance * left_of(u);
         by_angle_a = term.ratio;
@@ -364,7 +363,8 @@ void ConstraintEquations::acceleration_right_side(const Eigen::VectorXd& v,
     double own = 0.0;
     if (term.kind == Kind::along) {
       const Eigen::Vector2d n = b.turned(term.n);
-      own = n.dot(centripetal) + 2.0 * omega_b * left_of(n).dot(rate) - omega_b * omega_b * n.dot(d);
+      own =
+          n.dot(centripetal) + 2.0 * omega_b * left_of(n).dot(rate) - omega_b * omega_b * n.dot(d);
     } else {
       const double distance = d.norm();
       const Eigen::Vector2d u = d / distance;

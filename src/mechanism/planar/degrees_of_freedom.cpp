@@ -86,7 +86,8 @@ DegreesOfFreedom degrees_of_freedom_of(const Mechanism& mechanism, const Eigen::
   const Eigen::MatrixXd joints_only = jacobian(of_joints, Eigen::all);
   result.by_rank =
       coordinates -
-      static_cast<int>(rank_of(Eigen::JacobiSVD<Eigen::MatrixXd>(joints_only).singularValues()).rank);
+      static_cast<int>(
+          rank_of(Eigen::JacobiSVD<Eigen::MatrixXd>(joints_only).singularValues()).rank);
 
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd& values = svd.singularValues();
@@ -119,8 +120,8 @@ bool is_unique(const Mechanism& mechanism, const DegreesOfFreedom& freedom, int 
   for (int i = 0; i < joint; ++i) {
     row += static_cast<std::size_t>(equations_of(mechanism.joints[static_cast<std::size_t>(i)]));
   }
-  const auto count = static_cast<std::size_t>(
-      equations_of(mechanism.joints[static_cast<std::size_t>(joint)]));
+  const auto count =
+      static_cast<std::size_t>(equations_of(mechanism.joints[static_cast<std::size_t>(joint)]));
   return std::all_of(freedom.unique.begin() + static_cast<std::ptrdiff_t>(row),
                      freedom.unique.begin() + static_cast<std::ptrdiff_t>(row + count),
                      [](char unique) { return unique != 0; });

@@ -36,8 +36,7 @@ struct Applier {
     if (!(distance > 0.0)) return;
     const Eigen::Vector2d u = d / distance;
     const double rate = u.dot(velocity_of(spring.b, q, v) - velocity_of(spring.a, q, v));
-    const double pull =
-        spring.stiffness * (distance - spring.free_length) + spring.damping * rate;
+    const double pull = spring.stiffness * (distance - spring.free_length) + spring.damping * rate;
     add(spring.a, pull * u, 0.0);
     add(spring.b, -pull * u, 0.0);
   }

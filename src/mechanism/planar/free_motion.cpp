@@ -84,15 +84,16 @@ void FreeSolver::factor(SparseElimination& elimination, const Eigen::VectorXd& w
   if (elimination.pivots() > 0 && elimination.factor(values_)) return;
   elimination.analyse(pattern_, values_, scale_, scale_);
   const auto& left = elimination.cols_left();
-  if (!elimination.factor(values_) ||
-      std::any_of(left.begin(), left.end(),
-                  [&](int col) { return col < mechanism_->coordinates(); })) {
-    throw AnalysisError({"accelerations are not determined: a freedom that no driver moves has no "
-                         "mass; give the body a mass (and inertia), or drive it",
-                         "mechanism",
-                         time,
-                         {},
-                         {}});
+  if (!elimination.factor(values_) || std::any_of(left.begin(), left.end(), [&](int col) {
+        return col < mechanism_->coordinates();
+      })) {
+    throw AnalysisError(
+        {"accelerations are not determined: a freedom that no driver moves has no "
+         "mass; give the body a mass (and inertia), or drive it",
+         "mechanism",
+         time,
+         {},
+         {}});
   }
 }
 
@@ -122,8 +123,8 @@ void FreeSolver::solve_rates(double time, const Eigen::VectorXd& q, const Eigen:
     response.col(j) = solution_;
     velocity[j] = sliding_velocity_of(contact, q, v);
   }
-  const Eigen::VectorXd friction = solve_friction(
-      *mechanism_, contacts_, time, lambda, response.bottomRows(lambda.size()), velocity);
+  const Eigen::VectorXd friction = solve_friction(*mechanism_, contacts_, time, lambda,
+                                                  response.bottomRows(lambda.size()), velocity);
   a += response.topRows(n) * friction;
   lambda += response.bottomRows(lambda.size()) * friction;
 }
@@ -175,12 +176,13 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
   const std::string off = loops_off_branch(*mechanism_, assembly.q);
   for (int attempt = 1; !(assembly.closed && on_branch(*mechanism_, assembly.q)); ++attempt) {
     if (attempt > other_starts) {
-      throw AnalysisError({"no assembly found on the wanted branch; change the sign asked for, or "
-                           "the sketch",
-                           off,
-                           time,
-                           {},
-                           {}});
+      throw AnalysisError(
+          {"no assembly found on the wanted branch; change the sign asked for, or "
+           "the sketch",
+           off,
+           time,
+           {},
+           {}});
     }
     assembly = assembler.assemble(time, other_start(*mechanism_, q, attempt));
   }
@@ -213,8 +215,8 @@ State FreeSolver::advance(double time, const State& known) {
     Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = a.cwiseQuotient(scale);
   };
   namespace odeint = boost::numeric::odeint;
-  auto stepper = odeint::make_controlled(tolerance_, tolerance_,
-                                         odeint::runge_kutta_fehlberg78<Vector>());
+  auto stepper =
+      odeint::make_controlled(tolerance_, tolerance_, odeint::runge_kutta_fehlberg78<Vector>());
   pack();
   double t = known.time;
   double dt = time - t;
@@ -224,13 +226,14 @@ State FreeSolver::advance(double time, const State& known) {
     dt = direction * std::min(std::abs(dt), std::abs(time - t));
     if (stepper.try_step(rates, y, t, dt) == odeint::fail) {
       if (std::abs(dt) > smallest) continue;
-      throw AnalysisError({"the motion under the applied forces cannot be integrated further: it "
-                           "changes faster than the arithmetic can follow (a singular position, or "
-                           "far too stiff a spring)",
-                           "mechanism",
-                           t,
-                           {},
-                           {}});
+      throw AnalysisError(
+          {"the motion under the applied forces cannot be integrated further: it "
+           "changes faster than the arithmetic can follow (a singular position, or "
+           "far too stiff a spring)",
+           "mechanism",
+           t,
+           {},
+           {}});
     }
     ++steps_;
     if (!project_) continue;

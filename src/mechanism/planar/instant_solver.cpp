@@ -19,9 +19,9 @@ namespace {
 /// A scaled pivot at which no digit of a velocity is left: near a dead point pivots fall with the
 /// root of the distance to it, and the error of velocities grows as round-off over that distance.
 constexpr double no_digit_left = 3e-8;
-constexpr double round_off = 1e-15;   ///< of a coordinate, relative
+constexpr double round_off = 1e-15;  ///< of a coordinate, relative
 constexpr int other_starts = 256;
-constexpr int deepest_split = 24;     ///< halvings of a time step when a branch is followed
+constexpr int deepest_split = 24;  ///< halvings of a time step when a branch is followed
 constexpr double smooth_enough = 0.02;
 
 /// A fixed sequence of keys without pattern. Source: Steele, Lea, Flood, Fast Splittable
@@ -130,8 +130,8 @@ void InstantSolver::order_anew() {
   }
   std::vector<int> block(n);
   const auto blocks = static_cast<std::size_t>(boost::strong_components(
-      graph, boost::make_iterator_property_map(block.begin(),
-                                               boost::get(boost::vertex_index, graph))));
+      graph,
+      boost::make_iterator_property_map(block.begin(), boost::get(boost::vertex_index, graph))));
   // Each block has a key of its own, and a sign from the order of its rows against its columns.
   std::vector<int> first_col(blocks, static_cast<int>(n));
   std::vector<std::vector<std::pair<int, int>>> members(blocks);
@@ -439,8 +439,7 @@ bool InstantSolver::pass_change_point(double time, double place, const State& kn
   return false;
 }
 
-bool InstantSolver::assembles_around(double place, const State& before,
-                                     const State& behind) const {
+bool InstantSolver::assembles_around(double place, const State& before, const State& behind) const {
   // Where a driver leads out of reach and back, there is nothing to pass over: then the mechanism
   // cannot be assembled somewhere in between.
   Assembler assembler(*mechanism_);

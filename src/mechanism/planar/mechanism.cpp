@@ -137,12 +137,13 @@ TimeSpan time_span_of(const Mechanism& mechanism) {
     span.length = end - span.begin;
   }
   if (!(span.length > 0.0)) {
-    throw AnalysisError({"it is not known how long the motion lasts: drivers and forces have no "
-                         "common period; give [motion] duration",
-                         "mechanism",
-                         {},
-                         {},
-                         {}});
+    throw AnalysisError(
+        {"it is not known how long the motion lasts: drivers and forces have no "
+         "common period; give [motion] duration",
+         "mechanism",
+         {},
+         {},
+         {}});
   }
   return span;
 }

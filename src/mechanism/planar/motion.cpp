@@ -19,8 +19,7 @@ constexpr double turn = 2.0 * std::numbers::pi;
 double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size) {
   double largest = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i) {
-    const double difference =
-        i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
+    const double difference = i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
     largest = std::max(largest, std::abs(difference));
   }
   return largest;
@@ -45,7 +44,8 @@ std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
   if (mechanism.duration.length > 0.0) return FreeSolver(mechanism);
   std::string names;
   for (const int body : freedom.moving) {
-    names += (names.empty() ? "body " : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
+    names +=
+        (names.empty() ? "body " : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
   }
   throw AnalysisError(
       {fmt::format("the motion is not determined: {} {} no driver moves; add a driver, or give "
@@ -165,8 +165,7 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
   motion.change_points = solver.change_points();
   if (!motion.closed) return motion;
   // An odd number of change points, or a gear that needs more turns, leads elsewhere.
-  const double open =
-      largest_difference(motion.end.q, motion.states.front().q, size_of(mechanism));
+  const double open = largest_difference(motion.end.q, motion.states.front().q, size_of(mechanism));
   if (open < 1e-6) return motion;
   if (mechanism.duration.length > 0.0) {
     motion.closed = false;
@@ -238,8 +237,7 @@ Motion solve_motion(const Mechanism& mechanism) {
   Motion motion = motion_with(mechanism, solver, instants);
   while (true) {
     motion = doubled(solver, motion);
-    const Misfit accelerations =
-        misfit_of(motion, &State::a, equations.col_scale().cwiseInverse());
+    const Misfit accelerations = misfit_of(motion, &State::a, equations.col_scale().cwiseInverse());
     const Misfit reactions =
         misfit_of(motion, &State::lambda, equations.row_scale().cwiseInverse());
     const auto count = static_cast<double>(motion.states.size());

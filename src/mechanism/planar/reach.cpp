@@ -77,8 +77,7 @@ class DriverCurve {
     matrix.rightCols(1).setZero();
     for (std::size_t i = 0; i < from_.size(); ++i) {
       const Eigen::Index row = equations_.driver_rows()[i];
-      matrix(row, x.size() - 1) =
-          -(to_[i] - from_[i]) * equations_.row_scale()[row] / weight_;
+      matrix(row, x.size() - 1) = -(to_[i] - from_[i]) * equations_.row_scale()[row] / weight_;
     }
     svd_.setThreshold(1e-10);
     svd_.compute(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -107,7 +106,8 @@ std::vector<std::string> driver_lines(const Mechanism& mechanism, const std::vec
   for (const Joint& joint : mechanism.joints) {
     const auto* driven = std::get_if<Driven>(&joint.kind);
     if (driven == nullptr) continue;
-    std::string line = fmt::format("driver {}: wanted {}", joint.name, value_text(*driven, wanted[i]));
+    std::string line =
+        fmt::format("driver {}: wanted {}", joint.name, value_text(*driven, wanted[i]));
     if (reach != nullptr && reach->limited) {
       line += fmt::format(", reachable on this way {}", value_text(*driven, reach->values[i]));
     }

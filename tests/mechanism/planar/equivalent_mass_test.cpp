@@ -12,10 +12,10 @@ using namespace boxbeam::planar;
 TEST_CASE("a mass driven along a line feels like itself") {
   Mechanism mechanism;
   mechanism.bodies = {Body{"block", 7.0, 0.0, {}, {}}, Body{"hand", 0.0, 0.0, {}, {}}};
-  mechanism.joints = {{"line", Slider{{0}, {0.0, 0.0}, 0.0, 0.0}},
+  mechanism.joints = {{"line", Slider{{0}, {}, 0.0, 0.0}},
                       {"grip", Pin{{0}, {1}}},
                       {"hand angle", AngleCoupling{{1}, {0}, 1.0, 0.0}},
-                      {"motor", Driven{{1}, Coordinate::x, {0.0, 0.1, 6.0, 0.0}}}};
+                      {"motor", Driven{{1}, Coordinate::x, HarmonicDriver{0.0, 0.1, 6.0, 0.0}}}};
   InstantSolver solver(mechanism);
   const Motion motion = solve_motion(mechanism, 16);
   const EquivalentMass mass = equivalent_mass_of(mechanism, motion, 1, 0, 0, 10.0);

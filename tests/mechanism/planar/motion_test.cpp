@@ -83,11 +83,11 @@ TEST_CASE("velocities and accelerations are the time derivatives of the position
 
 TEST_CASE("an instant does not depend on where it is solved from") {
   const Mechanism& mechanism = test::rig().mechanism;
-  InstantSolver solver(mechanism);
   const State direct = test::rig_state(1.071);
   const Motion motion = solve_motion(mechanism);
-  const State followed = planar::state_at(solver, motion, 1.071);
-  const State one_period_later = planar::state_at(solver, motion, 1.071 + period);
+  StateFinder finder(mechanism, motion);
+  const State followed = finder.at(1.071);
+  const State one_period_later = finder.at(1.071 + period);
   CHECK((direct.q - followed.q).lpNorm<Eigen::Infinity>() < 1e-12);
   CHECK((direct.lambda - followed.lambda).lpNorm<Eigen::Infinity>() < 1e-6);
   CHECK((one_period_later.q - followed.q).lpNorm<Eigen::Infinity>() < 1e-11);
@@ -104,7 +104,7 @@ TEST_CASE("a wrong sketch is no reason for a wrong branch") {
 
 TEST_CASE("a mechanism that cannot be assembled is refused with time and residual") {
   Mechanism mechanism = test::rig().mechanism;
-  std::get<Driven>(mechanism.joints.back().kind).driver.mean = 5.0;  // the blade out of reach
+  test::exciter_of(mechanism).mean = 5.0;  // the blade out of reach
   InstantSolver solver(mechanism);
   try {
     solver.solve_from_sketch(0.0, sketch_of(mechanism));
@@ -120,7 +120,7 @@ TEST_CASE("a motion that reaches the end of its reach is refused, not continued"
   // 0.5 + x = sqrt(3.5^2 - 3^2)); a little more does not.
   Mechanism mechanism = test::rig().mechanism;
   const double just = std::sqrt(3.5 * 3.5 - 9.0) - 0.5;
-  auto& driver = std::get<Driven>(mechanism.joints.back().kind).driver;
+  HarmonicDriver& driver = test::exciter_of(mechanism);
   driver.amplitude = just + 1e-3;
   CHECK_THROWS_AS(solve_motion(mechanism), AnalysisError);
 }
@@ -134,7 +134,7 @@ TEST_CASE("more equations than coordinates, or fewer, are refused") {
 TEST_CASE("sharp peaks get more instants") {
   Mechanism mechanism = test::rig().mechanism;
   const std::size_t smooth = solve_motion(mechanism).states.size();
-  auto& driver = std::get<Driven>(mechanism.joints.back().kind).driver;
+  HarmonicDriver& driver = test::exciter_of(mechanism);
   driver.amplitude = std::sqrt(3.5 * 3.5 - 9.0) - 0.5 - 2e-3;  // 2 mm from the end of the reach
   CHECK(smooth == 96);
   CHECK(solve_motion(mechanism).states.size() > smooth);

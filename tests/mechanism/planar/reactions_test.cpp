@@ -132,7 +132,7 @@ TEST_CASE("the rank does not depend on the unit of length") {
       pin->b.p *= factor;
     } else if (auto* slider = std::get_if<Slider>(&joint.kind)) {
       slider->point.p *= factor;
-      slider->through *= factor;
+      slider->guide.p *= factor;
     }
   }
   for (Body& body : scaled.bodies) {

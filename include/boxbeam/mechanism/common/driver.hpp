@@ -54,8 +54,7 @@ struct TableDriver {
   CubicSpline spline;
 };
 
-using Driver =
-    std::variant<HarmonicDriver, RateDriver, PolynomialDriver, StepDriver, TableDriver>;
+using Driver = std::variant<HarmonicDriver, RateDriver, PolynomialDriver, StepDriver, TableDriver>;
 
 /// Value and first two time derivatives of a driver.
 struct DriverState {

@@ -13,12 +13,11 @@ namespace boxbeam::planar {
 ///     [ M  J^T ] [ a      ]   [ Q     ]
 ///     [ J   0  ] [ lambda ] = [ gamma ]
 ///
-/// by a Runge-Kutta method of order 7 with a step chosen by its error (Fehlberg 7(8), Boost.Odeint),
-/// and after every step positions and velocities are projected back onto the constraints, the
-/// shortest way with lengths by the mechanism's size, so that nothing drifts. Constraints that
-/// repeat others are left out.
-/// Sources: Haug (1989), chapter 7; Fehlberg, NASA TR R-287 (1968); Eich, SIAM J. Numer. Anal. 30
-/// (1993), for the projection.
+/// by a Runge-Kutta method of order 7 with a step chosen by its error (Fehlberg 7(8),
+/// Boost.Odeint), and after every step positions and velocities are projected back onto the
+/// constraints, the shortest way with lengths by the mechanism's size, so that nothing drifts.
+/// Constraints that repeat others are left out. Sources: Haug (1989), chapter 7; Fehlberg, NASA TR
+/// R-287 (1968); Eich, SIAM J. Numer. Anal. 30 (1993), for the projection.
 class FreeSolver {
  public:
   /// `tolerance`: error of a step in scaled coordinates and their rates. `project` false leaves the

@@ -120,8 +120,8 @@ struct Driven {
   Attachment other = {};
 };
 
-using JointKind = std::variant<Pin, Slider, PinInSlot, Rigid, Distance, AngleCoupling, Gear, Rack,
-                               Driven>;
+using JointKind =
+    std::variant<Pin, Slider, PinInSlot, Rigid, Distance, AngleCoupling, Gear, Rack, Driven>;
 
 /// A joint or a driver: a named set of constraint equations.
 struct Joint {
@@ -235,9 +235,9 @@ double size_of(const Mechanism& mechanism);
 
 /// How long the motion is looked at.
 struct TimeSpan {
-  double begin = 0.0;       ///< [s]
-  double length = 0.0;      ///< [s]
-  bool closed = true;       ///< the drivers repeat after `length`
+  double begin = 0.0;          ///< [s]
+  double length = 0.0;         ///< [s]
+  bool closed = true;          ///< the drivers repeat after `length`
   double highest_omega = 0.0;  ///< of drivers and forces [rad/s]
 };
 

@@ -11,10 +11,10 @@ namespace boxbeam::planar {
 
 /// How far drivers can go towards wanted values.
 struct Reach {
-  bool limited = false;         ///< whether they end before
-  std::vector<double> values;   ///< of the drivers at the limit (or the wanted ones) [m, rad]
-  Eigen::VectorXd q;            ///< the position there
-  double share = 1.0;           ///< of the way from the start to the wanted values
+  bool limited = false;        ///< whether they end before
+  std::vector<double> values;  ///< of the drivers at the limit (or the wanted ones) [m, rad]
+  Eigen::VectorXd q;           ///< the position there
+  double share = 1.0;          ///< of the way from the start to the wanted values
 };
 
 /// Values of the driven coordinates in a position, whatever drives them.
