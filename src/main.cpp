@@ -43,6 +43,7 @@ struct VerifyOptions {
 struct MotionOptions {
   std::string case_file;
   std::vector<double> at;
+  bool assemblies = false;
   std::string json;
   std::vector<std::string> set;
 };
@@ -106,10 +107,23 @@ int run_verify(const VerifyOptions& options) {
   return verification.verdict == Verdict::pass ? all_pass : check_fails;
 }
 
+int run_assemblies(const Project& project, const MotionOptions& options) {
+  const double time = options.at.empty() ? 0.0 : options.at.front();
+  const std::vector<AssemblyResult> assemblies = assemblies_of(project, time);
+  if (options.json == "-") {
+    put(assemblies_json(assemblies, time));
+    return all_pass;
+  }
+  if (!options.json.empty()) write_file(options.json, assemblies_json(assemblies, time));
+  put(assemblies_text(project, assemblies, time));
+  return all_pass;
+}
+
 int run_motion(const MotionOptions& options) {
   // The mechanism alone: where the beam's loads come from does not matter, so that a case made for
   // the chain can be moved as well.
   const Project project = read_project(options.case_file, options.set);
+  if (options.assemblies) return run_assemblies(project, options);
   const MotionResult motion = motion_of(project, options.at);
   if (options.json == "-") {
     put(motion_json(motion));
@@ -202,6 +216,8 @@ int run(int argc, char** argv) {
                    "instant in seconds; may be repeated (default: twelve instants of the period)")
       ->check(instant_trouble)
       ->allow_extra_args(false);
+  motion_command->add_flag("--assemblies", motion_options.assemblies,
+                           "list all ways to assemble the mechanism at the first --at (default 0)");
   motion_command->add_option(
       "--json", motion_options.json,
       "write the motion to this file; - for standard output instead of the tables");

@@ -90,15 +90,20 @@ Json state_json(const InstantResult& state) {
   for (const PointMotion& point : state.points) points[point.name] = point_json(point);
   Json reactions = Json::object();
   for (const JointReaction& reaction : state.reactions) {
+    // What joints that repeat each other share is not determined: no number is invented.
+    const auto number = [&](double value) {
+      return reaction.unique ? Json(finite(value)) : Json();
+    };
     reactions[reaction.joint] = {{"on", reaction.on},
-                                 {"fx", finite(reaction.force.x())},
-                                 {"fy", finite(reaction.force.y())},
-                                 {"moment", finite(reaction.moment)}};
+                                 {"fx", number(reaction.force.x())},
+                                 {"fy", number(reaction.force.y())},
+                                 {"moment", number(reaction.moment)},
+                                 {"unique", reaction.unique}};
   }
   return {{"time", finite(state.time)},         {"branch", std::move(branch)},
           {"residual", finite(state.residual)}, {"condition", finite(state.condition)},
-          {"bodies", std::move(bodies)},        {"points", std::move(points)},
-          {"reactions", std::move(reactions)}};
+          {"digits", finite(state.digits)},     {"bodies", std::move(bodies)},
+          {"points", std::move(points)},        {"reactions", std::move(reactions)}};
 }
 
 }  // namespace
@@ -134,7 +139,27 @@ std::string motion_json(const MotionResult& motion) {
   const Json document = {{"schema", "boxbeam.motion/1"},
                          {"kind", "planar"},
                          {"degrees_of_freedom", motion.freedom.by_rank},
+                         {"redundant", motion.redundant},
+                         {"change_points", motion.change_points},
                          {"states", std::move(states)}};
+  return document.dump(2) + "\n";
+}
+
+std::string assemblies_json(const std::vector<AssemblyResult>& assemblies, double time) {
+  Json list = Json::array();
+  for (const AssemblyResult& assembly : assemblies) {
+    Json branch = Json::object();
+    for (const auto& [loop, sign] : assembly.branch) branch[loop] = sign_text(sign);
+    Json bodies = Json::object();
+    for (const auto& [name, at] : assembly.bodies) {
+      bodies[name] = {{"x", finite(at.x())}, {"y", finite(at.y())}, {"angle", finite(at.z())}};
+    }
+    list.push_back({{"branch", std::move(branch)}, {"bodies", std::move(bodies)}});
+  }
+  const Json document = {{"schema", "boxbeam.assemblies/1"},
+                         {"kind", "planar"},
+                         {"time", finite(time)},
+                         {"assemblies", std::move(list)}};
   return document.dump(2) + "\n";
 }
 

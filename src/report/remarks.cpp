@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
@@ -100,6 +101,33 @@ void add_branches(const Project& project, std::vector<std::string>& remarks) {
       "neither checked nor reported; add [loops] where a loop has two assemblies");
 }
 
+void add_motion(const Project& project, const Verification& verification,
+                std::vector<std::string>& remarks) {
+  for (const double time : verification.change_points) {
+    remarks.push_back(fmt::format(
+        "at t = {} the mechanism passes a change point, where it could go over to another branch; "
+        "the smooth one is followed, and a real mechanism needs a guide there",
+        text::seconds(time)));
+  }
+  const planar::DegreesOfFreedom& freedom = verification.freedom;
+  if (freedom.redundant > 0) {
+    remarks.push_back(fmt::format(
+        "{} repeat each other: the beam's loads are determined, theirs are not",
+        fmt::join(planar::names_of_joints(project.mechanism, freedom.repeating), ", ")));
+  }
+  if (freedom.undriven == 0 && verification.digits.left < 9.0) {
+    remarks.push_back(fmt::format(
+        "close to a dead point only {:.0f} digits of velocities are left (t = {}): loads there "
+        "depend strongly on lengths and on the driver",
+        std::floor(verification.digits.left), text::seconds(verification.digits.time.value())));
+  }
+  if (!verification.closed) {
+    remarks.push_back(
+        "the motion does not repeat by itself: ranges are those of the time looked at, taken as "
+        "repeated from its end to its beginning once per cycle");
+  }
+}
+
 void add_missing_fatigue(const Verification& verification, std::vector<std::string>& remarks) {
   if (verification.governing(Criterion::fatigue) != nullptr) return;
   remarks.push_back("no point of the beam has a stress range: there is no fatigue check");
@@ -128,6 +156,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   }
   add_categories(project, remarks);
   add_branches(project, remarks);
+  add_motion(project, verification, remarks);
   add_missing_fatigue(verification, remarks);
   add_short_lives(project, remarks);
   add_beside(project, verification, remarks);

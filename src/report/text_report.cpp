@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "boxbeam/report/format.hpp"
@@ -89,13 +90,24 @@ std::string mechanism_section(const Project& project, const Verification& verifi
   out += fmt::format(
       "  degrees of freedom  {} by Gruebler, {} by the rank of the Jacobian; {} driver{}\n",
       freedom.gruebler, freedom.by_rank, freedom.drivers, freedom.drivers == 1 ? "" : "s");
-  if (freedom.redundant > 0)
-    out += fmt::format("  redundant           {} equations\n", freedom.redundant);
+  if (freedom.redundant > 0) {
+    out +=
+        fmt::format("  redundant           {} equations, shared by {}\n", freedom.redundant,
+                    fmt::join(planar::names_of_joints(project.mechanism, freedom.repeating), ", "));
+  }
+  if (freedom.undriven > 0) {
+    out += fmt::format("  moved by forces     {} degree{} of freedom, integrated over time\n",
+                       freedom.undriven, freedom.undriven == 1 ? "" : "s");
+  } else {
+    out += fmt::format("  digits left         {:.0f} of velocities, at worst (t = {})\n",
+                       std::floor(verification.digits.left),
+                       text::seconds(verification.digits.time.value()));
+  }
   for (std::size_t i = 0; i < verification.branch.size(); ++i) {
     out += fmt::format("  branch              loop {}: {}\n", project.mechanism.loops[i].name,
                        verification.branch[i] > 0 ? "+" : "-");
   }
-  out += fmt::format("  joints closed to    {:.1e} m, rad at all instants\n\n",
+  out += fmt::format("  joints closed to    {:.1e} of the mechanism's size at all instants\n\n",
                      verification.largest_residual);
   Table table({"body", "mass [kg]", "J about centre [kg m^2]"});
   for (const Body& body : project.mechanism.bodies) {
@@ -281,13 +293,27 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
       "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", project.title,
       motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s", motion.freedom.gruebler,
       motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s");
+  if (!motion.redundant.empty()) {
+    out += fmt::format(
+        "redundant: {} repeat each other; how they share their load is not determined "
+        "by rigid bodies\n",
+        fmt::join(motion.redundant, ", "));
+  }
+  for (const double time : motion.change_points) {
+    out += fmt::format(
+        "change point at t = {:.6g} s: two branches cross, the smooth one is followed\n", time);
+  }
   const auto f = [](double x) { return fmt::format("{:.6g}", x == 0.0 ? 0.0 : x); };  // no "-0"
   for (const InstantResult& state : motion.states) {
     out += fmt::format("\nt = {:.6g} s   branch", state.time);
     for (const auto& [loop, sign] : state.branch)
       out += fmt::format(" {} {}", loop, sign > 0 ? "+" : "-");
-    out += fmt::format("   joints closed to {:.1e}, condition {:.3g}\n", state.residual,
-                       state.condition);
+    out += fmt::format("   joints closed to {:.1e}", state.residual);
+    if (state.condition > 0.0) {
+      out += fmt::format(", condition {:.3g}, {:.0f} digits of velocities left", state.condition,
+                         std::floor(state.digits));
+    }
+    out += "\n";
     Table bodies({"body", "x [m]", "y [m]", "angle [rad]", "vx [m/s]", "vy [m/s]", "omega [rad/s]",
                   "ax [m/s^2]", "ay [m/s^2]", "alpha [rad/s^2]"});
     for (const BodyMotion& body : state.bodies) {
@@ -299,10 +325,35 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
     }
     Table joints({"reaction of", "on", "Fx [N]", "Fy [N]", "moment [N m]"});
     for (const JointReaction& reaction : state.reactions) {
-      joints.row({reaction.joint, reaction.on, f(reaction.force.x()), f(reaction.force.y()),
-                  f(reaction.moment)});
+      const auto unique = [&](double value) { return reaction.unique ? f(value) : "not unique"; };
+      joints.row({reaction.joint, reaction.on, unique(reaction.force.x()),
+                  unique(reaction.force.y()), unique(reaction.moment)});
     }
     out += bodies.text() + "\n" + joints.text();
+  }
+  return out;
+}
+
+std::string assemblies_text(const Project& project, const std::vector<AssemblyResult>& assemblies,
+                            double time) {
+  std::string out =
+      fmt::format("{}: {} {} found at t = {:.6g} s\n", project.title, assemblies.size(),
+                  assemblies.size() == 1 ? "assembly" : "assemblies", time);
+  for (std::size_t i = 0; i < assemblies.size(); ++i) {
+    out += fmt::format("\nassembly {}", i + 1);
+    bool wanted = !assemblies[i].branch.empty();
+    for (std::size_t k = 0; k < assemblies[i].branch.size(); ++k) {
+      const auto& [loop, sign] = assemblies[i].branch[k];
+      out += fmt::format("   loop {} {}", loop, sign > 0 ? "+" : (sign < 0 ? "-" : "0"));
+      wanted = wanted && sign == project.mechanism.loops[k].sign;
+    }
+    out += wanted ? "   (the one the case asks for)\n" : "\n";
+    Table bodies({"body", "x [m]", "y [m]", "angle [deg]"});
+    for (const auto& [name, at] : assemblies[i].bodies) {
+      const auto f = [](double x) { return fmt::format("{:.6g}", std::abs(x) < 1e-10 ? 0.0 : x); };
+      bodies.row({name, f(at.x()), f(at.y()), f(at.z() * 180.0 / std::numbers::pi)});
+    }
+    out += bodies.text();
   }
   return out;
 }

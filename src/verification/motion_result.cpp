@@ -1,5 +1,6 @@
 #include "boxbeam/verification/motion_result.hpp"
 
+#include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
@@ -7,16 +8,26 @@
 namespace boxbeam {
 namespace {
 
-InstantResult instant_of(const Project& project, const planar::State& state) {
+using Branch = std::vector<std::pair<std::string, int>>;
+
+Branch named_branch_of(const planar::Mechanism& mechanism, const Eigen::VectorXd& q) {
+  Branch branch;
+  const std::vector<int> signs = planar::branch_of(mechanism, q);
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    branch.emplace_back(mechanism.loops[i].name, signs[i]);
+  }
+  return branch;
+}
+
+InstantResult instant_of(const Project& project, const planar::State& state,
+                         const planar::DegreesOfFreedom& freedom) {
   const planar::Mechanism& mechanism = project.mechanism;
   InstantResult result;
   result.time = state.time;
   result.residual = state.residual;
   result.condition = planar::condition_of(mechanism, state.q);
-  const std::vector<int> signs = planar::branch_of(mechanism, state.q);
-  for (std::size_t i = 0; i < signs.size(); ++i) {
-    result.branch.emplace_back(mechanism.loops[i].name, signs[i]);
-  }
+  result.digits = planar::digits_left_at(result.condition);
+  result.branch = named_branch_of(mechanism, state.q);
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     const auto k = static_cast<Eigen::Index>(3 * i);
@@ -33,7 +44,8 @@ InstantResult instant_of(const Project& project, const planar::State& state) {
        planar::reactions_per_joint(mechanism, state, project.beam_body)) {
     result.reactions.push_back({mechanism.joints[static_cast<std::size_t>(reaction.joint)].name,
                                 mechanism.bodies[static_cast<std::size_t>(reaction.on)].name,
-                                reaction.force, reaction.moment});
+                                reaction.force, reaction.moment,
+                                planar::is_unique(mechanism, freedom, reaction.joint)});
   }
   return result;
 }
@@ -47,13 +59,29 @@ MotionResult motion_of(const Project& project, std::vector<double> times) {
   }
   MotionResult result;
   result.freedom = motion.freedom;
+  result.redundant = planar::names_of_joints(project.mechanism, motion.freedom.repeating);
+  result.change_points = motion.change_points;
   planar::StateFinder finder(project.mechanism, motion);
   for (const double time : times) {
     planar::State state = finder.at(time);
     state.time = time;
-    result.states.push_back(instant_of(project, state));
+    result.states.push_back(instant_of(project, state, motion.freedom));
   }
   return result;
+}
+
+std::vector<AssemblyResult> assemblies_of(const Project& project, double time) {
+  const planar::Mechanism& mechanism = project.mechanism;
+  std::vector<AssemblyResult> results;
+  for (const Eigen::VectorXd& q : planar::list_assemblies(mechanism, time)) {
+    AssemblyResult& result = results.emplace_back();
+    result.branch = named_branch_of(mechanism, q);
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+      result.bodies.emplace_back(mechanism.bodies[i].name,
+                                 q.segment<3>(3 * static_cast<Eigen::Index>(i)));
+    }
+  }
+  return results;
 }
 
 }  // namespace boxbeam

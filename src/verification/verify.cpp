@@ -192,6 +192,37 @@ void describe_instants(const Project& project, const planar::Motion& motion,
   }
 }
 
+/// Stops where rigid bodies do not determine what acts on the beam.
+void check_unique_loads(const Project& project, const planar::Motion& motion) {
+  const planar::Mechanism& mechanism = project.mechanism;
+  std::string names;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const auto [a, b] = planar::ends_of(mechanism.joints[i]);
+    const bool on_beam = a.body == project.beam_body || b.body == project.beam_body;
+    const bool rubs = planar::rubs(mechanism.joints[i]);
+    if (!on_beam && !rubs) continue;
+    if (planar::is_unique(mechanism, motion.freedom, static_cast<int>(i))) continue;
+    names += (names.empty() ? "joint " : ", ") + mechanism.joints[i].name;
+  }
+  if (names.empty() || project.beam_body == planar::ground) return;
+  throw AnalysisError(
+      {fmt::format("the loads on the beam are not determined by rigid bodies: joints repeat each "
+                   "other ({}), and how they share their load depends on their stiffness; release "
+                   "one of them (a slot for a pin, a slider without its angle)",
+                   fmt::join(planar::names_of_joints(mechanism, motion.freedom.repeating), ", ")),
+       names,
+       {},
+       {},
+       {}});
+}
+
+DigitsLeft digits_left_over(const planar::Mechanism& mechanism, const planar::Motion& motion) {
+  const auto worst = std::min_element(
+      motion.states.begin(), motion.states.end(),
+      [](const planar::State& a, const planar::State& b) { return a.pivot < b.pivot; });
+  return {planar::digits_left_at(planar::condition_of(mechanism, worst->q)), si<Time>(worst->time)};
+}
+
 void describe_mechanism(const Project& project, const planar::Motion& motion,
                         Verification& result) {
   const planar::State& first = motion.states.front();
@@ -199,6 +230,9 @@ void describe_mechanism(const Project& project, const planar::Motion& motion,
   result.branch = planar::branch_of(project.mechanism, first.q);
   result.instants = motion.states.size();
   result.period = si<Time>(motion.period);
+  result.closed = motion.closed;
+  result.change_points = motion.change_points;
+  if (motion.freedom.undriven == 0) result.digits = digits_left_over(project.mechanism, motion);
   for (const planar::State& state : motion.states) {
     result.largest_residual = std::max(result.largest_residual, state.residual);
   }
@@ -265,6 +299,7 @@ const CheckResult* Verification::governing(Criterion criterion) const {
 
 Verification verify(const Project& project) {
   const planar::Motion motion = planar::solve_motion(project.mechanism);
+  check_unique_loads(project, motion);
   const LoadHistory loads = loads_on_beam(project, motion);
   const std::vector<Station> stations = stations_to_verify(project, loads);
 

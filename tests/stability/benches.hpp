@@ -175,9 +175,9 @@ inline planar::Mechanism parallel_cranks(int count, const Driver& driver, double
 /// crank. Bodies crank, platform; up to six assemblies.
 struct Platform {
   double crank = 0.5;
-  Eigen::Vector2d p[3] = {{-0.6, -0.3}, {0.6, -0.3}, {0.1, 0.7}};  ///< on the platform
-  Eigen::Vector2d g[3] = {{0.0, 0.0}, {2.2, 0.0}, {1.2, 2.0}};     ///< crank's pivot, ground
-  double length[3] = {1.1, 1.2, 1.0};
+  Eigen::Vector2d p[3] = {{-0.6, -0.3}, {0.6, -0.3}, {0.0, 0.5}};  ///< on the platform
+  Eigen::Vector2d g[3] = {{0.0, 0.0}, {0.6, 0.2}, {-0.2, 1.0}};     ///< crank's pivot, ground
+  double length[3] = {1.1, 1.0, 1.1};
 };
 
 inline planar::Mechanism platform_on_rods(const Platform& bench, const Driver& driver) {
@@ -188,7 +188,7 @@ inline planar::Mechanism platform_on_rods(const Platform& bench, const Driver& d
   platform.name = "platform";
   platform.mass = 8.0;
   platform.inertia = 1.5;
-  platform.sketch = {{1.0, 0.9}, 0.0};
+  platform.sketch = {{0.3, 0.4}, 0.5};
   const auto point = [&](int k) { return planar::Attachment{1, bench.p[k]}; };
   mechanism.joints = {
       {"O", planar::Pin{on(0, -bench.crank / 2.0), {planar::ground, bench.g[0]}}},

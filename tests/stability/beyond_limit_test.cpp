@@ -53,16 +53,17 @@ struct Closest {
   double driver = 0.0;  ///< [rad]
 };
 
-Closest closest_of(const test::FourBar& bar, double phi) {
+Closest closest_of(const test::FourBar& bar, double beyond) {
+  const auto phi = static_cast<double>(bar.limit()) + beyond;
   const auto shortfall = [&](double x) {
     const double r = std::sqrt(bar.a * bar.a + bar.d * bar.d -
                                2.0 * bar.a * bar.d * std::cos(phi - x));
     return std::max(0.0, r - bar.b - bar.c);
   };
-  const auto cost = [&](double x) {
-    return 4.0 * std::pow(0.25 * shortfall(x) / 1.5, 2.0) + x * x;
+  const auto cost = [&](double share) {
+    return 4.0 * std::pow(0.25 * shortfall(share * beyond) / (1.5 * beyond), 2.0) + share * share;
   };
-  const double x = boost::math::tools::brent_find_minima(cost, 0.0, 1.0, 50).first;
+  const double x = beyond * boost::math::tools::brent_find_minima(cost, 0.0, 1.0, 50).first;
   return {0.25 * shortfall(x), x};
 }
 
@@ -81,7 +82,7 @@ TEST_CASE("a crank beyond its limit: closest approach by a scan, limit by the ha
       const std::optional<AnalysisFailure> failure = refusal_of(mechanism);
       REQUIRE(failure.has_value());
       CHECK(failure->time.value() == 0.0);
-      const Closest closest = closest_of(bar, limit + beyond);
+      const Closest closest = closest_of(bar, beyond);
       const bool driver_named = closest.driver > closest.pin / 1.5;
       const double gap = driver_named ? closest.driver : closest.pin;
       CHECK(failure->residual.value() == Approx(gap).epsilon(1e-3));

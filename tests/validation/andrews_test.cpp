@@ -98,7 +98,7 @@ Mechanism andrews() {
                       {"A7", Pin{K7_A, {ground, A}}},
                       {"H", Pin{K7_H, K6_H}}};
   mechanism.forces = {{"spring", Spring{K3_D, {ground, C}, 4530.0, .07785, 0.0}},
-                      {"motor", Couple{{0, {0.0, 0.0}}, {ground, O}, HarmonicDriver{.033}}}};
+                      {"motor", Couple{{0, {0.0, 0.0}}, {ground, O}, HarmonicDriver{.033, 0.0, 0.0, 0.0, {}}}}};
   return mechanism;
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("Andrews' mechanism after 0.03 s") {
   const std::array<double, 6> lambda = {199.1753481045386, -29.7553099749717, 23.0665436116221,
                                         31.4527252757712,  22.6424947863944,  11.6173923526112};
   const Mechanism mechanism = andrews();
-  FreeSolver solver(mechanism, 1e-14);
+  FreeSolver solver(mechanism);
   const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
   const State state = solver.advance(0.03, first);
   const double error_q = largest_error(relative_of(state.q), q, 7);
@@ -220,7 +220,7 @@ TEST_CASE("Andrews' mechanism after 0.03 s") {
   CHECK(state.residual < 1e-14);
   CHECK(imbalance_of(mechanism, state) < 1e-13);
   if (std::getenv("SHOW")) {
-    for (double tol : {1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15}) {
+    for (double tol : {1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
       FreeSolver s(mechanism, tol);
       const State st = s.advance(0.03, first);
       printf("tol %g: q %.2e v %.2e a %.2e l %.2e energy %.2e steps %d imb %.1e\n", tol,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/motion_result.hpp"
@@ -13,5 +14,8 @@ std::string results_json(const Project& project, const Verification& verificatio
 
 /// The motion document, "boxbeam.motion/1", kind planar.
 std::string motion_json(const MotionResult& motion);
+
+/// The assemblies at an instant, "boxbeam.assemblies/1".
+std::string assemblies_json(const std::vector<AssemblyResult>& assemblies, double time);
 
 }  // namespace boxbeam

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/motion_result.hpp"
@@ -17,5 +18,9 @@ std::string summary(const Project& project, const Verification& verification);
 
 /// The motion of the mechanism as tables.
 std::string motion_text(const Project& project, const MotionResult& motion);
+
+/// The assemblies of the mechanism at an instant as a table.
+std::string assemblies_text(const Project& project, const std::vector<AssemblyResult>& assemblies,
+                            double time);
 
 }  // namespace boxbeam

@@ -28,6 +28,7 @@ struct JointReaction {
   std::string on;
   Eigen::Vector2d force;
   double moment = 0.0;  ///< counter-clockwise, about the joint's point
+  bool unique = true;   ///< else joints that repeat each other share it in an unknown way
 };
 
 /// Everything of one instant.
@@ -35,7 +36,8 @@ struct InstantResult {
   double time = 0.0;                                ///< [s]
   std::vector<std::pair<std::string, int>> branch;  ///< loop and its sign
   double residual = 0.0;                            ///< largest error of the constraints [m, rad]
-  double condition = 0.0;                           ///< of the scaled Jacobian
+  double condition = 0.0;                           ///< of the scaled Jacobian; 0 if integrated
+  double digits = 0.0;                              ///< of velocities that are left
   std::vector<BodyMotion> bodies;
   std::vector<PointMotion> points;
   std::vector<JointReaction> reactions;
@@ -44,11 +46,22 @@ struct InstantResult {
 /// The mechanism alone.
 struct MotionResult {
   planar::DegreesOfFreedom freedom;
+  std::vector<std::string> redundant;  ///< joints that repeat others
+  std::vector<double> change_points;   ///< times at which two branches cross [s]
   std::vector<InstantResult> states;
 };
 
 /// Solves the mechanism of a case at the given times [s], or at twelve instants of its period where
 /// none is given. Throws AnalysisError.
 MotionResult motion_of(const Project& project, std::vector<double> times);
+
+/// One way to assemble the mechanism at an instant.
+struct AssemblyResult {
+  std::vector<std::pair<std::string, int>> branch;
+  std::vector<std::pair<std::string, Eigen::Vector3d>> bodies;  ///< centre of mass and angle
+};
+
+/// The assemblies of a case's mechanism at an instant [s].
+std::vector<AssemblyResult> assemblies_of(const Project& project, double time);
 
 }  // namespace boxbeam

@@ -67,6 +67,12 @@ struct Gate {
   SlenderPlate plate;
 };
 
+/// What is left of the arithmetic at the instant nearest to a dead point.
+struct DigitsLeft {
+  double left = 0.0;  ///< decimal digits of velocities
+  Time time;
+};
+
 /// The result of a verification.
 struct Verification {
   Verdict verdict = Verdict::fail;
@@ -79,7 +85,10 @@ struct Verification {
   std::vector<PostureFigure> postures;
   MassProperties beam_mass;
   planar::DegreesOfFreedom freedom;
-  std::vector<int> branch;  ///< sign per loop
+  std::vector<int> branch;            ///< sign per loop
+  DigitsLeft digits;                  ///< meaningless where forces decide the motion
+  std::vector<double> change_points;  ///< times at which two branches cross [s]
+  bool closed = true;                 ///< the motion repeats by itself after its period
   std::optional<planar::EquivalentMass> equivalent_mass;
   std::optional<ChainComparison> chain;
   std::vector<Gate> gates;  ///< what stands against believing the stresses; empty is good

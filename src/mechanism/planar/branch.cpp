@@ -7,16 +7,30 @@
 namespace boxbeam::planar {
 namespace {
 
-double measure(const TurnSign& turn, const Eigen::VectorXd& q) {
-  const Eigen::Vector2d from = position_of(turn.from, q);
-  const Eigen::Vector2d u = position_of(turn.via, q) - from;
-  const Eigen::Vector2d w = position_of(turn.to, q) - from;
-  return u.x() * w.y() - u.y() * w.x();
-}
+/// The measure where `place` gives the place of an attachment.
+template <class Place>
+struct Measure {
+  const Place& place;
 
-double measure(const AlongSign& along, const Eigen::VectorXd& q) {
-  const Eigen::Vector2d vector = position_of(along.to, q) - position_of(along.from, q);
-  return vector.x() * std::cos(along.direction) + vector.y() * std::sin(along.direction);
+  double operator()(const TurnSign& turn) const {
+    const Eigen::Vector2d from = place(turn.from);
+    const Eigen::Vector2d u = place(turn.via) - from;
+    const Eigen::Vector2d w = place(turn.to) - from;
+    return u.x() * w.y() - u.y() * w.x();
+  }
+
+  double operator()(const AlongSign& along) const {
+    const Eigen::Vector2d vector = place(along.to) - place(along.from);
+    return vector.x() * std::cos(along.direction) + vector.y() * std::sin(along.direction);
+  }
+};
+
+template <class Place>
+bool all_on_branch(const Mechanism& mechanism, const Place& place) {
+  for (const Loop& loop : mechanism.loops) {
+    if (!(std::visit(Measure<Place>{place}, loop.measure) * loop.sign > 0.0)) return false;
+  }
+  return true;
 }
 
 int sign_of(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
@@ -24,7 +38,8 @@ int sign_of(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
 }  // namespace
 
 double measure_of(const Loop& loop, const Eigen::VectorXd& q) {
-  return std::visit([&](const auto& kind) { return measure(kind, q); }, loop.measure);
+  const auto place = [&](const Attachment& point) { return position_of(point, q); };
+  return std::visit(Measure<decltype(place)>{place}, loop.measure);
 }
 
 std::vector<int> branch_of(const Mechanism& mechanism, const Eigen::VectorXd& q) {
@@ -36,10 +51,11 @@ std::vector<int> branch_of(const Mechanism& mechanism, const Eigen::VectorXd& q)
 }
 
 bool on_branch(const Mechanism& mechanism, const Eigen::VectorXd& q) {
-  for (const Loop& loop : mechanism.loops) {
-    if (!(measure_of(loop, q) * loop.sign > 0.0)) return false;
-  }
-  return true;
+  return all_on_branch(mechanism, [&](const Attachment& point) { return position_of(point, q); });
+}
+
+bool on_branch(const Mechanism& mechanism, const ConstraintEquations& at) {
+  return all_on_branch(mechanism, [&](const Attachment& point) { return at.place_of(point); });
 }
 
 std::string loops_off_branch(const Mechanism& mechanism, const Eigen::VectorXd& q) {

@@ -61,7 +61,9 @@ Rank rank_of(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-double DegreesOfFreedom::digits_left() const {
+double DegreesOfFreedom::digits_left() const { return digits_left_at(condition); }
+
+double digits_left_at(double condition) {
   if (!(condition > 0.0)) return 0.0;
   const double lost = std::numeric_limits<double>::epsilon() * condition * condition;
   return std::max(0.0, -std::log10(lost));

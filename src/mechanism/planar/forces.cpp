@@ -115,12 +115,21 @@ void add_applied_forces(const Mechanism& mechanism, double time, const Eigen::Ve
   });
 }
 
+bool rubs(const Joint& joint) {
+  const auto with = [](const Friction& friction) {
+    return friction.coulomb != 0.0 || friction.viscous != 0.0;
+  };
+  if (const auto* slider = std::get_if<Slider>(&joint.kind)) return with(slider->friction);
+  const auto* slot = std::get_if<PinInSlot>(&joint.kind);
+  return slot != nullptr && with(slot->friction);
+}
+
 std::vector<FrictionContact> friction_contacts_of(const Mechanism& mechanism) {
   std::vector<FrictionContact> contacts;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const auto take = [&](const auto& slide, bool moment) {
-      if (slide.friction.coulomb == 0.0 && slide.friction.viscous == 0.0) return;
+      if (!rubs(mechanism.joints[i])) return;
       contacts.push_back({static_cast<int>(i), row, moment, slide.point, slide.guide,
                           slide.direction, slide.friction});
     };

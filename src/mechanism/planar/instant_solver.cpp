@@ -159,6 +159,11 @@ void InstantSolver::order_anew() {
 }
 
 bool InstantSolver::factor_at_position() {
+  if (kind_ == Elimination::dense) {
+    dense_matrix_ = equations_.pattern().dense(jacobian_);
+    dense_.compute(dense_matrix_);
+    return dense_.matrixLU().diagonal().cwiseAbs().minCoeff() > no_digit_left;
+  }
   if (!ordered_) order_anew();
   if (!ordered_) return false;
   bool fits = sparse_.factor(jacobian_);
@@ -166,11 +171,7 @@ bool InstantSolver::factor_at_position() {
     order_anew();
     fits = ordered_ && sparse_.factor(jacobian_);
   }
-  if (fits && kind_ == Elimination::dense) {
-    dense_matrix_ = equations_.pattern().dense(jacobian_);
-    dense_.compute(dense_matrix_);
-  }
-  return ordered_ && sparse_.smallest_pivot() > no_digit_left;
+  return fits && ordered_ && sparse_.smallest_pivot() > no_digit_left;
 }
 
 void InstantSolver::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
@@ -190,6 +191,7 @@ void InstantSolver::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& 
 }
 
 std::uint64_t InstantSolver::assembly_of_factors() const {
+  if (kind_ == Elimination::dense) return 0;
   std::uint64_t assembly = parity_key_;
   for (std::size_t k = 0; k < block_key_.size(); ++k) {
     assembly ^= sparse_.pivot(k) < 0.0 ? block_key_[k] : 0U;
@@ -275,6 +277,7 @@ bool InstantSolver::complete(State& state) {
   solve(right_, state.a);
   solve_multipliers(state);
   state.assembly = assembly_of_factors();
+  state.pivot = sparse_.smallest_pivot();
   return true;
 }
 
@@ -367,7 +370,7 @@ InstantSolver::Outcome InstantSolver::step(double time, const State& known, Stat
   result.q = known.q + dt * (known.v + 0.5 * dt * known.a);
   if (!correct(result.q)) return Outcome::no_convergence;
   if (!complete(result)) return Outcome::singular;
-  if (!on_branch(*mechanism_, result.q)) return Outcome::off_branch;
+  if (!on_branch(*mechanism_, equations_)) return Outcome::off_branch;
   if (!crossing && known.assembly != 0 && known.assembly != result.assembly) {
     // Other equations may take part here than there: compare with the same ones.
     if (sparse_.rows_left().empty()) return Outcome::other_assembly;

@@ -62,6 +62,15 @@ int joint_index(const Mechanism& mechanism, std::string_view name) {
   return index_by_name(mechanism.joints, name);
 }
 
+std::vector<std::string> names_of_joints(const Mechanism& mechanism,
+                                         const std::vector<int>& joints) {
+  std::vector<std::string> names;
+  for (const int joint : joints) {
+    names.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
+  }
+  return names;
+}
+
 Eigen::VectorXd sketch_of(const Mechanism& mechanism) {
   Eigen::VectorXd q(mechanism.coordinates());
   Eigen::Index i = 0;
@@ -87,6 +96,7 @@ double size_of(const Mechanism& mechanism) {
   double size = 0.0;
   std::vector<Attachment> on_ground;
   for (const Joint& joint : mechanism.joints) {
+    if (!is_length_equation(joint, 0)) continue;  // its points only say where moments act
     const auto [a, b] = ends_of(joint);
     for (const Attachment& end : {a, b}) {
       if (end.body != ground) {

@@ -23,7 +23,7 @@ struct HarmonicDriver {
   double amplitude = 0.0;
   double omega = 0.0;  ///< [rad/s]
   double phase = 0.0;  ///< [rad]
-  std::vector<Harmonic> further;
+  std::vector<Harmonic> further = {};
 };
 
 /// start + rate t. On an angle the mechanism comes back after a turn.

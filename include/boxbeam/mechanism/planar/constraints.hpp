@@ -42,6 +42,13 @@ class ConstraintEquations {
   /// by less than a milliradian (exact to round-off).
   void move_position(const Eigen::VectorXd& q);
 
+  /// An attached point in world axes at the set position [m].
+  Eigen::Vector2d place_of(const Attachment& point) const {
+    const Pose& pose =
+        poses_[point.body == ground ? poses_.size() - 1 : static_cast<std::size_t>(point.body)];
+    return Eigen::Vector2d(pose.x, pose.y) + pose.turned(point.p);
+  }
+
   void evaluate(Eigen::VectorXd& phi) const;
   /// Constraints and the values of their Jacobian at once; analytic.
   void evaluate(Eigen::VectorXd& phi, std::vector<double>& jacobian) const;

@@ -26,10 +26,12 @@ struct DegreesOfFreedom {
   /// redundancy has a part in its equation. Source: Wojtyra, Multibody System Dynamics 13 (2005).
   std::vector<char> unique;
 
-  /// Decimal digits of velocities that are left, of the sixteen of the arithmetic: the error of
-  /// positions grows with the condition, that of velocities with its square.
   double digits_left() const;
 };
+
+/// Decimal digits of velocities that are left of the sixteen of the arithmetic at a condition of
+/// the scaled Jacobian: the error of positions grows with it, that of velocities with its square.
+double digits_left_at(double condition);
 
 /// Rank by singular values of the Jacobian with lengths divided by the mechanism's size, so that
 /// it does not depend on the unit of length. Singular values that are round-off are told from the

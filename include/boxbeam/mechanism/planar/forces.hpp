@@ -33,6 +33,9 @@ struct FrictionContact {
   Friction law;
 };
 
+/// Whether a joint slides with friction.
+bool rubs(const Joint& joint);
+
 std::vector<FrictionContact> friction_contacts_of(const Mechanism& mechanism);
 
 /// Direction of a contact's guide in the world.

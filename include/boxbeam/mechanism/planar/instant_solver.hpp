@@ -19,8 +19,11 @@ struct State {
   Eigen::VectorXd v;       ///< [m/s, rad/s]
   Eigen::VectorXd a;       ///< [m/s^2, rad/s^2]
   Eigen::VectorXd lambda;  ///< multipliers, one per constraint equation [N, N m]
-  double residual =
-      0.0;  ///< largest error of the constraints, lengths by the size of the mechanism
+  /// Largest error of the constraints, lengths by the size of the mechanism.
+  double residual = 0.0;
+  /// Smallest pivot of the scaled Jacobian: falls towards a dead point with the root of the
+  /// distance to it. Zero where forces decide the motion.
+  double pivot = 0.0;
   /// Tells assemblies apart: the signs of the determinants of the Jacobian's irreducible blocks (a
   /// block is a loop that closes by itself). Zero where it is not known.
   std::uint64_t assembly = 0;

@@ -222,6 +222,9 @@ struct Mechanism {
 int body_index(const Mechanism& mechanism, std::string_view name);
 int joint_index(const Mechanism& mechanism, std::string_view name);
 
+std::vector<std::string> names_of_joints(const Mechanism& mechanism,
+                                         const std::vector<int>& joints);
+
 /// The coordinates of the rough positions given with the bodies.
 Eigen::VectorXd sketch_of(const Mechanism& mechanism);
 

@@ -1,0 +1,185 @@
+// A parallelogram whose crank turns all round, through the two flat positions where it could go
+// over into an anti-parallelogram: both branches are followed by what they are, and nothing else is
+// taken for such a change point.
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "benches.hpp"
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "catch.hpp"
+#include "support/rig.hpp"
+
+using namespace boxbeam;
+using namespace boxbeam::planar;
+
+namespace {
+
+constexpr double rate = 2.0;  // of the crank [rad/s]
+
+/// The point of the second crank of an anti-parallelogram: that of the parallelogram, mirrored in
+/// the diagonal from the first crank's tip to the second crank's pivot.
+Eigen::Vector2d crossed_tip(double phi) {
+  const Eigen::Vector2d A(std::cos(phi), std::sin(phi));
+  const Eigen::Vector2d D(2.0, 0.0);
+  const Eigen::Vector2d u = (D - A).normalized();
+  const Eigen::Vector2d w = Eigen::Vector2d(2.0, 0.0);
+  return A + 2.0 * u.dot(w) * u - w;
+}
+
+/// The flat positions of a turn that starts at `start`: how many, and how far the times reported
+/// are from them.
+double off_flat(const Motion& motion, double start) {
+  double worst = 0.0;
+  for (const double time : motion.change_points) {
+    const double phi = start + rate * time;
+    worst = std::max(worst, std::abs(std::remainder(phi, test::pi)));
+  }
+  return worst;
+}
+
+template <class Error>
+int check_turn(const Mechanism& mechanism, double start, int instants, double& worst,
+               const Error& error_of) {
+  const Motion motion = solve_motion(mechanism, instants);
+  CHECK(motion.closed);
+  CHECK(motion.change_points.size() >= 2);
+  CHECK(off_flat(motion, start) < rate * motion.period / instants);
+  for (const State& state : motion.states) {
+    const double error = error_of(start + rate * state.time, state);
+    worst = std::max(worst, error);
+    CHECK(error < 1e-9);
+  }
+  return static_cast<int>(motion.change_points.size());
+}
+
+}  // namespace
+
+TEST_CASE("a massless parallelogram stays one over the whole turn") {
+  double worst = 0.0;
+  int turns = 0;
+  int passed = 0;
+  for (const double start : {0.3, 1.0, -2.0, 0.0, test::pi}) {
+    for (const int instants : {24, 36, 97, 100, 360}) {
+      INFO("start " << start << ", " << instants << " instants");
+      const Mechanism mechanism =
+          test::parallel_cranks(2, RateDriver{start, rate}, start, true);
+      passed += check_turn(mechanism, start, instants, worst, [](double phi, const State& state) {
+        return std::max({std::abs(state.q[2]), std::abs(state.v[2]), std::abs(state.a[2]) * 1e-3,
+                         std::abs(state.v[8] - rate),
+                         std::abs(state.q[0] - 1.0 - std::cos(phi)),
+                         std::abs(state.q[1] - std::sin(phi))});
+      });
+      ++turns;
+    }
+  }
+  std::cout << "stability: massless parallelogram, " << turns << " turns through its flat positions: "
+            << passed << " change points passed, coupler off its angle by at most " << worst
+            << " rad\n";
+}
+
+TEST_CASE("a massless anti-parallelogram stays crossed over the whole turn (mirrored point)") {
+  double worst = 0.0;
+  int turns = 0;
+  int passed = 0;
+  for (const double start : {0.3, 1.0, -2.0}) {
+    for (const int instants : {36, 97, 100, 360}) {
+      INFO("start " << start << ", " << instants << " instants");
+      Mechanism mechanism = test::parallel_cranks(2, RateDriver{start, rate}, start, true);
+      const Eigen::Vector2d A(std::cos(start), std::sin(start));
+      const Eigen::Vector2d B = crossed_tip(start);
+      mechanism.bodies[0].sketch = test::rod("coupler", A, B).sketch;
+      mechanism.bodies[2].sketch = test::rod("crank 2", {2.0, 0.0}, B).sketch;
+      passed += check_turn(mechanism, start, instants, worst, [](double phi, const State& state) {
+        const Eigen::Vector2d tip =
+            state.q.segment<2>(6) + 0.5 * Eigen::Vector2d(std::cos(state.q[8]), std::sin(state.q[8]));
+        return (tip - crossed_tip(phi)).norm();
+      });
+      ++turns;
+    }
+  }
+  std::cout << "stability: massless anti-parallelogram, " << turns
+            << " turns through its flat positions: " << passed
+            << " change points passed, tip off by at most " << worst << " m\n";
+}
+
+TEST_CASE("masses that the flat position must hold are refused with their reason") {
+  int refused = 0;
+  for (const double start : {0.0, test::pi, 0.3}) {
+    const Mechanism mechanism = test::parallel_cranks(2, RateDriver{start, rate}, start, false);
+    INFO("start " << start);
+    try {
+      // 0.3: no instant stands in the flat position; peaks that never end are refused all the same.
+      const Motion motion = start == 0.3 ? solve_motion(mechanism) : solve_motion(mechanism, 36);
+      FAIL_CHECK("must be refused, not solved with " << motion.states.size() << " instants");
+    } catch (const AnalysisError& error) {
+      INFO(error.what());
+      const std::string& what = error.failure().what;
+      CHECK((what.find("grow without bound") != std::string::npos ||
+             what.find("change too fast") != std::string::npos ||
+             what.find("dead point") != std::string::npos));
+      CHECK(error.failure().time.has_value());
+      if (start != 0.3) CHECK(what.find("grow without bound") != std::string::npos);
+      ++refused;
+    }
+  }
+  // A third crank holds the coupler: no change point, no growth.
+  const Mechanism held = test::parallel_cranks(2, RateDriver{0.3, rate}, 0.3, false);
+  Mechanism guided = held;
+  // A gear wheel between the cranks: the second turns as the first, whatever the coupler does.
+  guided.joints.push_back({"gears", AngleCoupling{test::on(2, 0.0), test::on(1, 0.0), 1.0, 0.0}});
+  const Motion motion = solve_motion(guided, 36);
+  CHECK(motion.change_points.empty());
+  for (const State& state : motion.states) CHECK(std::abs(state.q[2]) < 1e-12);
+  std::cout << "stability: parallelogram with masses: " << refused
+            << " of 3 turns refused; guided by a gear it needs no refusal and has "
+            << motion.change_points.size() << " change points\n";
+}
+
+TEST_CASE("a stroke too long by nanometres is refused, not passed as a change point") {
+  const double stroke = std::sqrt(3.5 * 3.5 - 9.0) - 0.5;
+  const test::FourBar bar;
+  const auto limit = static_cast<double>(bar.limit());
+  int refused = 0;
+  int passed = 0;
+  const auto ask = [&](const Mechanism& mechanism, int instants) {
+    try {
+      solve_motion(mechanism, instants);
+      ++passed;
+      CHECK_FALSE("solved");
+    } catch (const AnalysisError& error) {
+      CHECK_FALSE(error.failure().what.empty());
+      ++refused;
+    }
+  };
+  for (const double beyond : {1e-3, 1e-6, 1e-8, 1e-9}) {
+    for (const int instants : {24, 36, 96, 97, 101}) {
+      for (const bool named : {true, false}) {
+        INFO("beyond by " << beyond << ", " << instants << " instants, loops "
+                          << (named ? "named" : "not named"));
+        Mechanism rig = test::rig().mechanism;
+        test::exciter_of(rig).amplitude = stroke + beyond;
+        if (!named) {
+          const Eigen::VectorXd q = test::rig_state(0.0).q;
+          for (std::size_t i = 0; i < rig.bodies.size(); ++i) {
+            const auto k = static_cast<Eigen::Index>(3 * i);
+            rig.bodies[i].sketch = {q.segment<2>(k), q[k + 2]};
+          }
+          rig.loops.clear();
+        }
+        ask(rig, instants);
+        HarmonicDriver driver;
+        driver.mean = 0.7;
+        driver.amplitude = limit + beyond - driver.mean;
+        driver.omega = 2.0 * test::pi;
+        Mechanism four_bar = test::four_bar(bar, driver, 0.7, 1, true);
+        if (!named) four_bar.loops.clear();
+        ask(four_bar, instants);
+      }
+    }
+  }
+  std::cout << "stability: rig and four-bar 1e-9 .. 1e-3 m (rad) beyond their reach, 80 motions: "
+            << refused << " refused, " << passed << " passed as if they could\n";
+}
