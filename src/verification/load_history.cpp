@@ -39,6 +39,16 @@ CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, d
           result.T * scale, result.M_y * scale, result.M_z * scale};
 }
 
+/// How many borders of pieces lie before a station, seen from its side: changes where a load slides
+/// over it.
+std::size_t borders_before(const CutForceDiagram& diagram, const Station& station) {
+  return static_cast<std::size_t>(
+      std::count_if(diagram.pieces.begin(), diagram.pieces.end(), [&](const CutForcePiece& piece) {
+        return piece.end() < station.s ||
+               (piece.end() == station.s && station.side != Side::before);
+      }));
+}
+
 }  // namespace
 
 LoadHistory::LoadHistory(const TaperedBeam& beam, const LoadSpan& span, LoadsAt loads_at)
@@ -120,13 +130,46 @@ std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction&
   return turns;
 }
 
+Extremum StationHistory::extremum_at_passage(std::size_t middle, const Nodes& nodes, double sign,
+                                             const CutForceFunction& f) const {
+  Extremum best{node(0), sign * f(nodes[0])};
+  const auto consider = [&](double u, double value) {
+    if (value > best.value) best = {u, value};
+  };
+  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
+  const auto diagram_at = [&](double u) {
+    return loads_->diagram_at(loads_->time_of(middle) + u * loads_->step());
+  };
+  for (std::size_t k = 1; k <= last_node; ++k) {
+    consider(node(k), sign * f(nodes[k]));
+    const std::size_t before = borders_before(bracket[k - 1], station_);
+    if (borders_before(bracket[k], station_) == before) continue;
+    double low = node(k - 1);
+    double high = node(k);
+    constexpr int halvings = 40;
+    for (int i = 0; i < halvings; ++i) {
+      const double half = 0.5 * (low + high);
+      (borders_before(diagram_at(half), station_) == before ? low : high) = half;
+    }
+    for (const double u : {low, high}) consider(u, sign * f(diagram_at(u).at(station_)));
+  }
+  return best;
+}
+
 TurningPoint StationHistory::refine(std::size_t instant, bool maximum,
                                     const CutForceFunction& f) const {
   const std::size_t middle = loads_->middle_near(instant);
   const Nodes at_nodes = nodes_of(middle);
   const double sign = maximum ? 1.0 : -1.0;
+  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
+  const bool passage =
+      std::any_of(bracket.begin(), bracket.end(), [&](const CutForceDiagram& diagram) {
+        return borders_before(diagram, station_) != borders_before(bracket[0], station_);
+      });
   Extremum found =
-      find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
+      passage
+          ? extremum_at_passage(middle, at_nodes, sign, f)
+          : find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
   if (middle != instant) {
     // An open history may have its extremum at its very end.
     const double at_end = sign * f(samples_[instant]);

@@ -14,6 +14,22 @@
 namespace boxbeam {
 namespace {
 
+/// Stops where a joint has slid off the end of the beam.
+void check_on_beam(const Project& project, const BeamLoads& loads, Time time) {
+  const double length = project.beam.length().value();
+  for (const PointLoad& load : loads.points) {
+    const double s = load.s.value();
+    if (s >= -1e-9 * length && s <= (1.0 + 1e-9) * length) continue;
+    throw AnalysisError({fmt::format("a joint slides off the beam: it stands at s = {:.6g} m, and "
+                                     "the beam goes from 0 to {:.6g} m",
+                                     s, length),
+                         "beam",
+                         time.value(),
+                         {},
+                         {}});
+  }
+}
+
 /// Where the loads on the beam come from at any time: the mechanism's reactions or the chain.
 LoadsAt loads_of(const Project& project, const planar::Motion& motion) {
   auto finder = std::make_shared<planar::StateFinder>(project.mechanism, motion);
@@ -26,7 +42,9 @@ LoadsAt loads_of(const Project& project, const planar::Motion& motion) {
   }
   auto body = planar::beam_body_of(project.beam, project.beam_body);
   return [&project, finder, body](Time time) {
-    return planar::beam_loads_of(project.mechanism, finder->at(time.value()), body);
+    BeamLoads loads = planar::beam_loads_of(project.mechanism, finder->at(time.value()), body);
+    check_on_beam(project, loads, time);
+    return loads;
   };
 }
 

@@ -106,3 +106,59 @@ TEST_CASE("interpolated cut forces of the rig equal the mechanism solved anew") 
     CHECK(std::abs((exact.V_z - interpolated.V_z).value()) < 1e-10 * 1e5);
   }
 }
+
+TEST_CASE("a load that slides along the beam: M peaks as it passes a station (influence line)") {
+  // Simply supported, load P at s(t): M at s_0 is largest when P stands there, P s_0 (L - s_0)/L;
+  // V jumps by P, from P (L - s_0)/L just behind the passage to -P s_0/L just before it.
+  // Source: influence lines of the simple beam, any statics book.
+  const TaperedBeam beam = metre_of_tube();
+  const double L = beam.length().value();
+  const double P = 700.0;
+  const LoadHistory loads(beam, {Time{}, 2.0 * second, 40, false}, [&](Time time) {
+    const double s = L * (0.07 + 0.43 * time.value());
+    BeamLoads at;
+    at.points = {{Length{}, {0.0, 0.0, P * (L - s) / L}, Eigen::Vector3d::Zero()},
+                 {si<Length>(s), {0.0, 0.0, -P}, Eigen::Vector3d::Zero()},
+                 {si<Length>(L), {0.0, 0.0, P * s / L}, Eigen::Vector3d::Zero()}};
+    at.segments.resize(beam.segments.size());
+    return at;
+  });
+  const auto bending = [](const CutForces& cut) { return cut.M_y.value(); };
+  const auto shear = [](const CutForces& cut) { return cut.V_z.value(); };
+  for (const double s_0 : {0.211 * L, 0.5 * L, 0.83 * L}) {
+    const StationHistory history(loads, {si<Length>(s_0)});
+    // The sign of M for this load: z up, the part before the cut is pushed up at its support.
+    const double expected = P * s_0 * (L - s_0) / L;
+    const double low = -history.largest([&](const CutForces& c) { return -bending(c); }).value;
+    const double high = history.largest(bending).value;
+    CHECK(std::max(std::abs(low), std::abs(high)) == Approx(expected).epsilon(1e-10));
+    const double least = -history.largest([&](const CutForces& c) { return -shear(c); }).value;
+    const double most = history.largest(shear).value;
+    CHECK(std::max(std::abs(least), std::abs(most)) ==
+          Approx(P * std::max(s_0, L - s_0) / L).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("an open history may have its extreme at its end") {
+  const TaperedBeam beam = metre_of_tube();
+  const LoadHistory loads(beam, {Time{}, 1.0 * second, 10, false}, [&](Time time) {
+    BeamLoads at;
+    const double N = 3.0 + time.value() * time.value();
+    at.points = {{Length{}, {-N, 0.0, 0.0}, Eigen::Vector3d::Zero()},
+                 {beam.length(), {N, 0.0, 0.0}, Eigen::Vector3d::Zero()}};
+    at.segments.resize(beam.segments.size());
+    return at;
+  });
+  const StationHistory history(loads, {0.5 * metre});
+  const TurningPoint most = history.largest(axial);
+  CHECK(most.value == Approx(4.0).epsilon(1e-12));
+  CHECK(most.time.value() == Approx(1.0).epsilon(1e-12));
+  double low = 1e300;
+  double high = -1e300;
+  for (const TurningPoint& turn : history.turning_points(axial)) {
+    low = std::min(low, turn.value);
+    high = std::max(high, turn.value);
+  }
+  CHECK(low == Approx(3.0).epsilon(1e-12));
+  CHECK(high == Approx(4.0).epsilon(1e-12));
+}

@@ -82,7 +82,8 @@ class StationHistory {
   /// The turning points of `f` in order of time. Each is bracketed by three instants and found by
   /// Brent's method on the cut forces interpolated through the Chebyshev points of the bracket
   /// (degree 8: for a smooth motion the interpolation is at round-off). Waves smaller than 1e-9 of
-  /// the whole are round-off and left out; a constant has one turning point.
+  /// the whole are round-off and left out; a constant has one turning point. A load that slides
+  /// over the station in a bracket divides it.
   std::vector<TurningPoint> turning_points(const CutForceFunction& f) const;
 
   /// The largest value of `f` over the period, found the same way.
@@ -95,6 +96,10 @@ class StationHistory {
   using Nodes = std::array<CutForces, LoadHistory::nodes>;
   Nodes nodes_of(std::size_t middle) const;
   TurningPoint refine(std::size_t instant, bool maximum, const CutForceFunction& f) const;
+  /// The same where a load slides over the station in the bracket: cut forces jump or bend there,
+  /// and the extremum is at a node or just before or behind the passage.
+  Extremum extremum_at_passage(std::size_t middle, const Nodes& nodes, double sign,
+                               const CutForceFunction& f) const;
 
   const LoadHistory* loads_;
   Station station_;
