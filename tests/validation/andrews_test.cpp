@@ -20,13 +20,11 @@ namespace {
 using Seven = std::array<double, 7>;
 
 /// beta, Theta, gamma, Phi, delta, Omega, epsilon at the start; all velocities are zero.
-constexpr Seven start_angles = {-0.0617138900142764496358948458001,
-                                0.0,
-                                0.455279819163070380255912382449,
-                                0.222668390165885884674473185609,
-                                0.487364979543842550225598953530,
-                                -0.222668390165885884674473185609,
-                                1.23054744454982119249735015568};
+constexpr Seven start_angles = {
+    -0.0617138900142764496358948458001, 0.0,
+    0.455279819163070380255912382449,   0.222668390165885884674473185609,
+    0.487364979543842550225598953530,   -0.222668390165885884674473185609,
+    1.23054744454982119249735015568};
 
 /// Angles of the bodies K1 to K7 from the relative angles, or their rates likewise.
 Seven absolute_of(const Seven& r) {
@@ -77,28 +75,24 @@ Mechanism andrews() {
   const Eigen::Vector2d P = end(0, O, {rr, 0.0});
   const Eigen::Vector2d G = end(4, A, {zt, 0.0});
   const Eigen::Vector2d H = end(6, A, {0.0, -u});
-  const std::array<Eigen::Vector2d, 7> centres = {
-      end(0, O, {ra, 0.0}),        end(1, P, {-da, 0.0}), end(2, B, {sb, -sa}),
-      end(3, G, {0.0, -(e - ea)}), end(4, A, {ta, tb}),   end(5, H, {zf - fa, 0.0}),
-      end(6, A, {-ub, -ua})};
+  const std::array<Eigen::Vector2d, 7> centres = {end(0, O, {ra, 0.0}), end(1, P, {-da, 0.0}),
+                                                  end(2, B, {sb, -sa}), end(3, G, {0.0, -(e - ea)}),
+                                                  end(4, A, {ta, tb}),  end(5, H, {zf - fa, 0.0}),
+                                                  end(6, A, {-ub, -ua})};
 
   Mechanism mechanism;
   const char* names[] = {"K1", "K2", "K3", "K4", "K5", "K6", "K7"};
   for (std::size_t i = 0; i < 7; ++i) {
     mechanism.bodies.push_back({names[i], m[i], inertia[i], {}, {centres[i], angle[i]}});
   }
-  mechanism.joints = {{"F3", Pin{K2_F, K3_F}},
-                      {"F4", Pin{K2_F, K4_F}},
-                      {"F6", Pin{K2_F, K6_F}},
-                      {"O", Pin{crank_O, {ground, O}}},
-                      {"P", Pin{crank_P, K2_P}},
-                      {"B", Pin{K3_B, {ground, B}}},
-                      {"A5", Pin{K5_A, {ground, A}}},
-                      {"G", Pin{K5_G, K4_G}},
-                      {"A7", Pin{K7_A, {ground, A}}},
-                      {"H", Pin{K7_H, K6_H}}};
-  mechanism.forces = {{"spring", Spring{K3_D, {ground, C}, 4530.0, .07785, 0.0}},
-                      {"motor", Couple{{0, {0.0, 0.0}}, {ground, O}, HarmonicDriver{.033, 0.0, 0.0, 0.0, {}}}}};
+  mechanism.joints = {{"F3", Pin{K2_F, K3_F}},        {"F4", Pin{K2_F, K4_F}},
+                      {"F6", Pin{K2_F, K6_F}},        {"O", Pin{crank_O, {ground, O}}},
+                      {"P", Pin{crank_P, K2_P}},      {"B", Pin{K3_B, {ground, B}}},
+                      {"A5", Pin{K5_A, {ground, A}}}, {"G", Pin{K5_G, K4_G}},
+                      {"A7", Pin{K7_A, {ground, A}}}, {"H", Pin{K7_H, K6_H}}};
+  mechanism.forces = {
+      {"spring", Spring{K3_D, {ground, C}, 4530.0, .07785, 0.0}},
+      {"motor", Couple{{0, {0.0, 0.0}}, {ground, O}, HarmonicDriver{.033, 0.0, 0.0, 0.0, {}}}}};
   return mechanism;
 }
 
@@ -138,8 +132,7 @@ double energy_of(const Mechanism& mechanism, const State& state) {
     energy += 0.5 * (body.mass * v.head<2>().squaredNorm() + body.inertia * v[2] * v[2]);
   }
   const auto& spring = std::get<Spring>(mechanism.forces[0].kind);
-  const double stretch =
-      (position_of(spring.a, state.q) - spring.b.p).norm() - spring.free_length;
+  const double stretch = (position_of(spring.a, state.q) - spring.b.p).norm() - spring.free_length;
   return energy + 0.5 * spring.stiffness * stretch * stretch;
 }
 
@@ -173,7 +166,7 @@ TEST_CASE("Andrews' mechanism: accelerations and loop forces at the start") {
   CHECK(std::abs(state.lambda[1] / lambda2 - 1.0) < 1e-12);
   for (std::size_t i = 2; i < 7; ++i) CHECK(std::abs(a[i]) < 1e-12 * a1);
   for (Eigen::Index i = 2; i < 6; ++i) CHECK(std::abs(state.lambda[i]) < 1e-12 * lambda1);
-  CHECK(imbalance_of(mechanism, state) < 1e-13);
+  CHECK(imbalance_of(mechanism, state) < 1e-14);
 }
 
 TEST_CASE("Andrews' mechanism has one freedom and no redundancy") {
@@ -190,45 +183,42 @@ TEST_CASE("Andrews' mechanism after 0.03 s") {
   // extended precision, three step sizes. The published PSIDE column of the test set is itself good
   // to 7e-11 in angles, 9e-11 in velocities, 6e-9 in accelerations, and to 1.3e-6 in the
   // multipliers (lambda1 199.1753333731910 instead of 199.1753481045386).
-  const Seven q = {15.8107711951537,   -15.7563710584118, 0.040822240119646, -0.534730116342080,
-                   0.524409965879954,  0.534730116342080, 1.04808074104194};
+  const Seven q = {15.8107711951537,  -15.7563710584118, 0.040822240119646, -0.534730116342080,
+                   0.524409965879954, 0.534730116342080, 1.04808074104194};
   const Seven v = {1139.92030225911,  -1424.37929517754, 11.0329119106185, 19.2933741050315,
                    0.573569914829496, -19.2933741050315, 0.323179149249125};
   const Seven a = {-24631.763122873, 51850.319636463,  324102.60070758, 566749.42200100,
                    16743.635418345,  -566749.42200100, 9826.5078015441};
   const std::array<double, 6> lambda = {199.1753481045386, -29.7553099749717, 23.0665436116221,
                                         31.4527252757712,  22.6424947863944,  11.6173923526112};
+  // Allowed: about ten times what is reached.
+  struct Allowed {
+    double tolerance, q, v, a, lambda, energy;
+  };
   const Mechanism mechanism = andrews();
-  FreeSolver solver(mechanism);
-  const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
-  const State state = solver.advance(0.03, first);
-  const double error_q = largest_error(relative_of(state.q), q, 7);
-  const double error_v = largest_error(relative_of(state.v), v, 7);
-  const double error_a = largest_error(relative_of(state.a), a, 7);
-  const double error_lambda = largest_error(state.lambda, lambda, 6);
-  // The torque's work is the change of energy.
-  const double work = .033 * (relative_of(state.q)[0] - start_angles[0]);
-  const double energy = energy_of(mechanism, state) - energy_of(mechanism, first) - work;
-  INFO("relative errors: q " << error_q << ", v " << error_v << ", a " << error_a << ", lambda "
-                             << error_lambda << "; energy " << energy / work << "; residual "
-                             << state.residual << "; steps " << solver.steps());
-  CHECK(error_q < 1e-8);
-  CHECK(error_v < 1e-7);
-  CHECK(error_a < 1e-6);
-  CHECK(error_lambda < 1e-6);
-  CHECK(std::abs(energy / work) < 1e-10);
-  CHECK(state.residual < 1e-14);
-  CHECK(imbalance_of(mechanism, state) < 1e-13);
-  if (std::getenv("SHOW")) {
-    for (double tol : {1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
-      FreeSolver s(mechanism, tol);
-      const State st = s.advance(0.03, first);
-      printf("tol %g: q %.2e v %.2e a %.2e l %.2e energy %.2e steps %d imb %.1e\n", tol,
-             largest_error(relative_of(st.q), q, 7), largest_error(relative_of(st.v), v, 7),
-             largest_error(relative_of(st.a), a, 7), largest_error(st.lambda, lambda, 6),
-             (energy_of(mechanism, st) - energy_of(mechanism, first) -
-              .033 * (relative_of(st.q)[0] - start_angles[0])) / work, s.steps(),
-             imbalance_of(mechanism, st));
-    }
+  for (const Allowed& allowed : {Allowed{1e-11, 1e-10, 1e-8, 2e-8, 1e-9, 1e-10},
+                                 Allowed{1e-13, 5e-13, 5e-11, 5e-11, 5e-12, 1e-12}}) {
+    FreeSolver solver(mechanism, allowed.tolerance);
+    const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
+    const State state = solver.advance(0.03, first);
+    const double error_q = largest_error(relative_of(state.q), q, 7);
+    const double error_v = largest_error(relative_of(state.v), v, 7);
+    const double error_a = largest_error(relative_of(state.a), a, 7);
+    const double error_lambda = largest_error(state.lambda, lambda, 6);
+    // The torque's work is the change of energy.
+    const double work = .033 * (relative_of(state.q)[0] - start_angles[0]);
+    const double energy = energy_of(mechanism, state) - energy_of(mechanism, first) - work;
+    INFO("tolerance " << allowed.tolerance << ": relative errors q " << error_q << ", v " << error_v
+                      << ", a " << error_a << ", lambda " << error_lambda << "; energy "
+                      << energy / work << "; steps " << solver.steps());
+    CHECK(error_q < allowed.q);
+    CHECK(error_v < allowed.v);
+    CHECK(error_a < allowed.a);
+    CHECK(error_lambda < allowed.lambda);
+    CHECK(std::abs(energy / work) < allowed.energy);
+    CHECK(state.residual < 1e-14);
+    CHECK(imbalance_of(mechanism, state) < 1e-14);
+    // A step as small as its tolerance would be no step control: it takes 140 and 248.
+    CHECK(solver.steps() < 1000);
   }
 }

@@ -1,0 +1,607 @@
+// The sledge rig in Simbody (https://github.com/simbody/simbody), beside boxbeam: the same instants
+// by each, times and reactions. Built where Simbody is found; scripts/bench_simbody.sh does it all.
+//
+//   boxbeam_simbody [INSTANTS PER PERIOD ...]     (24 96 384 where none is given)
+//
+// Compile without NDEBUG, as Debian's package of Simbody is: classes of its headers have other
+// members with it, and a program compiled so crashes against the package.
+
+#include <Simbody.h>
+#include <fmt/format.h>
+#include <time.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/planar/instant_solver.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
+#include "boxbeam/project/project.hpp"
+#include "version.hpp"
+
+namespace {
+
+using namespace boxbeam;
+using Eigen::Vector2d;
+using planar::Mechanism;
+
+// ---- the rig, as it is read ---------------------------------------------------------------------
+
+/// The pins whose forces are compared, and the body of each that feels the force.
+struct Pinned {
+  const char* joint;
+  const char* on;
+  const char* from;  ///< "ground" or the other body
+};
+constexpr std::array<Pinned, 5> pins{{{"O", "beam", "ground"},
+                                      {"B", "upper_rod", "beam"},
+                                      {"A", "upper_rod", "blade"},
+                                      {"C", "lower_rod", "beam"},
+                                      {"E", "lower_rod", "sledge"}}};
+using Forces = std::array<Vector2d, pins.size()>;
+
+/// The parts of the sledge rig by name. Throws where the mechanism is another.
+class Rig {
+ public:
+  explicit Rig(Mechanism mechanism) : mechanism_(std::move(mechanism)) {
+    const planar::Slider& blade_line = slider("blade_line");
+    const planar::Slider& rail = slider("rail");
+    if (blade_line.direction != 0.0 || rail.direction != 0.0 || !driver().further.empty()) {
+      throw std::runtime_error("this is not the mechanism that the benchmark knows");
+    }
+  }
+
+  const Mechanism& mechanism() const { return mechanism_; }
+  const Body& body(const std::string& name) const {
+    return mechanism_.bodies.at(static_cast<std::size_t>(planar::body_index(mechanism_, name)));
+  }
+  const planar::Slider& slider(const std::string& name) const {
+    return std::get<planar::Slider>(joint(name).kind);
+  }
+  const HarmonicDriver& driver() const {
+    return std::get<HarmonicDriver>(std::get<planar::Driven>(joint("exciter").kind).driver);
+  }
+  /// The point of a pin on one of its two bodies.
+  planar::Attachment at(const std::string& pin, const std::string& body_name) const {
+    const auto& kind = std::get<planar::Pin>(joint(pin).kind);
+    return kind.a.body == planar::body_index(mechanism_, body_name) ? kind.a : kind.b;
+  }
+  double distance(const char* body_name, const char* pin, const char* other_pin) const {
+    return (at(pin, body_name).p - at(other_pin, body_name).p).norm();
+  }
+
+  /// The same with another upper rod, still uniform.
+  Rig with_upper_rod(double length) const {
+    Mechanism changed = mechanism_;
+    const double share = length / distance("upper_rod", "B", "A");
+    const int rod = planar::body_index(changed, "upper_rod");
+    changed.bodies[static_cast<std::size_t>(rod)].inertia *= share * share;
+    for (planar::Joint& one : changed.joints) {
+      if (auto* pin = std::get_if<planar::Pin>(&one.kind)) {
+        if (pin->a.body == rod) pin->a.p *= share;
+        if (pin->b.body == rod) pin->b.p *= share;
+      }
+    }
+    return Rig(std::move(changed));
+  }
+
+  /// The same with another stroke.
+  Rig with_amplitude(double amplitude) const {
+    Mechanism changed = mechanism_;
+    auto& joint = changed.joints[static_cast<std::size_t>(joint_index(changed, "exciter"))];
+    std::get<HarmonicDriver>(std::get<planar::Driven>(joint.kind).driver).amplitude = amplitude;
+    return Rig(std::move(changed));
+  }
+
+  /// All coordinates in closed form, by the intersection of circles; nothing where these do not
+  /// meet.
+  std::optional<Eigen::VectorXd> position(double time) const {
+    const Vector2d o = at("O", "ground").p;
+    const Vector2d a(driver_at(driver(), time).value, slider("blade_line").guide.p.y());
+    const double r = distance("beam", "O", "B");
+    const double rod = distance("upper_rod", "B", "A");
+    const double d = (a - o).norm();
+    const double along = (d * d + (r - rod) * (r + rod)) / (2.0 * d);
+    const double square = (r - along) * (r + along);
+    if (square < 0.0) return {};
+    // O, A, B turn counter-clockwise: B to the left of the line from O to A.
+    const Vector2d u = (a - o) / d;
+    const Vector2d b = o + along * u + std::sqrt(square) * Vector2d(-u.y(), u.x());
+
+    Eigen::VectorXd q(mechanism_.coordinates());
+    place(q, "beam", "O", o, "B", b);
+    place(q, "upper_rod", "B", b, "A", a);
+    const Vector2d c = planar::position_of(at("C", "beam"), q);
+    const double y = slider("rail").guide.p.y();
+    const double rod_below = distance("lower_rod", "C", "E");
+    const double reach = (rod_below - (c.y() - y)) * (rod_below + (c.y() - y));
+    if (reach < 0.0) return {};
+    const Vector2d e(c.x() + std::sqrt(reach), y);
+    place(q, "lower_rod", "C", c, "E", e);
+    put(q, "blade", "A", a, 0.0);
+    put(q, "sledge", "E", e, 0.0);
+    return q;
+  }
+
+ private:
+  const planar::Joint& joint(const std::string& name) const {
+    return mechanism_.joints.at(static_cast<std::size_t>(joint_index(mechanism_, name)));
+  }
+  void put(Eigen::VectorXd& q, const char* name, const char* pin, const Vector2d& p,
+           double angle) const {
+    const planar::Attachment on = at(pin, name);
+    q.segment<2>(3 * on.body) = p - Eigen::Rotation2Dd(angle) * on.p;
+    q[3 * on.body + 2] = angle;
+  }
+  void place(Eigen::VectorXd& q, const char* name, const char* pin, const Vector2d& p,
+             const char* other_pin, const Vector2d& other) const {
+    const Vector2d own = at(other_pin, name).p - at(pin, name).p;
+    const Vector2d seen = other - p;
+    put(q, name, pin, p, std::atan2(seen.y(), seen.x()) - std::atan2(own.y(), own.x()));
+  }
+
+  Mechanism mechanism_;
+};
+
+// ---- the alternatives ---------------------------------------------------------------------------
+
+/// One way to find instants of the rig, each from the one before.
+class Alternative {
+ public:
+  virtual ~Alternative() = default;
+  /// The instant t = 0.
+  virtual void start() = 0;
+  /// Positions, velocities, accelerations and the forces of the pins. Throws where it refuses.
+  virtual void advance(double time, Forces& forces) = 0;
+  /// Where B and E are now.
+  virtual std::array<Vector2d, 2> places() const = 0;
+};
+
+class Boxbeam final : public Alternative {
+ public:
+  Boxbeam(const Rig& rig, planar::Elimination elimination)
+      : rig_(&rig), solver_(rig.mechanism(), elimination) {
+    for (const Pinned& pin : pins) {
+      wanted_.emplace_back(planar::joint_index(rig.mechanism(), pin.joint),
+                           planar::body_index(rig.mechanism(), pin.on));
+    }
+  }
+
+  void start() override {
+    state_ = solver_.solve_from_sketch(0.0, planar::sketch_of(rig_->mechanism()));
+  }
+
+  void advance(double time, Forces& forces) override {
+    solver_.solve_near(time, state_, next_);
+    std::swap(state_, next_);
+    for (const planar::Reaction& reaction : planar::reactions_of(rig_->mechanism(), state_)) {
+      for (std::size_t i = 0; i < wanted_.size(); ++i) {
+        if (wanted_[i] == std::pair(reaction.joint, reaction.on)) forces[i] = reaction.force;
+      }
+    }
+  }
+
+  std::array<Vector2d, 2> places() const override {
+    return {planar::position_of(rig_->at("B", "upper_rod"), state_.q),
+            planar::position_of(rig_->at("E", "lower_rod"), state_.q)};
+  }
+
+ private:
+  const Rig* rig_;
+  planar::InstantSolver solver_;
+  std::vector<std::pair<int, int>> wanted_;
+  planar::State state_, next_;
+};
+
+SimTK::Vec3 in_space(const Vector2d& p) { return {p.x(), p.y(), 0.0}; }
+Vector2d in_plane(const SimTK::Vec3& p) { return {p[0], p[1]}; }
+
+/// How the rig is put into Simbody.
+enum class Model {
+  planar_joints,  ///< three coordinates to a body, every pin a pair of constraints
+  compact_tree,   ///< pins O, A, C and the rail are joints of the tree, B and E close it
+};
+
+/// Where the search of positions begins.
+enum class Start {
+  last,       ///< at the positions of the instant before
+  predicted,  ///< at their Taylor series of second order, as boxbeam's does
+};
+
+/// The rig in Simbody: the blade's motion is prescribed, constraints are met by projection.
+class Simbody final : public Alternative {
+ public:
+  Simbody(const Rig& rig, Model model, Start start_at, double accuracy)
+      : rig_(&rig),
+        model_(model),
+        start_at_(start_at),
+        accuracy_(accuracy),
+        matter_(system_),
+        forces_(system_),
+        gravity_(forces_, matter_, in_space(rig.mechanism().gravity)) {
+    const SimTK::Vec3 mean_of_blade(rig.driver().mean, rig.slider("blade_line").guide.p.y(), 0.0);
+    bodies_.resize(pins.size());
+    blade() = SimTK::MobilizedBody::Slider(matter_.Ground(), mean_of_blade, content("blade", 0.0),
+                                           in_space(rig.slider("blade_line").point.p));
+    motion_ = SimTK::Motion::Sinusoid(blade(), SimTK::Motion::Position, rig.driver().amplitude,
+                                      rig.driver().omega, rig.driver().phase);
+    if (model == Model::compact_tree) {
+      build_tree();
+    } else {
+      build_planar();
+    }
+    state_ = system_.realizeTopology();
+  }
+
+  void start() override {
+    const Eigen::VectorXd q = rig_->position(0.0).value();
+    const auto angle = [&](const char* name) { return q[index(name) + 2]; };
+    state_.setTime(0.0);
+    if (model_ == Model::compact_tree) {
+      const Vector2d e = planar::position_of(rig_->at("E", "sledge"), q);
+      body("upper_rod").setOneQ(state_, 0, angle("upper_rod"));
+      body("beam").setOneQ(state_, 0, angle("beam"));
+      body("lower_rod").setOneQ(state_, 0, angle("lower_rod") - angle("beam"));
+      body("sledge").setOneQ(state_, 0, e.x());
+    } else {
+      for (const char* name : {"beam", "upper_rod", "lower_rod", "sledge"}) {
+        body(name).setQFromVector(
+            state_, SimTK::Vector(SimTK::Vec3(angle(name), q[index(name)], q[index(name) + 1])));
+      }
+    }
+    system_.project(state_, accuracy_);
+    system_.realize(state_, SimTK::Stage::Acceleration);
+  }
+
+  void advance(double time, Forces& forces) override {
+    if (start_at_ == Start::predicted) {
+      const double dt = time - state_.getTime();
+      q_ = state_.getQ();
+      const SimTK::Vector& rate = state_.getQDot();
+      const SimTK::Vector& acceleration = state_.getQDotDot();
+      for (int i = 0; i < q_.size(); ++i) q_[i] += dt * (rate[i] + 0.5 * dt * acceleration[i]);
+      state_.updQ() = q_;
+    }
+    state_.setTime(time);
+    system_.project(state_, accuracy_);
+    system_.realize(state_, SimTK::Stage::Acceleration);
+    for (std::size_t i = 0; i < pins.size(); ++i) forces[i] = force_of(i);
+  }
+
+  std::array<Vector2d, 2> places() const override {
+    const auto place = [&](const char* pin, const char* name) {
+      return in_plane(body(name).findStationLocationInGround(state_, point(pin, name)));
+    };
+    return {place("B", "upper_rod"), place("E", "lower_rod")};
+  }
+
+ private:
+  /// A pin by two constraints: its point on one body lies in two planes of the other.
+  struct Closure {
+    SimTK::Constraint::PointInPlane x, y;
+    bool used = false;
+  };
+
+  Eigen::Index index(const std::string& name) const {
+    return 3 * static_cast<Eigen::Index>(planar::body_index(rig_->mechanism(), name));
+  }
+  SimTK::MobilizedBody& body(const std::string& name) {
+    if (name == "ground") return matter_.updGround();
+    return bodies_[static_cast<std::size_t>(planar::body_index(rig_->mechanism(), name))];
+  }
+  const SimTK::MobilizedBody& body(const std::string& name) const {
+    return bodies_[static_cast<std::size_t>(planar::body_index(rig_->mechanism(), name))];
+  }
+  SimTK::MobilizedBody& blade() { return body("blade"); }
+  SimTK::Vec3 point(const char* pin, const char* name) const {
+    return in_space(rig_->at(pin, name).p);
+  }
+  /// Mass and inertia; a body that cannot turn needs some inertia only to have a regular matrix.
+  SimTK::Body::Rigid content(const char* name, double inertia_without) const {
+    const Body& own = rig_->body(name);
+    const double inertia = own.inertia > 0.0 ? own.inertia : inertia_without;
+    return SimTK::MassProperties(own.mass, SimTK::Vec3(0),
+                                 SimTK::Inertia(inertia, inertia, inertia));
+  }
+
+  void close(const char* pin) {
+    const auto i = static_cast<std::size_t>(
+        std::find_if(pins.begin(), pins.end(),
+                     [&](const Pinned& one) { return std::string(one.joint) == pin; }) -
+        pins.begin());
+    const SimTK::Vec3 own = point(pin, pins[i].from);
+    const SimTK::Vec3 other = point(pin, pins[i].on);
+    SimTK::MobilizedBody& planes = body(pins[i].from);
+    SimTK::MobilizedBody& follower = body(pins[i].on);
+    closures_[i] = {{planes, SimTK::UnitVec3(SimTK::XAxis), own[0], follower, other},
+                    {planes, SimTK::UnitVec3(SimTK::YAxis), own[1], follower, other},
+                    true};
+  }
+
+  void build_tree() {
+    const SimTK::Vec3 rail(0.0, rig_->slider("rail").guide.p.y(), 0.0);
+    body("upper_rod") = SimTK::MobilizedBody::Pin(
+        blade(), point("A", "blade"), content("upper_rod", 0.0), point("A", "upper_rod"));
+    body("beam") = SimTK::MobilizedBody::Pin(matter_.Ground(), point("O", "ground"),
+                                             content("beam", 0.0), point("O", "beam"));
+    body("lower_rod") = SimTK::MobilizedBody::Pin(
+        body("beam"), point("C", "beam"), content("lower_rod", 0.0), point("C", "lower_rod"));
+    body("sledge") = SimTK::MobilizedBody::Slider(matter_.Ground(), rail, content("sledge", 0.0),
+                                                  in_space(rig_->slider("rail").point.p));
+    close("B");
+    close("E");
+  }
+
+  void build_planar() {
+    for (const char* name : {"beam", "upper_rod", "lower_rod", "sledge"}) {
+      const double inertia = rig_->body(name).mass;
+      body(name) = SimTK::MobilizedBody::Planar(matter_.Ground(), SimTK::Transform(),
+                                                content(name, inertia), SimTK::Transform());
+    }
+    for (const Pinned& pin : pins) close(pin.joint);
+    const planar::Slider& rail = rig_->slider("rail");
+    SimTK::Constraint::PointInPlane(matter_.updGround(), SimTK::UnitVec3(SimTK::YAxis),
+                                    rail.guide.p.y(), body("sledge"), in_space(rail.point.p));
+    SimTK::Constraint::ConstantCoordinate(body("sledge"), SimTK::MobilizerQIndex(0), 0.0);
+  }
+
+  Vector2d force_of(std::size_t i) const {
+    const Closure& closure = closures_[i];
+    if (!closure.used) {
+      return in_plane(body(pins[i].on).findMobilizerReactionOnBodyAtMInGround(state_)[1]);
+    }
+    const SimTK::Vec3 force(closure.x.getForceOnFollowerPoint(state_),
+                            closure.y.getForceOnFollowerPoint(state_), 0.0);
+    if (std::string_view(pins[i].from) == "ground") return in_plane(force);
+    return in_plane(body(pins[i].from).getBodyRotation(state_) * force);
+  }
+
+  const Rig* rig_;
+  Model model_;
+  Start start_at_;
+  double accuracy_;
+  SimTK::MultibodySystem system_;
+  SimTK::SimbodyMatterSubsystem matter_;
+  SimTK::GeneralForceSubsystem forces_;
+  SimTK::Force::UniformGravity gravity_;
+  SimTK::Motion::Sinusoid motion_;
+  std::vector<SimTK::MobilizedBody> bodies_;
+  std::array<Closure, pins.size()> closures_;
+  SimTK::State state_;
+  SimTK::Vector q_;
+};
+
+// ---- times and agreement ------------------------------------------------------------------------
+
+/// Processor time of this thread: what others do on the machine counts least here [s].
+double processor_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+struct Entrant {
+  std::string name;
+  std::unique_ptr<Alternative> way;
+};
+
+std::vector<Entrant> entrants(const Rig& rig) {
+  std::vector<Entrant> all;
+  const auto simbody = [&](const char* name, Model model, Start start, double accuracy) {
+    all.push_back({fmt::format("Simbody, {}, {:.0e}", name, accuracy),
+                   std::make_unique<Simbody>(rig, model, start, accuracy)});
+  };
+  all.push_back({"boxbeam, sparse", std::make_unique<Boxbeam>(rig, planar::Elimination::sparse)});
+  all.push_back({"boxbeam, dense", std::make_unique<Boxbeam>(rig, planar::Elimination::dense)});
+  simbody("compact tree, predicted", Model::compact_tree, Start::predicted, 1e-10);
+  simbody("compact tree, from the last", Model::compact_tree, Start::last, 1e-10);
+  simbody("compact tree, predicted", Model::compact_tree, Start::predicted, 1e-6);
+  simbody("planar joints, predicted", Model::planar_joints, Start::predicted, 1e-10);
+  simbody("planar joints, from the last", Model::planar_joints, Start::last, 1e-10);
+  return all;
+}
+
+void compare(const Rig& rig, int count) {
+  constexpr int repetitions = 9;
+  constexpr int instants = 2400;  // of one repetition, at least
+  const double period = planar::time_span_of(rig.mechanism()).length;
+  const int turns = (instants + count - 1) / count;
+  std::vector<Entrant> all = entrants(rig);
+
+  // One turn for the agreement, against the first; positions against the closed form.
+  std::vector<Forces> reference(static_cast<std::size_t>(count));
+  std::array<double, pins.size()> largest{};
+  std::vector<std::array<double, pins.size()>> differences(all.size());
+  std::vector<double> off(all.size(), 0.0);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].way->start();
+    for (int i = 1; i <= count; ++i) {
+      const double time = period * i / count;
+      Forces forces;
+      all[k].way->advance(time, forces);
+      const Eigen::VectorXd right = rig.position(time).value();
+      const std::array<Vector2d, 2> places = all[k].way->places();
+      const Vector2d b = planar::position_of(rig.at("B", "upper_rod"), right);
+      const Vector2d e = planar::position_of(rig.at("E", "lower_rod"), right);
+      off[k] = std::max({off[k], (places[0] - b).norm(), (places[1] - e).norm()});
+      Forces& known = reference[static_cast<std::size_t>(i - 1)];
+      if (k == 0) known = forces;
+      for (std::size_t j = 0; j < pins.size(); ++j) {
+        largest[j] = std::max(largest[j], known[j].norm());
+        differences[k][j] = std::max(differences[k][j], (forces[j] - known[j]).norm());
+      }
+    }
+  }
+
+  std::vector<std::vector<double>> times(all.size());
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (std::size_t turn = 0; turn < all.size(); ++turn) {
+      const std::size_t k = (turn + static_cast<std::size_t>(repetition)) % all.size();
+      Forces forces;
+      all[k].way->start();
+      const double begin = processor_time();
+      for (int i = 1; i <= turns * count; ++i) all[k].way->advance(period * i / count, forces);
+      times[k].push_back(1e6 * (processor_time() - begin) / (turns * count));
+    }
+  }
+
+  fmt::print("\n{} instants per period\n", count);
+  fmt::print("{:<44} {:>8} {:>6} {:>9} {:>9} {:>9} {:>3}\n", "", "us each", "ratio", "B, E off",
+             "force off", "relative", "at");
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    std::size_t worst = 0;
+    double relative = 0.0;
+    for (std::size_t j = 0; j < pins.size(); ++j) {
+      if (differences[k][j] > differences[k][worst]) worst = j;
+      relative = std::max(relative, differences[k][j] / largest[j]);
+    }
+    const double time = median(times[k]);
+    fmt::print("{:<44} {:>8.2f} {:>6.1f} {:>7.0e} m ", all[k].name, time, time / median(times[0]),
+               off[k]);
+    if (k == 0) {
+      fmt::print("{:>9} {:>9} {:>3}\n", "-", "-", "-");
+    } else {
+      fmt::print("{:>7.0e} N {:>9.0e} {:>3}\n", differences[k][worst], relative, pins[worst].joint);
+    }
+  }
+  fmt::print("largest forces:");
+  for (std::size_t j = 0; j < pins.size(); ++j) {
+    fmt::print(" {} {:.0f} N{}", pins[j].joint, largest[j], j + 1 < pins.size() ? "," : "\n");
+  }
+}
+
+// ---- near the toggle ----------------------------------------------------------------------------
+
+/// Instants by what became of them.
+struct Outcomes {
+  int right = 0;    ///< the position is that of the closed form, or there is none and it refuses
+  int wrong = 0;    ///< another position without a word
+  int refused = 0;  ///< refused although there is a position, or after a refusal
+};
+
+Outcomes follow(const Rig& rig, Alternative& way, int count) {
+  constexpr double enough = 1e-6;  // [m]; the two branches are 8e-4 m apart at the least
+  const double period = planar::time_span_of(rig.mechanism()).length;
+  Outcomes outcomes;
+  bool stopped = false;
+  for (int i = 0; i <= count; ++i) {
+    const double time = period * i / count;
+    const std::optional<Eigen::VectorXd> right = rig.position(time);
+    if (!stopped) {
+      try {
+        Forces forces;
+        if (i == 0) {
+          way.start();
+        } else {
+          way.advance(time, forces);
+        }
+      } catch (const std::exception&) {
+        stopped = true;
+        (right ? outcomes.refused : outcomes.right) += 1;
+        continue;
+      }
+    }
+    if (stopped) {
+      ++outcomes.refused;
+      continue;
+    }
+    const std::array<Vector2d, 2> places = way.places();
+    const bool good =
+        right &&
+        (places[0] - planar::position_of(rig.at("B", "upper_rod"), *right)).norm() < enough &&
+        (places[1] - planar::position_of(rig.at("E", "lower_rod"), *right)).norm() < enough;
+    ++(good ? outcomes.right : outcomes.wrong);
+  }
+  return outcomes;
+}
+
+void near_toggle(const Rig& rig) {
+  constexpr int count = 24;
+  const HarmonicDriver& driver = rig.driver();
+  const Vector2d o = rig.at("O", "ground").p;
+  const double y = rig.slider("blade_line").guide.p.y() - o.y();
+  const double r = rig.distance("beam", "O", "B");
+  const double rod = rig.distance("upper_rod", "B", "A");
+  const double shortest = std::hypot(driver.mean + driver.amplitude - o.x(), y) - r;
+  const double longest = std::sqrt((r + rod - y) * (r + rod + y)) - driver.mean + o.x();
+  constexpr double margin = 1e-6;  // [m]
+  const std::array<std::pair<std::string, Rig>, 4> cases{
+      {{"rod longer by 1e-6 m than just reaches", rig.with_upper_rod(shortest + margin)},
+       {"stroke shorter by 1e-6 m", rig.with_amplitude(longest - margin)},
+       {"rod too short by 1e-6 m: no position", rig.with_upper_rod(shortest - margin)},
+       {"stroke too long by 1e-6 m: no position", rig.with_amplitude(longest + margin)}}};
+
+  fmt::print("\nNear the toggle of the upper rod, {} instants per period and the end:\n", count);
+  fmt::print("right / silently wrong / refused (or not reached after a refusal)\n");
+  fmt::print("{:<44}", "");
+  for (std::size_t i = 0; i < cases.size(); ++i) fmt::print(" {:>12}", fmt::format("({})", i + 1));
+  fmt::print("\n");
+  const std::vector<Entrant> names = entrants(rig);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    fmt::print("{:<44}", names[k].name);
+    for (const auto& [title, changed] : cases) {
+      const Entrant entrant = std::move(entrants(changed)[k]);
+      const Outcomes outcomes = follow(changed, *entrant.way, count);
+      fmt::print(" {:>12}",
+                 fmt::format("{} / {} / {}", outcomes.right, outcomes.wrong, outcomes.refused));
+    }
+    fmt::print("\n");
+  }
+  for (std::size_t i = 0; i < cases.size(); ++i) fmt::print("({}) {}\n", i + 1, cases[i].first);
+}
+
+void print_versions() {
+  int major = 0, minor = 0, patch = 0;
+  SimTK_version_simbody(&major, &minor, &patch);
+  fmt::print("boxbeam {}, Simbody {}.{}.{}, Eigen {}.{}.{}, compiler {}\n", version, major, minor,
+             patch, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, __VERSION__);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    std::vector<int> counts;
+    for (int i = 1; i < argc; ++i) counts.push_back(std::atoi(argv[i]));
+    if (counts.empty()) counts = {24, 96, 384};
+    if (*std::min_element(counts.begin(), counts.end()) < 8) {
+      throw std::runtime_error("at least 8 instants per period, please");
+    }
+    const Rig rig(
+        read_project(std::string(BOXBEAM_SOURCE_DIR) + "/sections/sledge-rig/rig.toml").mechanism);
+    print_versions();
+    fmt::print(
+        "Sledge rig, each instant from the one before: positions, velocities, accelerations and "
+        "the forces in O, B, A, C, E.\n"
+        "us each: processor time per instant, median of 9 repetitions of 2400 or more instants, "
+        "the alternatives in turn.\n"
+        "1e-10: Simbody's accuracy, the tolerance of its projection. predicted: the projection "
+        "starts from a Taylor series\n"
+        "of second order, as boxbeam's Newton does; from the last: from the instant before.\n"
+        "B, E off: from the closed form. force off: from boxbeam, sparse; relative: to the "
+        "largest force of the same pin.\n");
+    near_toggle(rig);
+    for (const int count : counts) compare(rig, count);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 3;
+  }
+}
