@@ -125,6 +125,14 @@ void draw_panel(Gnuplot& gp, const Verification& verification, const std::string
       "0 with lines lc rgb '#505050' lw 1",
       symbol);
   int label_number = 0;
+  std::vector<Row2> labelled;
+  // Whether a value already stands so near that two labels would overlap.
+  const auto crowded = [&](const Row2& at) {
+    return std::any_of(labelled.begin(), labelled.end(), [&](const Row2& other) {
+      return std::abs(std::get<0>(at) - std::get<0>(other)) < 0.08 * std::get<0>(low.back()) &&
+             std::abs(std::get<1>(at) - std::get<1>(other)) < 0.12 * (top - bottom);
+    });
+  };
   for (std::size_t k = 0; k < verification.lines.size(); ++k) {
     const CutForceLine& line = verification.lines[k];
     const std::vector<Row2> rows = rows_of(line);
@@ -135,6 +143,8 @@ void draw_panel(Gnuplot& gp, const Verification& verification, const std::string
           return std::abs(std::get<1>(a)) < std::abs(std::get<1>(b));
         });
     const double y = std::get<1>(*extreme);
+    if (crowded(*extreme)) continue;
+    labelled.push_back(*extreme);
     gp << "set label " << ++label_number << " '" << text::significant(y) << "' at "
        << std::get<0>(*extreme) << "," << y << " offset "
        << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? "-1" : "0.5") << ","
@@ -164,36 +174,51 @@ void cut_forces(Gnuplot& gp, const Project& project, const Verification& verific
 
 // --- mechanism -------------------------------------------------------------------------------
 
-/// Where a load acts in a posture: the point of a body that has its name.
-Eigen::Vector2d point_named(const PostureFigure& posture, const std::string& name) {
-  for (const auto& body : posture.bodies) {
-    for (std::size_t i = 0; i < body.points.size(); ++i) {
-      if (body.names[i] == name) return body.points[i];
+/// Bodies of one posture as lines and blocks, with rods, guides and bearings; returns the plot
+/// commands.
+std::string draw_bodies(Gnuplot& gp, const Project& project, const PostureFigure& posture,
+                        const std::string& prefix, const std::string& ink, double guide_length) {
+  std::vector<std::string> plots;
+  const auto strokes = [&](const std::string& name, const std::vector<PostureFigure::Stroke>& lines,
+                           const std::string& style) {
+    if (lines.empty()) return;
+    std::vector<Row4> rows;
+    for (const auto& line : lines) {
+      const Eigen::Vector2d along = line.to - line.from;
+      rows.emplace_back(line.from.x(), line.from.y(), along.x(), along.y());
+    }
+    block(gp, name, rows);
+    plots.push_back(
+        fmt::format("${} using 1:2:3:4 with vectors nohead {} lc rgb '{}'", name, style, ink));
+  };
+  const auto points = [&](const std::string& name, const std::vector<Eigen::Vector2d>& places,
+                          const std::string& style, const std::string& rgb) {
+    if (places.empty()) return;
+    std::vector<Row2> rows;
+    for (const Eigen::Vector2d& place : places) rows.emplace_back(place.x(), place.y());
+    block(gp, name, rows);
+    plots.push_back(fmt::format("${} using 1:2 with {} lc rgb '{}'", name, style, rgb));
+  };
+  std::vector<PostureFigure::Stroke> guides;
+  for (const auto& guide : posture.guides) {
+    guides.push_back({guide.from - guide_length * guide.to, guide.from + guide_length * guide.to});
+  }
+  strokes(prefix + "_guides", guides, "lw 1 dt 3");
+  strokes(prefix + "_rods", posture.rods, "lw 2 dt 2");
+  for (std::size_t b = 0; b < posture.bodies.size(); ++b) {
+    const auto& body = posture.bodies[b];
+    const std::string name = fmt::format("{}_{}", prefix, b);
+    if (static_cast<int>(b) == project.beam_body) {
+      strokes(name + "_axis", body.strokes, "lw 5");
+      points(name, body.points, "points pt 7 ps 0.6", ink);
+    } else if (body.points.size() == 1) {
+      points(name, body.points, "points pt 5 ps 1.6", ink);
+    } else {
+      points(name, body.points, "linespoints lw 2 pt 7 ps 0.5", ink);
     }
   }
-  return Eigen::Vector2d::Zero();
-}
-
-/// Bodies of one posture as lines and blocks; returns the plot commands.
-std::string draw_bodies(Gnuplot& gp, const Project& project, const PostureFigure& posture,
-                        const std::string& prefix, const std::string& ink) {
-  std::string plot;
-  for (std::size_t b = 0; b < posture.bodies.size(); ++b) {
-    std::vector<Row2> rows;
-    for (const Eigen::Vector2d& point : posture.bodies[b].points)
-      rows.emplace_back(point.x(), point.y());
-    const std::string name = fmt::format("{}_{}", prefix, b);
-    block(gp, name, rows);
-    if (!plot.empty()) plot += ", ";
-    const bool verified = static_cast<int>(b) == project.beam_body;
-    plot += rows.size() == 1
-                ? fmt::format("${} using 1:2 with points pt 5 ps 1.6 lc rgb '{}'", name, ink)
-                : fmt::format(
-                      "${0} using 1:2 with lines lw {1} lc rgb '{2}', ${0} using 1:2 with points "
-                      "pt 7 ps 0.5 lc rgb '{2}'",
-                      name, verified ? 5 : 2, ink);
-  }
-  return plot;
+  points(prefix + "_grounds", posture.grounds, "points pt 9 ps 1.2", "#505050");
+  return fmt::format("{}", fmt::join(plots, ", "));
 }
 
 /// The loads of a posture as arrows that end where they act, with their sizes.
@@ -201,13 +226,14 @@ void draw_loads(Gnuplot& gp, const PostureFigure& posture, double metres_per_new
                 const char* ink) {
   int number = 0;
   for (const BeamLoadRow& row : posture.loads) {
-    const Eigen::Vector2d at = point_named(posture, row.name);
-    const Eigen::Vector2d tail = at - metres_per_newton * row.world;
+    const Eigen::Vector2d tail = row.place - metres_per_newton * row.world;
     const bool from_left = row.world.x() > 0.0;
     ++number;
-    gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to " << at.x()
-       << "," << at.y() << " lw 2 lc rgb '" << ink << "' front\n";
-    gp << "set label " << number << " " << quoted(row.name + "  " + text::kN(row.world.norm()))
+    const std::string name =
+        row.name.empty() ? fmt::format("s = {} m", text::significant(row.s.value(), 3)) : row.name;
+    gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to "
+       << row.place.x() << "," << row.place.y() << " lw 2 lc rgb '" << ink << "' front\n";
+    gp << "set label " << number << " " << quoted(name + "  " + text::kN(row.world.norm()))
        << " at " << tail.x() << "," << tail.y()
        << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9") << " tc rgb '" << ink
        << "' front noenhanced\n";
@@ -229,6 +255,10 @@ Extent extent_of(const std::vector<PostureFigure>& postures) {
         extent.high = extent.high.cwiseMax(point);
       }
     }
+    for (const Eigen::Vector2d& place : posture.grounds) {
+      extent.low = extent.low.cwiseMin(place);
+      extent.high = extent.high.cwiseMax(place);
+    }
   }
   return extent;
 }
@@ -247,7 +277,11 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
   // Tall mechanisms stand side by side, wide ones below each other.
   const bool tall = size.y() > size.x();
   const auto count = static_cast<int>(panels);
-  begin(gp, "mechanism", tall ? 120 + 400 * count : 900, tall ? 860 : 60 + 420 * count);
+  // As large as the mechanism's shape asks for, with room for axes and arrows.
+  const double aspect = (size.y() + 1.6 * reach) / (size.x() + 2.6 * reach);
+  const int width = tall ? std::clamp(static_cast<int>(720.0 / aspect), 260, 640) + 90 : 900;
+  const int height = tall ? 720 : std::clamp(static_cast<int>(820.0 * aspect), 160, 720) + 110;
+  begin(gp, "mechanism", tall ? width * count : width, tall ? 860 : 60 + height * count);
   gp << "set multiplot layout " << (tall ? 1 : count) << "," << (tall ? count : 1) << " title "
      << quoted("Mechanism at its critical instants, joint forces on the beam; grey: t = 0")
      << " noenhanced\n"
@@ -259,9 +293,9 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
   for (std::size_t k = 1; k <= panels; ++k) {
     const PostureFigure& posture = verification.postures[k];
     const std::string ghost = draw_bodies(gp, project, verification.postures.front(),
-                                          fmt::format("rest{}", k), "#c4c4c4");
+                                          fmt::format("rest{}", k), "#c4c4c4", 0.5 * reach);
     const std::string bodies =
-        draw_bodies(gp, project, posture, fmt::format("at{}", k), colour(k - 1));
+        draw_bodies(gp, project, posture, fmt::format("at{}", k), colour(k - 1), 0.5 * reach);
     draw_loads(gp, posture, reach / std::max(largest_force, 1e-9), "#202020");
     gp << "set title \"" << time_label(posture.time) << "\\n"
        << posture.why << "\"\n"
@@ -275,11 +309,13 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
 void stress(Gnuplot& gp, const Project& project, const Verification& verification) {
   begin(gp, "stress", 860, 520);
   const double period = verification.period.value();
+  const double begin_time = verification.begin.value();
   gp << "set title "
      << quoted("Normal stress over the cycle at the places with the largest ranges: " +
                project.name)
      << " noenhanced\n"
-     << "set xlabel 't [s]'\nset ylabel 'sigma [MPa]'\nset xrange [0:" << period << "]\n"
+     << "set xlabel 't [s]'\nset ylabel 'sigma [MPa]'\nset xrange [" << begin_time << ":"
+     << begin_time + period << "]\n"
      << "set key outside bottom center horizontal\n";
   std::vector<const CheckResult*> shown;
   for (const CheckResult& result : verification.checks) {
@@ -295,8 +331,9 @@ void stress(Gnuplot& gp, const Project& project, const Verification& verificatio
     const CheckBasis& basis = *shown[k]->basis;
     std::vector<Row2> rows;
     const std::size_t n = basis.history.size();
-    for (std::size_t i = 0; i <= n; ++i) {
-      rows.emplace_back(period * static_cast<double>(i) / static_cast<double>(n),
+    const std::size_t steps = verification.closed ? n : n - 1;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      rows.emplace_back(begin_time + period * static_cast<double>(i) / static_cast<double>(steps),
                         basis.history[i % n] * 1e-6);
     }
     const std::vector<Row2> extremes{{basis.highest.time.value(), basis.highest.value * 1e-6},
@@ -310,11 +347,16 @@ void stress(Gnuplot& gp, const Project& project, const Verification& verificatio
     plot +=
         fmt::format(", $x{} using 1:2 with points pt 7 ps 0.7 lc rgb '{}' notitle", k, colour(k));
     if (k > 0) continue;
+    // Near the frame a label grows inwards.
+    const auto side = [&](double time) {
+      const double share = (time - begin_time) / period;
+      return share < 0.15 ? " left" : (share > 0.85 ? " right" : " center");
+    };
     for (const Row2& extreme : extremes) {
       gp << "set label '" << text::significant(std::get<1>(extreme)) << " MPa at "
          << text::seconds(std::get<0>(extreme)) << "' at " << std::get<0>(extreme) << ","
-         << std::get<1>(extreme) << " center offset 0," << (std::get<1>(extreme) > 0 ? 0.9 : -0.9)
-         << " tc rgb '" << colour(0) << "' front\n";
+         << std::get<1>(extreme) << side(std::get<0>(extreme)) << " offset 0,"
+         << (std::get<1>(extreme) > 0 ? 0.9 : -0.9) << " tc rgb '" << colour(0) << "' front\n";
     }
   }
   gp << "set offsets 0,0,graph 0.12,graph 0.12\n" << plot << "\n";

@@ -14,9 +14,10 @@ namespace {
 void add_categories(const Project& project, std::vector<std::string>& remarks) {
   for (const DetailStretch& detail : project.fatigue.details) {
     if (detail.assumed.empty()) continue;
+    std::string where = text::significant(detail.from.value(), 3);
+    if (detail.to > detail.from) where += " to " + text::significant(detail.to.value(), 3);
     remarks.push_back(fmt::format("detail category {} is assumed for the {} at s = {} m: {}",
-                                  detail.category, detail.name,
-                                  text::significant(detail.from.value(), 3), detail.assumed));
+                                  detail.category, detail.name, where, detail.assumed));
   }
 }
 

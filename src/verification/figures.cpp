@@ -77,19 +77,68 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& load
 
 PostureFigure posture_figure(const Project& project, const planar::State& state,
                              const std::string& why) {
+  const planar::Mechanism& mechanism = project.mechanism;
+  const auto place = [&](const planar::Attachment& at) { return planar::position_of(at, state.q); };
   PostureFigure figure;
   figure.time = si<Time>(state.time);
   figure.why = why;
-  for (std::size_t i = 0; i < project.mechanism.bodies.size(); ++i) {
-    const Body& body = project.mechanism.bodies[i];
-    PostureFigure::Line line{body.name, {}, {}};
-    for (const BodyPoint& point : body.points) {
-      line.points.push_back(planar::position_of({static_cast<int>(i), point.p}, state.q));
-      line.names.push_back(point.name);
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const int body = static_cast<int>(i);
+    PostureFigure::Line line;
+    for (const BodyPoint& point : mechanism.bodies[i].points) {
+      line.points.push_back(place({body, point.p}));
+    }
+    if (body == project.beam_body) {
+      const double centre = mass_properties_of(project.beam).centre.value();
+      const double length = project.beam.length().value();
+      line.strokes.push_back(
+          {place({body, {-centre, 0.0}}), place({body, {length - centre, 0.0}})});
+      for (const BodyPoint& point : mechanism.bodies[i].points) {
+        if (std::abs(point.p.y()) < 1e-9 * length) continue;
+        line.strokes.push_back({place({body, {point.p.x(), 0.0}}), place({body, point.p})});
+      }
     }
     figure.bodies.push_back(std::move(line));
   }
+  for (const planar::Joint& joint : mechanism.joints) {
+    const auto [a, b] = planar::ends_of(joint);
+    const auto* driven = std::get_if<planar::Driven>(&joint.kind);
+    const bool between = std::holds_alternative<planar::Distance>(joint.kind) ||
+                         (driven != nullptr && driven->coordinate == planar::Coordinate::length);
+    if (between) figure.rods.push_back({place(a), place(b)});
+    if (between || std::holds_alternative<planar::Pin>(joint.kind)) {
+      for (const planar::Attachment& end : {a, b}) {
+        if (end.body == planar::ground) figure.grounds.push_back(end.p);
+      }
+    }
+    const auto add_guide = [&](const auto& slide) {
+      const double direction =
+          slide.direction +
+          (slide.guide.body == planar::ground ? 0.0 : state.q[3 * slide.guide.body + 2]);
+      figure.guides.push_back(
+          {place(slide.point), Eigen::Vector2d(std::cos(direction), std::sin(direction))});
+    };
+    if (const auto* slider = std::get_if<planar::Slider>(&joint.kind)) add_guide(*slider);
+    if (const auto* slot = std::get_if<planar::PinInSlot>(&joint.kind)) add_guide(*slot);
+  }
   return figure;
+}
+
+void place_loads(const Project& project, const planar::State& state,
+                 std::vector<BeamLoadRow>& rows) {
+  const double centre = mass_properties_of(project.beam).centre.value();
+  for (BeamLoadRow& row : rows) {
+    if (project.beam_body != planar::ground) {
+      row.place = planar::position_of({project.beam_body, {row.s.value() - centre, 0.0}}, state.q);
+      continue;
+    }
+    for (std::size_t i = 0; i < project.mechanism.bodies.size(); ++i) {
+      for (const BodyPoint& point : project.mechanism.bodies[i].points) {
+        if (point.name != row.name) continue;
+        row.place = planar::position_of({static_cast<int>(i), point.p}, state.q);
+      }
+    }
+  }
 }
 
 SnFigure sn_figure(const Project& project, const CheckResult& governing) {

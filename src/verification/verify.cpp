@@ -139,13 +139,30 @@ std::vector<CriticalInstant> critical_instants_of(const Verification& verificati
   return instants;
 }
 
+/// Whether an extreme is the upper or the lower one of its quantity, and what to call it; "" where
+/// it is nothing beside the other.
+std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
+                            const CriticalInstant& instant) {
+  double highest = instant.value;
+  double size = 0.0;
+  for (const CriticalInstant& other : instants) {
+    if (other.quantity != instant.quantity) continue;
+    highest = std::max(highest, other.value);
+    size = std::max(size, std::abs(other.value));
+  }
+  if (std::abs(instant.value) < 1e-6 * size) return "";
+  const bool upper = instant.value == highest;
+  if (upper) return (instant.value > 0.0 ? "largest " : "least negative ") + instant.quantity;
+  return (instant.value > 0.0 ? "smallest " : "most negative ") + instant.quantity;
+}
+
 /// The distinct times of the extremes of bending and stress: the instants worth drawing.
 std::vector<std::pair<Time, std::string>> instants_to_show(const Verification& verification) {
   std::vector<std::pair<Time, std::string>> shown;
   for (const CriticalInstant& instant : verification.critical_instants) {
     if (instant.quantity != "M" && instant.quantity != "stress") continue;
-    const std::string why =
-        fmt::format("{} {}", instant.value < 0.0 ? "most negative" : "largest", instant.quantity);
+    const std::string why = name_of_extreme(verification.critical_instants, instant);
+    if (why.empty()) continue;
     const auto same = std::find_if(shown.begin(), shown.end(), [&](const auto& other) {
       return abs(other.first - instant.time) < 1e-4 * verification.period;
     });
@@ -196,7 +213,8 @@ void describe_instants(const Project& project, const planar::Motion& motion,
   for (const auto& [time, why] : instants_to_show(result)) {
     const planar::State state = finder.at(time.value());
     result.lines.push_back(cut_force_line(loads, time, why));
-    const auto rows = load_rows(project, loads.loads_at(time), time, beam_angle(project, state));
+    auto rows = load_rows(project, loads.loads_at(time), time, beam_angle(project, state));
+    place_loads(project, state, rows);
     result.loads.insert(result.loads.end(), rows.begin(), rows.end());
     result.postures.push_back(posture_figure(project, state, why));
     result.postures.back().loads = rows;
@@ -247,6 +265,7 @@ void describe_mechanism(const Project& project, const planar::Motion& motion,
   result.freedom = motion.freedom;
   result.branch = planar::branch_of(project.mechanism, first.q);
   result.instants = motion.states.size();
+  result.begin = si<Time>(motion.begin);
   result.period = si<Time>(motion.period);
   result.closed = motion.closed;
   result.change_points = motion.change_points;

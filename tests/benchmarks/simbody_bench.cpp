@@ -2,11 +2,7 @@
 // by each, times and reactions. Built where Simbody is found; scripts/bench_simbody.sh does it all.
 //
 //   boxbeam_simbody [INSTANTS PER PERIOD ...]     (24 96 384 where none is given)
-//
-// Compile without NDEBUG, as Debian's package of Simbody is: classes of its headers have other
-// members with it, and a program compiled so crashes against the package.
 
-#include <Simbody.h>
 #include <fmt/format.h>
 #include <time.h>
 
@@ -29,6 +25,7 @@
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/project/project.hpp"
+#include "simbody_rig.hpp"
 #include "version.hpp"
 
 namespace {
@@ -39,17 +36,20 @@ using planar::Mechanism;
 
 // ---- the rig, as it is read ---------------------------------------------------------------------
 
-/// The pins whose forces are compared, and the body of each that feels the force.
+constexpr std::array<const char*, bench::parts> part_names{"ground", "beam",      "upper_rod",
+                                                           "blade",  "lower_rod", "sledge"};
+
+/// The pins whose forces are compared, in the order of bench::PinName.
 struct Pinned {
   const char* joint;
-  const char* on;
-  const char* from;  ///< "ground" or the other body
+  bench::Part on;    ///< the body that feels the force
+  bench::Part from;  ///< the other
 };
-constexpr std::array<Pinned, 5> pins{{{"O", "beam", "ground"},
-                                      {"B", "upper_rod", "beam"},
-                                      {"A", "upper_rod", "blade"},
-                                      {"C", "lower_rod", "beam"},
-                                      {"E", "lower_rod", "sledge"}}};
+constexpr std::array<Pinned, bench::pins> pins{{{"O", bench::beam, bench::ground},
+                                                {"B", bench::upper_rod, bench::beam},
+                                                {"A", bench::upper_rod, bench::blade},
+                                                {"C", bench::lower_rod, bench::beam},
+                                                {"E", bench::lower_rod, bench::sledge}}};
 using Forces = std::array<Vector2d, pins.size()>;
 
 /// The parts of the sledge rig by name. Throws where the mechanism is another.
@@ -175,7 +175,7 @@ class Boxbeam final : public Alternative {
       : rig_(&rig), solver_(rig.mechanism(), elimination) {
     for (const Pinned& pin : pins) {
       wanted_.emplace_back(planar::joint_index(rig.mechanism(), pin.joint),
-                           planar::body_index(rig.mechanism(), pin.on));
+                           planar::body_index(rig.mechanism(), part_names[pin.on]));
     }
   }
 
@@ -205,182 +205,61 @@ class Boxbeam final : public Alternative {
   planar::State state_, next_;
 };
 
-SimTK::Vec3 in_space(const Vector2d& p) { return {p.x(), p.y(), 0.0}; }
-Vector2d in_plane(const SimTK::Vec3& p) { return {p[0], p[1]}; }
+/// What Simbody needs to know of the rig.
+bench::RigData data_of(const Rig& rig) {
+  bench::RigData data;
+  const auto plain = [](const Vector2d& p) { return bench::Point{p.x(), p.y()}; };
+  for (std::size_t part = bench::beam; part < bench::parts; ++part) {
+    const Body& body = rig.body(part_names[part]);
+    data.content[part] = {body.mass, body.inertia};
+  }
+  for (std::size_t i = 0; i < data.pin.size(); ++i) {
+    const Pinned& pin = pins[i];
+    data.pin[i] = {pin.on, pin.from, plain(rig.at(pin.joint, part_names[pin.on]).p),
+                   plain(rig.at(pin.joint, part_names[pin.from]).p)};
+  }
+  data.on_blade_line = plain(rig.slider("blade_line").point.p);
+  data.on_rail = plain(rig.slider("rail").point.p);
+  data.blade_line = rig.slider("blade_line").guide.p.y();
+  data.rail = rig.slider("rail").guide.p.y();
+  data.mean = rig.driver().mean;
+  data.amplitude = rig.driver().amplitude;
+  data.omega = rig.driver().omega;
+  data.phase = rig.driver().phase;
+  data.gravity = plain(rig.mechanism().gravity);
+  return data;
+}
 
-/// How the rig is put into Simbody.
-enum class Model {
-  planar_joints,  ///< three coordinates to a body, every pin a pair of constraints
-  compact_tree,   ///< pins O, A, C and the rail are joints of the tree, B and E close it
-};
-
-/// Where the search of positions begins.
-enum class Start {
-  last,       ///< at the positions of the instant before
-  predicted,  ///< at their Taylor series of second order, as boxbeam's does
-};
-
-/// The rig in Simbody: the blade's motion is prescribed, constraints are met by projection.
 class Simbody final : public Alternative {
  public:
-  Simbody(const Rig& rig, Model model, Start start_at, double accuracy)
-      : rig_(&rig),
-        model_(model),
-        start_at_(start_at),
-        accuracy_(accuracy),
-        matter_(system_),
-        forces_(system_),
-        gravity_(forces_, matter_, in_space(rig.mechanism().gravity)) {
-    const SimTK::Vec3 mean_of_blade(rig.driver().mean, rig.slider("blade_line").guide.p.y(), 0.0);
-    bodies_.resize(pins.size());
-    blade() = SimTK::MobilizedBody::Slider(matter_.Ground(), mean_of_blade, content("blade", 0.0),
-                                           in_space(rig.slider("blade_line").point.p));
-    motion_ = SimTK::Motion::Sinusoid(blade(), SimTK::Motion::Position, rig.driver().amplitude,
-                                      rig.driver().omega, rig.driver().phase);
-    if (model == Model::compact_tree) {
-      build_tree();
-    } else {
-      build_planar();
-    }
-    state_ = system_.realizeTopology();
-  }
+  Simbody(const Rig& rig, bench::Model model, bench::Start start_at, double accuracy)
+      : rig_(&rig), inside_(data_of(rig), model, start_at, accuracy) {}
 
   void start() override {
     const Eigen::VectorXd q = rig_->position(0.0).value();
-    const auto angle = [&](const char* name) { return q[index(name) + 2]; };
-    state_.setTime(0.0);
-    if (model_ == Model::compact_tree) {
-      const Vector2d e = planar::position_of(rig_->at("E", "sledge"), q);
-      body("upper_rod").setOneQ(state_, 0, angle("upper_rod"));
-      body("beam").setOneQ(state_, 0, angle("beam"));
-      body("lower_rod").setOneQ(state_, 0, angle("lower_rod") - angle("beam"));
-      body("sledge").setOneQ(state_, 0, e.x());
-    } else {
-      for (const char* name : {"beam", "upper_rod", "lower_rod", "sledge"}) {
-        body(name).setQFromVector(
-            state_, SimTK::Vector(SimTK::Vec3(angle(name), q[index(name)], q[index(name) + 1])));
-      }
+    std::array<bench::PartPosture, bench::parts> postures;
+    for (std::size_t part = bench::beam; part < bench::parts; ++part) {
+      const Eigen::Index i = 3 * planar::body_index(rig_->mechanism(), part_names[part]);
+      postures[part] = {{q[i], q[i + 1]}, q[i + 2]};
     }
-    system_.project(state_, accuracy_);
-    system_.realize(state_, SimTK::Stage::Acceleration);
+    inside_.start(postures);
   }
 
   void advance(double time, Forces& forces) override {
-    if (start_at_ == Start::predicted) {
-      const double dt = time - state_.getTime();
-      q_ = state_.getQ();
-      const SimTK::Vector& rate = state_.getQDot();
-      const SimTK::Vector& acceleration = state_.getQDotDot();
-      for (int i = 0; i < q_.size(); ++i) q_[i] += dt * (rate[i] + 0.5 * dt * acceleration[i]);
-      state_.updQ() = q_;
-    }
-    state_.setTime(time);
-    system_.project(state_, accuracy_);
-    system_.realize(state_, SimTK::Stage::Acceleration);
-    for (std::size_t i = 0; i < pins.size(); ++i) forces[i] = force_of(i);
+    inside_.advance(time, plain_);
+    for (std::size_t i = 0; i < plain_.size(); ++i) forces[i] = {plain_[i].x, plain_[i].y};
   }
 
   std::array<Vector2d, 2> places() const override {
-    const auto place = [&](const char* pin, const char* name) {
-      return in_plane(body(name).findStationLocationInGround(state_, point(pin, name)));
-    };
-    return {place("B", "upper_rod"), place("E", "lower_rod")};
+    const bench::Point b = inside_.place(bench::pin_b);
+    const bench::Point e = inside_.place(bench::pin_e);
+    return {Vector2d(b.x, b.y), Vector2d(e.x, e.y)};
   }
 
  private:
-  /// A pin by two constraints: its point on one body lies in two planes of the other.
-  struct Closure {
-    SimTK::Constraint::PointInPlane x, y;
-    bool used = false;
-  };
-
-  Eigen::Index index(const std::string& name) const {
-    return 3 * static_cast<Eigen::Index>(planar::body_index(rig_->mechanism(), name));
-  }
-  SimTK::MobilizedBody& body(const std::string& name) {
-    if (name == "ground") return matter_.updGround();
-    return bodies_[static_cast<std::size_t>(planar::body_index(rig_->mechanism(), name))];
-  }
-  const SimTK::MobilizedBody& body(const std::string& name) const {
-    return bodies_[static_cast<std::size_t>(planar::body_index(rig_->mechanism(), name))];
-  }
-  SimTK::MobilizedBody& blade() { return body("blade"); }
-  SimTK::Vec3 point(const char* pin, const char* name) const {
-    return in_space(rig_->at(pin, name).p);
-  }
-  /// Mass and inertia; a body that cannot turn needs some inertia only to have a regular matrix.
-  SimTK::Body::Rigid content(const char* name, double inertia_without) const {
-    const Body& own = rig_->body(name);
-    const double inertia = own.inertia > 0.0 ? own.inertia : inertia_without;
-    return SimTK::MassProperties(own.mass, SimTK::Vec3(0),
-                                 SimTK::Inertia(inertia, inertia, inertia));
-  }
-
-  void close(const char* pin) {
-    const auto i = static_cast<std::size_t>(
-        std::find_if(pins.begin(), pins.end(),
-                     [&](const Pinned& one) { return std::string(one.joint) == pin; }) -
-        pins.begin());
-    const SimTK::Vec3 own = point(pin, pins[i].from);
-    const SimTK::Vec3 other = point(pin, pins[i].on);
-    SimTK::MobilizedBody& planes = body(pins[i].from);
-    SimTK::MobilizedBody& follower = body(pins[i].on);
-    closures_[i] = {{planes, SimTK::UnitVec3(SimTK::XAxis), own[0], follower, other},
-                    {planes, SimTK::UnitVec3(SimTK::YAxis), own[1], follower, other},
-                    true};
-  }
-
-  void build_tree() {
-    const SimTK::Vec3 rail(0.0, rig_->slider("rail").guide.p.y(), 0.0);
-    body("upper_rod") = SimTK::MobilizedBody::Pin(
-        blade(), point("A", "blade"), content("upper_rod", 0.0), point("A", "upper_rod"));
-    body("beam") = SimTK::MobilizedBody::Pin(matter_.Ground(), point("O", "ground"),
-                                             content("beam", 0.0), point("O", "beam"));
-    body("lower_rod") = SimTK::MobilizedBody::Pin(
-        body("beam"), point("C", "beam"), content("lower_rod", 0.0), point("C", "lower_rod"));
-    body("sledge") = SimTK::MobilizedBody::Slider(matter_.Ground(), rail, content("sledge", 0.0),
-                                                  in_space(rig_->slider("rail").point.p));
-    close("B");
-    close("E");
-  }
-
-  void build_planar() {
-    for (const char* name : {"beam", "upper_rod", "lower_rod", "sledge"}) {
-      const double inertia = rig_->body(name).mass;
-      body(name) = SimTK::MobilizedBody::Planar(matter_.Ground(), SimTK::Transform(),
-                                                content(name, inertia), SimTK::Transform());
-    }
-    for (const Pinned& pin : pins) close(pin.joint);
-    const planar::Slider& rail = rig_->slider("rail");
-    SimTK::Constraint::PointInPlane(matter_.updGround(), SimTK::UnitVec3(SimTK::YAxis),
-                                    rail.guide.p.y(), body("sledge"), in_space(rail.point.p));
-    SimTK::Constraint::ConstantCoordinate(body("sledge"), SimTK::MobilizerQIndex(0), 0.0);
-  }
-
-  Vector2d force_of(std::size_t i) const {
-    const Closure& closure = closures_[i];
-    if (!closure.used) {
-      return in_plane(body(pins[i].on).findMobilizerReactionOnBodyAtMInGround(state_)[1]);
-    }
-    const SimTK::Vec3 force(closure.x.getForceOnFollowerPoint(state_),
-                            closure.y.getForceOnFollowerPoint(state_), 0.0);
-    if (std::string_view(pins[i].from) == "ground") return in_plane(force);
-    return in_plane(body(pins[i].from).getBodyRotation(state_) * force);
-  }
-
   const Rig* rig_;
-  Model model_;
-  Start start_at_;
-  double accuracy_;
-  SimTK::MultibodySystem system_;
-  SimTK::SimbodyMatterSubsystem matter_;
-  SimTK::GeneralForceSubsystem forces_;
-  SimTK::Force::UniformGravity gravity_;
-  SimTK::Motion::Sinusoid motion_;
-  std::vector<SimTK::MobilizedBody> bodies_;
-  std::array<Closure, pins.size()> closures_;
-  SimTK::State state_;
-  SimTK::Vector q_;
+  bench::SimbodyRig inside_;
+  std::array<bench::Point, bench::pins> plain_;
 };
 
 // ---- times and agreement ------------------------------------------------------------------------
@@ -404,17 +283,18 @@ struct Entrant {
 
 std::vector<Entrant> entrants(const Rig& rig) {
   std::vector<Entrant> all;
-  const auto simbody = [&](const char* name, Model model, Start start, double accuracy) {
+  const auto simbody = [&](const char* name, bench::Model model, bench::Start start,
+                           double accuracy) {
     all.push_back({fmt::format("Simbody, {}, {:.0e}", name, accuracy),
                    std::make_unique<Simbody>(rig, model, start, accuracy)});
   };
   all.push_back({"boxbeam, sparse", std::make_unique<Boxbeam>(rig, planar::Elimination::sparse)});
   all.push_back({"boxbeam, dense", std::make_unique<Boxbeam>(rig, planar::Elimination::dense)});
-  simbody("compact tree, predicted", Model::compact_tree, Start::predicted, 1e-10);
-  simbody("compact tree, from the last", Model::compact_tree, Start::last, 1e-10);
-  simbody("compact tree, predicted", Model::compact_tree, Start::predicted, 1e-6);
-  simbody("planar joints, predicted", Model::planar_joints, Start::predicted, 1e-10);
-  simbody("planar joints, from the last", Model::planar_joints, Start::last, 1e-10);
+  simbody("compact tree, predicted", bench::Model::compact_tree, bench::Start::predicted, 1e-10);
+  simbody("compact tree, from the last", bench::Model::compact_tree, bench::Start::last, 1e-10);
+  simbody("compact tree, predicted", bench::Model::compact_tree, bench::Start::predicted, 1e-6);
+  simbody("planar joints, predicted", bench::Model::planar_joints, bench::Start::predicted, 1e-10);
+  simbody("planar joints, from the last", bench::Model::planar_joints, bench::Start::last, 1e-10);
   return all;
 }
 
@@ -568,10 +448,9 @@ void near_toggle(const Rig& rig) {
 }
 
 void print_versions() {
-  int major = 0, minor = 0, patch = 0;
-  SimTK_version_simbody(&major, &minor, &patch);
-  fmt::print("boxbeam {}, Simbody {}.{}.{}, Eigen {}.{}.{}, compiler {}\n", version, major, minor,
-             patch, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, __VERSION__);
+  fmt::print("boxbeam {}, Simbody {}, Eigen {}.{}.{}, compiler {}\n", version,
+             bench::simbody_version(), EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+             EIGEN_MINOR_VERSION, __VERSION__);
 }
 
 }  // namespace

@@ -28,18 +28,24 @@ struct BeamLoadRow {
   Eigen::Vector2d world = Eigen::Vector2d::Zero();  ///< force, world axes [N]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< beam axes [N]
   Moment couple;                                    ///< about y
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< where it acts, world [m]
 };
 
 /// The positions of all bodies' points at an instant, for the drawing.
 struct PostureFigure {
   Time time;
   std::string why;
+  struct Stroke {
+    Eigen::Vector2d from, to;  ///< [m]
+  };
   struct Line {
-    std::string body;
-    std::vector<Eigen::Vector2d> points;  ///< [m]
-    std::vector<std::string> names;
+    std::vector<Eigen::Vector2d> points;  ///< of the body [m]
+    std::vector<Stroke> strokes;          ///< the beam: its axis, with spurs to what stands off it
   };
   std::vector<Line> bodies;
+  std::vector<Stroke> rods;              ///< rods without mass and driven lengths
+  std::vector<Stroke> guides;            ///< of sliders: a point and its line's unit vector
+  std::vector<Eigen::Vector2d> grounds;  ///< bearings on the ground
   std::vector<BeamLoadRow> loads;
 };
 
@@ -66,6 +72,10 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& load
 
 PostureFigure posture_figure(const Project& project, const planar::State& state,
                              const std::string& why);
+
+/// Finds where loads act in a state: on the beam's axis, or at the body point of their name.
+void place_loads(const Project& project, const planar::State& state,
+                 std::vector<BeamLoadRow>& rows);
 
 SnFigure sn_figure(const Project& project, const CheckResult& governing);
 

@@ -96,6 +96,7 @@ struct Verification {
   std::vector<PublishedConcentration> published_concentrations;
   std::optional<SnFigure> sn;
   std::size_t instants = 0;
+  Time begin;
   Time period;
   double largest_residual = 0.0;  ///< of the constraints, over all instants [m, rad]
   double imbalance = 0.0;         ///< of force and moment on the beam, relative to the largest load
