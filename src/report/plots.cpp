@@ -278,7 +278,7 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
   const bool tall = size.y() > size.x();
   const auto count = static_cast<int>(panels);
   // As large as the mechanism's shape asks for, with room for axes and arrows.
-  const double aspect = (size.y() + 1.6 * reach) / (size.x() + 2.6 * reach);
+  const double aspect = (size.y() + 1.6 * reach) / (size.x() + 3.4 * reach);
   const int width = tall ? std::clamp(static_cast<int>(720.0 / aspect), 260, 640) + 90 : 900;
   const int height = tall ? 720 : std::clamp(static_cast<int>(820.0 * aspect), 160, 720) + 110;
   begin(gp, "mechanism", tall ? width * count : width, tall ? 860 : 60 + height * count);
@@ -286,7 +286,7 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
      << quoted("Mechanism at its critical instants, joint forces on the beam; grey: t = 0")
      << " noenhanced\n"
      << "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nunset key\n"
-     << "set xrange [" << extent.low.x() - 1.3 * reach << ":" << extent.high.x() + 1.3 * reach
+     << "set xrange [" << extent.low.x() - 1.7 * reach << ":" << extent.high.x() + 1.7 * reach
      << "]\n"
      << "set yrange [" << extent.low.y() - 0.8 * reach << ":" << extent.high.y() + 0.8 * reach
      << "]\n";

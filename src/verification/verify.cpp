@@ -164,7 +164,7 @@ std::vector<std::pair<Time, std::string>> instants_to_show(const Verification& v
     const std::string why = name_of_extreme(verification.critical_instants, instant);
     if (why.empty()) continue;
     const auto same = std::find_if(shown.begin(), shown.end(), [&](const auto& other) {
-      return abs(other.first - instant.time) < 1e-4 * verification.period;
+      return abs(other.first - instant.time) < 0.01 * verification.period;
     });
     if (same == shown.end())
       shown.emplace_back(instant.time, why);

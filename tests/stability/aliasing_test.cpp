@@ -92,8 +92,9 @@ TEST_CASE("peaks of a slider-crank are found whatever the phase of the instants"
       double sampled = 0.0;
       for (int i = 0; i < 36; ++i) {
         const long double phi = static_cast<long double>(start + 2.0 * test::pi * i / 36.0);
-        sampled = std::max(sampled, static_cast<double>(std::abs(
-                                        acceleration(static_cast<long double>(ratio), phi))));
+        sampled = std::max(
+            sampled,
+            static_cast<double>(std::abs(acceleration(static_cast<long double>(ratio), phi))));
       }
       plain = std::max(plain, 1.0 - sampled / truth);
     }
@@ -145,11 +146,11 @@ TEST_CASE("gears that turn fast get eight instants to their turns") {
 TEST_CASE("harmonics far above the base get eight instants to their period") {
   for (const double amplitude : {1e-9, 1e-6, 1e-3, 0.02}) {
     HarmonicDriver driver;
-    driver.mean = 1.2;
+    driver.mean = 1.0;
     driver.amplitude = 0.1;
     driver.omega = 2.0;
     driver.further = {{amplitude, 74.0, 0.4}};
-    const Mechanism mechanism = test::slider_crank(0.3, 1.0, driver, 1.0, true);
+    const Mechanism mechanism = test::slider_crank(0.3, 1.0, driver, 1.2, true);
     const Motion motion = solve_motion(mechanism);
     INFO("37th harmonic of " << amplitude << " m");
     CHECK(motion.states.size() >= 8 * 37);
@@ -161,9 +162,10 @@ TEST_CASE("harmonics far above the base get eight instants to their period") {
     }
     const Peak peak = peak_of(mechanism, motion);
     CHECK(std::abs(peak.refined / truth - 1.0) < 1e-4);
-    std::cout << "stability: 37th harmonic of " << amplitude << " m beside 0.1 m: "
-              << motion.states.size() << " instants, peak acceleration within "
-              << std::abs(peak.refined / truth - 1.0) << "\n";
+    std::cout << "stability: 37th harmonic of " << amplitude
+              << " m beside 0.1 m: " << motion.states.size()
+              << " instants, peak acceleration within " << std::abs(peak.refined / truth - 1.0)
+              << "\n";
   }
 }
 

@@ -19,10 +19,10 @@ using namespace boxbeam::planar;
 namespace {
 
 struct Sample {
-  double delta = 0.0;            ///< distance of the crank from its limit [rad]
-  double position_error = 0.0;   ///< of the rocker's angle [rad]
-  double velocity_error = 0.0;   ///< of the rocker's rate, relative
-  double digits = 0.0;           ///< that the solver says are left
+  double delta = 0.0;           ///< distance of the crank from its limit [rad]
+  double position_error = 0.0;  ///< of the rocker's angle [rad]
+  double velocity_error = 0.0;  ///< of the rocker's rate, relative
+  double digits = 0.0;          ///< that the solver says are left
 };
 
 enum class Way { from_sketch, followed };
@@ -49,9 +49,9 @@ std::optional<Sample> sample_at(const test::FourBar& bar, double delta, int sign
   sample.position_error = static_cast<double>(
       std::abs(std::remainder(static_cast<long double>(state.q[8]) - exact.rocker,
                               2.0L * std::numbers::pi_v<long double>)));
-  sample.velocity_error = static_cast<double>(
-      std::abs(static_cast<long double>(state.v[8]) - exact.rocker_rate) /
-      std::abs(exact.rocker_rate));
+  sample.velocity_error =
+      static_cast<double>(std::abs(static_cast<long double>(state.v[8]) - exact.rocker_rate) /
+                          std::abs(exact.rocker_rate));
   sample.digits = degrees_of_freedom_of(mechanism, state.q).digits_left();
   return sample;
 }
@@ -114,11 +114,11 @@ TEST_CASE("towards a dead point velocities lose digits as round-off over the dis
     }
     const double slope = slope_of(falling);
     std::cout << "stability: approach to a dead point, "
-              << (way == Way::from_sketch ? "from a sketch" : "followed") << ", 1e-1 .. 1e-14 rad: "
-              << solved << " solved, " << refused << " refused; velocity error at most "
-              << worst_factor << "/delta, slope " << slope << "; position error at most "
-              << worst_position << " rad; digits promised minus digits left at most "
-              << worst_promise << "\n";
+              << (way == Way::from_sketch ? "from a sketch" : "followed")
+              << ", 1e-1 .. 1e-14 rad: " << solved << " solved, " << refused
+              << " refused; velocity error at most " << worst_factor << "/delta, slope " << slope
+              << "; position error at most " << worst_position
+              << " rad; digits promised minus digits left at most " << worst_promise << "\n";
     CHECK(slope == Approx(-1.0).margin(0.15));
     CHECK(falling.size() > 30);
     CHECK(solved > (way == Way::from_sketch ? 80 : 48));
@@ -130,8 +130,8 @@ TEST_CASE("at the dead point and beyond nothing is returned") {
   int refused = 0;
   int wrong = 0;
   for (const Way way : {Way::from_sketch, Way::followed}) {
-    for (const double delta : {0.0, -1e-15, -1e-14, -1e-13, -1e-12, -1e-11, -1e-10, -1e-9, -1e-6,
-                               -1e-3, -1e-1}) {
+    for (const double delta :
+         {0.0, -1e-15, -1e-14, -1e-13, -1e-12, -1e-11, -1e-10, -1e-9, -1e-6, -1e-3, -1e-1}) {
       for (const int sign : {1, -1}) {
         INFO("delta = " << delta << ", sign " << sign);
         const bool solved = sample_at(bar, delta, sign, way).has_value();

@@ -107,8 +107,8 @@ inline planar::Mechanism four_bar(const FourBar& bar, const Driver& driver, doub
       driver_of_angle(0, driver),
   };
   mechanism.loops = {
-      {"coupler",
-       planar::TurnSign{on(1, -bar.b / 2.0), on_ground(bar.d, 0.0), on(1, bar.b / 2.0)}, sign}};
+      {"coupler", planar::TurnSign{on(1, -bar.b / 2.0), on_ground(bar.d, 0.0), on(1, bar.b / 2.0)},
+       sign}};
   return mechanism;
 }
 
@@ -162,7 +162,8 @@ inline planar::Mechanism parallel_cranks(int count, const Driver& driver, double
     const std::string number = std::to_string(k + 1);
     const double half = 0.5 * (k + 1 < count ? 1.0 : 1.0 + longer);
     mechanism.bodies.push_back(rod("crank " + number, {x, 0.0}, Vector2d(x, 0.0) + e, massless));
-    mechanism.joints.push_back({"ground " + number, planar::Pin{on(k + 1, -half), on_ground(x, 0.0)}});
+    mechanism.joints.push_back(
+        {"ground " + number, planar::Pin{on(k + 1, -half), on_ground(x, 0.0)}});
     mechanism.joints.push_back({"tip " + number, planar::Pin{on(k + 1, half), on(0, x - 1.0)}});
   }
   mechanism.joints.push_back(driver_of_angle(1, driver));
@@ -176,7 +177,7 @@ inline planar::Mechanism parallel_cranks(int count, const Driver& driver, double
 struct Platform {
   double crank = 0.5;
   Eigen::Vector2d p[3] = {{-0.6, -0.3}, {0.6, -0.3}, {0.0, 0.5}};  ///< on the platform
-  Eigen::Vector2d g[3] = {{0.0, 0.0}, {0.6, 0.2}, {-0.2, 1.0}};     ///< crank's pivot, ground
+  Eigen::Vector2d g[3] = {{0.0, 0.0}, {0.6, 0.2}, {-0.2, 1.0}};    ///< crank's pivot, ground
   double length[3] = {1.1, 1.0, 1.1};
 };
 
@@ -198,9 +199,10 @@ inline planar::Mechanism platform_on_rods(const Platform& bench, const Driver& d
       driver_of_angle(0, driver),
   };
   mechanism.loops = {
-      {"left", planar::TurnSign{on(0, bench.crank / 2.0), {planar::ground, bench.g[1]}, point(0)}, 1},
-      {"right", planar::TurnSign{{planar::ground, bench.g[1]}, {planar::ground, bench.g[2]}, point(1)},
-       1}};
+      {"left", planar::TurnSign{on(0, bench.crank / 2.0), {planar::ground, bench.g[1]}, point(0)},
+       1},
+      {"right",
+       planar::TurnSign{{planar::ground, bench.g[1]}, {planar::ground, bench.g[2]}, point(1)}, 1}};
   return mechanism;
 }
 
@@ -208,7 +210,8 @@ inline planar::Mechanism platform_on_rods(const Platform& bench, const Driver& d
 
 /// Newton's method as every textbook has it: full steps, dense LU, no look at the branch. Returns
 /// whether it converged.
-inline bool plain_newton(planar::ConstraintEquations& equations, Eigen::VectorXd& q, int most = 60) {
+inline bool plain_newton(planar::ConstraintEquations& equations, Eigen::VectorXd& q,
+                         int most = 60) {
   Eigen::VectorXd phi(equations.rows());
   std::vector<double> values;
   for (int i = 0; i < most; ++i) {

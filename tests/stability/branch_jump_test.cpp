@@ -74,9 +74,9 @@ double apart(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * t
 
 void report(const std::string& what, const Tally& tally) {
   std::cout << "stability: " << what << ": " << tally.right << " on the branch, " << tally.refused
-            << " refused, " << tally.jumped << " silent jumps; plain Newton: "
-            << tally.control_jumped << " on the wrong branch, " << tally.control_failed
-            << " without convergence\n";
+            << " refused, " << tally.jumped
+            << " silent jumps; plain Newton: " << tally.control_jumped << " on the wrong branch, "
+            << tally.control_failed << " without convergence\n";
 }
 
 Tally four_bar_tally(bool named_loop) {

@@ -59,6 +59,7 @@ void turn_round(const Mechanism& mechanism, double start, int instants, const Er
   } catch (const AnalysisError& error) {
     ++all.refused;
     CHECK(error.failure().time.has_value());
+    CHECK((instants == 24 || instants == 36));  // coarse steps may be refused, fine ones not
     return;
   }
   CHECK(motion.closed);
@@ -96,12 +97,10 @@ TEST_CASE("a massless parallelogram stays one over the whole turn") {
       turn_round(
           mechanism, start, instants,
           [](double phi, const State& state) {
-            const double position =
-                std::max({std::abs(std::remainder(state.q[2], 2.0 * test::pi)),
-                          std::abs(state.q[0] - 1.0 - std::cos(phi)),
-                          std::abs(state.q[1] - std::sin(phi))});
-            return std::pair{position,
-                             std::max(std::abs(state.v[2]), std::abs(state.v[8] - rate))};
+            const double position = std::max({std::abs(std::remainder(state.q[2], 2.0 * test::pi)),
+                                              std::abs(state.q[0] - 1.0 - std::cos(phi)),
+                                              std::abs(state.q[1] - std::sin(phi))});
+            return std::pair{position, std::max(std::abs(state.v[2]), std::abs(state.v[8] - rate))};
           },
           all);
     }
@@ -136,8 +135,7 @@ TEST_CASE("a massless anti-parallelogram stays crossed over the whole turn (mirr
     }
   }
   report("anti-parallelogram", all);
-  // Its second crank turns three times as fast as the first where both are flat: coarse steps may
-  // be refused, fine ones not.
+  // Its second crank turns three times as fast as the first where both are flat.
   CHECK(all.refused <= 6);
 }
 
@@ -202,9 +200,7 @@ TEST_CASE("masses that the flat position must hold are refused with their reason
       ++refused;
     }
   }
-  // A third crank holds the coupler: no change point, no growth.
-  const Mechanism held = test::parallel_cranks(2, RateDriver{0.3, rate}, 0.3, false);
-  Mechanism guided = held;
+  Mechanism guided = test::parallel_cranks(2, RateDriver{0.3, rate}, 0.3, false);
   // A gear wheel between the cranks: the second turns as the first, whatever the coupler does.
   guided.joints.push_back({"gears", AngleCoupling{test::on(2, 0.0), test::on(1, 0.0), 1.0, 0.0}});
   const Motion motion = solve_motion(guided, 36);

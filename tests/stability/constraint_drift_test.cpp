@@ -65,7 +65,8 @@ Drift drift_of(double tolerance, bool project) {
     const Eigen::VectorXd rate = equations.pattern().dense(values) * state.v;
     drift.position = std::max(drift.position, phi.lpNorm<Eigen::Infinity>());
     drift.velocity = std::max(drift.velocity, rate.lpNorm<Eigen::Infinity>());
-    drift.energy = std::max(drift.energy, std::abs(energy_of(mechanism, state) - start) / exchanged);
+    drift.energy =
+        std::max(drift.energy, std::abs(energy_of(mechanism, state) - start) / exchanged);
   }
   drift.steps = solver.steps();
   return drift;

@@ -48,9 +48,9 @@ void sweep(const Mechanism& mechanism, double period, int instants, int every, S
 }
 
 void report(const std::string& name, const Sweep& result) {
-  std::cout << "stability: " << name << ", " << result.instants << " instants: "
-            << result.reorderings << " new orders, solutions within " << result.worst
-            << " of dense elimination\n";
+  std::cout << "stability: " << name << ", " << result.instants
+            << " instants: " << result.reorderings << " new orders, solutions within "
+            << result.worst << " of dense elimination\n";
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ TEST_CASE("random crank sweeps keep their order of pivots or renew it") {
       bar.b = 0.5 + 1.5 * unit(random);
       bar.c = 0.5 + 1.5 * unit(random);
       bar.d = 0.5 + 1.5 * unit(random);
-    } while (!(bar.a + bar.d < bar.b + bar.c - 0.05 &&
-               bar.d - bar.a > std::abs(bar.b - bar.c) + 0.05));
+    } while (
+        !(bar.a + bar.d < bar.b + bar.c - 0.05 && bar.d - bar.a > std::abs(bar.b - bar.c) + 0.05));
     const double start = 6.0 * unit(random);
     INFO("four-bar " << bar.a << " " << bar.b << " " << bar.c << " " << bar.d);
     sweep(test::four_bar(bar, RateDriver{start, 1.0}, start, i % 2 == 0 ? 1 : -1), 2.0 * test::pi,
@@ -161,7 +161,8 @@ TEST_CASE("redundant equations take turns where one of them determines nothing")
       for (int i = 1; i <= instants; ++i) {
         state = solver.solve_near(2.0 * test::pi * i / instants, state);
         const double angle = std::remainder(state.q[2] - start - state.time, 2.0 * test::pi);
-        worst = std::max({worst, std::abs(angle), std::abs(state.v[2] - 1.0), std::abs(state.a[2])});
+        worst =
+            std::max({worst, std::abs(angle), std::abs(state.v[2] - 1.0), std::abs(state.a[2])});
       }
       INFO("started at " << start << ", " << instants << " instants");
       CHECK(worst < 1e-9);
@@ -194,7 +195,9 @@ SparsePattern pattern_of(Kind kind, int rows, int cols, std::mt19937& random) {
         case Kind::scattered: there = there || unit(random) < 3.0 / cols; break;
         case Kind::banded: there = there || std::abs(at - c) <= 2; break;
         case Kind::arrow: there = there || c == 0 || at == 0; break;
-        case Kind::blocks: there = there || at / 3 == c / 3 || (c / 3 == 0 && unit(random) < 0.3); break;
+        case Kind::blocks:
+          there = there || at / 3 == c / 3 || (c / 3 == 0 && unit(random) < 0.3);
+          break;
       }
       if (there) pattern.col.push_back(c);
     }
@@ -265,10 +268,10 @@ TEST_CASE("sparse elimination of random matrices against LU with full pivoting")
       }
     }
     CHECK(worst < 1e-11);
-    std::cout << "stability: " << solved << " random " << name << " matrices up to 40 x 40: "
-              << repeated << " in the order of other values, " << renewed << " in a new one, " << fails
-              << " failed, " << skipped << " skipped as singular; within " << worst
-              << " of LU, by the condition\n";
+    std::cout << "stability: " << solved << " random " << name
+              << " matrices up to 40 x 40: " << repeated << " in the order of other values, "
+              << renewed << " in a new one, " << fails << " failed, " << skipped
+              << " skipped as singular; within " << worst << " of LU, by the condition\n";
   }
 }
 
@@ -342,6 +345,7 @@ TEST_CASE("tall and singular matrices: rank, rows left over and columns without 
     }
   }
   CHECK(worst < 1e-11);
-  std::cout << "stability: " << tall << " tall matrices: all redundant rows left over, solutions within "
-            << worst << "; " << singular << " singular ones: all ranks found\n";
+  std::cout << "stability: " << tall
+            << " tall matrices: all redundant rows left over, solutions within " << worst << "; "
+            << singular << " singular ones: all ranks found\n";
 }

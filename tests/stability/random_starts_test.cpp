@@ -135,8 +135,8 @@ int platform_assemblies(const test::Platform& bench, double crank) {
     Eigen::Matrix2d adjoint;
     adjoint << A(1, 1), -A(0, 1), -A(1, 0), A(0, 0);
     const Eigen::Vector2d x = adjoint * b;  // position times the determinant
-    const double f = (x + determinant * c[0]).squaredNorm() -
-                     std::pow(bench.length[0] * determinant, 2.0);
+    const double f =
+        (x + determinant * c[0]).squaredNorm() - std::pow(bench.length[0] * determinant, 2.0);
     if (i > 0 && (f > 0.0) != (last > 0.0)) ++count;
     last = f;
   }
@@ -154,8 +154,8 @@ TEST_CASE("random starts of the sledge rig: the asked branch or a refusal") {
 }
 
 TEST_CASE("random starts of a platform on three rods: the asked branch or a refusal") {
-  check_starts("platform on three rods",
-               test::platform_on_rods({}, RateDriver{0.4, 1.0}), 10000, 1.0, 0.5, 0.9);
+  check_starts("platform on three rods", test::platform_on_rods({}, RateDriver{0.4, 1.0}), 10000,
+               1.0, 0.5, 0.9);
 }
 
 TEST_CASE("random starts where the asked branch does not exist are all refused") {

@@ -18,7 +18,7 @@ using namespace boxbeam::planar;
 
 namespace {
 
-constexpr double rate = 3.0;     // of the crank [rad/s]
+constexpr double rate = 3.0;  // of the crank [rad/s]
 constexpr double gravity = 9.81;
 
 /// Three parallel cranks and a load of 50 kg on an arm that is fixed to the coupler.
@@ -37,7 +37,8 @@ Mechanism bench_with_load(double start, double longer = 0.0) {
 
 std::vector<std::string> names_of(const Mechanism& mechanism, const std::vector<int>& joints) {
   std::vector<std::string> names;
-  for (const int joint : joints) names.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
+  for (const int joint : joints)
+    names.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
   return names;
 }
 
@@ -76,8 +77,8 @@ Turn turn_of(const Mechanism& mechanism, double start, int instants) {
     const Eigen::Vector2d n(-e.y(), e.x());
     turn.position = std::max({turn.position, std::abs(state.q[2]),
                               (state.q.head<2>() - e - Eigen::Vector2d(1.0, 0.0)).norm()});
-    turn.velocity = std::max(
-        {turn.velocity, std::abs(state.v[2]), (state.v.head<2>() - rate * n).norm()});
+    turn.velocity =
+        std::max({turn.velocity, std::abs(state.v[2]), (state.v.head<2>() - rate * n).norm()});
     turn.acceleration = std::max(
         {turn.acceleration, std::abs(state.a[2]), (state.a.head<2>() + rate * rate * e).norm()});
   }
@@ -132,7 +133,8 @@ TEST_CASE("a third parallel crank repeats an equation; what is determined is rig
   }
   std::cout << "stability: parallelogram with a third crank at " << positions
             << " positions: one redundancy found at all of them, rank known by a gap of at least "
-            << smallest_gap << ", determined reactions within " << worst << " of the hand formula\n";
+            << smallest_gap << ", determined reactions within " << worst
+            << " of the hand formula\n";
 }
 
 TEST_CASE("at right angles only the cranks' own direction is undetermined") {
@@ -161,9 +163,8 @@ TEST_CASE("three cranks in line: flat positions are passed beside, or refused fo
     ++turns;
   }
   CHECK_THROWS_AS(turn_of(bench_with_load(0.0), 0.0, 24), AnalysisError);
-  std::cout << "stability: " << turns
-            << " turns of three cranks in line: on the circle within " << worst
-            << " m; loads in the flat position itself refused\n";
+  std::cout << "stability: " << turns << " turns of three cranks in line: on the circle within "
+            << worst << " m; loads in the flat position itself refused\n";
 }
 
 TEST_CASE("a redundant mechanism without dead points moves all round, as exactly as anywhere") {
@@ -191,8 +192,9 @@ TEST_CASE("a redundant mechanism without dead points moves all round, as exactly
       }
     }
   }
-  std::cout << "stability: " << turns << " turns of three cranks out of line, 24 .. 10007 instants: "
-            << refused << " refused, " << worst.change_points
+  std::cout << "stability: " << turns
+            << " turns of three cranks out of line, 24 .. 10007 instants: " << refused
+            << " refused, " << worst.change_points
             << " change points seen where there are none, positions within " << worst.position
             << " m, velocities " << worst.velocity << " m/s, accelerations " << worst.acceleration
             << " m/s^2 of the circle; " << worst.reorderings << " new orders of elimination\n";
@@ -258,9 +260,10 @@ TEST_CASE("a doubled joint changes nothing but its own reactions") {
       }
     }
   }
-  std::cout << "stability: each pin of a four-bar doubled, 12 times: found, all other reactions and "
-               "the sum of the pair unchanged within "
-            << worst << "\n";
+  std::cout
+      << "stability: each pin of a four-bar doubled, 12 times: found, all other reactions and "
+         "the sum of the pair unchanged within "
+      << worst << "\n";
 }
 
 TEST_CASE("a second driver that says the same is redundant, one that says another is refused") {
@@ -291,16 +294,27 @@ TEST_CASE("a second driver that says another rate is refused") {
   Mechanism mechanism = test::four_bar(bar, RateDriver{0.9, 2.0}, 0.9, 1);
   mechanism.joints.push_back({"motor again", mechanism.joints.back().kind});
   std::get<Driven>(mechanism.joints.back().kind).driver = RateDriver{0.9, 2.5};
-  CHECK_THROWS_AS(solve_motion(mechanism, 24), AnalysisError);
-  CHECK_THROWS_AS(InstantSolver(mechanism).solve_from_sketch(0.0, sketch_of(mechanism)),
-                  AnalysisError);
-  std::cout << "stability: a second driver with the same angle and another rate: refused\n";
+  const auto is_refused = [](const auto& solve) {
+    try {
+      solve();
+    } catch (const AnalysisError&) {
+      return true;
+    }
+    return false;
+  };
+  const bool motion = is_refused([&] { solve_motion(mechanism, 24); });
+  const bool instant =
+      is_refused([&] { InstantSolver(mechanism).solve_from_sketch(0.0, sketch_of(mechanism)); });
+  CHECK(motion);
+  CHECK(instant);
+  std::cout << "stability: a second driver with the same angle and another rate: motion "
+            << (motion ? "refused" : "solved") << ", instant " << (instant ? "refused" : "solved")
+            << "\n";
 }
 
 TEST_CASE("an aligned slider-crank with r = l: the rank falls, and is said") {
   // At phi = 90 deg the slider is at O and may stay there: crank and rod turn together.
-  const Mechanism mechanism =
-      test::slider_crank(1.0, 1.0, RateDriver{test::pi / 2.0, 1.0}, 1.0);
+  const Mechanism mechanism = test::slider_crank(1.0, 1.0, RateDriver{test::pi / 2.0, 1.0}, 1.0);
   Eigen::VectorXd q(9);
   q << 0.0, 0.5, test::pi / 2.0, 0.0, 0.5, -test::pi / 2.0, 0.0, 0.0, 0.0;
   const DegreesOfFreedom freedom = degrees_of_freedom_of(mechanism, q);

@@ -118,11 +118,11 @@ Mechanism everything() {
   mechanism.bodies.push_back(wheel);
   mechanism.joints.push_back({"axle", Pin{test::on(3, 0.0), test::on_ground(0.0, -0.5)}});
   // On the crank's shaft a wheel of 0.3 m: radii of 0.3 m and 0.2 m about O and the axle.
-  mechanism.joints.push_back(
-      {"mesh", Gear{test::on(0, -0.2), test::on(3, 0.0), 0.3, 0.2, 0.2}});
+  mechanism.joints.push_back({"mesh", Gear{test::on(0, -0.2), test::on(3, 0.0), 0.3, 0.2, 0.2}});
   mechanism.forces = {
       {"spring", Spring{test::on(2, 0.1, 0.05), test::on_ground(2.0, 0.3), 900.0, 0.4, 12.0}},
-      {"push", PointForce{test::on(1, 0.1, 0.02), 0.6, true, HarmonicDriver{20.0, 5.0, 6.0, 0.1, {}}}},
+      {"push",
+       PointForce{test::on(1, 0.1, 0.02), 0.6, true, HarmonicDriver{20.0, 5.0, 6.0, 0.1, {}}}},
       {"twist", Couple{test::on(1, 0.0), test::on(0, 0.0), PolynomialDriver{{3.0}}}},
       {"coil", TorsionSpring{test::on(1, 0.0), test::on(0, 0.0), 7.0, -0.2, 0.5}}};
   return mechanism;

@@ -1,8 +1,5 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_fehlberg78.hpp>
-#include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include <algorithm>
@@ -18,6 +15,10 @@ namespace boxbeam::planar {
 namespace {
 
 constexpr std::uint32_t diagonal = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t regular = diagonal - 1;  ///< what keeps repeated constraints apart
+constexpr double regularisation = 1e-10;
+constexpr double near_singular = 1e-3;        ///< a scaled pivot of the equations of motion
+constexpr double error_near_singular = 1e-8;  ///< of a step there
 
 }  // namespace
 
@@ -59,6 +60,7 @@ FreeSolver::FreeSolver(const Mechanism& mechanism, double tolerance, bool projec
       rows[static_cast<std::size_t>(own.col[entry])].emplace_back(static_cast<int>(n + r), number);
       rows[static_cast<std::size_t>(n + r)].emplace_back(own.col[entry], number);
     }
+    rows[static_cast<std::size_t>(n + r)].emplace_back(static_cast<int>(n + r), regular);
   }
   pattern_.rows = pattern_.cols = n + m;
   for (const auto& row : rows) {
@@ -72,46 +74,76 @@ FreeSolver::FreeSolver(const Mechanism& mechanism, double tolerance, bool projec
   values_.resize(pattern_.col.size());
   right_.resize(n + m);
   solution_.resize(n + m);
+  correction_.resize(n + m);
 }
 
-void FreeSolver::factor(SparseElimination& elimination, const Eigen::VectorXd& weight,
-                        double time) {
+bool FreeSolver::factor(SparseElimination& elimination, const Eigen::VectorXd& weight) {
   equations_.evaluate(phi_, jacobian_);
-  Eigen::Index k = 0;
-  for (std::size_t e = 0; e < values_.size(); ++e) {
-    values_[e] = source_[e] == diagonal ? weight[k++] : jacobian_[source_[e]];
+  const Eigen::Index n = mechanism_->coordinates();
+  const auto fill = [&] {
+    Eigen::Index k = 0;
+    Eigen::Index r = n;
+    for (std::size_t e = 0; e < values_.size(); ++e) {
+      if (source_[e] == diagonal) {
+        values_[e] = weight[k++];
+      } else if (source_[e] == regular) {
+        values_[e] = regularised_ ? -regularisation / (scale_[r] * scale_[r]) : 0.0;
+        ++r;
+      } else {
+        values_[e] = jacobian_[source_[e]];
+      }
+    }
+  };
+  fill();
+  if (elimination.pivots() > 0 && elimination.factor(values_)) return true;
+  if (elimination.analyse(pattern_, values_, scale_, scale_) == pattern_.cols) {
+    return elimination.factor(values_);
   }
-  if (elimination.pivots() > 0 && elimination.factor(values_)) return;
-  elimination.analyse(pattern_, values_, scale_, scale_);
   const auto& left = elimination.cols_left();
-  if (!elimination.factor(values_) || std::any_of(left.begin(), left.end(), [&](int col) {
-        return col < mechanism_->coordinates();
-      })) {
-    throw AnalysisError(
-        {"accelerations are not determined: a freedom that no driver moves has no "
-         "mass; give the body a mass (and inertia), or drive it",
-         "mechanism",
-         time,
-         {},
-         {}});
+  const bool only_multipliers =
+      std::all_of(left.begin(), left.end(), [&](int col) { return col >= n; });
+  if (regularised_ || !only_multipliers) return false;
+  regularised_ = true;
+  fill();
+  return elimination.analyse(pattern_, values_, scale_, scale_) == pattern_.cols &&
+         elimination.factor(values_);
+}
+
+void FreeSolver::solve(const SparseElimination& elimination) {
+  elimination.solve(right_, solution_);
+  if (!regularised_) return;
+  // Refinement against the system without what made it regular.
+  constexpr int refinements = 2;
+  for (int i = 0; i < refinements; ++i) {
+    left_over_ = right_;
+    for (Eigen::Index r = 0; r < pattern_.rows; ++r) {
+      for (int e = pattern_.row_start[static_cast<std::size_t>(r)];
+           e < pattern_.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
+        const auto entry = static_cast<std::size_t>(e);
+        if (source_[entry] == regular) continue;
+        left_over_[r] -= values_[entry] * solution_[pattern_.col[entry]];
+      }
+    }
+    elimination.solve(left_over_, correction_);
+    solution_ += correction_;
   }
 }
 
-void FreeSolver::solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+bool FreeSolver::solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                              Eigen::VectorXd& a, Eigen::VectorXd& lambda) {
   const Eigen::Index n = mechanism_->coordinates();
   ++evaluations_;
   equations_.set_time(time);
   equations_.set_position(q);
-  factor(dynamics_, mass_, time);
+  if (!factor(dynamics_, mass_)) return false;
   Eigen::VectorXd Q = weight_;
   add_applied_forces(*mechanism_, time, q, v, Q);
   equations_.acceleration_right_side(v, gamma_);
   right_ << Q, gamma_;
-  dynamics_.solve(right_, solution_);
+  solve(dynamics_);
   a = solution_.head(n);
   lambda = solution_.tail(solution_.size() - n);
-  if (contacts_.empty()) return;
+  if (contacts_.empty()) return true;
   const auto count = static_cast<Eigen::Index>(contacts_.size());
   Eigen::MatrixXd response(solution_.size(), count);
   Eigen::VectorXd velocity(count);
@@ -119,7 +151,7 @@ void FreeSolver::solve_rates(double time, const Eigen::VectorXd& q, const Eigen:
     const FrictionContact& contact = contacts_[static_cast<std::size_t>(j)];
     unit_friction(contact, q, Q);
     right_ << Q, Eigen::VectorXd::Zero(gamma_.size());
-    dynamics_.solve(right_, solution_);
+    solve(dynamics_);
     response.col(j) = solution_;
     velocity[j] = sliding_velocity_of(contact, q, v);
   }
@@ -127,24 +159,25 @@ void FreeSolver::solve_rates(double time, const Eigen::VectorXd& q, const Eigen:
                                                   response.bottomRows(lambda.size()), velocity);
   a += response.topRows(n) * friction;
   lambda += response.bottomRows(lambda.size()) * friction;
+  return true;
 }
 
-void FreeSolver::project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v) {
+bool FreeSolver::project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v) {
   constexpr int most = 8;
   const Eigen::Index n = mechanism_->coordinates();
   equations_.set_time(time);
   for (int i = 0; i < most; ++i) {
     equations_.set_position(q);
-    factor(projection_, metric_, time);
+    if (!factor(projection_, metric_)) return false;
     const double open = phi_.cwiseProduct(equations_.row_scale()).lpNorm<Eigen::Infinity>();
     if (i > 0 && open < 1e-14) break;
     right_ << Eigen::VectorXd::Zero(n), -phi_;
-    projection_.solve(right_, solution_);
+    solve(projection_);
     q += solution_.head(n);
     if (open < 1e-15) break;
   }
   equations_.set_position(q);
-  factor(projection_, metric_, time);
+  if (!factor(projection_, metric_)) return false;
   equations_.velocity_right_side(gamma_);
   const SparsePattern& own = equations_.pattern();
   for (Eigen::Index r = 0; r < own.rows; ++r) {
@@ -154,8 +187,9 @@ void FreeSolver::project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v) {
     }
   }
   right_ << Eigen::VectorXd::Zero(n), gamma_;
-  projection_.solve(right_, solution_);
+  solve(projection_);
   v += solution_.head(n);
+  return true;
 }
 
 State FreeSolver::state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
@@ -163,7 +197,16 @@ State FreeSolver::state_of(double time, const Eigen::VectorXd& q, const Eigen::V
   state.time = time;
   state.q = q;
   state.v = v;
-  solve_rates(time, q, v, state.a, state.lambda);
+  if (!solve_rates(time, q, v, state.a, state.lambda)) {
+    throw AnalysisError(
+        {"accelerations are not determined: a freedom that no driver moves has no "
+         "mass (give the body a mass and inertia, or drive it), or the mechanism "
+         "stands exactly in a singular position",
+         "mechanism",
+         time,
+         {},
+         {}});
+  }
   state.residual = phi_.cwiseProduct(equations_.row_scale()).lpNorm<Eigen::Infinity>();
   return state;
 }
@@ -188,7 +231,15 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
   }
   Eigen::VectorXd position = assembly.q;
   Eigen::VectorXd velocity = v;
-  project(time, position, velocity);
+  if (!project(time, position, velocity)) {
+    throw AnalysisError(
+        {"the motion starts in a singular position, where velocities cannot be moved "
+         "onto the constraints; start beside it",
+         "mechanism",
+         time,
+         {},
+         {}});
+  }
   return state_of(time, position, velocity);
 }
 
@@ -199,32 +250,57 @@ State FreeSolver::advance(double time, const State& known) {
   Eigen::VectorXd q = known.q;
   Eigen::VectorXd v = known.v;
   Eigen::VectorXd a, lambda;
-  Vector y(static_cast<std::size_t>(2 * n));
-  const auto pack = [&] {
+  const auto pack = [&](Vector& y) {
     Eigen::Map<Eigen::VectorXd>(y.data(), n) = q.cwiseQuotient(scale);
     Eigen::Map<Eigen::VectorXd>(y.data() + n, n) = v.cwiseQuotient(scale);
   };
-  const auto unpack = [&](const Vector& from) {
-    q = Eigen::Map<const Eigen::VectorXd>(from.data(), n).cwiseProduct(scale);
-    v = Eigen::Map<const Eigen::VectorXd>(from.data() + n, n).cwiseProduct(scale);
+  const auto unpack = [&](const Vector& y) {
+    q = Eigen::Map<const Eigen::VectorXd>(y.data(), n).cwiseProduct(scale);
+    v = Eigen::Map<const Eigen::VectorXd>(y.data() + n, n).cwiseProduct(scale);
   };
-  const auto rates = [&](const Vector& at, Vector& rate, double t) {
-    unpack(at);
-    solve_rates(t, q, v, a, lambda);
+  bool solved = true;
+  double pivot = 1.0;  // the smallest of a step's stages
+  const auto rates = [&](const Vector& y, Vector& rate, double t) {
+    unpack(y);
+    solved = solved && solve_rates(t, q, v, a, lambda);
+    if (!solved) {
+      std::fill(rate.begin(), rate.end(), 0.0);
+      return;
+    }
+    pivot = std::min(pivot, dynamics_.smallest_pivot());
     Eigen::Map<Eigen::VectorXd>(rate.data(), n) = v.cwiseQuotient(scale);
     Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = a.cwiseQuotient(scale);
   };
-  namespace odeint = boost::numeric::odeint;
-  auto stepper =
-      odeint::make_controlled(tolerance_, tolerance_, odeint::runge_kutta_fehlberg78<Vector>());
-  pack();
+
+  boost::numeric::odeint::runge_kutta_fehlberg78<Vector> stepper;
+  Vector y(static_cast<std::size_t>(2 * n)), next(y.size()), error(y.size()), rate(y.size());
+  pack(y);
   double t = known.time;
-  double dt = time - t;
-  const double direction = dt < 0.0 ? -1.0 : 1.0;
+  const double direction = time < t ? -1.0 : 1.0;
   const double smallest = 1e-13 * std::max(std::abs(time), std::abs(known.time)) + 1e-300;
+  double dt = time - t;
   while (direction * (time - t) > smallest) {
     dt = direction * std::min(std::abs(dt), std::abs(time - t));
-    if (stepper.try_step(rates, y, t, dt) == odeint::fail) {
+    solved = true;
+    pivot = 1.0;
+    stepper.do_step(rates, y, t, next, dt, error);
+    double size = 0.0;  // of the error, in tolerances
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      size = std::max(size, std::abs(error[i]) / (tolerance_ * (1.0 + std::abs(y[i]))));
+    }
+    if (solved && project_) {
+      unpack(next);
+      solved = project(t + dt, q, v);
+      pack(next);
+    }
+    if (solved) rates(next, rate, t + dt);  // where it ends must be regular as well
+    const double bound =
+        pivot < near_singular ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
+    if (!solved || !(size <= bound)) {
+      // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
+      const double shrink =
+          solved && std::isfinite(size) ? 0.9 * std::pow(bound / size, 1.0 / 8.0) : 0.25;
+      dt *= std::max(0.2, shrink);
       if (std::abs(dt) > smallest) continue;
       throw AnalysisError(
           {"the motion under the applied forces cannot be integrated further: it "
@@ -236,10 +312,9 @@ State FreeSolver::advance(double time, const State& known) {
            {}});
     }
     ++steps_;
-    if (!project_) continue;
-    unpack(y);
-    project(t, q, v);
-    pack();
+    std::swap(y, next);
+    t += dt;
+    dt *= std::min(5.0, 0.9 * std::pow(bound / std::max(size, 1e-9 * bound), 1.0 / 8.0));
   }
   unpack(y);
   return state_of(time, q, v);

@@ -11,6 +11,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/branch.hpp"
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
 
 namespace boxbeam::planar {
@@ -19,7 +20,12 @@ namespace {
 /// A scaled pivot at which no digit of a velocity is left: near a dead point pivots fall with the
 /// root of the distance to it, and the error of velocities grows as round-off over that distance.
 constexpr double no_digit_left = 3e-8;
-constexpr double round_off = 1e-15;  ///< of a coordinate, relative
+/// The same for least squares, whose pivots are the squares of these and end in round-off.
+constexpr double lost_in_squares = 3e-7;
+constexpr double round_off = 1e-15;         ///< of a coordinate, relative
+constexpr double still_closed = 1e-9;       ///< scaled residual of redundant equations that agree
+constexpr double near_change_point = 1e-5;  ///< inverse of the condition next to one
+constexpr double near_dead_point = 1e-6;    ///< a scaled pivot at a start that may be meant as one
 constexpr int other_starts = 256;
 constexpr int deepest_split = 24;  ///< halvings of a time step when a branch is followed
 constexpr double smooth_enough = 0.02;
@@ -102,6 +108,9 @@ InstantSolver::InstantSolver(const Mechanism& mechanism, Elimination elimination
     i += 3;
   }
   change_points_.reserve(16);
+  if (mechanism.equations() > mechanism.coordinates()) {
+    redundant_.emplace(equations_.pattern(), equations_.row_scale(), equations_.col_scale());
+  }
 }
 
 // ---- linear systems -------------------------------------------------------------------------
@@ -152,13 +161,12 @@ void InstantSolver::order_anew() {
     for (const auto& [row, col] : members[b]) cols.push_back(col);
     if (is_odd(cols)) parity_key_ ^= key_of(static_cast<std::uint64_t>(first_col[b]));
   }
-  // Assemblies are comparable only where the same equations take part.
-  for (const int row : sparse_.rows_left()) {
-    parity_key_ ^= key_of(static_cast<std::uint64_t>(row) << 32U);
-  }
 }
 
 bool InstantSolver::factor_at_position() {
+  if (redundant_) {
+    return redundant_->factor(jacobian_) && redundant_->smallest_pivot() > lost_in_squares;
+  }
   if (kind_ == Elimination::dense) {
     dense_matrix_ = equations_.pattern().dense(jacobian_);
     dense_.compute(dense_matrix_);
@@ -174,24 +182,33 @@ bool InstantSolver::factor_at_position() {
   return fits && ordered_ && sparse_.smallest_pivot() > no_digit_left;
 }
 
-void InstantSolver::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  if (kind_ == Elimination::sparse) {
+void InstantSolver::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+  if (redundant_) {
+    redundant_->solve(b, x);
+  } else if (kind_ == Elimination::sparse) {
     sparse_.solve(b, x);
   } else {
     x = dense_.solve(b);
   }
 }
 
-void InstantSolver::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& y) const {
-  if (kind_ == Elimination::sparse) {
+void InstantSolver::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& y) {
+  if (redundant_) {
+    redundant_->solve_transposed(b, y);
+  } else if (kind_ == Elimination::sparse) {
     sparse_.solve_transposed(b, y);
   } else {
     y = dense_.transpose().solve(b);
   }
 }
 
+double InstantSolver::smallest_pivot() const {
+  if (kind_ == Elimination::dense) return 1.0;
+  return redundant_ ? redundant_->smallest_pivot() : sparse_.smallest_pivot();
+}
+
 std::uint64_t InstantSolver::assembly_of_factors() const {
-  if (kind_ == Elimination::dense) return 0;
+  if (redundant_ || kind_ == Elimination::dense) return 0;
   std::uint64_t assembly = parity_key_;
   for (std::size_t k = 0; k < block_key_.size(); ++k) {
     assembly ^= sparse_.pivot(k) < 0.0 ? block_key_[k] : 0U;
@@ -224,7 +241,8 @@ bool InstantSolver::correct(Eigen::VectorXd& q) {
     }
     if (!(step < too_far)) return false;
     q -= step_;
-    const double enough = round_off * size;
+    // Near a dead point a step is never smaller than round-off over the smallest pivot.
+    const double enough = round_off * size * std::max(1.0, 0.01 / smallest_pivot());
     if (step <= enough) break;
     if (iteration > 0) {
       const double rate = step / last;
@@ -270,15 +288,39 @@ bool InstantSolver::complete(State& state) {
   state.v.resize(mechanism_->coordinates());
   state.a.resize(mechanism_->coordinates());
   state.lambda.resize(mechanism_->equations());
+  // Joints that repeat each other here and now may contradict each other elsewhere.
+  if (redundant_ && state.residual > still_closed) return false;
   if (!factor_at_position()) return false;
   equations_.velocity_right_side(right_);
   solve(right_, state.v);
+  if (redundant_ && contradicts(state.v)) return false;
   equations_.acceleration_right_side(state.v, right_);
   solve(right_, state.a);
   solve_multipliers(state);
   state.assembly = assembly_of_factors();
-  state.pivot = sparse_.smallest_pivot();
+  state.pivot = smallest_pivot();
   return true;
+}
+
+bool InstantSolver::contradicts(const Eigen::VectorXd& v) const {
+  // Equations that agree in a position may ask for different velocities.
+  const SparsePattern& pattern = equations_.pattern();
+  double largest = 0.0;
+  double open = 0.0;
+  for (Eigen::Index r = 0; r < pattern.rows; ++r) {
+    double sum = -right_[r];
+    double size = std::abs(right_[r]);
+    for (int e = pattern.row_start[static_cast<std::size_t>(r)];
+         e < pattern.row_start[static_cast<std::size_t>(r) + 1]; ++e) {
+      const auto entry = static_cast<std::size_t>(e);
+      const double part = jacobian_[entry] * v[pattern.col[entry]];
+      sum += part;
+      size += std::abs(part);
+    }
+    open = std::max(open, std::abs(sum) * equations_.row_scale()[r]);
+    largest = std::max(largest, size * equations_.row_scale()[r]);
+  }
+  return open > 1e-7 * largest;
 }
 
 State InstantSolver::solve_at(double time, const Eigen::VectorXd& q) {
@@ -290,7 +332,8 @@ State InstantSolver::solve_at(double time, const Eigen::VectorXd& q) {
   if (!complete(state)) {
     throw AnalysisError(
         {"velocities, accelerations and reactions are not determined: the Jacobian is singular (a "
-         "dead point, or fewer independent joints and drivers than the motion needs)",
+         "dead point, or fewer independent joints and drivers than the motion needs), or joints "
+         "and drivers that repeat each other ask for different motions",
          "mechanism",
          time,
          state.residual,
@@ -305,7 +348,8 @@ Eigen::VectorXd InstantSolver::assemble(double time, const Eigen::VectorXd& star
   // Least squares leave the root of round-off near a dead point: Newton's steps do not.
   Eigen::VectorXd polished = assembly.q;
   equations_.set_time(time);
-  return correct(polished) ? polished : assembly.q;
+  at_dead_point_ = !correct(polished);
+  return at_dead_point_ ? assembly.q : polished;
 }
 
 State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketch) {
@@ -340,8 +384,22 @@ State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketc
   state.time = time;
   state.q = same ? shown : q;
   equations_.set_position(state.q);
-  if (complete(state)) return state;
-  return start_at_change_point(time, state.q);
+  const bool regular = !at_dead_point_ && complete(state);
+  if (regular && state.pivot > near_dead_point) return state;
+  // A sketch of a change point rarely meets it to the last digit.
+  State smooth_start;
+  if (start_at_change_point(time, sketch, smooth_start)) return smooth_start;
+  if (regular) return state;
+  throw AnalysisError(
+      {redundant_
+           ? "the motion does not start: the mechanism stands at a dead point, or joints and "
+             "drivers that repeat each other ask for different motions"
+           : "the mechanism starts at a dead point, where its velocities are not determined; "
+             "begin a little before or behind it (the phase of the driver)",
+       "mechanism",
+       time,
+       {},
+       {}});
 }
 
 // ---- following a branch ---------------------------------------------------------------------
@@ -359,7 +417,8 @@ bool InstantSolver::smooth(const State& from, const State& to, double tolerance)
         std::max(std::abs(moved), std::abs(dt) * std::max(std::abs(from.v[i]), std::abs(to.v[i])));
     change = std::max(change, largest * inverse_scale_[i]);
   }
-  return error <= tolerance * change;
+  // Where few digits are left, positions differ by their round-off.
+  return error <= tolerance * change + 10.0 * round_off / std::min(1.0, to.pivot);
 }
 
 InstantSolver::Outcome InstantSolver::step(double time, const State& known, State& result,
@@ -371,15 +430,10 @@ InstantSolver::Outcome InstantSolver::step(double time, const State& known, Stat
   if (!correct(result.q)) return Outcome::no_convergence;
   if (!complete(result)) return Outcome::singular;
   if (!on_branch(*mechanism_, equations_)) return Outcome::off_branch;
-  if (!crossing && known.assembly != 0 && known.assembly != result.assembly) {
-    // Other equations may take part here than there: compare with the same ones.
-    if (sparse_.rows_left().empty()) return Outcome::other_assembly;
-    equations_.set_time(known.time);
-    equations_.set_position(known.q);
-    equations_.evaluate(phi_, jacobian_);
-    const std::uint64_t here = result.assembly;
-    const bool same = factor_at_position() && assembly_of_factors() == here;
-    if (!same) return Outcome::other_assembly;
+  if (!crossing) {
+    const bool comparable = known.assembly != 0 && result.assembly != 0;
+    if (comparable && known.assembly != result.assembly) return Outcome::other_assembly;
+    if (redundant_ && !on_same_side(known, result)) return Outcome::other_assembly;
   }
   return smooth(known, result, tolerance) ? Outcome::good : Outcome::not_smooth;
 }
@@ -394,7 +448,10 @@ void InstantSolver::solve_near(double time, const State& known, State& result) {
   if (direct == Outcome::good) return;
   State reached = known;
   if (follow(time, known, result, reached, deepest_split) == Outcome::good) return;
-  if (pass_change_point(time, reached.time, known, result)) return;
+  // A near miss of a dead point looks smooth from afar: a change point is singular where it is.
+  const double condition = condition_of(*mechanism_, reached.q);
+  const bool singular = condition == 0.0 || condition * near_change_point > 1.0;
+  if (singular && pass_change_point(time, reached.time, known, result)) return;
   throw AnalysisError(failure_of_motion(*mechanism_, reached, time));
 }
 
@@ -486,32 +543,43 @@ void InstantSolver::interpolate_singular(double time, const State& before, const
   result.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
 }
 
-State InstantSolver::start_at_change_point(double time, const Eigen::VectorXd& q) {
-  // The states a little later and a little earlier on a smooth motion through this position.
+bool InstantSolver::start_at_change_point(double time, const Eigen::VectorXd& sketch,
+                                          State& state) {
+  // The states a little later and a little earlier on a smooth motion through this position. Of two
+  // that cross here, the sketch decides.
   const double h = 1e-3 * time_span_of(*mechanism_).length;
-  Assembler assembler(*mechanism_);
-  for (const Eigen::VectorXd& start : {q, sketch_of(*mechanism_)}) {
-    State later, earlier, result;
-    later.time = time + h;
-    Assembly assembly = assembler.assemble(later.time, start);
-    if (!assembly.closed) continue;
-    equations_.set_time(later.time);
-    if (!correct(assembly.q)) continue;
-    later.q = assembly.q;
-    if (!complete(later) || !on_branch(*mechanism_, later.q)) continue;
-    if (step(time - h, later, earlier, 1e-4, true) != Outcome::good) continue;
-    if (!assembles_around(time, earlier, later)) continue;
-    interpolate_singular(time, earlier, later, result);
-    change_points_.push_back(time);
-    return result;
-  }
-  throw AnalysisError(
-      {"the mechanism starts at a dead point, where its velocities are not determined; begin a "
-       "little before or behind it (the phase of the driver)",
-       "mechanism",
-       time,
-       {},
-       {}});
+  State later, earlier;
+  later.time = time + h;
+  Assembly assembly = Assembler(*mechanism_).assemble(later.time, sketch);
+  if (!assembly.closed) return false;
+  equations_.set_time(later.time);
+  if (!correct(assembly.q)) return false;
+  later.q = unwound(assembly.q, sketch);
+  equations_.set_position(later.q);
+  if (!complete(later) || later.residual > still_closed) return false;
+  if (!on_branch(*mechanism_, later.q)) return false;
+  if (step(time - h, later, earlier, 1e-4, true) != Outcome::good) return false;
+  if (!assembles_around(time, earlier, later)) return false;
+  // A regular position near a dead point is a start like any other.
+  if (step(time, later, state, smooth_enough, false) == Outcome::good) return true;
+  interpolate_singular(time, earlier, later, state);
+  change_points_.push_back(time);
+  return true;
+}
+
+bool InstantSolver::on_same_side(const State& known, const State& result) {
+  // All minors of the Jacobian change their sign together at a change point, and only there; by the
+  // formula of Cauchy and Binet the sum of their products is this determinant.
+  const auto scaled = [&](const State& at) -> Eigen::MatrixXd {
+    equations_.set_time(at.time);
+    equations_.set_position(at.q);
+    equations_.evaluate(phi_, jacobian_);
+    return equations_.row_scale().asDiagonal() * equations_.pattern().dense(jacobian_) *
+           equations_.col_scale().asDiagonal();
+  };
+  const Eigen::MatrixXd before = scaled(known);
+  const Eigen::MatrixXd product = before.transpose() * scaled(result);
+  return Eigen::PartialPivLU<Eigen::MatrixXd>(product).determinant() > 0.0;
 }
 
 }  // namespace boxbeam::planar

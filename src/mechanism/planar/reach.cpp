@@ -185,6 +185,7 @@ Reach find_reach(const Mechanism& mechanism, const Eigen::VectorXd& q,
         if (!curve.correct(next)) break;
         (curve.tangent(next, direction)[last] > 0.0 ? low : high) = middle;
       }
+      if (curve.share_of(next) >= 1.0) return reach;  // the fold lies behind what is wanted
       reach.limited = true;
       reach.q = curve.position_of(next);
       reach.share = curve.share_of(next);

@@ -14,10 +14,13 @@ namespace boxbeam::planar {
 ///     [ J   0  ] [ lambda ] = [ gamma ]
 ///
 /// by a Runge-Kutta method of order 7 with a step chosen by its error (Fehlberg 7(8),
-/// Boost.Odeint), and after every step positions and velocities are projected back onto the
+/// Boost.Odeint). After every step positions and velocities are projected back onto the
 /// constraints, the shortest way with lengths by the mechanism's size, so that nothing drifts.
-/// Constraints that repeat others are left out. Sources: Haug (1989), chapter 7; Fehlberg, NASA TR
-/// R-287 (1968); Eich, SIAM J. Numer. Anal. 30 (1993), for the projection.
+/// Where constraints repeat each other, the smallest multipliers are taken (the system is made
+/// regular by 1e-10 of its scale, and refined). Close to a singular position, where accelerations
+/// lose digits, a step is accepted at an error of 1e-8: smaller steps would only lead deeper into
+/// it. Sources: Haug (1989), chapter 7; Fehlberg, NASA TR R-287 (1968); Eich, SIAM J. Numer. Anal.
+/// 30 (1993), for the projection.
 class FreeSolver {
  public:
   /// `tolerance`: error of a step in scaled coordinates and their rates. `project` false leaves the
@@ -37,11 +40,13 @@ class FreeSolver {
   int evaluations() const { return evaluations_; }
 
  private:
-  /// Factors [W J^T; J 0] at the position that the equations stand at.
-  void factor(SparseElimination& elimination, const Eigen::VectorXd& weight, double time);
-  void solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+  /// Factors [W J^T; J 0] at the position that the equations stand at; false where it is singular.
+  bool factor(SparseElimination& elimination, const Eigen::VectorXd& weight);
+  /// Solves with these factors for the right side at hand.
+  void solve(const SparseElimination& elimination);
+  bool solve_rates(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                    Eigen::VectorXd& a, Eigen::VectorXd& lambda);
-  void project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v);
+  bool project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v);
   State state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
 
   const Mechanism* mechanism_;
@@ -55,7 +60,8 @@ class FreeSolver {
   std::vector<std::uint32_t> source_;  ///< per entry of the pattern: which value of the Jacobian
   std::vector<double> values_, jacobian_;
   SparseElimination dynamics_, projection_;
-  Eigen::VectorXd phi_, gamma_, right_, solution_;
+  bool regularised_ = false;  ///< constraints repeat each other
+  Eigen::VectorXd phi_, gamma_, right_, solution_, correction_, left_over_;
   int steps_ = 0;
   int evaluations_ = 0;
 };

@@ -3,12 +3,14 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
+#include "boxbeam/numerics/least_squares_elimination.hpp"
 
 namespace boxbeam::planar {
 
@@ -40,7 +42,9 @@ enum class Elimination {
 ///
 ///     Phi(q, t) = 0,  J v = -Phi_t,  J a = -(J v)_q v - Phi_tt,  J^T lambda = Q - M a
 ///
-/// Equations that only repeat others are left out, and their multipliers are zero. Holds the
+/// Equations that only repeat others are satisfied with them in the sense of least squares, and the
+/// multipliers are then the smallest that hold the balance: those that are unique are right, the
+/// others are one choice of many (`degrees_of_freedom_of` tells which). Holds the
 /// mechanism and the work space of the solver; following a motion allocates no memory.
 /// Source: Haug (1989), chapters 3, 6 and 7.
 class InstantSolver {
@@ -74,7 +78,9 @@ class InstantSolver {
   const Mechanism& mechanism() const { return *mechanism_; }
   const ConstraintEquations& equations() const { return equations_; }
   /// The elimination in use, after a first solution.
-  const SparseElimination& elimination() const { return sparse_; }
+  const SparseElimination& elimination() const {
+    return redundant_ ? redundant_->elimination() : sparse_;
+  }
   /// How often the order of elimination had to be found anew.
   int reorderings() const { return reorderings_; }
   /// Times of change points passed so far.
@@ -86,15 +92,18 @@ class InstantSolver {
   void order_anew();
   /// Factors the Jacobian at hand; false where it is singular.
   bool factor_at_position();
-  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
-  void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& y) const;
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
+  void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& y);
 
   /// Newton without damping from a good start; leaves the equations at the position.
   bool correct(Eigen::VectorXd& q);
   /// Everything but the position, where the equations stand; false at a singular position.
   bool complete(State& state);
   void solve_multipliers(State& state);
+  double smallest_pivot() const;
   std::uint64_t assembly_of_factors() const;
+  /// Whether redundant equations ask for different velocities.
+  bool contradicts(const Eigen::VectorXd& v) const;
   /// Whether the change of position agrees with the rates of both ends.
   bool smooth(const State& from, const State& to, double tolerance) const;
   /// One step of time, without splitting.
@@ -104,7 +113,9 @@ class InstantSolver {
   bool pass_change_point(double time, double place, const State& known, State& result);
   /// Whether the mechanism can be assembled all around a change point between two states.
   bool assembles_around(double place, const State& before, const State& behind) const;
-  State start_at_change_point(double time, const Eigen::VectorXd& q);
+  bool start_at_change_point(double time, const Eigen::VectorXd& sketch, State& state);
+  /// Whether no change point of redundant equations lies between two positions.
+  bool on_same_side(const State& known, const State& result);
   /// The state at a singular position between two regular ones of a smooth motion.
   void interpolate_singular(double time, const State& before, const State& behind, State& result);
 
@@ -112,10 +123,12 @@ class InstantSolver {
   Elimination kind_;
   ConstraintEquations equations_;
   SparseElimination sparse_;
+  std::optional<LeastSquaresElimination> redundant_;  ///< where equations outnumber coordinates
   Eigen::MatrixXd dense_matrix_;
   Eigen::PartialPivLU<Eigen::MatrixXd> dense_;
   bool ordered_ = false;
   int reorderings_ = 0;
+  bool at_dead_point_ = false;            ///< the last assembly could not be brought to round-off
   std::vector<std::uint64_t> block_key_;  ///< per pivot: the key of its block
   std::uint64_t parity_key_ = 0;          ///< signs of the order of rows and columns
   std::vector<double> change_points_;
