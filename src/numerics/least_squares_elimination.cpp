@@ -42,6 +42,7 @@ LeastSquaresElimination::LeastSquaresElimination(const SparsePattern& pattern,
   pattern_.row_start.push_back(static_cast<int>(pattern_.col.size()));
   right_.resize(rows_ + cols_);
   solution_.resize(rows_ + cols_);
+  correction_.resize(rows_ + cols_);
 }
 
 bool LeastSquaresElimination::factor(const std::vector<double>& values) {
@@ -49,27 +50,55 @@ bool LeastSquaresElimination::factor(const std::vector<double>& values) {
     values_[places_[2 * e]] = values[e];
     values_[places_[2 * e + 1]] = values[e];
   }
-  if (elimination_.pivots() > 0 && elimination_.factor(values_)) return true;
-  const bool regular = elimination_.analyse(pattern_, values_, scale_, scale_) == pattern_.cols;
-  return regular && elimination_.factor(values_);
+  const bool ordered = elimination_.pivots() == static_cast<std::size_t>(pattern_.cols);
+  bool regular = ordered && elimination_.factor(values_);
+  if (!regular) {
+    regular = elimination_.analyse(pattern_, values_, scale_, scale_) == pattern_.cols &&
+              elimination_.factor(values_);
+  }
+  smallest_singular_value_ = 0.0;
+  if (!regular) return false;
+  // x = (A^T R^2 A)^-1 f with an f that no structure of A is likely to be blind to.
+  const auto columns = scale_.tail(cols_);
+  right_.head(rows_).setZero();
+  double size = 0.0;
+  for (Eigen::Index c = 0; c < cols_; ++c) {
+    const double f = std::cos(1.7 * static_cast<double>(c) + 0.3);
+    size += f * f;
+    right_[rows_ + c] = f / columns[c];
+  }
+  elimination_.solve(right_, solution_);
+  const double grown = solution_.tail(cols_).cwiseQuotient(columns).norm();
+  smallest_singular_value_ = std::isfinite(grown) ? std::sqrt(std::sqrt(size) / grown) : 0.0;
+  return true;
+}
+
+void LeastSquaresElimination::solve_refined() {
+  elimination_.solve(right_, solution_);
+  left_over_ = right_;
+  for (Eigen::Index r = 0; r < pattern_.rows; ++r) {
+    const auto row = static_cast<std::size_t>(r);
+    for (int e = pattern_.row_start[row]; e < pattern_.row_start[row + 1]; ++e) {
+      const auto entry = static_cast<std::size_t>(e);
+      left_over_[r] -= values_[entry] * solution_[pattern_.col[entry]];
+    }
+  }
+  elimination_.solve(left_over_, correction_);
+  solution_ += correction_;
 }
 
 void LeastSquaresElimination::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   right_.head(rows_) = b;
   right_.tail(cols_).setZero();
-  elimination_.solve(right_, solution_);
+  solve_refined();
   x = solution_.tail(cols_);
 }
 
 void LeastSquaresElimination::solve_transposed(const Eigen::VectorXd& f, Eigen::VectorXd& y) {
   right_.head(rows_).setZero();
   right_.tail(cols_) = f;
-  elimination_.solve(right_, solution_);
+  solve_refined();
   y = solution_.head(rows_);
-}
-
-double LeastSquaresElimination::smallest_pivot() const {
-  return std::sqrt(elimination_.smallest_pivot());
 }
 
 }  // namespace boxbeam

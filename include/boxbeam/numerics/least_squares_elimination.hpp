@@ -30,19 +30,24 @@ class LeastSquaresElimination {
   /// The shortest y with A^T y = f.
   void solve_transposed(const Eigen::VectorXd& f, Eigen::VectorXd& y);
 
-  /// The root of the smallest pivot of the scaled system: falls as the smallest singular value of
-  /// A.
-  double smallest_pivot() const;
+  /// An estimate, within a small factor, of the smallest singular value of the scaled A, by one
+  /// step of inverse iteration on A^T A.
+  double smallest_singular_value() const { return smallest_singular_value_; }
   const SparseElimination& elimination() const { return elimination_; }
 
  private:
+  /// Solves for the right side at hand and refines once: so the error grows with the condition of A
+  /// and not with its square.
+  void solve_refined();
+
   SparsePattern pattern_;
   Eigen::Index rows_, cols_;
   std::vector<double> values_;
   std::vector<std::uint32_t> places_;  ///< two of each entry of A
   Eigen::VectorXd scale_;
   SparseElimination elimination_;
-  Eigen::VectorXd right_, solution_;
+  Eigen::VectorXd right_, solution_, left_over_, correction_;
+  double smallest_singular_value_ = 0.0;
 };
 
 }  // namespace boxbeam

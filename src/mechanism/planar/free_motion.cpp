@@ -95,7 +95,8 @@ bool FreeSolver::factor(SparseElimination& elimination, const Eigen::VectorXd& w
     }
   };
   fill();
-  if (elimination.pivots() > 0 && elimination.factor(values_)) return true;
+  const bool ordered = elimination.pivots() == static_cast<std::size_t>(pattern_.cols);
+  if (ordered && elimination.factor(values_)) return true;
   if (elimination.analyse(pattern_, values_, scale_, scale_) == pattern_.cols) {
     return elimination.factor(values_);
   }

@@ -19,8 +19,8 @@ namespace {
 
 /// A scaled pivot at which no digit of a velocity is left: near a dead point pivots fall with the
 /// root of the distance to it, and the error of velocities grows as round-off over that distance.
-constexpr double no_digit_left = 3e-8;
-/// The same for least squares, whose pivots are the squares of these and end in round-off.
+constexpr double no_digit_left = 1e-7;
+/// The same for the smallest singular value of least squares, whose square ends in round-off.
 constexpr double lost_in_squares = 3e-7;
 constexpr double round_off = 1e-15;         ///< of a coordinate, relative
 constexpr double still_closed = 1e-9;       ///< scaled residual of redundant equations that agree
@@ -165,7 +165,7 @@ void InstantSolver::order_anew() {
 
 bool InstantSolver::factor_at_position() {
   if (redundant_) {
-    return redundant_->factor(jacobian_) && redundant_->smallest_pivot() > lost_in_squares;
+    return redundant_->factor(jacobian_) && redundant_->smallest_singular_value() > lost_in_squares;
   }
   if (kind_ == Elimination::dense) {
     dense_matrix_ = equations_.pattern().dense(jacobian_);
@@ -204,7 +204,7 @@ void InstantSolver::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& 
 
 double InstantSolver::smallest_pivot() const {
   if (kind_ == Elimination::dense) return 1.0;
-  return redundant_ ? redundant_->smallest_pivot() : sparse_.smallest_pivot();
+  return redundant_ ? redundant_->smallest_singular_value() : sparse_.smallest_pivot();
 }
 
 std::uint64_t InstantSolver::assembly_of_factors() const {
@@ -246,9 +246,9 @@ bool InstantSolver::correct(Eigen::VectorXd& q) {
     if (step <= enough) break;
     if (iteration > 0) {
       const double rate = step / last;
-      if (rate > 0.25 && step > 1e4 * enough) return false;  // this is no neighbour
+      if (rate > 0.25 && step > 1e2 * enough) return false;  // this is no neighbour
       // Converging as fast as measured, the next step is round-off; or this one was.
-      if (step * rate <= enough || (rate > 0.25 && step <= 1e4 * enough)) break;
+      if (step * rate <= enough || (rate > 0.25 && step <= 1e2 * enough)) break;
       renew = rate > 1e-3;
     } else {
       renew = step > 1e-3;
@@ -433,7 +433,8 @@ InstantSolver::Outcome InstantSolver::step(double time, const State& known, Stat
   if (!crossing) {
     const bool comparable = known.assembly != 0 && result.assembly != 0;
     if (comparable && known.assembly != result.assembly) return Outcome::other_assembly;
-    if (redundant_ && !on_same_side(known, result)) return Outcome::other_assembly;
+    const bool comparable_minors = redundant_ && known.pivot > 0.0;
+    if (comparable_minors && !on_same_side(known, result)) return Outcome::other_assembly;
   }
   return smooth(known, result, tolerance) ? Outcome::good : Outcome::not_smooth;
 }
