@@ -9,7 +9,7 @@ set key noenhanced samplen 2.5 spacing 1.2
 set title 'Normal stress over the cycle at the places with the largest ranges: sledge-rig' noenhanced
 set xlabel 't [s]'
 set ylabel 'sigma [MPa]'
-set xrange [0:1.428571429e+00]
+set xrange [0.000000000e+00:1.428571429e+00]
 set key outside bottom center horizontal
 $h0 << e
 0.000000000e+00 -1.738181516e-01
