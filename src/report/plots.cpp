@@ -79,7 +79,7 @@ void draw_outline(Gnuplot& gp, const Project& project, const Verification& verif
   double tallest = 0.0;
   for (const Row2& row : outline) tallest = std::max(tallest, std::get<1>(row));
   gp << "set ylabel 'beam z [mm]'\nset yrange [" << -1.6 * tallest << ":" << 1.9 * tallest << "]\n"
-     << "set ytics " << (tallest > 300 ? 500 : 100) << "\n";
+     << "set ytics " << (tallest > 300 ? "500" : (tallest > 100 ? "100" : "autofreq")) << "\n";
   int label = 0;
   for (const BeamPoint& point : project.beam.points) {
     gp << "set label " << ++label << " " << quoted(point.name) << " at " << point.s.value() << ","
@@ -283,7 +283,8 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
   const int height = tall ? 720 : std::clamp(static_cast<int>(820.0 * aspect), 160, 720) + 110;
   begin(gp, "mechanism", tall ? width * count : width, tall ? 860 : 60 + height * count);
   gp << "set multiplot layout " << (tall ? 1 : count) << "," << (tall ? count : 1) << " title "
-     << quoted("Mechanism at its critical instants, joint forces on the beam; grey: t = 0")
+     << quoted("Mechanism at its critical instants, forces on the beam; grey: " +
+               time_label(verification.postures.front().time))
      << " noenhanced\n"
      << "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nunset key\n"
      << "set xrange [" << extent.low.x() - 1.7 * reach << ":" << extent.high.x() + 1.7 * reach

@@ -38,7 +38,7 @@ bool jumps_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
     if (beam.segments[i].end() == s && !(beam.segments[i].to == beam.segments[i + 1].from))
       return true;
   }
-  for (const PointLoad& load : loads.loads_at(Time{}).points) {
+  for (const PointLoad& load : loads.loads_at(loads.begin()).points) {
     if (load.s == s) return true;
   }
   return false;

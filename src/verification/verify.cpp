@@ -209,7 +209,7 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
 void describe_instants(const Project& project, const planar::Motion& motion,
                        const LoadHistory& loads, Verification& result) {
   planar::StateFinder finder(project.mechanism, motion);
-  result.postures.push_back(posture_figure(project, motion.states.front(), "t = 0"));
+  result.postures.push_back(posture_figure(project, motion.states.front(), "beginning"));
   for (const auto& [time, why] : instants_to_show(result)) {
     const planar::State state = finder.at(time.value());
     result.lines.push_back(cut_force_line(loads, time, why));

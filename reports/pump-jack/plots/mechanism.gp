@@ -6,7 +6,7 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 2,1 title 'Mechanism at its critical instants, joint forces on the beam; grey: t = 0' noenhanced
+set multiplot layout 2,1 title 'Mechanism at its critical instants, forces on the beam; grey: t = 0.0000 s' noenhanced
 set size ratio -1
 set xlabel 'x [m]'
 set ylabel 'y [m]'

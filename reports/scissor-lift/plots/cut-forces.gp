@@ -26,7 +26,7 @@ $outline << e
 e
 set ylabel 'beam z [mm]'
 set yrange [-1.360000000e+02:1.615000000e+02]
-set ytics 100
+set ytics autofreq
 set label 1 'A' at 0.000000000e+00,1.062500000e+02 center noenhanced
 set arrow 1 from 0.000000000e+00,9.775000000e+01 to 0.000000000e+00,-9.775000000e+01 nohead lc rgb '#909090' dt 3
 set label 2 'P' at 1.050000000e+00,1.062500000e+02 center noenhanced

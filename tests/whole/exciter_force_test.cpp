@@ -1,0 +1,124 @@
+// A case whose exciter is a force: integrated, verified, against the closed form of the oscillator.
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "catch.hpp"
+#include "support/program.hpp"
+
+using Json = nlohmann::json;
+
+namespace {
+
+/// A uniform box beam of 2 m, carried in its middle by a spring and a damper and shaken there by a
+/// harmonic force; it moves up and down only.
+const char* const shaken_beam = R"(
+[case]
+name = "shaken-beam"
+kind = "planar"
+
+[mechanism]
+gravity = ["0 m/s^2", "0 m/s^2"]
+
+[motion]
+settle = "8 s"
+duration = "0.4 s"
+
+[bodies.beam]
+points = { S = ["1 m", "0 m"] }
+sketch = { at = ["-1 m", "0 m"], angle = "0 deg" }
+
+[joints.guide]
+kind = "slider"
+point = "beam.S"
+through = ["0 m", "0 m"]
+direction = "90 deg"
+
+[forces.mount]
+kind = "spring"
+connect = ["beam.S", "ground"]
+at = ["0 m", "-1 m"]
+stiffness = "200 kN/m"
+free_length = "1 m"
+damping = "2 kN s/m"
+
+[forces.exciter]
+kind = "force"
+point = "beam.S"
+direction = "90 deg"
+law = { kind = "harmonic", mean = "0 N", amplitude = "3 kN", frequency = "5 Hz" }
+
+[sections.box]
+kind = "box"
+width = "100 mm"
+height = "100 mm"
+flange = "10 mm"
+web = "10 mm"
+
+[beam]
+body = "beam"
+density = "7850 kg/m^3"
+
+[[beam.segments]]
+name = "all"
+length = "2 m"
+section = "box"
+
+[material]
+steel = "S355"
+
+[strength]
+required = 1.5
+
+[fatigue]
+category = 71
+cycles = 1e7
+loading = "spectrum"
+gamma_Ff = 1.0
+gamma_Mf = 1.35
+required = 1.0
+)";
+
+}  // namespace
+
+TEST_CASE("an exciter's force instead of its motion: amplitude, stress and range by hand") {
+  // Steady state of m x'' + c x' + k x = F sin(omega t): amplitude F/sqrt((k - m omega^2)^2 +
+  // (c omega)^2); after 8 s the start has decayed by exp(-c t/(2 m)) < 1e-60. In the middle each
+  // half of the beam is a cantilever under its own inertia: M = (m/2) a (1 m/2), sigma = M/W.
+  const double area = 0.1 * 0.1 - 0.08 * 0.08;
+  const double mass = 7850.0 * area * 2.0;
+  const double omega = 2.0 * std::numbers::pi * 5.0;
+  const double amplitude = 3000.0 / std::hypot(200e3 - mass * omega * omega, 2000.0 * omega);
+  const double W = (std::pow(0.1, 4) - std::pow(0.08, 4)) / 12.0 / 0.05;
+  const double sigma = 0.5 * mass * amplitude * omega * omega * 0.5 / W;
+
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("shaken.toml", shaken_beam);
+  const test::ProgramResult result = test::run_program(
+      {"verify", path, "--json", "-", "--no-plots", "--out", (folder.path() / "out").string()});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  const Json document = Json::parse(result.out);
+  const Json& fatigue = document["governing"]["fatigue"];
+  CHECK(fatigue["station"].get<double>() == Approx(1.0));
+  CHECK(fatigue["acting"].get<double>() == Approx(2.0 * sigma).epsilon(1e-6));
+  CHECK(document["governing"]["yield"]["acting"].get<double>() == Approx(sigma).epsilon(1e-6));
+
+  // Phase: tan = c omega/(k - m omega^2) behind the force.
+  const double phase = std::atan2(2000.0 * omega, 200e3 - mass * omega * omega);
+  const test::ProgramResult motion =
+      test::run_program({"motion", path, "--at", "8.05", "--json", "-"});
+  REQUIRE(motion.exit_code == 0);
+  const Json state = Json::parse(motion.out)["states"][0];
+  CHECK(state["bodies"]["beam"]["y"].get<double>() ==
+        Approx(amplitude * std::sin(omega * 8.05 - phase)).epsilon(1e-8));
+}
+
+TEST_CASE("what lasts no longer than asked for is not shown beyond") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("shaken.toml", shaken_beam);
+  const test::ProgramResult motion = test::run_program({"motion", path, "--at", "9"});
+  CHECK(motion.exit_code == 3);
+  CHECK(motion.err.find("the motion lasts from 8 s to 8.4 s") != std::string::npos);
+}
