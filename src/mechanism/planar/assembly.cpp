@@ -44,15 +44,6 @@ double reach_of(const Mechanism& mechanism) {
   return beside > 0.0 ? beside : 1.0;
 }
 
-double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size) {
-  double largest = 0.0;
-  for (Eigen::Index i = 0; i < a.size(); ++i) {
-    const double difference = i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
-    largest = std::max(largest, std::abs(difference));
-  }
-  return largest;
-}
-
 }  // namespace
 
 Assembler::Assembler(const Mechanism& mechanism)
@@ -175,6 +166,15 @@ Assembly Assembler::search(const Eigen::VectorXd& start) {
   return result;
 }
 
+double distance_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size) {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    const double difference = i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
+    largest = std::max(largest, std::abs(difference));
+  }
+  return largest;
+}
+
 Eigen::VectorXd other_start(const Mechanism& mechanism, const Eigen::VectorXd& sketch, int index) {
   const double reach = reach_of(mechanism);
   Eigen::VectorXd start = sketch;
@@ -204,7 +204,7 @@ std::vector<Eigen::VectorXd> list_assemblies(const Mechanism& mechanism, double 
         assembler.assemble(time, i == 0 ? sketch : other_start(mechanism, sketch, i));
     if (!assembly.closed) continue;
     const bool known = std::any_of(found.begin(), found.end(), [&](const Eigen::VectorXd& other) {
-      return largest_difference(assembly.q, other, size) < 1e-6;
+      return distance_between(assembly.q, other, size) < 1e-6;
     });
     if (!known) found.push_back(unwound(assembly.q, sketch));
   }

@@ -13,22 +13,13 @@
 #include "boxbeam/mechanism/planar/branch.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
+#include "solver_limits.hpp"
 
 namespace boxbeam::planar {
-namespace {
 
-/// A scaled pivot at which no digit of a velocity is left: near a dead point pivots fall with the
-/// root of the distance to it, and the error of velocities grows as round-off over that distance.
-constexpr double no_digit_left = 1e-7;
-/// The same for the smallest singular value of least squares, whose square ends in round-off.
-constexpr double lost_in_squares = 3e-7;
-constexpr double round_off = 1e-15;         ///< of a coordinate, relative
-constexpr double still_closed = 1e-9;       ///< scaled residual of redundant equations that agree
-constexpr double near_change_point = 1e-5;  ///< inverse of the condition next to one
-constexpr double near_dead_point = 1e-6;    ///< a scaled pivot at a start that may be meant as one
-constexpr int other_starts = 256;
-constexpr int deepest_split = 24;  ///< halvings of a time step when a branch is followed
-constexpr double smooth_enough = 0.02;
+using namespace limits;
+
+namespace {
 
 /// A fixed sequence of keys without pattern. Source: Steele, Lea, Flood, Fast Splittable
 /// Pseudorandom Number Generators (2014).
@@ -54,28 +45,6 @@ bool is_odd(const std::vector<int>& order) {
     }
   }
   return odd;
-}
-
-/// Between two states of a smooth motion: the polynomial of fifth degree that has the positions,
-/// velocities and accelerations of both.
-State interpolate(double time, const State& before, const State& behind) {
-  const double h = behind.time - before.time;
-  const double u = (time - before.time) / h;
-  // In powers of u: q0 + v0 u + a0 u^2/2 + c3 u^3 + c4 u^4 + c5 u^5, times scaled by h.
-  const Eigen::VectorXd v0 = h * before.v;
-  const Eigen::VectorXd a0 = h * h * before.a;
-  const Eigen::VectorXd q1 = behind.q - before.q - v0 - 0.5 * a0;
-  const Eigen::VectorXd v1 = h * behind.v - v0 - a0;
-  const Eigen::VectorXd a1 = h * h * behind.a - a0;
-  const Eigen::VectorXd c3 = 10.0 * q1 - 4.0 * v1 + 0.5 * a1;
-  const Eigen::VectorXd c4 = -15.0 * q1 + 7.0 * v1 - a1;
-  const Eigen::VectorXd c5 = 6.0 * q1 - 3.0 * v1 + 0.5 * a1;
-  State state;
-  state.time = time;
-  state.q = before.q + u * (v0 + u * (0.5 * a0 + u * (c3 + u * (c4 + u * c5))));
-  state.v = (v0 + u * (a0 + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)))) / h;
-  state.a = (a0 + u * (6.0 * c3 + u * (12.0 * c4 + u * 20.0 * c5))) / (h * h);
-  return state;
 }
 
 }  // namespace
@@ -400,187 +369,6 @@ State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketc
        time,
        {},
        {}});
-}
-
-// ---- following a branch ---------------------------------------------------------------------
-
-bool InstantSolver::smooth(const State& from, const State& to, double tolerance) const {
-  // Source of the rule: Hermite's quadrature, exact for polynomials of the third degree.
-  const double dt = to.time - from.time;
-  double error = 0.0;
-  double change = 1e-9;
-  for (Eigen::Index i = 0; i < to.q.size(); ++i) {
-    const double moved = to.q[i] - from.q[i];
-    const double by_rates = dt * (0.5 * (from.v[i] + to.v[i]) + dt / 12.0 * (from.a[i] - to.a[i]));
-    error = std::max(error, std::abs(moved - by_rates) * inverse_scale_[i]);
-    const double largest =
-        std::max(std::abs(moved), std::abs(dt) * std::max(std::abs(from.v[i]), std::abs(to.v[i])));
-    change = std::max(change, largest * inverse_scale_[i]);
-  }
-  // Where few digits are left, positions differ by their round-off.
-  return error <= tolerance * change + 10.0 * round_off / std::min(1.0, to.pivot);
-}
-
-InstantSolver::Outcome InstantSolver::step(double time, const State& known, State& result,
-                                           double tolerance, bool crossing) {
-  const double dt = time - known.time;
-  equations_.set_time(time);
-  result.time = time;
-  result.q = known.q + dt * (known.v + 0.5 * dt * known.a);
-  if (!correct(result.q)) return Outcome::no_convergence;
-  if (!complete(result)) return Outcome::singular;
-  if (!on_branch(*mechanism_, equations_)) return Outcome::off_branch;
-  if (!crossing) {
-    const bool comparable = known.assembly != 0 && result.assembly != 0;
-    if (comparable && known.assembly != result.assembly) return Outcome::other_assembly;
-    const bool comparable_minors = redundant_ && known.pivot > 0.0;
-    if (comparable_minors && !on_same_side(known, result)) return Outcome::other_assembly;
-  }
-  return smooth(known, result, tolerance) ? Outcome::good : Outcome::not_smooth;
-}
-
-void InstantSolver::solve_near(double time, const State& known, State& result) {
-  // At the known instant itself only the mechanism's masses can differ: the position holds.
-  if (time == known.time) {
-    result = solve_at(time, known.q);
-    return;
-  }
-  const Outcome direct = step(time, known, result, smooth_enough, false);
-  if (direct == Outcome::good) return;
-  State reached = known;
-  if (follow(time, known, result, reached, deepest_split) == Outcome::good) return;
-  // A near miss of a dead point looks smooth from afar: a change point is singular where it is.
-  const double condition = condition_of(*mechanism_, reached.q);
-  const bool singular = condition == 0.0 || condition * near_change_point > 1.0;
-  if (singular && pass_change_point(time, reached.time, known, result)) return;
-  throw AnalysisError(failure_of_motion(*mechanism_, reached, time));
-}
-
-State InstantSolver::solve_near(double time, const State& known) {
-  State result;
-  solve_near(time, known, result);
-  return result;
-}
-
-InstantSolver::Outcome InstantSolver::follow(double time, const State& known, State& result,
-                                             State& reached, int splits) {
-  const Outcome direct = step(time, known, result, smooth_enough, false);
-  if (direct == Outcome::good) {
-    reached = result;
-    return direct;
-  }
-  if (splits == 0) return direct;
-  State middle;
-  const Outcome half =
-      follow(known.time + 0.5 * (time - known.time), known, middle, reached, splits - 1);
-  if (half != Outcome::good) return half;
-  return follow(time, middle, result, reached, splits - 1);
-}
-
-bool InstantSolver::pass_change_point(double time, double place, const State& known,
-                                      State& result) {
-  // A step over the place where the Jacobian is singular, from far enough before it to far enough
-  // behind it: on the smooth branch the rule of Hermite holds to a high order, on the other one
-  // velocities jump.
-  constexpr double smooth_branch = 1e-4;
-  const double dt = time - known.time;
-  State beyond;
-  for (const double share : {1.0, 1.5, 2.0, 3.0}) {
-    const double target = known.time + share * dt;
-    if (step(target, known, beyond, smooth_branch, true) != Outcome::good) continue;
-    if (!assembles_around(place, known, beyond)) return false;
-    change_points_.push_back(place);
-    if (share == 1.0) {
-      result = beyond;
-    } else if (step(time, beyond, result, smooth_branch, true) != Outcome::good) {
-      interpolate_singular(time, known, beyond, result);
-    }
-    return true;
-  }
-  return false;
-}
-
-bool InstantSolver::assembles_around(double place, const State& before, const State& behind) const {
-  // Where a driver leads out of reach and back, there is nothing to pass over: then the mechanism
-  // cannot be assembled somewhere in between.
-  Assembler assembler(*mechanism_);
-  const double width = behind.time - before.time;
-  for (int k = 3; k <= 24; k += 3) {
-    for (const double sign : {-1.0, 1.0}) {
-      const double time = place + sign * width * std::ldexp(1.0, -k);
-      const double inside = (time - before.time) / width;
-      if (inside <= 0.0 || inside >= 1.0) continue;
-      if (!assembler.assemble(time, interpolate(time, before, behind).q).closed) return false;
-    }
-  }
-  return true;
-}
-
-void InstantSolver::interpolate_singular(double time, const State& before, const State& behind,
-                                         State& result) {
-  result = interpolate(time, before, behind);
-  equations_.set_time(time);
-  equations_.set_position(result.q);
-  equations_.evaluate(phi_);
-  result.residual = phi_.cwiseProduct(equations_.row_scale()).lpNorm<Eigen::Infinity>();
-  result.assembly = 0;
-  // At a change point nothing but inertia leads the mechanism across: unless it asks for no force,
-  // reactions grow without bound towards it.
-  State nearer;
-  const double half_way = 0.5 * (time + before.time);
-  const bool known = step(half_way, before, nearer, smooth_enough, true) == Outcome::good;
-  const double far = before.lambda.lpNorm<Eigen::Infinity>();
-  if (!known || nearer.lambda.lpNorm<Eigen::Infinity>() > 1.5 * far + 1e-12) {
-    throw AnalysisError(
-        {"reactions grow without bound: at a change point the mechanism can go over to another "
-         "branch, and only inertia keeps it on this one; guide it (a second crank, a gear), or ask "
-         "for an instant beside it",
-         "mechanism",
-         time,
-         {},
-         {}});
-  }
-  const double share = (time - before.time) / (behind.time - before.time);
-  result.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
-}
-
-bool InstantSolver::start_at_change_point(double time, const Eigen::VectorXd& sketch,
-                                          State& state) {
-  // The states a little later and a little earlier on a smooth motion through this position. Of two
-  // that cross here, the sketch decides.
-  const double h = 1e-3 * time_span_of(*mechanism_).length;
-  State later, earlier;
-  later.time = time + h;
-  Assembly assembly = Assembler(*mechanism_).assemble(later.time, sketch);
-  if (!assembly.closed) return false;
-  equations_.set_time(later.time);
-  if (!correct(assembly.q)) return false;
-  later.q = unwound(assembly.q, sketch);
-  equations_.set_position(later.q);
-  if (!complete(later) || later.residual > still_closed) return false;
-  if (!on_branch(*mechanism_, later.q)) return false;
-  if (step(time - h, later, earlier, 1e-4, true) != Outcome::good) return false;
-  if (!assembles_around(time, earlier, later)) return false;
-  // A regular position near a dead point is a start like any other.
-  if (step(time, later, state, smooth_enough, false) == Outcome::good) return true;
-  interpolate_singular(time, earlier, later, state);
-  change_points_.push_back(time);
-  return true;
-}
-
-bool InstantSolver::on_same_side(const State& known, const State& result) {
-  // All minors of the Jacobian change their sign together at a change point, and only there; by the
-  // formula of Cauchy and Binet the sum of their products is this determinant.
-  const auto scaled = [&](const State& at) -> Eigen::MatrixXd {
-    equations_.set_time(at.time);
-    equations_.set_position(at.q);
-    equations_.evaluate(phi_, jacobian_);
-    return equations_.row_scale().asDiagonal() * equations_.pattern().dense(jacobian_) *
-           equations_.col_scale().asDiagonal();
-  };
-  const Eigen::MatrixXd before = scaled(known);
-  const Eigen::MatrixXd product = before.transpose() * scaled(result);
-  return Eigen::PartialPivLU<Eigen::MatrixXd>(product).determinant() > 0.0;
 }
 
 }  // namespace boxbeam::planar

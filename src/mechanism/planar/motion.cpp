@@ -15,16 +15,6 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
-/// Largest difference of two positions, lengths by the mechanism's size; whole turns are none.
-double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size) {
-  double largest = 0.0;
-  for (Eigen::Index i = 0; i < a.size(); ++i) {
-    const double difference = i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
-    largest = std::max(largest, std::abs(difference));
-  }
-  return largest;
-}
-
 /// What no driver moves, where the first position is regular or nothing moves it at all.
 DegreesOfFreedom freedom_at_start(const Mechanism& mechanism) {
   Assembler assembler(mechanism);
@@ -165,7 +155,7 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
   motion.change_points = solver.change_points();
   if (!motion.closed) return motion;
   // An odd number of change points, or a gear that needs more turns, leads elsewhere.
-  const double open = largest_difference(motion.end.q, motion.states.front().q, size_of(mechanism));
+  const double open = distance_between(motion.end.q, motion.states.front().q, size_of(mechanism));
   if (open < 1e-6) return motion;
   if (mechanism.duration.length > 0.0) {
     motion.closed = false;

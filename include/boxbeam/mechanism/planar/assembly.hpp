@@ -52,6 +52,9 @@ class Assembler {
 /// all bodies together.
 Eigen::VectorXd other_start(const Mechanism& mechanism, const Eigen::VectorXd& sketch, int index);
 
+/// Largest difference of two positions, lengths by `size`; whole turns are none.
+double distance_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size);
+
 /// Angles to the turn of a reference: they are only defined up to whole turns.
 Eigen::VectorXd unwound(Eigen::VectorXd q, const Eigen::VectorXd& reference);
 
