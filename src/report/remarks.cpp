@@ -122,6 +122,12 @@ void add_motion(const Project& project, const Verification& verification,
         "depend strongly on lengths and on the driver",
         std::floor(verification.digits.left), text::seconds(verification.digits.time.value())));
   }
+  if (project.mechanism.duration.length > 0.0) {
+    remarks.push_back(
+        fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "
+                    "looked at, {}",
+                    project.fatigue.demand.periods, text::seconds(verification.period.value())));
+  }
   if (!verification.closed) {
     remarks.push_back(
         "the motion does not repeat by itself: ranges are those of the time looked at, taken as "

@@ -61,8 +61,10 @@ double imbalance_over(const Project& project, const LoadHistory& loads) {
   for (std::size_t i = 0; i < loads.instants(); i += loads.instants() / 16) {
     const Time time = loads.time_of(i);
     const BeamLoads at = loads.loads_at(time);
-    double largest = 0.0;
+    double largest =
+        mass_properties_of(project.beam).mass.value() * project.mechanism.gravity.norm();
     for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
+    if (largest == 0.0) continue;
     const Imbalance open = imbalance_of(project.beam, at);
     const double relative =
         (open.force.norm() + open.moment.norm() / project.beam.length().value()) / largest;

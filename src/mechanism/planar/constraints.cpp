@@ -25,8 +25,8 @@ Eigen::Vector2d normal_of(double direction) { return {-std::sin(direction), std:
 }  // namespace
 
 Eigen::Vector2d position_of(const Attachment& point, const Eigen::VectorXd& q) {
+  if (point.body == ground) return point.p;
   const Eigen::Vector2d arm = arm_of(point, q);
-  if (point.body == ground) return arm;
   return q.segment<2>(3 * point.body) + arm;
 }
 

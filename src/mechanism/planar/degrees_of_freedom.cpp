@@ -86,11 +86,18 @@ DegreesOfFreedom degrees_of_freedom_of(const Mechanism& mechanism, const Eigen::
   const auto coordinates = static_cast<int>(mechanism.coordinates());
   result.gruebler = coordinates - static_cast<int>(of_joints.size());
   const Eigen::MatrixXd joints_only = jacobian(of_joints, Eigen::all);
-  result.by_rank =
-      coordinates -
-      static_cast<int>(
-          rank_of(Eigen::JacobiSVD<Eigen::MatrixXd>(joints_only).singularValues()).rank);
+  result.by_rank = coordinates;
+  if (!of_joints.empty())
+    result.by_rank -= static_cast<int>(
+        rank_of(Eigen::JacobiSVD<Eigen::MatrixXd>(joints_only).singularValues()).rank);
 
+  if (owner.empty()) {  // bodies that nothing holds
+    result.undriven = coordinates;
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+      result.moving.push_back(static_cast<int>(i));
+    }
+    return result;
+  }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd& values = svd.singularValues();
   const Rank rank = rank_of(values);
@@ -130,6 +137,7 @@ bool is_unique(const Mechanism& mechanism, const DegreesOfFreedom& freedom, int 
 }
 
 double condition_of(const Mechanism& mechanism, const Eigen::VectorXd& q) {
+  if (mechanism.equations() == 0) return 0.0;
   const Eigen::VectorXd values =
       Eigen::JacobiSVD<Eigen::MatrixXd>(scaled_jacobian(mechanism, q)).singularValues();
   const Eigen::Index rank = rank_of(values).rank;

@@ -179,6 +179,12 @@ bool FreeSolver::project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v) {
   }
   equations_.set_position(q);
   if (!factor(projection_, metric_)) return false;
+  // Joints that repeat each other at the start may contradict each other later.
+  constexpr double still_closed = 1e-9;
+  if (phi_.size() > 0 &&
+      phi_.cwiseProduct(equations_.row_scale()).lpNorm<Eigen::Infinity>() > still_closed) {
+    return false;
+  }
   equations_.velocity_right_side(gamma_);
   const SparsePattern& own = equations_.pattern();
   for (Eigen::Index r = 0; r < own.rows; ++r) {

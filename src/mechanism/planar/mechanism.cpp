@@ -119,12 +119,14 @@ TimeSpan time_span_of(const Mechanism& mechanism) {
   TimeSpan span;
   std::vector<double> omegas;
   double end = 0.0;
+  bool endless = false;
   const auto take = [&](const Driver& driver, bool turning) {
     const DriverTiming timing = timing_of(driver, turning);
     omegas.insert(omegas.end(), timing.omegas.begin(), timing.omegas.end());
     span.closed = span.closed && timing.repeats;
     span.highest_omega = std::max(span.highest_omega, timing.highest_omega);
     end = std::max(end, timing.end);
+    endless = endless || (!timing.repeats && timing.end <= 0.0);
   };
   for (const Joint& joint : mechanism.joints) {
     const auto* driven = std::get_if<Driven>(&joint.kind);
@@ -143,13 +145,14 @@ TimeSpan time_span_of(const Mechanism& mechanism) {
     span.closed = span.closed && std::abs(periods - std::round(periods)) < 1e-9 * periods;
   } else if (span.closed && period) {
     span.length = *period;
-  } else if (!span.closed && end > 0.0) {
+  } else if (!span.closed && end > 0.0 && omegas.empty() && !endless) {
     span.length = end - span.begin;
   }
   if (!(span.length > 0.0)) {
     throw AnalysisError(
-        {"it is not known how long the motion lasts: drivers and forces have no "
-         "common period; give [motion] duration",
+        {"it is not known how long the motion lasts: drivers and forces have no common period "
+         "(within "
+         "1000 cycles of the fastest), or some repeat and others end; give [motion] duration",
          "mechanism",
          {},
          {},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
@@ -47,6 +48,42 @@ std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
        {}});
 }
 
+/// Multipliers that are unique now may be shared elsewhere: unique is what is so all along.
+void judge_uniqueness(const Mechanism& mechanism, Motion& motion) {
+  if (motion.freedom.redundant == 0) return;
+  constexpr std::size_t looks = 16;
+  const std::size_t count = motion.states.size();
+  for (std::size_t i = 0; i < looks; ++i) {
+    const DegreesOfFreedom here =
+        degrees_of_freedom_of(mechanism, motion.states[i * count / looks].q);
+    // A position that is singular itself says nothing of the others.
+    if (here.redundant != motion.freedom.redundant) continue;
+    for (std::size_t row = 0; row < here.unique.size(); ++row) {
+      if (here.unique[row] == 0) motion.freedom.unique[row] = 0;
+    }
+    std::vector<int> both;
+    std::set_union(here.repeating.begin(), here.repeating.end(), motion.freedom.repeating.begin(),
+                   motion.freedom.repeating.end(), std::back_inserter(both));
+    motion.freedom.repeating = both;
+  }
+}
+
+/// A torsion spring that ends a period wound up more than it began, "" where there is none.
+std::string wound_up(const Mechanism& mechanism, const Motion& motion) {
+  const auto angle = [](const State& state, int body) {
+    return body == ground ? 0.0 : state.q[3 * static_cast<Eigen::Index>(body) + 2];
+  };
+  for (const AppliedForce& force : mechanism.forces) {
+    const auto* spring = std::get_if<TorsionSpring>(&force.kind);
+    if (spring == nullptr || spring->stiffness == 0.0) continue;
+    const auto turned = [&](const State& state) {
+      return angle(state, spring->a.body) - angle(state, spring->b.body);
+    };
+    if (std::abs(turned(motion.end) - turned(motion.states.front())) > 1e-6) return force.name;
+  }
+  return "";
+}
+
 /// How far values half-way between instants are from what the instants say.
 struct Misfit {
   double value = 0.0;
@@ -63,8 +100,8 @@ std::vector<const State*> all_of(const Motion& motion) {
 
 /// Every second state against the cubic through the four others around it, by component of
 /// `values`, relative to the component's range.
-Misfit misfit_of(const Motion& motion, Eigen::VectorXd State::*values,
-                 const Eigen::VectorXd& scale) {
+Misfit misfit_of(const Motion& motion, Eigen::VectorXd State::*values, const Eigen::VectorXd& scale,
+                 double nothing) {
   const std::vector<const State*> all = all_of(motion);
   const auto count = static_cast<std::ptrdiff_t>(motion.states.size());
   const Eigen::Index size = (all.front()->*values).size();
@@ -77,7 +114,7 @@ Misfit misfit_of(const Motion& motion, Eigen::VectorXd State::*values,
   const Eigen::VectorXd range = high - low;
   // A component that is round-off beside the others has no waves of its own to resolve.
   const double floor =
-      1e-6 * scale.cwiseProduct(high.cwiseAbs().cwiseMax(low.cwiseAbs())).maxCoeff();
+      nothing + 1e-6 * scale.cwiseProduct(high.cwiseAbs().cwiseMax(low.cwiseAbs())).maxCoeff();
   const auto at = [&](std::ptrdiff_t i) -> const Eigen::VectorXd& {
     if (motion.closed) i = (i + count) % count;
     return all[static_cast<std::size_t>(i)]->*values;
@@ -153,13 +190,24 @@ Motion motion_with(const Mechanism& mechanism, StateSolver& solver, int instants
   }
   motion.end = solver.near(time_of(motion, count, count), motion.states.back());
   motion.change_points = solver.change_points();
+  judge_uniqueness(mechanism, motion);
   if (!motion.closed) return motion;
   // An odd number of change points, or a gear that needs more turns, leads elsewhere.
   const double open = distance_between(motion.end.q, motion.states.front().q, size_of(mechanism));
-  if (open < 1e-6) return motion;
+  const std::string spring = wound_up(mechanism, motion);
+  if (open < 1e-6 && spring.empty()) return motion;
   if (mechanism.duration.length > 0.0) {
     motion.closed = false;
     return motion;
+  }
+  if (!spring.empty()) {
+    throw AnalysisError(
+        {"the torsion spring is wound up further with every period of the drivers; "
+         "give [motion] duration",
+         "force " + spring,
+         motion.period,
+         {},
+         {}});
   }
   throw AnalysisError(
       {"the motion does not close: after one period of the drivers the mechanism is elsewhere (on "
@@ -222,14 +270,28 @@ Motion solve_motion(const Mechanism& mechanism) {
   StateSolver solver(mechanism);
   const ConstraintEquations equations(mechanism);
   const TimeSpan span = time_span_of(mechanism);
+  // What does not even move by a millionth of its size in a period, or of a fall, is at rest.
+  const double rest =
+      1e-6 * (std::pow(turn / span.length, 2) + mechanism.gravity.norm() / size_of(mechanism));
   const double waves = span.length * span.highest_omega / turn;
-  const int instants = std::clamp(static_cast<int>(std::ceil(4.0 * waves)), fewest, most / 2);
+  if (4.0 * waves > most / 2) {
+    throw AnalysisError(
+        {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
+                     "force; up to {} can be resolved: give a shorter [motion] duration",
+                     span.length, waves, most / 8),
+         "mechanism",
+         {},
+         {},
+         {}});
+  }
+  const int instants = std::max(fewest, static_cast<int>(std::ceil(4.0 * waves)));
   Motion motion = motion_with(mechanism, solver, instants);
   while (true) {
     motion = doubled(solver, motion);
-    const Misfit accelerations = misfit_of(motion, &State::a, equations.col_scale().cwiseInverse());
+    const Misfit accelerations =
+        misfit_of(motion, &State::a, equations.col_scale().cwiseInverse(), rest);
     const Misfit reactions =
-        misfit_of(motion, &State::lambda, equations.row_scale().cwiseInverse());
+        misfit_of(motion, &State::lambda, equations.row_scale().cwiseInverse(), 0.0);
     const auto count = static_cast<double>(motion.states.size());
     const bool turns_seen = count >= 8.0 * motion.period * fastest_turn(motion) / turn;
     if (accelerations.value < enough && reactions.value < enough && turns_seen) return motion;
@@ -237,8 +299,9 @@ Motion solve_motion(const Mechanism& mechanism) {
       const Misfit& worst = accelerations.value > reactions.value ? accelerations : reactions;
       throw AnalysisError(
           {fmt::format("accelerations or reactions change too fast to be resolved with {} instants "
-                       "in a period; the mechanism passes close to a dead point, or slides back "
-                       "and forth against much friction with a small creep velocity",
+                       "in the time looked at; the mechanism passes close to a dead point, slides "
+                       "back and forth against much friction with a small creep velocity, or the "
+                       "time is too long",
                        motion.states.size()),
            nearest_dead_point(mechanism, motion),
            worst.time,
@@ -263,7 +326,9 @@ State StateFinder::at(double time) {
   }
   const auto count = motion.states.size();
   const double position = (within - motion.begin) / motion.period * static_cast<double>(count);
-  const auto nearest = static_cast<std::size_t>(std::lround(position));
+  // Integration goes forward only: backwards, what damping has taken away grows again.
+  const double chosen = solver_.integrates() ? std::floor(position) : std::round(position);
+  const auto nearest = static_cast<std::size_t>(std::max(0.0, chosen));
   return solver_.near(within, nearest < count ? motion.states[nearest] : motion.end);
 }
 
