@@ -139,3 +139,92 @@ TEST_CASE("sharp peaks get more instants") {
   CHECK(smooth == 96);
   CHECK(solve_motion(mechanism).states.size() > smooth);
 }
+
+TEST_CASE("a heavily damped free motion is found between its instants as at them") {
+  // J omega' = -c omega: omega = omega_0 exp(-c t/J), with c/J = 200/s. Backwards in time this
+  // grows: states are found from the instant before, never from the one behind.
+  Mechanism mechanism;
+  mechanism.bodies = {Body{"wheel", 1.0, 0.5, {}, {}}};
+  mechanism.bodies[0].start_velocity = {0.0, 0.0, 3.0};
+  mechanism.joints = {{"axle", Pin{{0, {0.0, 0.0}}, {}}}};
+  mechanism.forces = {{"brake", TorsionSpring{{0}, {}, 0.0, 0.0, 100.0}}};
+  mechanism.duration = {0.0, 0.2};
+  const Motion motion = solve_motion(mechanism, 8);
+  StateFinder finder(mechanism, motion);
+  for (const double time : {0.001, 0.024, 0.026, 0.1, 0.13, 0.199}) {
+    CHECK(finder.at(time).v[2] == Approx(3.0 * std::exp(-200.0 * time)).margin(1e-9));
+  }
+}
+
+TEST_CASE("a time that holds more waves than can be resolved is refused, not aliased") {
+  Mechanism mechanism = test::rig().mechanism;
+  mechanism.duration.length = 24576.0 * period;
+  try {
+    solve_motion(mechanism);
+    FAIL("must be refused");
+  } catch (const AnalysisError& error) {
+    CHECK(error.failure().what.find("24576 waves") != std::string::npos);
+  }
+}
+
+TEST_CASE("a torsion spring that is wound up with every turn makes no closed motion") {
+  Mechanism mechanism;
+  mechanism.bodies = {Body{"wheel", 1.0, 0.5, {}, {}}};
+  mechanism.joints = {{"axle", Pin{{0, {0.0, 0.0}}, {}}},
+                      {"motor", Driven{{0}, Coordinate::angle, RateDriver{0.0, 5.0}}}};
+  CHECK(solve_motion(mechanism, 16).closed);
+  mechanism.forces = {{"spring", TorsionSpring{{0}, {}, 1e-3, 0.0, 0.0}}};
+  CHECK_THROWS_AS(solve_motion(mechanism, 16), AnalysisError);
+  mechanism.duration.length = 2.0;
+  CHECK_FALSE(solve_motion(mechanism, 16).closed);
+}
+
+TEST_CASE("what repeats and what ends have no time in common without a duration") {
+  Mechanism mechanism = test::rig().mechanism;
+  mechanism.forces = {
+      {"push", PointForce{{4, {0.0, 0.0}}, 0.0, false, StepDriver{0.0, 1.0, 0.0, 0.05}}}};
+  CHECK_THROWS_AS(time_span_of(mechanism), AnalysisError);
+  mechanism.duration.length = 1.0;
+  CHECK_FALSE(time_span_of(mechanism).closed);
+}
+
+TEST_CASE("a body that nothing holds has three freedoms") {
+  Mechanism mechanism;
+  mechanism.bodies = {Body{"stone", 1.0, 0.5, {}, {}}};
+  const DegreesOfFreedom freedom = degrees_of_freedom_of(mechanism, Eigen::VectorXd::Zero(3));
+  CHECK(freedom.by_rank == 3);
+  CHECK(freedom.undriven == 3);
+  CHECK(condition_of(mechanism, Eigen::VectorXd::Zero(3)) == 0.0);
+  // It falls: y = -g t^2/2.
+  mechanism.gravity = {0.0, -9.81};
+  mechanism.duration.length = 2.0;
+  const Motion motion = solve_motion(mechanism, 8);
+  CHECK(motion.end.q[1] == Approx(-0.5 * 9.81 * 4.0).epsilon(1e-10));
+}
+
+TEST_CASE("multipliers are called unique only where they are so all along the motion") {
+  // A planet of half its annulus' radius rolls; a point of its rim runs on a straight line
+  // (Cardan's circles) and is guided there once more. At the start the guide's repetition does not
+  // touch the arm's pins, a little later it does.
+  Mechanism mechanism;
+  mechanism.bodies = {Body{"arm", 1.0, 0.1, {}, {{0.5, 0.0}, 0.0}},
+                      Body{"planet", 1.0, 0.1, {}, {{1.0, 0.0}, 0.0}}};
+  mechanism.joints = {{"O", Pin{{0, {-0.5, 0.0}}, {}}},
+                      {"A", Pin{{0, {0.5, 0.0}}, {1, {0.0, 0.0}}}},
+                      {"mesh", Gear{{1}, {}, 1.0, -2.0, 0.0}},
+                      {"line", PinInSlot{{1, {1.0, 0.0}}, {}, 0.0}},
+                      {"motor", Driven{{0}, Coordinate::angle, RateDriver{0.0, 2.0}}}};
+  // The mesh's offset that belongs to the start, from its own equation there.
+  ConstraintEquations equations(mechanism);
+  equations.set_time(0.0);
+  equations.set_position(sketch_of(mechanism));
+  Eigen::VectorXd phi(equations.rows());
+  equations.evaluate(phi);
+  std::get<Gear>(mechanism.joints[2].kind).offset = phi[4];
+  const Motion motion = solve_motion(mechanism, 48);
+  CHECK(motion.freedom.redundant == 1);
+  CHECK_FALSE(is_unique(mechanism, motion.freedom, 0));
+  CHECK_FALSE(is_unique(mechanism, motion.freedom, 1));
+  CHECK_FALSE(is_unique(mechanism, motion.freedom, 2));
+  CHECK_FALSE(is_unique(mechanism, motion.freedom, 3));
+}
