@@ -274,7 +274,7 @@ Motion solve_motion(const Mechanism& mechanism) {
   const double rest =
       1e-6 * (std::pow(turn / span.length, 2) + mechanism.gravity.norm() / size_of(mechanism));
   const double waves = span.length * span.highest_omega / turn;
-  if (4.0 * waves > most / 2) {
+  if (8.0 * waves > most) {
     throw AnalysisError(
         {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
                      "force; up to {} can be resolved: give a shorter [motion] duration",
