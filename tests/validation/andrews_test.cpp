@@ -11,6 +11,7 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "catch.hpp"
+#include "support/balance.hpp"
 
 using namespace boxbeam;
 using namespace boxbeam::planar;
@@ -96,33 +97,6 @@ Mechanism andrews() {
   return mechanism;
 }
 
-/// What is missing to Newton's and Euler's equations of any body, by the largest force in it.
-double imbalance_of(const Mechanism& mechanism, const State& state) {
-  const auto reactions = reactions_of(mechanism, state);
-  const auto loads = applied_loads_of(mechanism, state.time, state.q, state.v);
-  const double size = size_of(mechanism);
-  double worst = 0.0;
-  double largest = 1e-300;
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const Body& body = mechanism.bodies[i];
-    const auto k = static_cast<Eigen::Index>(3 * i);
-    Eigen::Vector2d force = body.mass * (mechanism.gravity - state.a.segment<2>(k));
-    double moment = -body.inertia * state.a[k + 2];
-    largest = std::max({largest, force.norm(), std::abs(moment) / size});
-    const auto add = [&](int on, const Eigen::Vector2d& f, double own, const Eigen::Vector2d& p) {
-      if (on != static_cast<int>(i)) return;
-      const Eigen::Vector2d arm = turned(state.q[k + 2], p);
-      force += f;
-      moment += own + arm.x() * f.y() - arm.y() * f.x();
-      largest = std::max({largest, f.norm(), std::abs(own) / size});
-    };
-    for (const Reaction& r : reactions) add(r.on, r.force, r.moment, r.point);
-    for (const AppliedLoad& load : loads) add(load.on, load.vector, load.moment, load.point);
-    worst = std::max({worst, force.norm(), std::abs(moment) / size});
-  }
-  return worst / largest;
-}
-
 /// Kinetic energy and that of the spring [J].
 double energy_of(const Mechanism& mechanism, const State& state) {
   double energy = 0.0;
@@ -166,7 +140,7 @@ TEST_CASE("Andrews' mechanism: accelerations and loop forces at the start") {
   CHECK(std::abs(state.lambda[1] / lambda2 - 1.0) < 1e-12);
   for (std::size_t i = 2; i < 7; ++i) CHECK(std::abs(a[i]) < 1e-12 * a1);
   for (Eigen::Index i = 2; i < 6; ++i) CHECK(std::abs(state.lambda[i]) < 1e-12 * lambda1);
-  CHECK(imbalance_of(mechanism, state) < 1e-14);
+  CHECK(test::imbalance_of(mechanism, state) < 1e-14);
 }
 
 TEST_CASE("Andrews' mechanism has one freedom and no redundancy") {
@@ -217,7 +191,7 @@ TEST_CASE("Andrews' mechanism after 0.03 s") {
     CHECK(error_lambda < allowed.lambda);
     CHECK(std::abs(energy / work) < allowed.energy);
     CHECK(state.residual < 1e-14);
-    CHECK(imbalance_of(mechanism, state) < 1e-14);
+    CHECK(test::imbalance_of(mechanism, state) < 1e-14);
     // A step as small as its tolerance would be no step control: it takes 140 and 248.
     CHECK(solver.steps() < 1000);
   }

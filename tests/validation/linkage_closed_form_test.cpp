@@ -16,6 +16,7 @@
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "catch.hpp"
+#include "support/balance.hpp"
 
 using namespace boxbeam;
 using namespace boxbeam::planar;
@@ -31,37 +32,10 @@ Eigen::Vector2d turned(double angle, const Eigen::Vector2d& p) {
   return p.x() * unit_of(angle) + p.y() * left_of(unit_of(angle));
 }
 
-/// What is missing to Newton's and Euler's equations of any body, by the largest force in it.
-double imbalance_of(const Mechanism& mechanism, const State& state) {
-  const auto reactions = reactions_of(mechanism, state);
-  const auto loads = applied_loads_of(mechanism, state.time, state.q, state.v);
-  const double size = size_of(mechanism);
-  double worst = 0.0;
-  double largest = 1e-300;
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const Body& body = mechanism.bodies[i];
-    const auto k = static_cast<Eigen::Index>(3 * i);
-    Eigen::Vector2d force = body.mass * (mechanism.gravity - state.a.segment<2>(k));
-    double moment = -body.inertia * state.a[k + 2];
-    largest = std::max({largest, force.norm(), std::abs(moment) / size});
-    const auto add = [&](int on, const Eigen::Vector2d& f, double own, const Eigen::Vector2d& p) {
-      if (on != static_cast<int>(i)) return;
-      const Eigen::Vector2d arm = turned(state.q[k + 2], p);
-      force += f;
-      moment += own + arm.x() * f.y() - arm.y() * f.x();
-      largest = std::max({largest, f.norm(), std::abs(own) / size});
-    };
-    for (const Reaction& r : reactions) add(r.on, r.force, r.moment, r.point);
-    for (const AppliedLoad& load : loads) add(load.on, load.vector, load.moment, load.point);
-    worst = std::max({worst, force.norm(), std::abs(moment) / size});
-  }
-  return worst / largest;
-}
-
 double worst_imbalance(const Mechanism& mechanism, const Motion& motion) {
   double worst = 0.0;
   for (const State& state : motion.states) {
-    worst = std::max(worst, imbalance_of(mechanism, state));
+    worst = std::max(worst, test::imbalance_of(mechanism, state));
   }
   return worst;
 }
