@@ -38,14 +38,14 @@ $at1_guides << e
 e
 $at1_0 << e
 0.000000000e+00 0.000000000e+00
--1.971823487e-01 -3.345327116e-02
+-1.971823487e-01 -3.345327117e-02
 e
 $at1_1_axis << e
--1.971823487e-01 -3.345327116e-02 1.971823487e-01 -1.587803238e+00
+-1.971823487e-01 -3.345327117e-02 1.971823487e-01 -1.587803238e+00
 e
 $at1_1 << e
--1.971823487e-01 -3.345327116e-02
--8.326672685e-17 -1.621256509e+00
+-1.971823487e-01 -3.345327117e-02
+-1.387778781e-16 -1.621256509e+00
 e
 $at1_2 << e
 -9.927332970e-17 -1.621256509e+00
@@ -53,9 +53,9 @@ e
 $at1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow 1 from -1.963482076e-01,-4.345294332e-02 to -1.971823487e-01,-3.345327116e-02 lw 2 lc rgb '#202020' front
-set label 1 'A  30.30 kN' at -1.963482076e-01,-4.345294332e-02 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
-set arrow 2 from -1.277777805e-03,-1.612911063e+00 to -8.326672685e-17,-1.621256509e+00 lw 2 lc rgb '#202020' front
+set arrow 1 from -1.963482076e-01,-4.345294333e-02 to -1.971823487e-01,-3.345327117e-02 lw 2 lc rgb '#202020' front
+set label 1 'A  30.30 kN' at -1.963482076e-01,-4.345294333e-02 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
+set arrow 2 from -1.277777805e-03,-1.612911063e+00 to -1.387778781e-16,-1.621256509e+00 lw 2 lc rgb '#202020' front
 set label 2 'P  25.50 kN' at -1.277777805e-03,-1.612911063e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
 set title "t = 0.3321 s\nmost negative M"
 plot $rest1_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#c4c4c4', $rest1_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest1_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest1_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $at1_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#1f5fa8', $at1_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#1f5fa8', $at1_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#1f5fa8', $at1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#1f5fa8', $at1_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'

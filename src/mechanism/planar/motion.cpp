@@ -329,7 +329,9 @@ State StateFinder::at(double time) {
   // Integration goes forward only: backwards, what damping has taken away grows again.
   const double chosen = solver_.integrates() ? std::floor(position) : std::round(position);
   const auto nearest = static_cast<std::size_t>(std::max(0.0, chosen));
-  return solver_.near(within, nearest < count ? motion.states[nearest] : motion.end);
+  const State& known = nearest < count ? motion.states[nearest] : motion.end;
+  // An instant of the motion itself is known, also where it lies in a change point.
+  return within == known.time ? known : solver_.near(within, known);
 }
 
 }  // namespace boxbeam::planar

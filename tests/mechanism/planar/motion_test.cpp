@@ -228,3 +228,24 @@ TEST_CASE("multipliers are called unique only where they are so all along the mo
   CHECK_FALSE(is_unique(mechanism, motion.freedom, 2));
   CHECK_FALSE(is_unique(mechanism, motion.freedom, 3));
 }
+
+TEST_CASE("an instant that lies in a change point is found where the motion has passed it") {
+  // A massless parallelogram whose crank lies flat at two of the 48 instants: the coupler keeps its
+  // angle.
+  Mechanism mechanism;
+  mechanism.bodies = {Body{"crank", 0.0, 0.0, {}, {{0.0, 0.25}, 1.57}},
+                      Body{"coupler", 0.0, 0.0, {}, {{0.5, 0.5}, 0.0}},
+                      Body{"rocker", 0.0, 0.0, {}, {{1.0, 0.25}, 1.57}}};
+  mechanism.joints = {
+      {"O", Pin{{0, {-0.25, 0.0}}, {ground, {0.0, 0.0}}}},
+      {"A", Pin{{0, {0.25, 0.0}}, {1, {-0.5, 0.0}}}},
+      {"B", Pin{{1, {0.5, 0.0}}, {2, {0.25, 0.0}}}},
+      {"C", Pin{{2, {-0.25, 0.0}}, {ground, {1.0, 0.0}}}},
+      {"motor", Driven{{0}, Coordinate::angle, RateDriver{0.5 * std::numbers::pi, 2.0}}}};
+  const Motion motion = solve_motion(mechanism, 48);
+  StateFinder finder(mechanism, motion);
+  CHECK(motion.change_points.size() >= 2);
+  for (const std::size_t i : {11U, 12U, 13U, 36U}) {
+    CHECK(std::abs(finder.at(motion.states[i].time).q[5]) < 1e-9);
+  }
+}

@@ -44,8 +44,9 @@ enum class Elimination {
 ///
 /// Equations that only repeat others are satisfied with them in the sense of least squares, and the
 /// multipliers are then the smallest that hold the balance: those that are unique are right, the
-/// others are one choice of many (`degrees_of_freedom_of` tells which). Holds the
-/// mechanism and the work space of the solver; following a motion allocates no memory.
+/// others are one choice of many (`degrees_of_freedom_of` tells which). Holds the mechanism and the
+/// work space of the solver; following a motion allocates no memory, but for friction and redundant
+/// equations.
 /// Source: Haug (1989), chapters 3, 6 and 7.
 class InstantSolver {
  public:
