@@ -159,6 +159,10 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
 
 }  // namespace
 
+SnCurve curve_of(const FatigueInput& fatigue, int category) {
+  return fatigue.published_step ? published_step(category) : en_1993_1_9_direct(category);
+}
+
 const char* to_text(Dynamics dynamics) {
   return dynamics == Dynamics::rigorous ? "rigorous" : "newton-chain";
 }

@@ -45,8 +45,8 @@ StrengthDemand read_strength(TableReader table) {
 /// A strength must not be rounded to nothing.
 void check_rounding(TableReader& table, const FatigueInput& input) {
   if (!input.round_strength_to || !table.problems().empty()) return;
-  const SnCurve curve{si<Stress>(input.category * 1e6), input.curve};
-  const Stress strength = strength_at(curve, input.demand.periods, input.demand.loading);
+  const Stress strength =
+      strength_at(curve_of(input, input.category), input.cycles, input.demand.loading);
   if (*input.round_strength_to <= strength) return;
   table.problem("round_strength_to",
                 fmt::format("\"round_strength_to\" is larger than the strength that it rounds, "
@@ -58,13 +58,11 @@ void check_rounding(TableReader& table, const FatigueInput& input) {
 FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   FatigueInput input;
   input.category = read_category(table, "category");
-  input.curve = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 0
-                    ? CurveKind::en_1993_1_9
-                    : CurveKind::published_step;
+  input.published_step = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 1;
   if (table.has("round_strength_to")) {
     input.round_strength_to = si<Stress>(table.positive("round_strength_to", wanted::stress));
   }
-  input.demand.periods = table.number("cycles");
+  input.cycles = table.number("cycles");
   input.demand.loading = table.choice("loading", {"spectrum", "constant amplitude"}) == 0
                              ? Loading::spectrum
                              : Loading::constant_amplitude;

@@ -118,11 +118,11 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
   out += after(fmt::format("at t = {}", text::seconds(basis.lowest.time.value())));
   out += line("range", fmt::format("sigma_max - sigma_min = {}", text::MPa(check.acting.value())));
   out += line("cycles", fmt::format("{} periods, {} cycle{} in each",
-                                    text::cycles(fatigue.demand.periods), basis.cycles.size(),
+                                    text::cycles(fatigue.cycles), basis.cycles.size(),
                                     basis.cycles.size() == 1 ? "" : "s (rainflow, periodic)"));
   out += line("category", fmt::format("{} MPa at 2e6 cycles{}", basis.point.category,
                                       basis.point.category_assumed.empty() ? "" : ", ASSUMED"));
-  if (fatigue.curve == CurveKind::en_1993_1_9) {
+  if (!fatigue.published_step) {
     out += line("d_sigma_D",
                 fmt::format("(2/5)^(1/3) d_sigma_C = {} at 5e6", text::MPa(basis.knee.value())));
     out += line("d_sigma_L", fmt::format("(5/100)^(1/5) d_sigma_D = {} at 1e8",
@@ -134,7 +134,7 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
   if (basis.cycles.size() == 1) {
     out += line("d_sigma_R", fmt::format("{} allowed for {} cycles, {} applied",
                                          text::MPa(check.resisting.value()),
-                                         text::cycles(fatigue.demand.periods), gammas));
+                                         text::cycles(fatigue.cycles), gammas));
     out += factor_line(check,
                        fmt::format("d_sigma_R/range = {}/{}", text::MPa(check.resisting.value()),
                                    text::MPa(check.acting.value())));
@@ -143,7 +143,7 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
         "factor k",
         fmt::format("the largest with sum n/N <= 1, N for k gamma_Ff gamma_Mf range; {}", gammas));
     for (std::size_t i = 0; i < basis.cycles.size(); ++i) {
-      const double n = basis.cycles[i].count * fatigue.demand.periods;
+      const double n = basis.cycles[i].count;
       const double N = basis.endured[i];
       out += more(fmt::format("range {}: n = {}, N = {}, n/N = {}",
                               text::MPa(basis.cycles[i].range.value()), text::cycles(n),
@@ -172,7 +172,7 @@ std::string given_lines(const Project& project, const Check& check) {
                               text::MPa(given.opposite->value()), text::MPa(check.acting.value())));
       out += line("d_sigma_R", fmt::format("d_sigma_C (5e6/N)^(1/5) = {} at {} cycles",
                                            text::MPa(check.resisting.value()),
-                                           text::cycles(project.fatigue.demand.periods)));
+                                           text::cycles(project.fatigue.cycles)));
     }
   }
   return out + factor_line(check, fmt::format("{}/{}", text::MPa(check.resisting.value()),

@@ -71,7 +71,7 @@ std::string inputs_text(const Project& project) {
   out += layout::entry(
       "fatigue",
       fmt::format("category {}, {} cycles, {}, gamma_Ff = {}, gamma_Mf = {}, required factor {}",
-                  fatigue.category, text::cycles(fatigue.demand.periods),
+                  fatigue.category, text::cycles(fatigue.cycles),
                   fatigue.demand.loading == Loading::spectrum ? "spectrum" : "constant amplitude",
                   text::significant(fatigue.demand.gamma_Ff, 3),
                   text::significant(fatigue.demand.gamma_Mf, 3),

@@ -377,7 +377,7 @@ void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
   const double range = figure.working_range * 1e-6;
   block(gp, "work", std::vector<Row2>{{figure.working_cycles, range}});
   block(gp, "needed", std::vector<Row2>{{figure.working_cycles, range * figure.required}});
-  const bool en = figure.kind == CurveKind::en_1993_1_9;
+  const bool en = !figure.published_step;
   gp << "set title " << quoted("S-N diagram with the governing stress range: " + project.name)
      << " noenhanced\n"
      << "set logscale xy\nset format x '10^{%T}'\nset xlabel 'cycles N'\nset ylabel 'stress range "

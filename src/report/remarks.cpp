@@ -126,7 +126,7 @@ void add_motion(const Project& project, const Verification& verification,
     remarks.push_back(
         fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "
                     "looked at, {}",
-                    project.fatigue.demand.periods, text::seconds(verification.period.value())));
+                    project.fatigue.cycles, text::seconds(verification.period.value())));
   }
   if (!verification.closed) {
     remarks.push_back(
@@ -141,7 +141,7 @@ void add_missing_fatigue(const Verification& verification, std::vector<std::stri
 }
 
 void add_short_lives(const Project& project, std::vector<std::string>& remarks) {
-  if (project.fatigue.demand.periods >= 1e4) return;
+  if (project.fatigue.cycles >= 1e4) return;
   remarks.push_back(
       "fewer than 1e4 cycles: the S-N lines of EN 1993-1-9 begin at 1e4, the strength shown is "
       "extrapolated and the yield check decides");

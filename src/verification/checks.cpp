@@ -14,7 +14,7 @@ constexpr const char* yield_source =
     "EN 1993-1-1:2005, 6.2.1(5) (elastic, von Mises); yield strength EN 10025-2";
 
 const char* fatigue_source(const FatigueInput& fatigue) {
-  if (fatigue.curve == CurveKind::published_step) {
+  if (fatigue.published_step) {
     return "sledge-rig thesis, 4.8.2: the category taken at 5e6 cycles (not EN 1993-1-9)";
   }
   return fatigue.demand.loading == Loading::spectrum
@@ -31,10 +31,6 @@ std::string id_of(Criterion criterion, const Station& station, const std::string
     if (!before_sign) word += point[i] == ' ' ? '-' : point[i];
   }
   return fmt::format("{}/{}/{}", to_text(criterion), to_text(station), word);
-}
-
-SnCurve curve_of(const FatigueInput& fatigue, int category) {
-  return {si<Stress>(category * 1e6), fatigue.curve};
 }
 
 /// The check's frame, and the normal stress over the period.
@@ -96,8 +92,9 @@ std::optional<CheckResult> check_fatigue(const Project& project, const StationHi
   std::vector<Stress> stresses;
   stresses.reserve(turns.size());
   for (const TurningPoint& turn : turns) stresses.push_back(si<Stress>(turn.value));
-  const std::vector<Cycle> cycles = count_periodic_cycles(stresses);
+  std::vector<Cycle> cycles = count_periodic_cycles(stresses);
   if (cycles.empty()) return std::nullopt;
+  for (Cycle& cycle : cycles) cycle.count *= project.fatigue.cycles;
 
   const auto by_value = [](const TurningPoint& a, const TurningPoint& b) {
     return a.value < b.value;
@@ -179,8 +176,8 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
         yield_source);
     if (!given.opposite) continue;
     const FatigueInput& fatigue = project.fatigue;
-    Stress strength = strength_at(curve_of(fatigue, fatigue.category), fatigue.demand.periods,
-                                  fatigue.demand.loading);
+    Stress strength =
+        strength_at(curve_of(fatigue, fatigue.category), fatigue.cycles, fatigue.demand.loading);
     if (fatigue.round_strength_to) strength = rounded(strength, *fatigue.round_strength_to);
     add(Criterion::fatigue, given.peak + *given.opposite,
         strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,

@@ -145,8 +145,8 @@ SnFigure sn_figure(const Project& project, const CheckResult& governing) {
   const FatigueInput& fatigue = project.fatigue;
   SnFigure figure;
   figure.category = governing.basis ? governing.basis->point.category : fatigue.category;
-  figure.kind = fatigue.curve;
-  const SnCurve curve{si<Stress>(figure.category * 1e6), fatigue.curve};
+  figure.published_step = fatigue.published_step;
+  const SnCurve curve = curve_of(fatigue, figure.category);
   for (int i = 0; i <= 120; ++i) {
     const double cycles = std::pow(10.0, 4.0 + 5.0 * i / 120.0);
     figure.cycles.push_back(cycles);
@@ -156,7 +156,7 @@ SnFigure sn_figure(const Project& project, const CheckResult& governing) {
   }
   figure.knee = knee_of(curve).value();
   figure.cut_off = cut_off_of(curve).value();
-  figure.working_cycles = fatigue.demand.periods;
+  figure.working_cycles = fatigue.cycles;
   figure.working_range =
       governing.check.acting.value() * fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf;
   figure.required = fatigue.required;

@@ -10,7 +10,7 @@ namespace {
 
 Stress MPa(double x) { return si<Stress>(x * 1e6); }
 double in_MPa(Stress x) { return x.value() * 1e-6; }
-SnCurve category(double x) { return {MPa(x), CurveKind::en_1993_1_9}; }
+SnCurve category(double x) { return en_1993_1_9_direct(x); }
 
 double life(double curve, double range, Loading loading = Loading::spectrum) {
   return cycles_to_failure(category(curve), MPa(range), loading);
@@ -114,7 +114,7 @@ TEST_CASE("a larger range never lives longer") {
 }
 
 TEST_CASE("the published step: 100 (5e6/1e8)^(1/5) = 54.9 MPa, as the sledge-rig thesis prints") {
-  const SnCurve step{MPa(100), CurveKind::published_step};
+  const SnCurve step = published_step(100);
   CHECK(in_MPa(strength_at(step, 1e8, Loading::spectrum)) == Approx(54.9).margin(0.05));
   CHECK(in_MPa(knee_of(step)) == Approx(100));
   // The standard gives 40.5 MPa there.

@@ -251,10 +251,10 @@ std::map<std::string, std::function<double()>> computed() {
   values["N_y rigorous"] = [] { return rig().governing(Criterion::yield)->check.safety_factor; };
   values["S-N step"] = [] { return 100.0 * std::pow(5e6 / 1e8, 0.2); };
   values["S-N EN"] = [] {
-    return strength_at({100e6 * pascal, CurveKind::en_1993_1_9}, 1e8, Loading::spectrum).value() /
+    return strength_at(en_1993_1_9_direct(100), 1e8, Loading::spectrum).value() /
            1e6;
   };
-  values["knee"] = [] { return knee_of({100e6 * pascal, CurveKind::en_1993_1_9}).value() / 1e6; };
+  values["knee"] = [] { return knee_of(en_1993_1_9_direct(100)).value() / 1e6; };
   values["range"] = [] { return 16.3 + 16.1; };
   values["range rigorous"] = [] {
     return rig().governing(Criterion::fatigue)->check.acting.value() / 1e6;

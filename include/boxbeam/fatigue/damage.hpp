@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "boxbeam/fatigue/cycle.hpp"
@@ -7,31 +8,58 @@
 
 namespace boxbeam {
 
-/// What a history is verified against.
+/// How a spectrum is verified.
 struct FatigueDemand {
-  double periods = 0.0;  ///< repetitions of the history in the wanted life
   Loading loading = Loading::spectrum;
   double gamma_Ff = 1.0;
   double gamma_Mf = 1.0;
 };
 
+/// The cycles of one stress in the whole life, and what resists them.
+struct FatigueChannel {
+  std::vector<Cycle> cycles;
+  SnCurve curve;
+};
+
 /// Damage sum with all ranges multiplied by `factor`:
 ///
-///     D = sum n_i / N_R(gamma_Ff factor d_sigma_i; curve divided by gamma_Mf)
+///     D = sum n_i / N_R(gamma_Ff factor range_i; curve divided by gamma_Mf)
 ///
-/// Under constant-amplitude loading no range damages while all stay below the knee; once one
+/// Under constant-amplitude loading no range damages while all stay below the limit; once one
 /// exceeds it, the line of a spectrum holds for all. Source: Palmgren-Miner; EN
 /// 1993-1-9:2005, 7.1(2), 7.1(3), annex A.5.
 double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,
                  const FatigueDemand& demand, double factor = 1.0);
 
-/// Cycles to failure of one cycle of a history, all ranges multiplied by `factor`.
+/// Cycles to failure of one cycle of a spectrum, all ranges multiplied by `factor`.
 double cycles_to_failure_in(const std::vector<Cycle>& cycles, const Cycle& cycle,
                             const SnCurve& curve, const FatigueDemand& demand, double factor);
 
-/// The largest factor on the history for which the damage is at most 1. It exists and is finite
-/// even where the history does no damage. Infinity only for a history without cycles.
+/// The largest factor on the loads for which the damage of all channels together is at most 1. It
+/// exists and is finite even where the spectrum does no damage. Infinity only without any cycles.
+///
+/// One channel is EN 1993-1-9 8(2). Direct stress and shear together are 8(3), equation 8.3: with
+/// the equivalent ranges at 2e6 cycles (d_E,2/d_C)^m is the damage sum of each.
+double largest_factor(std::span<const FatigueChannel> channels, const FatigueDemand& demand);
+
+/// Of one channel.
 double largest_factor(const std::vector<Cycle>& cycles, const SnCurve& curve,
                       const FatigueDemand& demand);
+
+/// The range of which `cycles` cycles do the same damage on the curve's first branch:
+///
+///     d_E = d_C (D N_ref/cycles)^(1/m) / (gamma_Ff gamma_Mf)
+///
+/// Zero where the spectrum does no damage. Source: EN 1993-1-9:2005, 1.3 (1.3.2.11), 8(2).
+Stress equivalent_range(double damage, const SnCurve& curve, const FatigueDemand& demand,
+                        double cycles = 2e6);
+
+/// Ranges of a detail without weld, or with its residual stresses relieved, of which compression
+/// counts 60 %:
+///
+///     range_red = tensile part + 0.6 compressive part
+///
+/// Source: EN 1993-1-9:2005, 7.2.1, figure 7.4.
+std::vector<Cycle> compression_reduced(std::vector<Cycle> cycles);
 
 }  // namespace boxbeam

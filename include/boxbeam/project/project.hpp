@@ -45,13 +45,18 @@ struct StrengthDemand {
 
 struct FatigueInput {
   int category = 0;  ///< of the whole beam, unless a stretch says otherwise
-  CurveKind curve = CurveKind::en_1993_1_9;
+  /// The thesis' arithmetic instead of the standard's curve, for comparison only.
+  bool published_step = false;
   /// Fatigue strengths are rounded to a multiple of this where given (published arithmetic).
   std::optional<Stress> round_strength_to;
+  double cycles = 0.0;  ///< repetitions of the period in the wanted life
   FatigueDemand demand;
   double required = 1.0;
   std::vector<DetailStretch> details;
 };
+
+/// The curve of a category as the case wants it.
+SnCurve curve_of(const FatigueInput& fatigue, int category);
 
 /// A stress taken from a published calculation instead of being computed.
 struct GivenStress {

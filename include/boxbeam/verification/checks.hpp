@@ -17,7 +17,7 @@ struct CheckBasis {
   CutForces cut_at_time;  ///< at the check's own instant
   PointStress stress_at_time;
   std::vector<double> history;  ///< normal stress at the instants of the motion [Pa]
-  std::vector<Cycle> cycles;    ///< of one period
+  std::vector<Cycle> cycles;    ///< of the wanted life
   std::vector<double>
       endured;  ///< cycles to failure of each, the history taken safety_factor times
   // Fatigue only:

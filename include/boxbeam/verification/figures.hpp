@@ -52,7 +52,7 @@ struct PostureFigure {
 /// The governing fatigue strength line and working point, for the S-N diagram.
 struct SnFigure {
   int category = 0;
-  CurveKind kind = CurveKind::en_1993_1_9;
+  bool published_step = false;
   std::vector<double> cycles;
   std::vector<double> spectrum;                      ///< strength [Pa] at these cycles
   std::vector<double> constant_amplitude;            ///< likewise
