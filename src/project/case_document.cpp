@@ -128,13 +128,8 @@ Node* step_into(Node& node, const std::string& part) {
   return nullptr;
 }
 
-std::vector<std::string> key_parts(const std::string& key) {
-  std::vector<std::string> parts;
-  std::istringstream stream(key);
-  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
-  if (key.ends_with('.')) parts.emplace_back();
-  return parts;
-}
+constexpr const char* array_hint =
+    "items of an array go by their number from 0: beam.segments.0.length";
 
 /// An override stands in the one line of its own.
 void put_at(Node& node, const Place& place) {
@@ -182,29 +177,8 @@ void apply_override(CaseDocument& document, const std::string& override_text) {
   }
   put_at(parsed, place);
 
-  Node* node = &document.root;
-  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-    Node* next = step_into(*node, parts[i]);
-    if (next == nullptr && node->kind == Node::Kind::table) {
-      node->members.push_back({parts[i], key_place, Node{}});
-      next = &node->members.back().value;
-      next->place = key_place;
-    }
-    if (next == nullptr || (next->kind != Node::Kind::table && next->kind != Node::Kind::array)) {
-      throw InputError({document.problem_at(
-          key_place, fmt::format("the case has no \"{}\" to set something in", parts[i]),
-          "items of an array go by their number from 0: beam.segments.0.length")});
-    }
-    node = next;
-  }
-  if (Node* old = step_into(*node, parts.back())) {
-    *old = parsed;
-  } else if (node->kind == Node::Kind::table) {
-    node->members.push_back({parts.back(), key_place, parsed});
-  } else {
-    throw InputError({document.problem_at(
-        key_place, fmt::format("there is no item {} to set", parts.back()),
-        "items of an array go by their number from 0: beam.segments.0.length")});
+  if (const auto trouble = set_value(document.root, parts, key_place, parsed)) {
+    throw InputError({document.problem_at(key_place, *trouble, array_hint)});
   }
 }
 
@@ -215,6 +189,39 @@ std::string sha256_of(const std::string& bytes) {
 }
 
 }  // namespace
+
+std::vector<std::string> key_parts(const std::string& key) {
+  std::vector<std::string> parts;
+  std::istringstream stream(key);
+  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
+  if (key.ends_with('.')) parts.emplace_back();
+  return parts;
+}
+
+std::optional<std::string> set_value(Node& root, const std::vector<std::string>& parts,
+                                     const Place& key_place, const Node& value) {
+  Node* node = &root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    Node* next = step_into(*node, parts[i]);
+    if (next == nullptr && node->kind == Node::Kind::table) {
+      node->members.push_back({parts[i], key_place, Node{}});
+      next = &node->members.back().value;
+      next->place = key_place;
+    }
+    if (next == nullptr || (next->kind != Node::Kind::table && next->kind != Node::Kind::array)) {
+      return fmt::format("the case has no \"{}\" to set something in", parts[i]);
+    }
+    node = next;
+  }
+  if (Node* old = step_into(*node, parts.back())) {
+    *old = value;
+  } else if (node->kind == Node::Kind::table) {
+    node->members.push_back({parts.back(), key_place, value});
+  } else {
+    return fmt::format("there is no item {} to set", parts.back());
+  }
+  return std::nullopt;
+}
 
 const Node* Node::find(std::string_view key) const {
   for (const Member& member : members) {

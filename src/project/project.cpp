@@ -84,6 +84,21 @@ void add_points_of_body(const Node& root, ProblemList& problems, Project& projec
   }
 }
 
+/// A strength must not be rounded to nothing.
+void check_rounding(TableReader& root, const Project& project) {
+  const FatigueInput& fatigue = project.fatigue;
+  if (!fatigue.round_strength_to || !root.problems().empty()) return;
+  const Stress strength = strength_at(curve_of(fatigue, fatigue.category), most_cycles_of(project),
+                                      fatigue.demand.loading);
+  if (*fatigue.round_strength_to <= strength) return;
+  root.table("fatigue", false)
+      .problem("round_strength_to",
+               fmt::format(
+                   "\"round_strength_to\" is larger than the strength that it rounds, {:.4g} MPa",
+                   strength.value() * 1e-6),
+               "write for example \"0.1 MPa\"");
+}
+
 void check_dynamics(TableReader& root, const Project& project) {
   if (project.dynamics == Dynamics::newton_chain && !project.chain) {
     root.problem("newton_chain",
@@ -148,7 +163,9 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
     project.equivalent_mass =
         read_equivalent_mass(root.table("equivalent_mass"), project.mechanism, project.beam_body);
   }
+  readers::read_situations(root, document.root, beam_body, tables, project);
   readers::read_demands(root, project);
+  check_rounding(root, project);
   check_dynamics(root, project);
   root.finish();
   problems.raise();
@@ -161,6 +178,16 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
 
 SnCurve curve_of(const FatigueInput& fatigue, int category) {
   return fatigue.published_step ? published_step(category) : en_1993_1_9_direct(category);
+}
+
+const planar::Mechanism& mechanism_in(const Project& project, const Situation& situation) {
+  return situation.changed ? *situation.changed : project.mechanism;
+}
+
+double most_cycles_of(const Project& project) {
+  double most = 0.0;
+  for (const Situation& situation : project.situations) most = std::max(most, situation.cycles);
+  return most;
 }
 
 const char* to_text(Dynamics dynamics) {

@@ -42,19 +42,6 @@ StrengthDemand read_strength(TableReader table) {
   return demand;
 }
 
-/// A strength must not be rounded to nothing.
-void check_rounding(TableReader& table, const FatigueInput& input) {
-  if (!input.round_strength_to || !table.problems().empty()) return;
-  const Stress strength =
-      strength_at(curve_of(input, input.category), input.cycles, input.demand.loading);
-  if (*input.round_strength_to <= strength) return;
-  table.problem("round_strength_to",
-                fmt::format("\"round_strength_to\" is larger than the strength that it rounds, "
-                            "{:.4g} MPa",
-                            strength.value() * 1e-6),
-                "write for example \"0.1 MPa\"");
-}
-
 FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   FatigueInput input;
   input.category = read_category(table, "category");
@@ -62,7 +49,7 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   if (table.has("round_strength_to")) {
     input.round_strength_to = si<Stress>(table.positive("round_strength_to", wanted::stress));
   }
-  input.cycles = table.number("cycles");
+  table.has("cycles");  // read with the situations
   input.demand.loading = table.choice("loading", {"spectrum", "constant amplitude"}) == 0
                              ? Loading::spectrum
                              : Loading::constant_amplitude;
@@ -82,7 +69,6 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
     detail.finish();
     input.details.push_back(std::move(stretch));
   }
-  check_rounding(table, input);
   table.finish();
   return input;
 }

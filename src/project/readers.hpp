@@ -101,6 +101,10 @@ Length station_of(TableReader& table, std::string_view key, const TaperedBeam& b
 planar::NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechanism,
                                       const TaperedBeam& beam, int beam_body);
 
+/// [[situations]], or the only one there is. `tree` is the case, which a situation changes.
+void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
+                     TimeTables& tables, Project& project);
+
 void read_demands(TableReader& root, Project& project);
 
 }  // namespace boxbeam::readers

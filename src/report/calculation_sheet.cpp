@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -117,9 +118,16 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
   out += normal_stress_lines("sigma_min", basis.point, basis.cut_at_lowest);
   out += after(fmt::format("at t = {}", text::seconds(basis.lowest.time.value())));
   out += line("range", fmt::format("sigma_max - sigma_min = {}", text::MPa(check.acting.value())));
-  out += line("cycles", fmt::format("{} periods, {} cycle{} in each",
-                                    text::cycles(fatigue.cycles), basis.cycles.size(),
-                                    basis.cycles.size() == 1 ? "" : "s (rainflow, periodic)"));
+  for (const Situation& situation : project.situations) {
+    const auto rows =
+        std::count_if(basis.spectrum.begin(), basis.spectrum.end(),
+                      [&](const SpectrumRow& row) { return row.situation == situation.name; });
+    if (rows == 0) continue;
+    out += line("cycles",
+                fmt::format("{} periods, {} cycle{} in each{}", text::cycles(situation.cycles),
+                            rows, rows == 1 ? "" : "s (rainflow, periodic)",
+                            situation.name.empty() ? "" : " (" + situation.name + ")"));
+  }
   out += line("category", fmt::format("{} MPa at 2e6 cycles{}", basis.point.category,
                                       basis.point.category_assumed.empty() ? "" : ", ASSUMED"));
   if (!fatigue.published_step) {
@@ -131,10 +139,10 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
   const std::string gammas =
       fmt::format("gamma_Ff = {}, gamma_Mf = {}", text::significant(fatigue.demand.gamma_Ff, 3),
                   text::significant(fatigue.demand.gamma_Mf, 3));
-  if (basis.cycles.size() == 1) {
+  if (basis.spectrum.size() == 1) {
     out += line("d_sigma_R", fmt::format("{} allowed for {} cycles, {} applied",
                                          text::MPa(check.resisting.value()),
-                                         text::cycles(fatigue.cycles), gammas));
+                                         text::cycles(basis.spectrum.front().cycle.count), gammas));
     out += factor_line(check,
                        fmt::format("d_sigma_R/range = {}/{}", text::MPa(check.resisting.value()),
                                    text::MPa(check.acting.value())));
@@ -142,13 +150,13 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
     out += line(
         "factor k",
         fmt::format("the largest with sum n/N <= 1, N for k gamma_Ff gamma_Mf range; {}", gammas));
-    for (std::size_t i = 0; i < basis.cycles.size(); ++i) {
-      const double n = basis.cycles[i].count;
-      const double N = basis.endured[i];
-      out += more(fmt::format("range {}: n = {}, N = {}, n/N = {}",
-                              text::MPa(basis.cycles[i].range.value()), text::cycles(n),
-                              std::isfinite(N) ? text::cycles(N) : "unlimited",
-                              text::significant(n / N, 3)));
+    for (const SpectrumRow& row : basis.spectrum) {
+      const double n = row.cycle.count;
+      const double N = row.endured;
+      out += more(fmt::format(
+          "range {}: n = {}, N = {}, n/N = {}{}", text::MPa(row.cycle.range.value()),
+          text::cycles(n), std::isfinite(N) ? text::cycles(N) : "unlimited",
+          text::significant(n / N, 3), row.situation.empty() ? "" : " (" + row.situation + ")"));
     }
     out += factor_line(check, "k");
   }
@@ -172,7 +180,7 @@ std::string given_lines(const Project& project, const Check& check) {
                               text::MPa(given.opposite->value()), text::MPa(check.acting.value())));
       out += line("d_sigma_R", fmt::format("d_sigma_C (5e6/N)^(1/5) = {} at {} cycles",
                                            text::MPa(check.resisting.value()),
-                                           text::cycles(project.fatigue.cycles)));
+                                           text::cycles(most_cycles_of(project))));
     }
   }
   return out + factor_line(check, fmt::format("{}/{}", text::MPa(check.resisting.value()),

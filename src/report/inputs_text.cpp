@@ -48,6 +48,23 @@ std::string hole_inputs(const Project& project) {
   return out;
 }
 
+std::string situation_text(const Project& project, const Situation& situation) {
+  if (situation.name.empty()) return text::cycles(situation.cycles);
+  std::string out = situation.name + ": ";
+  out += situation.cycles > 0.0 ? text::cycles(situation.cycles) + " cycles" : "strength only";
+  if (!situation.between.empty()) {
+    std::vector<std::string> names;
+    for (const std::size_t i : situation.between) names.push_back(project.situations[i].name);
+    return out + fmt::format(", changing between {}", fmt::join(names, " and "));
+  }
+  if (situation.load_factor != 1.0) {
+    out += fmt::format(", load factor {} on its stresses for strength",
+                       text::significant(situation.load_factor, 3));
+  }
+  if (!situation.set.empty()) out += fmt::format("; {}", fmt::join(situation.set, "; "));
+  return out;
+}
+
 }  // namespace
 
 std::string inputs_text(const Project& project) {
@@ -70,12 +87,15 @@ std::string inputs_text(const Project& project) {
                                                text::significant(project.strength.required, 3)));
   out += layout::entry(
       "fatigue",
-      fmt::format("category {}, {} cycles, {}, gamma_Ff = {}, gamma_Mf = {}, required factor {}",
-                  fatigue.category, text::cycles(fatigue.cycles),
-                  fatigue.demand.loading == Loading::spectrum ? "spectrum" : "constant amplitude",
-                  text::significant(fatigue.demand.gamma_Ff, 3),
-                  text::significant(fatigue.demand.gamma_Mf, 3),
-                  text::significant(fatigue.required, 3)));
+      fmt::format(
+          "category {}, {}, gamma_Ff = {}, gamma_Mf = {}, required factor {}", fatigue.category,
+          fatigue.demand.loading == Loading::spectrum ? "spectrum" : "constant amplitude",
+          text::significant(fatigue.demand.gamma_Ff, 3),
+          text::significant(fatigue.demand.gamma_Mf, 3), text::significant(fatigue.required, 3)));
+  for (const Situation& situation : project.situations) {
+    out += layout::entry(situation.name.empty() ? "cycles" : "situation",
+                         situation_text(project, situation));
+  }
   return out;
 }
 

@@ -31,13 +31,14 @@ Json check_json(const Check& check) {
           {"point", check.point},
           {"station", finite(check.station.s.value())},
           {"side", to_text(check.station.side)},
+          {"situation", check.situation},
           {"time", finite(check.time.value())},
           {"acting", finite(check.acting.value())},
           {"resisting", finite(check.resisting.value())},
           {"safety_factor", finite(check.safety_factor)},
           {"required", finite(check.required)},
           {"utilisation", finite(check.utilisation())},
-          {"unit", "Pa"},
+          {"unit", check.acting.unit()},
           {"source", check.source}};
 }
 

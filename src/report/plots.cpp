@@ -309,18 +309,22 @@ void mechanism(Gnuplot& gp, const Project& project, const Verification& verifica
 
 void stress(Gnuplot& gp, const Project& project, const Verification& verification) {
   begin(gp, "stress", 860, 520);
-  const double period = verification.period.value();
-  const double begin_time = verification.begin.value();
+  const CheckResult* governing = verification.governing(Criterion::fatigue);
+  if (governing == nullptr) governing = &verification.checks.front();
+  const std::size_t running = governing->basis->running;
+  const std::vector<double>& instants = governing->basis->times;
+  const std::string& situation = project.situations[running].name;
   gp << "set title "
      << quoted("Normal stress over the cycle at the places with the largest ranges: " +
-               project.name)
+               project.name + (situation.empty() ? "" : ", " + situation))
      << " noenhanced\n"
-     << "set xlabel 't [s]'\nset ylabel 'sigma [MPa]'\nset xrange [" << begin_time << ":"
-     << begin_time + period << "]\n"
+     << "set xlabel 't [s]'\nset ylabel 'sigma [MPa]'\nset xrange [" << instants.front() << ":"
+     << instants.back() << "]\n"
      << "set key outside bottom center horizontal\n";
   std::vector<const CheckResult*> shown;
   for (const CheckResult& result : verification.checks) {
-    if (result.check.criterion != Criterion::fatigue || !result.basis || shown.size() == 3)
+    if (result.check.criterion != Criterion::fatigue || !result.basis || shown.size() == 3 ||
+        result.basis->running != running)
       continue;
     const bool same_station = std::any_of(
         shown.begin(), shown.end(),
@@ -331,14 +335,14 @@ void stress(Gnuplot& gp, const Project& project, const Verification& verificatio
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const CheckBasis& basis = *shown[k]->basis;
     std::vector<Row2> rows;
-    const std::size_t n = basis.history.size();
-    const std::size_t steps = verification.closed ? n : n - 1;
-    for (std::size_t i = 0; i <= steps; ++i) {
-      rows.emplace_back(begin_time + period * static_cast<double>(i) / static_cast<double>(steps),
-                        basis.history[i % n] * 1e-6);
+    for (std::size_t i = 0; i < basis.times.size(); ++i) {
+      rows.emplace_back(basis.times[i], basis.history[i] * 1e-6);
     }
-    const std::vector<Row2> extremes{{basis.highest.time.value(), basis.highest.value * 1e-6},
-                                     {basis.lowest.time.value(), basis.lowest.value * 1e-6}};
+    std::vector<Row2> extremes;
+    for (const Extreme& extreme : {basis.highest, basis.lowest}) {
+      if (extreme.situation != running) continue;
+      extremes.emplace_back(extreme.time.value(), extreme.value * 1e-6);
+    }
     block(gp, fmt::format("h{}", k), rows);
     block(gp, fmt::format("x{}", k), extremes);
     plot += fmt::format(
@@ -350,7 +354,7 @@ void stress(Gnuplot& gp, const Project& project, const Verification& verificatio
     if (k > 0) continue;
     // Near the frame a label grows inwards.
     const auto side = [&](double time) {
-      const double share = (time - begin_time) / period;
+      const double share = (time - instants.front()) / (instants.back() - instants.front());
       return share < 0.15 ? " left" : (share > 0.85 ? " right" : " center");
     };
     for (const Row2& extreme : extremes) {
@@ -374,9 +378,17 @@ void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
                       figure.constant_amplitude[i] * 1e-6);
   }
   block(gp, "line", rows);
-  const double range = figure.working_range * 1e-6;
-  block(gp, "work", std::vector<Row2>{{figure.working_cycles, range}});
-  block(gp, "needed", std::vector<Row2>{{figure.working_cycles, range * figure.required}});
+  std::vector<Row2> work, needed;
+  double cycles = 0.0, range = 0.0;  // of the largest range
+  for (const auto& [n, pascals] : figure.working) {
+    work.emplace_back(n, pascals * 1e-6);
+    needed.emplace_back(n, pascals * 1e-6 * figure.required);
+    if (pascals * 1e-6 <= range) continue;
+    cycles = n;
+    range = pascals * 1e-6;
+  }
+  block(gp, "work", work);
+  block(gp, "needed", needed);
   const bool en = !figure.published_step;
   gp << "set title " << quoted("S-N diagram with the governing stress range: " + project.name)
      << " noenhanced\n"
@@ -396,8 +408,8 @@ void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
        << "set label 'category " << figure.category << "' at 2e6," << figure.category
        << " left offset 0.6,0.6 point pt 6\n";
   }
-  gp << "set label '" << text::significant(range, 3) << " MPa' at " << figure.working_cycles << ","
-     << range << " left offset 1,-0.7 tc rgb '" << colour(1) << "'\n";
+  gp << "set label '" << text::significant(range, 3) << " MPa' at " << cycles << "," << range
+     << " left offset 1,-0.7 tc rgb '" << colour(1) << "'\n";
   gp << "plot $line using 1:2 with lines lw 2 lc rgb '" << colour(0) << "' title "
      << quoted(
             en ? fmt::format("EN 1993-1-9, category {}, spectrum", figure.category)

@@ -102,33 +102,33 @@ void add_branches(const Project& project, std::vector<std::string>& remarks) {
       "neither checked nor reported; add [loops] where a loop has two assemblies");
 }
 
-void add_motion(const Project& project, const Verification& verification,
+void add_motion(const Project& project, const MotionSummary& motion,
                 std::vector<std::string>& remarks) {
-  for (const double time : verification.change_points) {
+  for (const double time : motion.change_points) {
     remarks.push_back(fmt::format(
         "at t = {} the mechanism passes a change point, where it could go over to another branch; "
         "the smooth one is followed, and a real mechanism needs a guide there",
         text::seconds(time)));
   }
-  const planar::DegreesOfFreedom& freedom = verification.freedom;
+  const planar::DegreesOfFreedom& freedom = motion.freedom;
   if (freedom.redundant > 0) {
     remarks.push_back(fmt::format(
         "{} repeat each other: the beam's loads are determined, theirs are not",
         fmt::join(planar::names_of_joints(project.mechanism, freedom.repeating), ", ")));
   }
-  if (freedom.undriven == 0 && verification.digits.left < 9.0) {
+  if (freedom.undriven == 0 && motion.digits.left < 9.0) {
     remarks.push_back(fmt::format(
         "close to a dead point only {:.0f} digits of velocities are left (t = {}): loads there "
         "depend strongly on lengths and on the driver",
-        std::floor(verification.digits.left), text::seconds(verification.digits.time.value())));
+        std::floor(motion.digits.left), text::seconds(motion.digits.time.value())));
   }
   if (project.mechanism.duration.length > 0.0) {
     remarks.push_back(
         fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "
                     "looked at, {}",
-                    project.fatigue.cycles, text::seconds(verification.period.value())));
+                    most_cycles_of(project), text::seconds(motion.period.value())));
   }
-  if (!verification.closed) {
+  if (!motion.closed) {
     remarks.push_back(
         "the motion does not repeat by itself: ranges are those of the time looked at, taken as "
         "repeated from its end to its beginning once per cycle");
@@ -141,7 +141,7 @@ void add_missing_fatigue(const Verification& verification, std::vector<std::stri
 }
 
 void add_short_lives(const Project& project, std::vector<std::string>& remarks) {
-  if (project.fatigue.cycles >= 1e4) return;
+  if (most_cycles_of(project) >= 1e4) return;
   remarks.push_back(
       "fewer than 1e4 cycles: the S-N lines of EN 1993-1-9 begin at 1e4, the strength shown is "
       "extrapolated and the yield check decides");
@@ -163,7 +163,14 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   }
   add_categories(project, remarks);
   add_branches(project, remarks);
-  add_motion(project, verification, remarks);
+  for (const MotionSummary& motion : verification.motions) {
+    const std::size_t before = remarks.size();
+    add_motion(project, motion, remarks);
+    const std::string& name = project.situations[motion.situation].name;
+    for (std::size_t i = before; i < remarks.size() && !name.empty(); ++i) {
+      remarks[i] = fmt::format("situation \"{}\": {}", name, remarks[i]);
+    }
+  }
   add_missing_fatigue(verification, remarks);
   add_short_lives(project, remarks);
   add_beside(project, verification, remarks);

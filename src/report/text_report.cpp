@@ -79,13 +79,18 @@ std::string case_section(const Project& project, const Verification& verificatio
                      project.dynamics == Dynamics::rigorous
                          ? "reactions of the mechanism, distributed weight and inertia"
                          : "the published Newton chain");
-  out += fmt::format("  period        {}, {} instants solved, extremes refined between them\n",
-                     text::seconds(verification.period.value()), verification.instants);
+  for (const MotionSummary& motion : verification.motions) {
+    const std::string& name = project.situations[motion.situation].name;
+    out += fmt::format("  period        {}, {} instants solved, extremes refined between them{}\n",
+                       text::seconds(motion.period.value()), motion.instants,
+                       name.empty() ? "" : " (" + name + ")");
+  }
   return out + "\n";
 }
 
 std::string mechanism_section(const Project& project, const Verification& verification) {
-  const planar::DegreesOfFreedom& freedom = verification.freedom;
+  const MotionSummary& motion = verification.motions.front();
+  const planar::DegreesOfFreedom& freedom = motion.freedom;
   std::string out = heading("Mechanism");
   out += fmt::format(
       "  degrees of freedom  {} by Gruebler, {} by the rank of the Jacobian; {} driver{}\n",
@@ -100,15 +105,14 @@ std::string mechanism_section(const Project& project, const Verification& verifi
                        freedom.undriven, freedom.undriven == 1 ? "" : "s");
   } else {
     out += fmt::format("  digits left         {:.0f} of velocities, at worst (t = {})\n",
-                       std::floor(verification.digits.left),
-                       text::seconds(verification.digits.time.value()));
+                       std::floor(motion.digits.left), text::seconds(motion.digits.time.value()));
   }
-  for (std::size_t i = 0; i < verification.branch.size(); ++i) {
+  for (std::size_t i = 0; i < motion.branch.size(); ++i) {
     out += fmt::format("  branch              loop {}: {}\n", project.mechanism.loops[i].name,
-                       verification.branch[i] > 0 ? "+" : "-");
+                       motion.branch[i] > 0 ? "+" : "-");
   }
   out += fmt::format("  joints closed to    {:.1e} of the mechanism's size at all instants\n\n",
-                     verification.largest_residual);
+                     motion.largest_residual);
   Table table({"body", "mass [kg]", "J about centre [kg m^2]"});
   for (const Body& body : project.mechanism.bodies) {
     table.row({body.name, text::significant(body.mass, 5), text::significant(body.inertia, 5)});
@@ -130,8 +134,12 @@ std::string loads_section(const Verification& verification) {
                std::abs(row.couple.value()) < 1e-6 ? "0" : text::kNm(row.couple.value())});
   }
   out += table.text();
+  double imbalance = 0.0;
+  for (const MotionSummary& motion : verification.motions) {
+    imbalance = std::max(imbalance, motion.imbalance);
+  }
   out += fmt::format("\n  balance of all loads on the beam: {:.1e} of the largest force\n\n",
-                     verification.imbalance);
+                     imbalance);
   return out;
 }
 

@@ -5,7 +5,18 @@
 namespace boxbeam {
 
 const char* to_text(Criterion criterion) {
-  return criterion == Criterion::yield ? "yield" : "fatigue";
+  switch (criterion) {
+    case Criterion::yield: return "yield";
+    case Criterion::fatigue: return "fatigue";
+    case Criterion::shear_fatigue: return "shear fatigue";
+    case Criterion::combined_fatigue: return "combined fatigue";
+    case Criterion::stress_range: return "stress range";
+    case Criterion::weld: return "weld";
+    case Criterion::pin: return "pin";
+    case Criterion::buckling: return "buckling";
+    case Criterion::deflection: return "deflection";
+  }
+  return "";
 }
 
 std::string to_text(const Station& station) {

@@ -37,19 +37,21 @@ CutForceLine cut_force_line(const LoadHistory& loads, Time time, const std::stri
   return line;
 }
 
-std::vector<CutForceLine> envelope_lines(const LoadHistory& loads) {
-  const std::vector<Station> stations = drawn_stations(loads.diagram(0));
+std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
+  const std::vector<Station> stations = drawn_stations(runs.front().loads.diagram(0));
   std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}},
                                   {Time{}, "largest", stations, {}}};
   for (const Station& station : stations) {
-    CutForces low = loads.diagram(0).at(station);
+    CutForces low = runs.front().loads.diagram(0).at(station);
     CutForces high = low;
-    for (std::size_t i = 1; i < loads.instants(); ++i) {
-      const CutForces cut = loads.diagram(i).at(station);
-      low = {std::min(low.N, cut.N),     low.V_y, std::min(low.V_z, cut.V_z), low.T,
-             std::min(low.M_y, cut.M_y), low.M_z};
-      high = {std::max(high.N, cut.N),     high.V_y, std::max(high.V_z, cut.V_z), high.T,
-              std::max(high.M_y, cut.M_y), high.M_z};
+    for (const SituationRun& run : runs) {
+      for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+        const CutForces cut = run.loads.diagram(i).at(station);
+        low = {std::min(low.N, cut.N),     low.V_y, std::min(low.V_z, cut.V_z), low.T,
+               std::min(low.M_y, cut.M_y), low.M_z};
+        high = {std::max(high.N, cut.N),     high.V_y, std::max(high.V_z, cut.V_z), high.T,
+                std::max(high.M_y, cut.M_y), high.M_z};
+      }
     }
     lines[0].values.push_back(low);
     lines[1].values.push_back(high);
@@ -75,9 +77,8 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& load
   return rows;
 }
 
-PostureFigure posture_figure(const Project& project, const planar::State& state,
-                             const std::string& why) {
-  const planar::Mechanism& mechanism = project.mechanism;
+PostureFigure posture_figure(const Project& project, const planar::Mechanism& mechanism,
+                             const planar::State& state, const std::string& why) {
   const auto place = [&](const planar::Attachment& at) { return planar::position_of(at, state.q); };
   PostureFigure figure;
   figure.time = si<Time>(state.time);
@@ -156,9 +157,14 @@ SnFigure sn_figure(const Project& project, const CheckResult& governing) {
   }
   figure.knee = knee_of(curve).value();
   figure.cut_off = cut_off_of(curve).value();
-  figure.working_cycles = fatigue.cycles;
-  figure.working_range =
-      governing.check.acting.value() * fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf;
+  const double gammas = fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf;
+  if (governing.basis) {
+    for (const SpectrumRow& row : governing.basis->spectrum) {
+      figure.working.emplace_back(row.cycle.count, row.cycle.range.value() * gammas);
+    }
+  } else {
+    figure.working.emplace_back(most_cycles_of(project), governing.check.acting.value() * gammas);
+  }
   figure.required = fatigue.required;
   return figure;
 }

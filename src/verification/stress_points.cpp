@@ -183,17 +183,22 @@ std::vector<StressPoint> stress_points_at(const Project& project, const Station&
   return points;
 }
 
-StressPoint at_worst_edge(const StressPoint& point, const StationHistory& history,
+StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationHistory>& histories,
                           Criterion criterion) {
   StressPoint moved = point;
   moved.edges.clear();
   double worst = -1.0;
   for (const HoleEdge& edge : point.edges) {
-    Span span;
-    for (const CutForces& cut : history.samples()) {
-      span.add(stress_at(edge.level, cut).normal.value());
+    double value = 0.0;
+    for (const SituationHistory& at : histories) {
+      Span span;
+      for (const CutForces& cut : at.history.samples()) {
+        span.add(stress_at(edge.level, cut).normal.value());
+      }
+      value = std::max(value, criterion == Criterion::fatigue
+                                  ? span.range()
+                                  : at.situation->load_factor * span.largest());
     }
-    const double value = criterion == Criterion::fatigue ? span.range() : span.largest();
     if (value <= worst) continue;
     worst = value;
     moved.z = edge.z;
@@ -203,7 +208,8 @@ StressPoint at_worst_edge(const StressPoint& point, const StationHistory& histor
   return moved;
 }
 
-std::vector<Station> stations_to_verify(const Project& project, const LoadHistory& loads) {
+std::vector<Station> stations_to_verify(const Project& project,
+                                        const std::deque<SituationRun>& runs) {
   const TaperedBeam& beam = project.beam;
   std::vector<Length> places = places_of(beam);
   for (const NamedPoint& point : project.points) places.push_back(point.s);
@@ -213,7 +219,7 @@ std::vector<Station> stations_to_verify(const Project& project, const LoadHistor
     places.push_back(stretch.to);
   }
   std::vector<Length> inner;
-  add_inner_maxima(beam, loads, inner);
+  for (const SituationRun& run : runs) add_inner_maxima(beam, run.loads, inner);
   // Maxima of different quantities close together are one station, the one of the stress range
   // first: near its maximum a quantity is level, so that what the others lose is of second order.
   std::vector<Length> chosen;
@@ -234,7 +240,10 @@ std::vector<Station> stations_to_verify(const Project& project, const LoadHistor
 
   std::vector<Station> stations;
   for (const Length& s : places) {
-    if (!jumps_at(beam, loads, s)) {
+    const bool jump = std::any_of(runs.begin(), runs.end(), [&](const SituationRun& run) {
+      return jumps_at(beam, run.loads, s);
+    });
+    if (!jump) {
       stations.push_back({s, Side::both});
       continue;
     }

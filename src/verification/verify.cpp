@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
@@ -14,87 +13,35 @@
 namespace boxbeam {
 namespace {
 
-/// Stops where a joint has slid off the end of the beam.
-void check_on_beam(const Project& project, const BeamLoads& loads, Time time) {
-  const double length = project.beam.length().value();
-  for (const PointLoad& load : loads.points) {
-    const double s = load.s.value();
-    if (s >= -1e-9 * length && s <= (1.0 + 1e-9) * length) continue;
-    throw AnalysisError({fmt::format("a joint slides off the beam: it stands at s = {:.6g} m, and "
-                                     "the beam goes from 0 to {:.6g} m",
-                                     s, length),
-                         "beam",
-                         time.value(),
-                         {},
-                         {}});
+Envelope envelope_of(const Project& project, const std::vector<SituationHistory>& histories,
+                     const CutForceFunction& f) {
+  Envelope envelope;
+  for (const SituationHistory& at : histories) {
+    const std::size_t situation = index_of(project, *at.situation);
+    const TurningPoint low = at.history.largest([&](const CutForces& cut) { return -f(cut); });
+    const TurningPoint high = at.history.largest(f);
+    const bool first = &at == &histories.front();
+    if (first || -low.value < envelope.smallest.value)
+      envelope.smallest = {low.time, -low.value, situation};
+    if (first || high.value > envelope.largest.value)
+      envelope.largest = {high.time, high.value, situation};
   }
-}
-
-/// Where the loads on the beam come from at any time: the mechanism's reactions or the chain.
-LoadsAt loads_of(const Project& project, const planar::Motion& motion) {
-  auto finder = std::make_shared<planar::StateFinder>(project.mechanism, motion);
-  if (project.dynamics == Dynamics::newton_chain) {
-    auto distribution = mass_distribution_of(project.beam);
-    return [&project, finder, distribution](Time time) {
-      return planar::beam_loads_of(*project.chain, project.beam, distribution,
-                                   project.mechanism.gravity, finder->at(time.value()));
-    };
-  }
-  auto body = planar::beam_body_of(project.beam, project.beam_body);
-  return [&project, finder, body](Time time) {
-    BeamLoads loads = planar::beam_loads_of(project.mechanism, finder->at(time.value()), body);
-    check_on_beam(project, loads, time);
-    return loads;
-  };
-}
-
-LoadHistory loads_on_beam(const Project& project, const planar::Motion& motion) {
-  const LoadSpan span{si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(),
-                      motion.closed};
-  return {project.beam, span, loads_of(project, motion)};
-}
-
-/// Largest force and moment left over on the beam, relative to the largest joint force. Anything
-/// but round-off means that the loads do not belong to this beam.
-double imbalance_over(const Project& project, const LoadHistory& loads) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < loads.instants(); i += loads.instants() / 16) {
-    const Time time = loads.time_of(i);
-    const BeamLoads at = loads.loads_at(time);
-    double largest =
-        mass_properties_of(project.beam).mass.value() * project.mechanism.gravity.norm();
-    for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
-    if (largest == 0.0) continue;
-    const Imbalance open = imbalance_of(project.beam, at);
-    const double relative =
-        (open.force.norm() + open.moment.norm() / project.beam.length().value()) / largest;
-    worst = std::max(worst, relative);
-    if (relative > 1e-6) {
-      throw AnalysisError(
-          {"the loads on the beam are not in balance", "beam", time.value(), relative, {}});
-    }
-  }
-  return worst;
-}
-
-Envelope envelope_of(const StationHistory& history, const CutForceFunction& f) {
-  TurningPoint low = history.largest([&](const CutForces& cut) { return -f(cut); });
-  low.value *= -1.0;
-  low.maximum = false;
-  return {low, history.largest(f)};
+  return envelope;
 }
 
 double axial(const CutForces& cut) { return cut.N.value(); }
 double shear(const CutForces& cut) { return cut.V_z.value(); }
 double bending(const CutForces& cut) { return cut.M_y.value(); }
 
-std::vector<StationEnvelope> cut_force_envelopes(const Project& project, const LoadHistory& loads,
+std::vector<StationEnvelope> cut_force_envelopes(const Project& project,
+                                                 const std::deque<SituationRun>& runs,
                                                  const std::vector<Station>& stations) {
   std::vector<StationEnvelope> envelopes;
   const auto add = [&](const Station& station) {
-    const StationHistory history(loads, station);
-    envelopes.push_back({station, envelope_of(history, axial), envelope_of(history, shear),
-                         envelope_of(history, bending)});
+    const std::vector<SituationHistory> histories = histories_at(runs, station);
+    envelopes.push_back({station, envelope_of(project, histories, axial),
+                         envelope_of(project, histories, shear),
+                         envelope_of(project, histories, bending)});
   };
   // Outside the two ends nothing is cut: the jump to zero there is part of the diagram.
   add({Length{}, Side::before});
@@ -112,7 +59,7 @@ void sort_worst_first(std::vector<CheckResult>& checks) {
 std::vector<CriticalInstant> critical_instants_of(const Verification& verification) {
   std::vector<CriticalInstant> instants;
   const auto add = [&](const char* name, Envelope StationEnvelope::*quantity,
-                       TurningPoint Envelope::*end) {
+                       Extreme Envelope::*end) {
     const StationEnvelope* best = nullptr;
     for (const StationEnvelope& station : verification.stations) {
       const double value = (station.*quantity.*end).value;
@@ -120,8 +67,8 @@ std::vector<CriticalInstant> critical_instants_of(const Verification& verificati
       const double so_far = (best->*quantity.*end).value;
       if (end == &Envelope::largest ? value > so_far : value < so_far) best = &station;
     }
-    const TurningPoint& point = best->*quantity.*end;
-    instants.push_back({name, best->station, point.time, point.value});
+    const Extreme& at = best->*quantity.*end;
+    instants.push_back({name, best->station, at.time, at.value, at.situation});
   };
   for (const auto end : {&Envelope::largest, &Envelope::smallest}) {
     add("N", &StationEnvelope::N, end);
@@ -132,8 +79,8 @@ std::vector<CriticalInstant> critical_instants_of(const Verification& verificati
   if (governing == nullptr || !governing->basis)
     governing = verification.governing(Criterion::yield);
   if (governing != nullptr && governing->basis) {
-    const auto add_stress = [&](const TurningPoint& point) {
-      instants.push_back({"stress", governing->check.station, point.time, point.value});
+    const auto add_stress = [&](const Extreme& at) {
+      instants.push_back({"stress", governing->check.station, at.time, at.value, at.situation});
     };
     add_stress(governing->basis->highest);
     if (governing->check.criterion == Criterion::fatigue) add_stress(governing->basis->lowest);
@@ -159,21 +106,33 @@ std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
 }
 
 /// The distinct times of the extremes of bending and stress: the instants worth drawing.
-std::vector<std::pair<Time, std::string>> instants_to_show(const Verification& verification) {
-  std::vector<std::pair<Time, std::string>> shown;
+struct ShownInstant {
+  std::size_t situation;
+  Time time;
+  std::string why;
+};
+
+std::vector<ShownInstant> instants_to_show(const Verification& verification) {
+  std::vector<ShownInstant> shown;
   for (const CriticalInstant& instant : verification.critical_instants) {
     if (instant.quantity != "M" && instant.quantity != "stress") continue;
     const std::string why = name_of_extreme(verification.critical_instants, instant);
     if (why.empty()) continue;
-    const auto same = std::find_if(shown.begin(), shown.end(), [&](const auto& other) {
-      return abs(other.first - instant.time) < 0.01 * verification.period;
+    const auto motion =
+        std::find_if(verification.motions.begin(), verification.motions.end(),
+                     [&](const MotionSummary& of) { return of.situation == instant.situation; });
+    const auto same = std::find_if(shown.begin(), shown.end(), [&](const ShownInstant& other) {
+      return other.situation == instant.situation &&
+             abs(other.time - instant.time) < 0.01 * motion->period;
     });
     if (same == shown.end())
-      shown.emplace_back(instant.time, why);
+      shown.push_back({instant.situation, instant.time, why});
     else
-      same->second += ", " + why;
+      same->why += ", " + why;
   }
-  std::sort(shown.begin(), shown.end());
+  std::sort(shown.begin(), shown.end(), [](const ShownInstant& a, const ShownInstant& b) {
+    return std::pair(a.situation, a.time) < std::pair(b.situation, b.time);
+  });
   return shown;
 }
 
@@ -208,50 +167,36 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
 }
 
 /// What the report shows of the instants that decide.
-void describe_instants(const Project& project, const planar::Motion& motion,
-                       const LoadHistory& loads, Verification& result) {
-  planar::StateFinder finder(project.mechanism, motion);
-  result.postures.push_back(posture_figure(project, motion.states.front(), "beginning"));
-  for (const auto& [time, why] : instants_to_show(result)) {
+void describe_instants(const Project& project, const std::deque<SituationRun>& runs,
+                       Verification& result) {
+  const SituationRun& first = runs.front();
+  result.postures.push_back(posture_figure(project, mechanism_in(project, *first.situation),
+                                           first.motion.states.front(), "beginning"));
+  for (const auto& [index, time, why] : instants_to_show(result)) {
+    const Situation& situation = project.situations[index];
+    const SituationRun& run = run_of(runs, situation);
+    planar::StateFinder finder(mechanism_in(project, situation), run.motion);
     const planar::State state = finder.at(time.value());
-    result.lines.push_back(cut_force_line(loads, time, why));
-    auto rows = load_rows(project, loads.loads_at(time), time, beam_angle(project, state));
+    const std::string label =
+        situation.name.empty() ? why : fmt::format("{} ({})", why, situation.name);
+    result.lines.push_back(cut_force_line(run.loads, time, label));
+    auto rows = load_rows(project, run.loads.loads_at(time), time, beam_angle(project, state));
     place_loads(project, state, rows);
+    for (BeamLoadRow& row : rows) row.situation = index;
     result.loads.insert(result.loads.end(), rows.begin(), rows.end());
-    result.postures.push_back(posture_figure(project, state, why));
+    result.postures.push_back(
+        posture_figure(project, mechanism_in(project, situation), state, label));
     result.postures.back().loads = rows;
   }
-  result.envelope = envelope_lines(loads);
+  result.envelope = envelope_lines(runs);
   if (project.chain) {
     const auto largest_M =
         std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
                      [](const CriticalInstant& c) { return c.quantity == "M"; });
+    const SituationRun& run = run_of(runs, project.situations[largest_M->situation]);
+    planar::StateFinder finder(mechanism_in(project, *run.situation), run.motion);
     result.chain = compare_chain(project, finder.at(largest_M->time.value()));
   }
-}
-
-/// Stops where rigid bodies do not determine what acts on the beam.
-void check_unique_loads(const Project& project, const planar::Motion& motion) {
-  const planar::Mechanism& mechanism = project.mechanism;
-  std::string names;
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const auto [a, b] = planar::ends_of(mechanism.joints[i]);
-    const bool on_beam = a.body == project.beam_body || b.body == project.beam_body;
-    const bool rubs = planar::rubs(mechanism.joints[i]);
-    if (!on_beam && !rubs) continue;
-    if (planar::is_unique(mechanism, motion.freedom, static_cast<int>(i))) continue;
-    names += (names.empty() ? "joint " : ", ") + mechanism.joints[i].name;
-  }
-  if (names.empty() || project.beam_body == planar::ground) return;
-  throw AnalysisError(
-      {fmt::format("the loads on the beam are not determined by rigid bodies: joints repeat each "
-                   "other ({}), and how they share their load depends on their stiffness; release "
-                   "one of them (a slot for a pin, a slider without its angle)",
-                   fmt::join(planar::names_of_joints(mechanism, motion.freedom.repeating), ", ")),
-       names,
-       {},
-       {},
-       {}});
 }
 
 DigitsLeft digits_left_over(const planar::Mechanism& mechanism, const planar::Motion& motion) {
@@ -261,25 +206,36 @@ DigitsLeft digits_left_over(const planar::Mechanism& mechanism, const planar::Mo
   return {planar::digits_left_at(planar::condition_of(mechanism, worst->q)), si<Time>(worst->time)};
 }
 
-void describe_mechanism(const Project& project, const planar::Motion& motion,
-                        Verification& result) {
-  const planar::State& first = motion.states.front();
-  result.freedom = motion.freedom;
-  result.branch = planar::branch_of(project.mechanism, first.q);
-  result.instants = motion.states.size();
-  result.begin = si<Time>(motion.begin);
-  result.period = si<Time>(motion.period);
-  result.closed = motion.closed;
-  result.change_points = motion.change_points;
-  if (motion.freedom.undriven == 0) result.digits = digits_left_over(project.mechanism, motion);
+MotionSummary summary_of(const Project& project, const SituationRun& run) {
+  const planar::Motion& motion = run.motion;
+  const planar::Mechanism& mechanism = mechanism_in(project, *run.situation);
+  MotionSummary summary;
+  summary.situation = index_of(project, *run.situation);
+  summary.freedom = motion.freedom;
+  summary.branch = planar::branch_of(mechanism, motion.states.front().q);
+  if (motion.freedom.undriven == 0) summary.digits = digits_left_over(mechanism, motion);
+  summary.change_points = motion.change_points;
+  summary.instants = motion.states.size();
+  summary.begin = si<Time>(motion.begin);
+  summary.period = si<Time>(motion.period);
+  summary.closed = motion.closed;
   for (const planar::State& state : motion.states) {
-    result.largest_residual = std::max(result.largest_residual, state.residual);
+    summary.largest_residual = std::max(summary.largest_residual, state.residual);
   }
+  summary.imbalance = run.imbalance;
+  return summary;
+}
+
+void describe_mechanism(const Project& project, const std::deque<SituationRun>& runs,
+                        Verification& result) {
+  for (const SituationRun& run : runs) result.motions.push_back(summary_of(project, run));
   result.beam_mass = mass_properties_of(project.beam);
   if (project.equivalent_mass) {
     const EquivalentMassDemand& demand = *project.equivalent_mass;
-    result.equivalent_mass = planar::equivalent_mass_of(
-        project.mechanism, motion, demand.joint, demand.on, demand.adjust, demand.wanted.value());
+    const SituationRun& run = runs.front();
+    result.equivalent_mass =
+        planar::equivalent_mass_of(mechanism_in(project, *run.situation), run.motion, demand.joint,
+                                   demand.on, demand.adjust, demand.wanted.value());
   }
 }
 
@@ -337,16 +293,13 @@ const CheckResult* Verification::governing(Criterion criterion) const {
 }
 
 Verification verify(const Project& project) {
-  const planar::Motion motion = planar::solve_motion(project.mechanism);
-  check_unique_loads(project, motion);
-  const LoadHistory loads = loads_on_beam(project, motion);
-  const std::vector<Station> stations = stations_to_verify(project, loads);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const std::vector<Station> stations = stations_to_verify(project, runs);
 
   Verification result;
-  describe_mechanism(project, motion, result);
-  result.imbalance = imbalance_over(project, loads);
-  result.stations = cut_force_envelopes(project, loads, stations);
-  result.checks = project.given_stresses.empty() ? check_beam(project, loads, stations)
+  describe_mechanism(project, runs, result);
+  result.stations = cut_force_envelopes(project, runs, stations);
+  result.checks = project.given_stresses.empty() ? check_beam(project, runs, stations)
                                                  : check_given_stresses(project);
   sort_worst_first(result.checks);
   const bool all_pass = std::all_of(result.checks.begin(), result.checks.end(),
@@ -356,7 +309,7 @@ Verification verify(const Project& project) {
                    : result.gates.empty() ? Verdict::pass
                                           : Verdict::not_applicable;
   result.critical_instants = critical_instants_of(result);
-  describe_instants(project, motion, loads, result);
+  describe_instants(project, runs, result);
   describe_beam(project, result);
   if (const CheckResult* fatigue = result.governing(Criterion::fatigue)) {
     result.sn = sn_figure(project, *fatigue);

@@ -157,7 +157,7 @@ bool makes_sense(const boxbeam::Project& project) {
   using namespace boxbeam;
   const auto some = [](double x) { return std::isfinite(x) && x > 0.0; };
   bool good = some(planar::time_span_of(project.mechanism).length) &&
-              some(project.fatigue.cycles) &&
+              some(project.situations.front().cycles) &&
               some(mass_properties_of(project.beam).inertia.value());
   for (const Body& body : project.mechanism.bodies) {
     good =

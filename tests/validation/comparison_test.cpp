@@ -164,7 +164,7 @@ std::map<std::string, std::function<double()>> computed() {
       return largest_deviation("accelerations", t, &planar::State::a);
     };
   }
-  values["dof"] = [] { return 1.0 * rig().freedom.by_rank; };
+  values["dof"] = [] { return 1.0 * rig().motions.front().freedom.by_rank; };
   values["g"] = [] { return -test::rig().mechanism.gravity.y(); };
   values["d/w"] = [] { return -std::log(2.66 / 2.68750) / 0.7128; };
   values["J1"] = [] { return 2427 * 1.410 * 1.410; };

@@ -174,7 +174,7 @@ TEST_CASE("rotary inertia of the sections changes the governing range by a tenth
   with.mechanism.bodies[static_cast<std::size_t>(with.beam_body)].inertia =
       properties.inertia.value();
   const Verification verification = verify(with);
-  CHECK(verification.imbalance < 1e-12);
+  CHECK(verification.motions.front().imbalance < 1e-12);
   CHECK(verification.governing(Criterion::fatigue)->check.acting.value() ==
         Approx(31.69566e6).epsilon(1e-6));
 }
@@ -184,7 +184,7 @@ TEST_CASE("the chain yields its loads on the rig's beam as well") {
   chain.dynamics = Dynamics::newton_chain;
   const Verification verification = verify(chain);
   CHECK(verification.chain->chain_mass.value() == Approx(18627.0).epsilon(5e-3));
-  CHECK(verification.imbalance < 1e-12);
+  CHECK(verification.motions.front().imbalance < 1e-12);
 }
 
 TEST_CASE("a weak detail anywhere on the beam changes the verdict") {

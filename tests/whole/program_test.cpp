@@ -64,9 +64,9 @@ TEST_CASE("results.json: keys in their order, two records at every jump") {
                                                       "verdict", "model", "critical_instants",
                                                       "beam", "checks", "governing", "remarks"});
   CHECK(keys_of(document["checks"][0]) ==
-        std::vector<std::string>{"id", "criterion", "point", "station", "side", "time", "acting",
-                                 "resisting", "safety_factor", "required", "utilisation", "unit",
-                                 "source"});
+        std::vector<std::string>{"id", "criterion", "point", "station", "side", "situation", "time",
+                                 "acting", "resisting", "safety_factor", "required", "utilisation",
+                                 "unit", "source"});
   int sides = 0;
   for (const auto& station : document["beam"]["stations"]) {
     if (station["s"].get<double>() != 3.2) continue;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -66,6 +67,15 @@ struct CaseDocument {
 
   Problem problem_at(const Place& place, std::string message, std::string hint = {}) const;
 };
+
+/// The parts of a dotted key, "beam.segments.0.length"; an empty one where a dot has none beside
+/// it.
+std::vector<std::string> key_parts(const std::string& key);
+
+/// Puts a value under a key of a tree; tables on the way that are missing are made. Returns what is
+/// wrong where the key leads into no table or array item. Precondition: at least one part.
+std::optional<std::string> set_value(Node& root, const std::vector<std::string>& parts,
+                                     const Place& key_place, const Node& value);
 
 /// Reads a TOML file and applies overrides "key.path=value"; items of arrays go by their number
 /// from 0 ("beam.segments.0.length=2 m"). A value that is not TOML is taken as text.

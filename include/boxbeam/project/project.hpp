@@ -49,7 +49,6 @@ struct FatigueInput {
   bool published_step = false;
   /// Fatigue strengths are rounded to a multiple of this where given (published arithmetic).
   std::optional<Stress> round_strength_to;
-  double cycles = 0.0;  ///< repetitions of the period in the wanted life
   FatigueDemand demand;
   double required = 1.0;
   std::vector<DetailStretch> details;
@@ -69,6 +68,20 @@ struct GivenStress {
   std::string note;
 };
 
+/// A way in which the beam is used: normal running, an emergency stop, a start and a stop.
+struct Situation {
+  std::string name;  ///< "" where the case has only one
+  /// Repetitions of its period, or of the change between situations, in the wanted life; zero where
+  /// it counts for the strength only.
+  double cycles = 0.0;
+  double load_factor = 1.0;      ///< on all its loads, for strength
+  std::vector<std::string> set;  ///< what differs from the case, "drivers.exciter.frequency = ..."
+  std::optional<planar::Mechanism> changed;  ///< the mechanism with that; nothing: as the case is
+  /// Where not empty: the change between these situations (indices), one stress cycle from the
+  /// highest to the lowest stress in any of them.
+  std::vector<std::size_t> between;
+};
+
 struct EquivalentMassDemand {
   int joint = 0;
   int on = 0;
@@ -86,7 +99,8 @@ struct Project {
   std::vector<std::string> assumptions;
   std::vector<std::string> overrides;
 
-  planar::Mechanism mechanism;
+  planar::Mechanism mechanism;        ///< as the case writes it, before any situation
+  std::vector<Situation> situations;  ///< at least one; the first runs
   TaperedBeam beam;
   std::vector<HoleCase> hole_cases;  ///< one per hole of the beam
   int beam_body = planar::ground;    ///< ground: the beam is no body, only the chain can load it
@@ -100,6 +114,12 @@ struct Project {
   std::vector<NamedPoint> points;
   std::vector<GivenStress> given_stresses;
 };
+
+/// The mechanism as it runs in a situation.
+const planar::Mechanism& mechanism_in(const Project& project, const Situation& situation);
+
+/// Cycles of the situation that runs most often in the wanted life.
+double most_cycles_of(const Project& project);
 
 /// Reads a case file. `overrides` are "key.path=value"; `dynamics` replaces the case's choice.
 /// Throws InputError with all problems.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <string>
 
 #include "boxbeam/beam/tapered_beam.hpp"
@@ -7,19 +8,54 @@
 
 namespace boxbeam {
 
-enum class Criterion { yield, fatigue };
+/// What a criterion compares: a quantity of whatever dimension, SI.
+class Amount {
+ public:
+  Amount() = default;
+  Amount(Stress stress) : value_(stress.value()), unit_("Pa") {}
+  Amount(Force force) : value_(force.value()), unit_("N") {}
+  Amount(Length length) : value_(length.value()), unit_("m") {}
+  Amount(double number) : value_(number), unit_("1") {}
 
+  double value() const { return value_; }
+  std::string unit() const { return unit_; }
+
+  /// Ratio of two amounts of the same dimension.
+  friend double operator/(const Amount& a, const Amount& b) {
+    assert(a.unit() == b.unit());
+    return a.value_ / b.value_;
+  }
+
+ private:
+  double value_ = 0.0;
+  const char* unit_ = "1";
+};
+
+enum class Criterion {
+  yield,             ///< equivalent stress against the yield strength
+  fatigue,           ///< normal stress ranges against a detail category
+  shear_fatigue,     ///< shear stress ranges likewise
+  combined_fatigue,  ///< both together
+  stress_range,      ///< the largest range against 1.5 times the yield strength
+  weld,              ///< throat of a weld
+  pin,               ///< a pin and its bearing
+  buckling,          ///< a rod under compression
+  deflection,        ///< of the beam
+};
+
+/// "yield", "shear fatigue", ...; in ids with "-" for the space.
 const char* to_text(Criterion criterion);
 
 /// One criterion at one place: what acts against what resists.
 struct Check {
-  std::string id;  ///< "yield/4.2-/top": criterion, station with side, point
+  std::string id;  ///< "yield/4.2-/fibre+z": criterion, station with side, point
   Criterion criterion = Criterion::yield;
   Station station;
   std::string point;
-  Time time;         ///< instant of the largest stress
-  Stress acting;     ///< equivalent stress, or stress range
-  Stress resisting;  ///< of the same kind, partial factors applied
+  std::string situation;  ///< in which it is worst; "" where the case has only one
+  Time time;              ///< instant of the largest stress or load in it
+  Amount acting;          ///< equivalent stress, stress range, force, ...
+  Amount resisting;       ///< of the same kind, partial factors applied
   /// The largest factor on the whole load history for which the criterion still holds.
   double safety_factor = 0.0;
   double required = 1.0;

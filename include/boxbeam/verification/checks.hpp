@@ -1,27 +1,40 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <vector>
 
 #include "boxbeam/verification/check.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/stress_points.hpp"
 
 namespace boxbeam {
 
+/// Cycles of one size in the wanted life, and where they come from.
+struct SpectrumRow {
+  std::string situation;
+  Cycle cycle;  ///< its count is that of the life
+  /// Cycles to failure, the loads taken safety_factor times; infinity where it does no damage.
+  double endured = 0.0;
+};
+
 /// What a computed check rests on, for the calculation sheet and the plots.
 struct CheckBasis {
   StressPoint point;
-  /// Extremes of the normal stress [Pa]; for yield both are the instant of the check.
-  TurningPoint highest, lowest;
+  /// Extremes of the stress [Pa] over the situation of the check; for yield both are the instant of
+  /// the check.
+  Extreme highest, lowest;
   CutForces cut_at_highest, cut_at_lowest;
   CutForces cut_at_time;  ///< at the check's own instant
   PointStress stress_at_time;
-  std::vector<double> history;  ///< normal stress at the instants of the motion [Pa]
-  std::vector<Cycle> cycles;    ///< of the wanted life
-  std::vector<double>
-      endured;  ///< cycles to failure of each, the history taken safety_factor times
+  /// The stress over one period of the situation in which it is worst: instants [s], values [Pa].
+  std::size_t running = 0;  ///< index of that situation
+  std::vector<double> times, history;
   // Fatigue only:
+  std::vector<SpectrumRow> spectrum;
   double constant_amplitude_factor = 0.0;  ///< EN 1993-1-9 7.1(2)
+  double damage = 0.0;                     ///< in the wanted life, partial factors applied
+  Stress equivalent;                       ///< range at 2e6 cycles with this damage
   Stress knee, cut_off;                    ///< d_sigma_D and d_sigma_L of the category
 };
 
@@ -31,20 +44,22 @@ struct CheckResult {
   std::optional<CheckBasis> basis;
 };
 
-/// Elastic verification of a point: the largest equivalent stress over the period against the
+/// Elastic verification of a point: the largest equivalent stress in any situation against the
 /// yield strength of its plate. Nothing where the point is never stressed.
 /// Source: EN 1993-1-1:2005, 6.2.1(5).
-std::optional<CheckResult> check_yield(const Project& project, const StationHistory& history,
+std::optional<CheckResult> check_yield(const Project& project,
+                                       const std::vector<SituationHistory>& histories,
                                        const StressPoint& point);
 
-/// Direct-stress fatigue of a point: the cycles of one period, as often as the life asks.
+/// Direct-stress fatigue of a point: the cycles of all situations, as often as the life asks.
 /// Nothing where the stress does not change.
 /// Source: EN 1993-1-9:2005, clauses 7 and 8, annex A.
-std::optional<CheckResult> check_fatigue(const Project& project, const StationHistory& history,
+std::optional<CheckResult> check_fatigue(const Project& project,
+                                         const std::vector<SituationHistory>& histories,
                                          const StressPoint& point);
 
 /// Every criterion at every point of the stations.
-std::vector<CheckResult> check_beam(const Project& project, const LoadHistory& loads,
+std::vector<CheckResult> check_beam(const Project& project, const std::deque<SituationRun>& runs,
                                     const std::vector<Station>& stations);
 
 /// Yield and fatigue of stresses taken from a published calculation.

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/checks.hpp"
-#include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 
 /// What the report draws, as numbers: the report itself computes nothing.
 namespace boxbeam {
@@ -23,6 +25,7 @@ struct CutForceLine {
 /// A joint's load on the beam at a critical instant.
 struct BeamLoadRow {
   Time time;
+  std::size_t situation = 0;  ///< index in the case
   std::string name;
   Length s;
   Eigen::Vector2d world = Eigen::Vector2d::Zero();  ///< force, world axes [N]
@@ -54,24 +57,25 @@ struct SnFigure {
   int category = 0;
   bool published_step = false;
   std::vector<double> cycles;
-  std::vector<double> spectrum;                      ///< strength [Pa] at these cycles
-  std::vector<double> constant_amplitude;            ///< likewise
-  double knee = 0.0, cut_off = 0.0;                  ///< [Pa]
-  double working_cycles = 0.0, working_range = 0.0;  ///< partial factors applied to the range [Pa]
+  std::vector<double> spectrum;            ///< strength [Pa] at these cycles
+  std::vector<double> constant_amplitude;  ///< likewise
+  double knee = 0.0, cut_off = 0.0;        ///< [Pa]
+  /// Cycles in the wanted life and range [Pa], partial factors applied, per row of the spectrum.
+  std::vector<std::pair<double, double>> working;
   double required = 1.0;
 };
 
 CutForceLine cut_force_line(const LoadHistory& loads, Time time, const std::string& why);
 
-/// Smallest and largest N, V and M along the beam over the instants.
-std::vector<CutForceLine> envelope_lines(const LoadHistory& loads);
+/// Smallest and largest N, V and M along the beam over the instants of all situations.
+std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs);
 
 /// The joints' loads on the beam; `angle` is the beam's in the world [rad].
 std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads, Time time,
                                    double angle);
 
-PostureFigure posture_figure(const Project& project, const planar::State& state,
-                             const std::string& why);
+PostureFigure posture_figure(const Project& project, const planar::Mechanism& mechanism,
+                             const planar::State& state, const std::string& why);
 
 /// Finds where loads act in a state: on the beam's axis, or at the body point of their name.
 void place_loads(const Project& project, const planar::State& state,

@@ -77,6 +77,9 @@ class StationHistory {
   StationHistory(const LoadHistory& loads, const Station& station);
 
   const Station& station() const { return station_; }
+  Time period() const { return loads_->period(); }
+  bool closed() const { return loads_->closed(); }
+  Time time_of(std::size_t instant) const { return loads_->time_of(instant); }
   const std::vector<CutForces>& samples() const { return samples_; }
 
   /// The turning points of `f` in order of time. Each is bracketed by three instants and found by

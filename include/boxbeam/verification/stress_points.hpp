@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,7 +8,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/section/point_stress.hpp"
 #include "boxbeam/verification/check.hpp"
-#include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
 
@@ -42,13 +43,14 @@ struct StressPoint {
 std::vector<StressPoint> stress_points_at(const Project& project, const Station& station);
 
 /// A point on a hole's edge moved to the place with the largest stress (yield) or stress range
-/// (fatigue) at the instants of the motion; any other point as it is.
-StressPoint at_worst_edge(const StressPoint& point, const StationHistory& history,
+/// (fatigue) at the instants of all motions; any other point as it is.
+StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationHistory>& histories,
                           Criterion criterion);
 
 /// The stations to verify: both sides of every jump of load or section, other places once, and the
 /// ends of the details' stretches, and places inside segments where a stress, stress range or cut
 /// force has a maximum along the beam.
-std::vector<Station> stations_to_verify(const Project& project, const LoadHistory& loads);
+std::vector<Station> stations_to_verify(const Project& project,
+                                        const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam

@@ -20,9 +20,9 @@ enum class Verdict { pass, fail, not_applicable };
 
 const char* to_text(Verdict verdict);
 
-/// Smallest and largest value over the period, with their instants.
+/// Smallest and largest value over all situations, with their instants.
 struct Envelope {
-  TurningPoint smallest, largest;
+  Extreme smallest, largest;
 };
 
 /// Extremes of the cut forces at a station. SI: N, N, N m.
@@ -31,12 +31,13 @@ struct StationEnvelope {
   Envelope N, V, M;
 };
 
-/// Where and when a quantity has its extreme over the whole beam and period.
+/// Where and when a quantity has its extreme over the whole beam and all situations.
 struct CriticalInstant {
   std::string quantity;  ///< "N", "V", "M", "stress"
   Station station;
   Time time;
-  double value = 0.0;  ///< SI: N, N m, Pa
+  double value = 0.0;         ///< SI: N, N m, Pa
+  std::size_t situation = 0;  ///< index in the case
 };
 
 /// The same loads by the Newton chain, beside the rigorous ones.
@@ -73,6 +74,21 @@ struct DigitsLeft {
   Time time;
 };
 
+/// What is to be known of the motion in a situation.
+struct MotionSummary {
+  std::size_t situation = 0;  ///< index in the case
+  planar::DegreesOfFreedom freedom;
+  std::vector<int> branch;            ///< sign per loop
+  DigitsLeft digits;                  ///< meaningless where forces decide the motion
+  std::vector<double> change_points;  ///< times at which two branches cross [s]
+  std::size_t instants = 0;
+  Time begin;
+  Time period;
+  bool closed = true;             ///< the motion repeats by itself after its period
+  double largest_residual = 0.0;  ///< of the constraints, over all instants [m, rad]
+  double imbalance = 0.0;         ///< of force and moment on the beam, relative to the largest load
+};
+
 /// The result of a verification.
 struct Verification {
   Verdict verdict = Verdict::fail;
@@ -84,22 +100,13 @@ struct Verification {
   std::vector<BeamLoadRow> loads;
   std::vector<PostureFigure> postures;
   MassProperties beam_mass;
-  planar::DegreesOfFreedom freedom;
-  std::vector<int> branch;            ///< sign per loop
-  DigitsLeft digits;                  ///< meaningless where forces decide the motion
-  std::vector<double> change_points;  ///< times at which two branches cross [s]
-  bool closed = true;                 ///< the motion repeats by itself after its period
+  std::vector<MotionSummary> motions;  ///< at least one; the first situation runs
   std::optional<planar::EquivalentMass> equivalent_mass;
   std::optional<ChainComparison> chain;
   std::vector<Gate> gates;  ///< what stands against believing the stresses; empty is good
   std::vector<TaperSlope> tapers;
   std::vector<PublishedConcentration> published_concentrations;
   std::optional<SnFigure> sn;
-  std::size_t instants = 0;
-  Time begin;
-  Time period;
-  double largest_residual = 0.0;  ///< of the constraints, over all instants [m, rad]
-  double imbalance = 0.0;         ///< of force and moment on the beam, relative to the largest load
 
   /// The check with the highest utilisation of a criterion, or nullptr.
   const CheckResult* governing(Criterion criterion) const;

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <deque>
+
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/load_history.hpp"
+
+namespace boxbeam {
+
+/// A situation that runs: its motion, and the loads on the beam over it. Stays where it is made,
+/// for its loads look at its motion.
+struct SituationRun {
+  /// Solves the motion. Throws AnalysisError where a step cannot be done, loads on the beam are not
+  /// determined or not in balance, or a joint slides off the beam.
+  SituationRun(const Project& project, const Situation& situation);
+  SituationRun(const SituationRun&) = delete;
+  SituationRun& operator=(const SituationRun&) = delete;
+
+  const Situation* situation;
+  planar::Motion motion;
+  LoadHistory loads;
+  double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
+};
+
+/// All situations of a case that run, in its order; changes between situations do not.
+std::deque<SituationRun> run_situations(const Project& project);
+
+/// A highest or lowest value over time and situations.
+struct Extreme {
+  Time time;
+  double value = 0.0;
+  std::size_t situation = 0;  ///< its index in the case
+};
+
+/// The cut forces of one station in one situation.
+struct SituationHistory {
+  const Situation* situation;
+  StationHistory history;
+};
+
+std::size_t index_of(const Project& project, const Situation& situation);
+
+/// The run of a situation.
+const SituationRun& run_of(const std::deque<SituationRun>& runs, const Situation& situation);
+
+std::vector<SituationHistory> histories_at(const std::deque<SituationRun>& runs,
+                                           const Station& station);
+
+}  // namespace boxbeam

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+/// The parts of a case that a situation may change: how the mechanism runs, not what is verified.
+constexpr std::array changeable{"mechanism", "bodies", "joints", "drivers",
+                                "forces",    "loops",  "motion"};
+
+/// The value of a key as the report shows it.
+std::string text_of(const Node& value) {
+  switch (value.kind) {
+    case Node::Kind::text: return value.text;
+    case Node::Kind::number: return fmt::format("{:.12g}", value.number);
+    case Node::Kind::boolean: return value.boolean ? "true" : "false";
+    case Node::Kind::array: {
+      std::vector<std::string> items;
+      for (const Node& item : value.items) items.push_back(text_of(item));
+      return fmt::format("[{}]", fmt::join(items, ", "));
+    }
+    default: return "...";
+  }
+}
+
+/// A value that differs, with its full key.
+struct Change {
+  std::vector<std::string> parts;
+  const Node::Member* member;
+
+  std::string key() const { return fmt::format("{}", fmt::join(parts, ".")); }
+};
+
+/// The values in a table, whether written "drivers.exciter.frequency" = ... or in tables within it.
+void collect(const std::vector<Node::Member>& members, const std::vector<std::string>& above,
+             std::vector<Change>& changes) {
+  for (const Node::Member& member : members) {
+    std::vector<std::string> parts = above;
+    for (std::string& part : key_parts(member.key)) parts.push_back(std::move(part));
+    if (member.value.kind == Node::Kind::table)
+      collect(member.value.members, parts, changes);
+    else
+      changes.push_back({std::move(parts), &member});
+  }
+}
+
+/// Whether a value may differ in a situation; notes it where not.
+bool may_change(ProblemList& problems, const Change& change, const std::string& beam_body) {
+  const std::vector<std::string>& parts = change.parts;
+  const Place& place = change.member->key_place;
+  const bool known = parts.size() > 1 && std::find(parts.begin(), parts.end(), "") == parts.end() &&
+                     std::find(changeable.begin(), changeable.end(), parts[0]) != changeable.end();
+  if (!known) {
+    problems.add(place, fmt::format("a situation cannot change \"{}\"", change.key()),
+                 fmt::format("it changes how the mechanism runs, with the full key: "
+                             "\"drivers.exciter.frequency\"; one of {}",
+                             fmt::join(changeable, ", ")));
+    return false;
+  }
+  if (parts[0] == "bodies" && parts[1] == beam_body) {
+    problems.add(place, "a situation cannot change the beam itself",
+                 "write a case of its own for another beam");
+    return false;
+  }
+  return true;
+}
+
+/// The mechanism as it runs in a situation: the case once more with other values.
+planar::Mechanism changed_mechanism(TableReader& set, const Node& root, Situation& situation,
+                                    const Project& project, const std::string& beam_body,
+                                    TimeTables& tables) {
+  ProblemList& problems = set.problems();
+  std::vector<Change> changes;
+  collect(set.members(), {}, changes);
+  Node changed = root;
+  for (const Change& change : changes) {
+    if (!may_change(problems, change, beam_body)) continue;
+    const Node::Member& member = *change.member;
+    situation.set.push_back(fmt::format("{} = {}", change.key(), text_of(member.value)));
+    if (const auto trouble = set_value(changed, change.parts, member.key_place, member.value)) {
+      problems.add(member.key_place, *trouble, "write the key as it stands in the case");
+    }
+  }
+  if (!problems.empty()) return project.mechanism;
+  TableReader reader(problems, changed, "");
+  MechanismDraft draft = read_mechanism(reader, beam_body, tables);
+  if (!problems.empty()) return project.mechanism;
+  return place_at_centres(std::move(draft), project.beam, project.beam_body);
+}
+
+/// The situations between which one changes, which are read before.
+std::vector<std::size_t> read_between(TableReader& table,
+                                      const std::vector<Situation>& situations) {
+  std::vector<std::size_t> between;
+  std::vector<std::string> running;
+  for (const Situation& other : situations) {
+    if (other.between.empty()) running.push_back(other.name);
+  }
+  for (const std::string& name : table.texts("between", true)) {
+    const auto found = std::find_if(
+        situations.begin(), situations.end(),
+        [&](const Situation& other) { return other.name == name && other.between.empty(); });
+    if (found == situations.end()) {
+      table.problem("between", fmt::format("no situation above is \"{}\"", name),
+                    unknown_hint(name, running));
+      continue;
+    }
+    between.push_back(static_cast<std::size_t>(found - situations.begin()));
+  }
+  return between;
+}
+
+}  // namespace
+
+void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
+                     TimeTables& tables, Project& project) {
+  std::vector<TableReader> listed = root.tables("situations");
+  TableReader fatigue = root.table("fatigue", false);
+  if (listed.empty()) {
+    project.situations.push_back({"", fatigue.number("cycles"), 1.0, {}, {}, {}});
+    return;
+  }
+  if (fatigue.has("cycles")) {
+    fatigue.problem("cycles", "the cycles of a case with situations belong to each of them",
+                    "move \"cycles\" to [[situations]]");
+  }
+  for (TableReader& table : listed) {
+    Situation situation;
+    situation.name = table.text("name");
+    if (std::any_of(project.situations.begin(), project.situations.end(),
+                    [&](const Situation& other) { return other.name == situation.name; })) {
+      table.problem("name", fmt::format("there is already a situation \"{}\"", situation.name),
+                    "give every situation a name of its own");
+    }
+    situation.cycles = table.has("cycles") ? table.number("cycles") : 0.0;
+    if (table.has("between")) {
+      situation.between = read_between(table, project.situations);
+      if (situation.cycles == 0.0 && table.problems().empty()) {
+        table.problem("between",
+                      "a change between situations counts for fatigue only, and this "
+                      "one never happens",
+                      "write how often: cycles = 5000");
+      }
+      if (table.has("set") || table.has("load_factor")) {
+        table.problem("between", "a change between situations has no loads of its own",
+                      "write \"set\" and \"load_factor\" in the situations that it connects");
+        table.table("set").accept_all();
+      }
+    } else {
+      situation.load_factor = table.number("load_factor", 1.0);
+      if (table.has("set")) {
+        TableReader set = table.table("set");
+        set.accept_all();
+        situation.changed = changed_mechanism(set, tree, situation, project, beam_body, tables);
+      }
+    }
+    table.finish();
+    project.situations.push_back(std::move(situation));
+  }
+  if (!root.problems().empty()) return;
+  if (project.dynamics == Dynamics::newton_chain && project.situations.size() > 1) {
+    root.problem("situations", "the published Newton chain knows one situation only",
+                 "use rigorous dynamics, or remove [[situations]]");
+  }
+  if (std::none_of(project.situations.begin(), project.situations.end(),
+                   [](const Situation& situation) { return situation.cycles > 0.0; })) {
+    root.problem("situations", "no situation ever happens",
+                 "write \"cycles\", its repetitions in the wanted life, in at least one");
+  }
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,149 @@
+#include "boxbeam/verification/situation_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Stops where a joint has slid off the end of the beam.
+void check_on_beam(const Project& project, const BeamLoads& loads, Time time) {
+  const double length = project.beam.length().value();
+  for (const PointLoad& load : loads.points) {
+    const double s = load.s.value();
+    if (s >= -1e-9 * length && s <= (1.0 + 1e-9) * length) continue;
+    throw AnalysisError({fmt::format("a joint slides off the beam: it stands at s = {:.6g} m, and "
+                                     "the beam goes from 0 to {:.6g} m",
+                                     s, length),
+                         "beam",
+                         time.value(),
+                         {},
+                         {}});
+  }
+}
+
+/// Where the loads on the beam come from at any time: the mechanism's reactions or the chain.
+LoadsAt loads_of(const Project& project, const planar::Mechanism& mechanism,
+                 const planar::Motion& motion) {
+  auto finder = std::make_shared<planar::StateFinder>(mechanism, motion);
+  if (project.dynamics == Dynamics::newton_chain) {
+    auto distribution = mass_distribution_of(project.beam);
+    return [&project, &mechanism, finder, distribution](Time time) {
+      return planar::beam_loads_of(*project.chain, project.beam, distribution, mechanism.gravity,
+                                   finder->at(time.value()));
+    };
+  }
+  auto body = planar::beam_body_of(project.beam, project.beam_body);
+  return [&project, &mechanism, finder, body](Time time) {
+    BeamLoads loads = planar::beam_loads_of(mechanism, finder->at(time.value()), body);
+    check_on_beam(project, loads, time);
+    return loads;
+  };
+}
+
+/// Stops where rigid bodies do not determine what acts on the beam.
+void check_unique_loads(const planar::Mechanism& mechanism, const planar::Motion& motion,
+                        int beam_body) {
+  std::string names;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const auto [a, b] = planar::ends_of(mechanism.joints[i]);
+    const bool on_beam = a.body == beam_body || b.body == beam_body;
+    const bool rubs = planar::rubs(mechanism.joints[i]);
+    if (!on_beam && !rubs) continue;
+    if (planar::is_unique(mechanism, motion.freedom, static_cast<int>(i))) continue;
+    names += (names.empty() ? "joint " : ", ") + mechanism.joints[i].name;
+  }
+  if (names.empty() || beam_body == planar::ground) return;
+  throw AnalysisError(
+      {fmt::format("the loads on the beam are not determined by rigid bodies: joints repeat each "
+                   "other ({}), and how they share their load depends on their stiffness; release "
+                   "one of them (a slot for a pin, a slider without its angle)",
+                   fmt::join(planar::names_of_joints(mechanism, motion.freedom.repeating), ", ")),
+       names,
+       {},
+       {},
+       {}});
+}
+
+planar::Motion motion_in(const Project& project, const Situation& situation) {
+  const planar::Mechanism& mechanism = mechanism_in(project, situation);
+  planar::Motion motion = planar::solve_motion(mechanism);
+  check_unique_loads(mechanism, motion, project.beam_body);
+  return motion;
+}
+
+LoadSpan span_of(const planar::Motion& motion) {
+  return {si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(), motion.closed};
+}
+
+/// Largest force and moment left over on the beam, relative to the largest joint force. Anything
+/// but round-off means that the loads do not belong to this beam.
+double imbalance_over(const Project& project, const planar::Mechanism& mechanism,
+                      const LoadHistory& loads) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < loads.instants(); i += loads.instants() / 16) {
+    const Time time = loads.time_of(i);
+    const BeamLoads at = loads.loads_at(time);
+    double largest = mass_properties_of(project.beam).mass.value() * mechanism.gravity.norm();
+    for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
+    if (largest == 0.0) continue;
+    const Imbalance open = imbalance_of(project.beam, at);
+    const double relative =
+        (open.force.norm() + open.moment.norm() / project.beam.length().value()) / largest;
+    worst = std::max(worst, relative);
+    if (relative > 1e-6) {
+      throw AnalysisError(
+          {"the loads on the beam are not in balance", "beam", time.value(), relative, {}});
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+SituationRun::SituationRun(const Project& project, const Situation& of)
+    : situation(&of),
+      motion(motion_in(project, of)),
+      loads(project.beam, span_of(motion), loads_of(project, mechanism_in(project, of), motion)),
+      imbalance(imbalance_over(project, mechanism_in(project, of), loads)) {}
+
+std::deque<SituationRun> run_situations(const Project& project) {
+  std::deque<SituationRun> runs;
+  for (const Situation& situation : project.situations) {
+    if (!situation.between.empty()) continue;
+    try {
+      runs.emplace_back(project, situation);
+    } catch (const AnalysisError& error) {
+      if (situation.name.empty()) throw;
+      AnalysisFailure failure = error.failure();
+      failure.details.push_back("situation  " + situation.name);
+      throw AnalysisError(std::move(failure));
+    }
+  }
+  return runs;
+}
+
+std::size_t index_of(const Project& project, const Situation& situation) {
+  return static_cast<std::size_t>(&situation - project.situations.data());
+}
+
+const SituationRun& run_of(const std::deque<SituationRun>& runs, const Situation& situation) {
+  return *std::find_if(runs.begin(), runs.end(),
+                       [&](const SituationRun& run) { return run.situation == &situation; });
+}
+
+std::vector<SituationHistory> histories_at(const std::deque<SituationRun>& runs,
+                                           const Station& station) {
+  std::vector<SituationHistory> histories;
+  for (const SituationRun& run : runs) {
+    histories.push_back({run.situation, StationHistory(run.loads, station)});
+  }
+  return histories;
+}
+
+}  // namespace boxbeam
