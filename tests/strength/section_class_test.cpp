@@ -56,7 +56,9 @@ TEST_CASE("internal parts: the branches meet, as well as the standard's own numb
 TEST_CASE("internal parts: more compression, a lower limit; class 1 below 2 below 3") {
   ClassLimits before = internal_part_limits(0.01, -99.0, 0.81);
   for (double psi = -98.9; psi <= 1.0; psi += 0.1) {
-    const ClassLimits limits = internal_part_limits(elastic_compressed_share(psi), psi, 0.81);
+    // The share in compression of the elastic stresses: grows with psi as any alpha does.
+    const double alpha = psi < 0.0 ? 1.0 / (1.0 - psi) : 1.0;
+    const ClassLimits limits = internal_part_limits(alpha, psi, 0.81);
     CAPTURE(psi);
     CHECK(limits.class_1 <= before.class_1);
     CHECK(limits.class_2 <= before.class_2);
@@ -67,17 +69,18 @@ TEST_CASE("internal parts: more compression, a lower limit; class 1 below 2 belo
   }
 }
 
-TEST_CASE("compressed share: elastic against the plastic one of a symmetric web") {
-  CHECK(elastic_compressed_share(1.0) == 1.0);
-  CHECK(elastic_compressed_share(0.0) == 1.0);
-  CHECK(elastic_compressed_share(-1.0) == 0.5);
-  CHECK(elastic_compressed_share(-3.0) == 0.25);
-  // n = N/(A f_y) of a web, first yield at n + m = 1; plastic: (1 + n)/2 of the web is compressed.
-  for (double n = 0.0; n <= 1.0; n += 0.05) {
-    const double psi = (n - (1 - n)) / 1.0;
-    CAPTURE(n);
-    CHECK(elastic_compressed_share(psi) >= 0.5 * (1 + n) - 1e-12);
+TEST_CASE("compressed share of the webs: a plastic web balances the axial force") {
+  const Area webs = si<Area>(0.01);
+  const Stress yield = si<Stress>(355e6);
+  for (double share = 0.0; share <= 1.0; share += 0.125) {
+    // f_y on the share in compression, -f_y on the rest.
+    const Force compression = (share - (1.0 - share)) * webs * yield;
+    CAPTURE(share);
+    CHECK(compressed_share_of_webs(compression, webs, yield) == Approx(share).margin(1e-14));
   }
+  // More than the webs can carry: the flanges carry the rest.
+  CHECK(compressed_share_of_webs(si<Force>(1e8), webs, yield) == 1.0);
+  CHECK(compressed_share_of_webs(si<Force>(-1e8), webs, yield) == 0.0);
 }
 
 TEST_CASE("outstand flanges and round tubes, EN 1993-1-1 table 5.2") {

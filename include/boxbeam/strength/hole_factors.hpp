@@ -55,8 +55,8 @@ std::optional<InPlaneBendingStress> in_plane_bending_stress(Moment moment, Lengt
 ///
 /// a = d/w. From 3 (2.98) for a hole much narrower than the plate is thick to 1.79, the value
 /// (5+3nu)/(3+nu) of Kirchhoff's plates, for a hole much wider. Valid for a < 0.3: nothing is
-/// returned outside. Source: Roark's Formulas, table 17.1 (recalled, not confirmed in print;
-/// against NASA TP-3192 +9 % to -2.4 % for d/h from 0.5 to 5).
+/// returned outside. Source: Roark's Formulas, table 17.1, by a secondary source; against NASA
+/// TP-3192 +9 % to -2.4 % for d/h from 0.5 to 5.
 std::optional<double> plate_bending_concentration(double diameter_to_thickness,
                                                   double diameter_to_width);
 

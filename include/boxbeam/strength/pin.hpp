@@ -13,7 +13,7 @@ struct PinJoint {
   Length gap;          ///< c, between inner and outer plate
 };
 
-/// Strengths of a pin joint and their partial factors.
+/// Strengths of a pin joint and their partial factors (the standard's recommended ones).
 struct PinStrength {
   Stress pin_yield;    ///< f_yp
   Stress pin_tensile;  ///< f_up

@@ -12,10 +12,10 @@ struct ThroatStress {
   Stress shear_along;   ///< tau_par, in the plane, along the weld
 };
 
-/// Force per length of one weld between two plates at a right angle.
+/// Force per length that a plate puts on one of its welds to another plate at a right angle.
 struct WeldForce {
-  ForcePerLength off_plate;    ///< pulls the attached plate off the other
-  ForcePerLength along_plate;  ///< pushes it across the weld, parallel to the other
+  ForcePerLength off_plate;    ///< pulls the plate off the other
+  ForcePerLength along_plate;  ///< pulls it away from this weld, parallel to the other
   ForcePerLength along_weld;
 };
 
@@ -27,7 +27,7 @@ struct WeldForce {
 /// a  throat thickness. Source: equilibrium; EN 1993-1-8:2005, figure 4.5.
 ThroatStress throat_stress_of(const WeldForce& force, Length throat);
 
-/// What resists in a weld, and its partial factor.
+/// What resists in a weld, and its partial factor (the standard's recommended one).
 struct WeldStrength {
   Stress tensile_strength;  ///< f_u of the weaker part joined
   double beta_w = 1.0;      ///< correlation factor, EN 1993-1-8:2005, table 4.1
