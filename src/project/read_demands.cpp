@@ -22,8 +22,13 @@ int read_category(TableReader& table, std::string_view key) {
 
 Material read_material(TableReader table) {
   const std::string name = table.text("steel");
+  std::optional<SteelSource> source;
+  if (table.has("fy_source")) {
+    constexpr SteelSource sources[] = {SteelSource::en_10025_2, SteelSource::en_1993_1_1};
+    source = sources[table.choice("fy_source", {to_text(sources[0]), to_text(sources[1])})];
+  }
   table.finish();
-  if (const auto steel = find_steel(name)) return *steel;
+  if (const auto steel = source ? find_steel(name, *source) : find_steel(name)) return *steel;
   if (!name.empty()) {
     const std::string near = nearest_word(name, steel_names());
     table.problem(
@@ -111,7 +116,7 @@ void read_points(TableReader& root, Project& project) {
 
 std::string thickest_hint(const Material& material) {
   return fmt::format("its table ends at {:.6g} mm: use thinner plates or another steel",
-                     material.yield.back().up_to.value() * 1e3);
+                     material.steps.back().up_to.value() * 1e3);
 }
 
 void read_given_stresses(TableReader& root, Project& project) {

@@ -14,15 +14,6 @@ const char* to_text(HoleCase hole_case) {
   return "";
 }
 
-double membrane_concentration(double diameter_to_width) {
-  const double b = 1.0 - diameter_to_width;
-  return 2.0 + b * (0.284 + b * (-0.600 + b * 1.32));
-}
-
-double published_concentration(double diameter_to_width) {
-  return 2.68750 * std::exp(-0.7128 * diameter_to_width);
-}
-
 Length plate_width_of(const Section& section, const std::vector<Hole>& holes, const Hole& hole,
                       HoleCase hole_case) {
   const auto& box = std::get<HollowRectangle>(section.outer);

@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {
 namespace {
 
-constexpr const char* yield_source =
-    "EN 1993-1-1:2005, 6.2.1(5) (elastic, von Mises); yield strength EN 10025-2";
+std::string yield_source(const Material& material) {
+  return "EN 1993-1-1:2005, 6.2.1(5) (elastic, von Mises); yield strength by " + material.source;
+}
 
 const char* fatigue_source(const FatigueInput& fatigue) {
   if (fatigue.published_step) {
@@ -172,7 +174,7 @@ std::optional<CheckResult> check_yield(const Project& project,
   check.resisting = point.yield_strength / project.strength.gamma_M0;
   check.safety_factor = check.resisting / check.acting;
   check.required = project.strength.required;
-  check.source = yield_source;
+  check.source = yield_source(project.material);
   CheckBasis& basis = *result.basis;
   basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
   basis.stress_at_time = stress_at(point.level, basis.cut_at_time);
@@ -269,7 +271,7 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
   for (const GivenStress& given : project.given_stresses) {
     const Station station{given.s, Side::both};
     const auto add = [&](Criterion criterion, Stress acting, Stress resisting, double required,
-                         const char* source) {
+                         const std::string& source) {
       CheckResult result;
       result.check = {id_of(criterion, station, given.name),
                       criterion,
@@ -286,7 +288,7 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     };
     const Stress yield = yield_strength_of(project.material, given.thickness).value();
     add(Criterion::yield, given.peak, yield / project.strength.gamma_M0, project.strength.required,
-        yield_source);
+        yield_source(project.material));
     if (!given.opposite) continue;
     const FatigueInput& fatigue = project.fatigue;
     Stress strength = strength_at(curve_of(fatigue, fatigue.category), most_cycles_of(project),

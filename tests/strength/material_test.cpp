@@ -9,47 +9,119 @@ using namespace boxbeam;
 
 namespace {
 
-/// Yield strength in MPa, 0 where the table gives none.
-double yield(const char* steel, double thickness_mm) {
-  const auto strength = yield_strength_of(*find_steel(steel), si<Length>(1e-3 * thickness_mm));
-  return strength ? strength->value() * 1e-6 : 0.0;
-}
-
 struct Step {
-  double up_to;  ///< mm
-  double yield;  ///< MPa
+  double up_to;    ///< mm
+  double yield;    ///< MPa
+  double tensile;  ///< MPa
 };
 
-/// Checks each step at its upper end and just above the step before.
-void check_steps(const char* steel, const std::vector<Step>& steps) {
+Length mm(double x) { return si<Length>(1e-3 * x); }
+Stress MPa(double x) { return si<Stress>(1e6 * x); }
+
+/// Checks each step at its upper end and just above the step before, and that nothing follows.
+void check_steps(const std::optional<Material>& steel, const std::vector<Step>& steps) {
+  REQUIRE(steel);
   double above = 0.0;
   for (const Step& step : steps) {
-    CAPTURE(steel, step.up_to);
-    CHECK(yield(steel, above + 0.001) == Approx(step.yield).epsilon(1e-12));
-    CHECK(yield(steel, step.up_to) == Approx(step.yield).epsilon(1e-12));
+    CAPTURE(steel->name, steel->source, step.up_to);
+    for (const double thickness : {above + 0.001, step.up_to}) {
+      CHECK(yield_strength_of(*steel, mm(thickness)) == MPa(step.yield));
+      CHECK(tensile_strength_of(*steel, mm(thickness)) == MPa(step.tensile));
+    }
     above = step.up_to;
   }
-  CHECK(yield(steel, above + 0.001) == 0.0);
+  CHECK_FALSE(yield_strength_of(*steel, mm(above + 0.001)));
+  CHECK_FALSE(tensile_strength_of(*steel, mm(above + 0.001)));
+}
+
+/// Yield strength in MPa.
+double yield(const char* steel, double thickness_mm) {
+  return yield_strength_of(*find_steel(steel), mm(thickness_mm)).value().value() * 1e-6;
 }
 
 }  // namespace
 
-TEST_CASE("S355, minimum yield strength by thickness, EN 10025-2 table 7") {
-  check_steps("S355", {{16, 355},
-                       {40, 345},
-                       {63, 335},
-                       {80, 325},
-                       {100, 315},
-                       {150, 295},
-                       {200, 285},
-                       {250, 275},
-                       {400, 265}});
+TEST_CASE("strengths by thickness, EN 10025-2 table 7") {
+  const auto product = [](const char* name) { return find_steel(name, SteelSource::en_10025_2); };
+  check_steps(product("S235"), {{16, 235, 360},
+                                {40, 225, 360},
+                                {63, 215, 360},
+                                {80, 215, 360},
+                                {100, 215, 360},
+                                {150, 195, 350}});
+  check_steps(product("S275"), {{16, 275, 410},
+                                {40, 265, 410},
+                                {63, 255, 410},
+                                {80, 245, 410},
+                                {100, 235, 410},
+                                {150, 225, 400}});
+  check_steps(product("S355"), {{16, 355, 470},
+                                {40, 345, 470},
+                                {63, 335, 470},
+                                {80, 325, 470},
+                                {100, 315, 470},
+                                {150, 295, 450},
+                                {200, 285, 450},
+                                {250, 275, 450},
+                                {400, 265, 450}});
+  check_steps(product("S450"),
+              {{16, 450, 550}, {40, 430, 550}, {63, 410, 550}, {80, 390, 550}, {100, 380, 550}});
 }
 
-TEST_CASE("S235, S275 and S450 by thickness, EN 10025-2 table 7") {
-  check_steps("S235", {{16, 235}, {40, 225}, {63, 215}, {80, 215}, {100, 215}, {150, 195}});
-  check_steps("S275", {{16, 275}, {40, 265}, {63, 255}, {80, 245}, {100, 235}, {150, 225}});
-  check_steps("S450", {{16, 450}, {40, 430}, {63, 410}, {80, 390}, {100, 380}});
+TEST_CASE("strengths by thickness, EN 1993-1-1:2005 table 3.1") {
+  const auto design = [](const char* name) { return find_steel(name, SteelSource::en_1993_1_1); };
+  check_steps(design("S235"), {{40, 235, 360}, {80, 215, 360}});
+  check_steps(design("S275"), {{40, 275, 430}, {80, 255, 410}});
+  check_steps(design("S355"), {{40, 355, 490}, {80, 335, 470}});
+  check_steps(design("S450"), {{40, 440, 550}, {80, 410, 550}});
+}
+
+TEST_CASE("without a source: the lower strength of both, EN 10025-2 alone beyond 80 mm") {
+  for (const std::string& name : steel_names()) {
+    const Material lower = *find_steel(name);
+    const Material product = *find_steel(name, SteelSource::en_10025_2);
+    const Material design = *find_steel(name, SteelSource::en_1993_1_1);
+    const double thickest = product.steps.back().up_to.value() * 1e3;
+    for (double t = 0.25; t <= thickest; t += 0.25) {
+      CAPTURE(name, t);
+      const auto expected = [&](auto strength_of) {
+        const Stress a = strength_of(product, mm(t)).value();
+        const auto b = strength_of(design, mm(t));
+        return b ? std::min(a, *b) : a;
+      };
+      CHECK(yield_strength_of(design, mm(t)).has_value() == (t <= 80.0));
+      CHECK(yield_strength_of(lower, mm(t)) == expected(yield_strength_of));
+      CHECK(tensile_strength_of(lower, mm(t)) == expected(tensile_strength_of));
+    }
+    CHECK_FALSE(yield_strength_of(lower, mm(thickest + 0.001)));
+  }
+}
+
+TEST_CASE("EN 1993-1-1 is the lower one for thin S450 only") {
+  CHECK(yield("S450", 16) == Approx(440).epsilon(1e-12));
+  CHECK(yield("S450", 40) == Approx(430).epsilon(1e-12));
+  CHECK(yield("S355", 40) == Approx(345).epsilon(1e-12));
+  CHECK(yield("S355", 80) == Approx(325).epsilon(1e-12));
+}
+
+TEST_CASE("the lower of two sources of one step each, whichever comes first") {
+  const Material one{"steel", "one", 0.8, {{mm(40), MPa(300), MPa(400)}}};
+  const Material other{"steel", "other", 0.9, {{mm(20), MPa(310), MPa(390)}}};
+  for (const Material& lower : {lower_of(one, other), lower_of(other, one)}) {
+    check_steps(lower, {{20, 300, 390}, {40, 300, 400}});
+    CHECK(lower.beta_w == 0.9);
+  }
+  CHECK(lower_of(one, other).source == "the lower of one, and other");
+  check_steps(lower_of(one, one), {{40, 300, 400}});
+}
+
+TEST_CASE("correlation factors of fillet welds, EN 1993-1-8 table 4.1") {
+  CHECK(find_steel("S235")->beta_w == 0.8);
+  CHECK(find_steel("S275")->beta_w == 0.85);
+  CHECK(find_steel("S355")->beta_w == 0.9);
+  // Not in the table: its largest.
+  CHECK(find_steel("S450")->beta_w == 1.0);
+  CHECK(find_steel("S355", SteelSource::en_1993_1_1)->beta_w == 0.9);
 }
 
 TEST_CASE("a plate of 50 mm of S355 yields at 335 MPa, as the sledge-rig thesis takes it") {
@@ -60,17 +132,23 @@ TEST_CASE("a thickness a bit of round-off above a step still belongs to it") {
   const Material steel = *find_steel("S355");
   const Length sum = si<Length>(0.1 + 0.2 - 0.26);  // 40 mm and round-off
   CHECK(sum > si<Length>(0.04));
-  CHECK(yield_strength_of(steel, sum) == si<Stress>(345e6));
+  CHECK(yield_strength_of(steel, sum) == MPa(345));
+  CHECK(tensile_strength_of(steel, sum) == MPa(470));
 }
 
-TEST_CASE("no plate is stronger than a thinner one of the same steel") {
+TEST_CASE("no plate is stronger than a thinner one of the same steel, and none yields late") {
   for (const std::string& name : steel_names()) {
-    const Material steel = *find_steel(name);
-    REQUIRE_FALSE(steel.yield.empty());
-    CHECK_FALSE(steel.source.empty());
-    for (std::size_t i = 1; i < steel.yield.size(); ++i) {
-      CHECK(steel.yield[i].up_to > steel.yield[i - 1].up_to);
-      CHECK(steel.yield[i].yield_strength <= steel.yield[i - 1].yield_strength);
+    for (const Material& steel : {*find_steel(name), *find_steel(name, SteelSource::en_10025_2),
+                                  *find_steel(name, SteelSource::en_1993_1_1)}) {
+      CAPTURE(name, steel.source);
+      REQUIRE_FALSE(steel.steps.empty());
+      for (std::size_t i = 0; i < steel.steps.size(); ++i) {
+        CHECK(steel.steps[i].yield_strength < steel.steps[i].tensile_strength);
+        if (i == 0) continue;
+        CHECK(steel.steps[i].up_to > steel.steps[i - 1].up_to);
+        CHECK(steel.steps[i].yield_strength <= steel.steps[i - 1].yield_strength);
+        CHECK(steel.steps[i].tensile_strength <= steel.steps[i - 1].tensile_strength);
+      }
     }
   }
 }
@@ -78,6 +156,7 @@ TEST_CASE("no plate is stronger than a thinner one of the same steel") {
 TEST_CASE("a steel of another name is not found") {
   CHECK_FALSE(find_steel("S356"));
   CHECK_FALSE(find_steel(""));
+  CHECK_FALSE(find_steel("S356", SteelSource::en_1993_1_1));
   const auto names = steel_names();
   CHECK(std::find(names.begin(), names.end(), "S355") != names.end());
 }

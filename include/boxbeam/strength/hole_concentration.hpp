@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "boxbeam/section/point_stress.hpp"
+#include "boxbeam/strength/hole_factors.hpp"
 
 namespace boxbeam {
 
@@ -15,18 +16,6 @@ enum class HoleCase {
 };
 
 const char* to_text(HoleCase hole_case);
-
-/// Stress concentration of a round hole in a plate of finite width under membrane tension, on the
-/// net section. a = d/w. Valid for a < 0.9.
-///
-///     K_t = 2 + 0.284 (1-a) - 0.600 (1-a)^2 + 1.32 (1-a)^3
-///
-/// Source: Peterson's Stress Concentration Factors, chart 4.1 (Howland's solution).
-double membrane_concentration(double diameter_to_width);
-
-/// K_t = 2.68750 exp(-0.7128 d/w), for comparison with the sledge-rig thesis only, which takes it
-/// from Norton, Machine Design, for the out-of-plane bending of a plate with a hole.
-double published_concentration(double diameter_to_width);
 
 /// Width of the plate in which the hole lies: clear depth of a web; clear width of a flange by the
 /// holes across it at this station; for the published formula the height of the section, as there.

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "boxbeam/core/units.hpp"
+
+namespace boxbeam {
+
+/// Buckling curve by which a section is judged: hot-finished hollow sections a, welded boxes b
+/// (thick welds in stout boxes c), cold-formed hollow sections c, solid sections c (S235 to S450).
+/// Source: EN 1993-1-1:2005, table 6.2.
+enum class BucklingCurve { a0, a, b, c, d };
+
+/// alpha = 0.13, 0.21, 0.34, 0.49, 0.76 for a0, a, b, c, d. Source: EN 1993-1-1:2005, table 6.1.
+double imperfection_factor(BucklingCurve curve);
+
+/// Elastic critical force of a bar, N_cr = pi^2 E I/L_cr^2.
+/// L_cr  buckling length in the plane of bending. Source: Euler.
+Force euler_force(Stress youngs_modulus, SecondMoment inertia, Length buckling_length);
+
+/// Relative slenderness lambda = sqrt(A f_y/N_cr); A the effective area in class 4.
+/// Source: EN 1993-1-1:2005, 6.3.1.2(1).
+double column_slenderness(Area area, Stress yield_strength, Force critical_force);
+
+/// Reduction factor for flexural buckling, at most 1.
+///
+///     chi = 1/(Phi + sqrt(Phi^2 - lambda^2)),  Phi = [1 + alpha (lambda - 0.2) + lambda^2]/2
+///
+/// Source: EN 1993-1-1:2005, 6.3.1.2(1), equation 6.49.
+double column_reduction(double slenderness, BucklingCurve curve);
+
+/// Buckling resistance N_b,Rd = chi A f_y/gamma_M1; A the effective area in class 4.
+/// Source: EN 1993-1-1:2005, 6.3.1.1(3), equations 6.47 and 6.48.
+Force buckling_resistance(Area area, Stress yield_strength, Force critical_force,
+                          BucklingCurve curve, double gamma_M1);
+
+}  // namespace boxbeam

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "boxbeam/core/units.hpp"
+
+namespace boxbeam {
+
+/// A pin in double shear: a plate between two others.
+struct PinJoint {
+  Length diameter;     ///< of the pin, d
+  Length hole;         ///< diameter of its hole, d_0
+  Length outer_plate;  ///< thickness a of each outer plate
+  Length inner_plate;  ///< thickness b of the inner plate
+  Length gap;          ///< c, between inner and outer plate
+};
+
+/// Strengths of a pin joint and their partial factors (the standard's recommended ones).
+struct PinStrength {
+  Stress pin_yield;    ///< f_yp
+  Stress pin_tensile;  ///< f_up
+  Stress outer_yield;  ///< f_y of the outer plates
+  Stress inner_yield;  ///< f_y of the inner plate
+  double gamma_M0 = 1.0;
+  double gamma_M2 = 1.25;
+  double gamma_M6_ser = 1.0;
+};
+
+/// Bending moment in the pin if the plates press evenly on it.
+///
+///     M_Ed = F (b + 4 c + 2 a)/8
+///
+/// Source: EN 1993-1-8:2005, figure 3.11.
+Moment pin_moment(Force force, const PinJoint& joint);
+
+/// Shear resistance of one plane, 0.6 A f_up/gamma_M2. Source: EN 1993-1-8:2005, table 3.10.
+Force pin_shear_resistance(const PinJoint& joint, const PinStrength& strength);
+
+/// Bending resistance, 1.5 W_el f_yp/gamma_M0, W_el = pi d^3/32. Source: as above.
+Moment pin_bending_resistance(const PinJoint& joint, const PinStrength& strength);
+
+/// Bearing resistance of a plate and the pin, 1.5 t d f_y/gamma_M0, f_y the lower of plate and pin.
+/// Source: as above.
+Force pin_bearing_resistance(Length thickness, Stress plate_yield, const PinJoint& joint,
+                             const PinStrength& strength);
+
+/// Utilisations of a pin joint at its limit state of strength.
+struct PinUtilisation {
+  double shear = 0.0;          ///< F/2 in each plane
+  double bearing_inner = 0.0;  ///< F on the inner plate
+  double bearing_outer = 0.0;  ///< F/2 on each outer plate
+  double bending = 0.0;
+  double combined = 0.0;  ///< (M_Ed/M_Rd)^2 + (F_v,Ed/F_v,Rd)^2, to be at most 1
+};
+
+/// `force`: the whole force of the inner plate, of either sign.
+/// Source: EN 1993-1-8:2005, 3.13.2, table 3.10.
+PinUtilisation pin_utilisation(Force force, const PinJoint& joint, const PinStrength& strength);
+
+/// Utilisations of a pin that is to be replaceable, under the service force.
+struct ReplaceablePinUtilisation {
+  double bearing_inner = 0.0;  ///< against 0.6 t d f_y/gamma_M6,ser
+  double bearing_outer = 0.0;
+  double bending = 0.0;        ///< against 0.8 W_el f_yp/gamma_M6,ser
+  double contact_inner = 0.0;  ///< sigma_h,Ed against 2.5 f_y/gamma_M6,ser
+  double contact_outer = 0.0;
+};
+
+/// Source: EN 1993-1-8:2005, 3.13.2(3), table 3.10 and equations 3.14 to 3.16.
+ReplaceablePinUtilisation replaceable_pin_utilisation(Force service_force, Stress youngs_modulus,
+                                                      const PinJoint& joint,
+                                                      const PinStrength& strength);
+
+/// Contact pressure of a pin on the wall of its hole.
+///
+///     sigma_h,Ed = 0.591 sqrt(E F (d_0 - d)/(d^2 t))
+///
+/// Source: EN 1993-1-8:2005, equation 3.15 (Hertz, both of steel, d_0 near d).
+Stress pin_contact_stress(Force force_on_plate, Length thickness, Stress youngs_modulus,
+                          const PinJoint& joint);
+
+/// Least plate around the hole of a pin, measured in the direction of the force (end) and across it
+/// (side), from the edge of the hole.
+struct PinPlateEdges {
+  Length end;
+  Length side;
+};
+
+/// For a plate of given thickness.
+///
+///     end: F gamma_M0/(2 t f_y) + 2 d_0/3,  side: F gamma_M0/(2 t f_y) + d_0/3
+///
+/// Source: EN 1993-1-8:2005, table 3.9, type A.
+PinPlateEdges pin_plate_edges(Force force_on_plate, Length thickness, Length hole, Stress yield,
+                              double gamma_M0);
+
+/// Least thickness of a plate of the standard's outline (width 2.5 d_0; 1.6 d_0 from the middle of
+/// the hole to the end): the larger of 0.7 sqrt(F gamma_M0/f_y) and d_0/2.5 (0.7 recalled, but it
+/// follows from type A for this outline).
+/// Source: EN 1993-1-8:2005, table 3.9, type B.
+Length pin_plate_thickness(Force force_on_plate, Length hole, Stress yield, double gamma_M0);
+
+}  // namespace boxbeam

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "boxbeam/core/units.hpp"
+
+namespace boxbeam {
+
+/// Stresses in the throat of a fillet weld, the plane through its root that halves the angle of the
+/// legs. The direct stress along the weld does not count.
+struct ThroatStress {
+  Stress normal;        ///< sigma_perp, across the throat plane
+  Stress shear_across;  ///< tau_perp, in the plane, across the weld
+  Stress shear_along;   ///< tau_par, in the plane, along the weld
+};
+
+/// Force per length that a plate puts on one of its welds to another plate at a right angle.
+struct WeldForce {
+  ForcePerLength off_plate;    ///< pulls the plate off the other
+  ForcePerLength along_plate;  ///< pulls it away from this weld, parallel to the other
+  ForcePerLength along_weld;
+};
+
+/// Throat stresses of a weld with legs of equal length, its force through the throat's middle.
+///
+///     sigma_perp = (q_off + q_along)/(sqrt(2) a),  tau_perp = (q_off - q_along)/(sqrt(2) a)
+///     tau_par = q_weld/a
+///
+/// a  throat thickness. Source: equilibrium; EN 1993-1-8:2005, figure 4.5.
+ThroatStress throat_stress_of(const WeldForce& force, Length throat);
+
+/// What resists in a weld, and its partial factor (the standard's recommended one).
+struct WeldStrength {
+  Stress tensile_strength;  ///< f_u of the weaker part joined
+  double beta_w = 1.0;      ///< correlation factor, EN 1993-1-8:2005, table 4.1
+  double gamma_M2 = 1.25;
+};
+
+/// Utilisation of a fillet weld by the directional method, both conditions.
+struct DirectionalUtilisation {
+  double combined = 0.0;  ///< sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) beta_w gamma_M2/f_u
+  double normal = 0.0;    ///< |sigma_perp| gamma_M2/(0.9 f_u)
+
+  double largest() const { return combined > normal ? combined : normal; }
+};
+
+/// Source: EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1.
+DirectionalUtilisation directional_utilisation(const ThroatStress& stress,
+                                               const WeldStrength& strength);
+
+/// Design shear strength of a fillet weld, f_vw.d = f_u/(sqrt(3) beta_w gamma_M2).
+/// Source: EN 1993-1-8:2005, 4.5.3.3(3), equation 4.4.
+Stress weld_shear_strength(const WeldStrength& strength);
+
+/// Utilisation of a fillet weld by the simplified method: the resultant force per length over
+/// f_vw.d a, whatever its direction. Never below the directional method's for
+/// beta_w >= 1/(0.9 sqrt(3)) = 0.642. Source: EN 1993-1-8:2005, 4.5.3.3.
+double simplified_utilisation(const WeldForce& force, Length throat, const WeldStrength& strength);
+
+/// Nominal stresses in the throat for fatigue of its root.
+///
+///     sigma_wf = sqrt(sigma_perp,f^2 + tau_perp,f^2),  tau_wf = tau_par,f
+///
+/// Source: EN 1993-1-9:2005, 5(6) (recalled, not confirmed).
+struct WeldFatigueStress {
+  Stress normal;
+  Stress shear;
+};
+WeldFatigueStress weld_fatigue_stress_of(const ThroatStress& stress);
+
+}  // namespace boxbeam

@@ -1,0 +1,73 @@
+#include "boxbeam/strength/effective_width.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace boxbeam {
+
+std::optional<double> internal_buckling_factor(double psi) {
+  assert(psi <= 1.0);
+  if (psi == 1.0) return 4.0;
+  if (psi > 0.0) return 8.2 / (1.05 + psi);
+  if (psi > -1.0) return 7.81 + psi * (-6.29 + psi * 9.78);
+  if (psi == -1.0) return 23.9;
+  if (psi >= -3.0) return 5.98 * (1.0 - psi) * (1.0 - psi);
+  return std::nullopt;
+}
+
+std::optional<double> outstand_buckling_factor(double psi, LargestCompression where) {
+  assert(psi <= 1.0);
+  if (where == LargestCompression::at_tip) {
+    if (psi < -3.0) return std::nullopt;
+    return 0.57 + psi * (-0.21 + psi * 0.07);
+  }
+  if (psi == 1.0) return 0.43;
+  if (psi > 0.0) return 0.578 / (psi + 0.34);
+  if (psi >= -1.0) return 1.7 + psi * (-5.0 + psi * 17.1);
+  return std::nullopt;
+}
+
+double relative_plate_slenderness(double width_to_thickness, double epsilon, double k_sigma) {
+  return width_to_thickness / (28.4 * epsilon * std::sqrt(k_sigma));
+}
+
+double internal_reduction(double lambda_p, double psi) {
+  assert(psi >= -3.0 && psi <= 1.0);
+  if (lambda_p <= 0.5 + std::sqrt(0.085 - 0.055 * psi)) return 1.0;
+  return (lambda_p - 0.055 * (3.0 + psi)) / (lambda_p * lambda_p);
+}
+
+double outstand_reduction(double lambda_p) {
+  if (lambda_p <= 0.748) return 1.0;
+  return std::min(1.0, (lambda_p - 0.188) / (lambda_p * lambda_p));
+}
+
+std::optional<EffectiveWidth> internal_effective_width(Length width, Length thickness, double psi,
+                                                       double epsilon) {
+  const auto k_sigma = internal_buckling_factor(psi);
+  if (!k_sigma) return std::nullopt;
+  EffectiveWidth result;
+  result.k_sigma = *k_sigma;
+  result.lambda_p = relative_plate_slenderness(width / thickness, epsilon, *k_sigma);
+  result.rho = internal_reduction(result.lambda_p, psi);
+  result.b_eff = result.rho * width / std::max(1.0, 1.0 - psi);
+  result.b_e1 = (psi >= 0.0 ? 2.0 / (5.0 - psi) : 0.4) * result.b_eff;
+  result.b_e2 = result.b_eff - result.b_e1;
+  return result;
+}
+
+std::optional<EffectiveWidth> outstand_effective_width(Length width, Length thickness, double psi,
+                                                       LargestCompression where, double epsilon) {
+  const auto k_sigma = outstand_buckling_factor(psi, where);
+  if (!k_sigma) return std::nullopt;
+  EffectiveWidth result;
+  result.k_sigma = *k_sigma;
+  result.lambda_p = relative_plate_slenderness(width / thickness, epsilon, *k_sigma);
+  result.rho = outstand_reduction(result.lambda_p);
+  result.b_eff = result.rho * width / std::max(1.0, 1.0 - psi);
+  result.b_e1 = result.b_eff;
+  return result;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,45 @@
+#include "boxbeam/strength/hole_factors.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace boxbeam {
+
+double membrane_concentration(double diameter_to_width) {
+  const double b = 1.0 - diameter_to_width;
+  return 2.0 + b * (0.284 + b * (-0.600 + b * 1.32));
+}
+
+double published_concentration(double diameter_to_width) {
+  return 2.68750 * std::exp(-0.7128 * diameter_to_width);
+}
+
+double infinite_plate_concentration(double biaxiality) {
+  assert(biaxiality >= -1.0 && biaxiality <= 1.0);
+  return 3.0 - biaxiality;
+}
+
+std::optional<InPlaneBendingStress> in_plane_bending_stress(Moment moment, Length depth,
+                                                            Length thickness, Length diameter) {
+  const double a = diameter / depth;
+  if (!(a > 0.0 && a <= 0.7)) return std::nullopt;
+  const auto t_D3_d3 = thickness * (depth * depth * depth - diameter * diameter * diameter);
+  return InPlaneBendingStress{12.0 * moment * diameter / t_D3_d3, 6.0 * moment * depth / t_D3_d3};
+}
+
+std::optional<double> plate_bending_concentration(double diameter_to_thickness,
+                                                  double diameter_to_width) {
+  const double k = diameter_to_thickness;
+  const double a = diameter_to_width;
+  if (!(k >= 0.0 && a >= 0.0 && a < 0.3)) return std::nullopt;
+  const double infinite =
+      1.79 + 0.25 / (0.39 + k) + 0.81 / (1.0 + k * k) - 0.26 / (1.0 + k * k * k);
+  return infinite * (1.0 + a * (-1.04 + a * 1.22));
+}
+
+Stress plate_bending_nominal_stress(Moment moment, Length width, Length thickness,
+                                    Length diameter) {
+  return 6.0 * moment / ((width - diameter) * thickness * thickness);
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,48 @@
+#include "boxbeam/strength/section_class.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace boxbeam {
+
+int class_of(double slenderness, const ClassLimits& limits) {
+  if (slenderness <= limits.class_1) return 1;
+  if (slenderness <= limits.class_2) return 2;
+  if (slenderness <= limits.class_3) return 3;
+  return 4;
+}
+
+double epsilon_of(Stress yield_strength) { return std::sqrt(235e6 / yield_strength.value()); }
+
+ClassLimits internal_part_limits(double alpha, double psi, double epsilon) {
+  assert(alpha >= 0.0 && alpha <= 1.0);
+  assert(psi <= 1.0);
+  ClassLimits limits;
+  if (alpha > 0.5) {
+    limits.class_1 = 396.0 * epsilon / (13.0 * alpha - 1.0);
+    limits.class_2 = 456.0 * epsilon / (13.0 * alpha - 1.0);
+  } else {
+    limits.class_1 = 36.0 * epsilon / alpha;
+    limits.class_2 = 41.5 * epsilon / alpha;
+  }
+  limits.class_3 = psi > -1.0 ? 42.0 * epsilon / (0.67 + 0.33 * psi)
+                              : 62.0 * epsilon * (1.0 - psi) * std::sqrt(-psi);
+  return limits;
+}
+
+double compressed_share_of_webs(Force compression, Area webs, Stress yield_strength) {
+  const double share = 0.5 * (1.0 + compression / (webs * yield_strength));
+  return std::clamp(share, 0.0, 1.0);
+}
+
+ClassLimits outstand_flange_limits(double epsilon) {
+  return {9.0 * epsilon, 10.0 * epsilon, 14.0 * epsilon};
+}
+
+ClassLimits round_tube_limits(double epsilon) {
+  const double epsilon_2 = epsilon * epsilon;
+  return {50.0 * epsilon_2, 70.0 * epsilon_2, 90.0 * epsilon_2};
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,38 @@
+#include "boxbeam/strength/weld_throat.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace boxbeam {
+
+ThroatStress throat_stress_of(const WeldForce& force, Length throat) {
+  const Length oblique = std::numbers::sqrt2 * throat;
+  return {(force.off_plate + force.along_plate) / oblique,
+          (force.off_plate - force.along_plate) / oblique, force.along_weld / throat};
+}
+
+DirectionalUtilisation directional_utilisation(const ThroatStress& stress,
+                                               const WeldStrength& strength) {
+  const double normal = stress.normal.value();
+  const double equivalent = std::hypot(normal, std::numbers::sqrt3 * stress.shear_across.value(),
+                                       std::numbers::sqrt3 * stress.shear_along.value());
+  const double f_u = strength.tensile_strength.value() / strength.gamma_M2;
+  return {equivalent * strength.beta_w / f_u, std::abs(normal) / (0.9 * f_u)};
+}
+
+Stress weld_shear_strength(const WeldStrength& strength) {
+  return strength.tensile_strength / (std::numbers::sqrt3 * strength.beta_w * strength.gamma_M2);
+}
+
+double simplified_utilisation(const WeldForce& force, Length throat, const WeldStrength& strength) {
+  const double resultant =
+      std::hypot(force.off_plate.value(), force.along_plate.value(), force.along_weld.value());
+  return resultant / (weld_shear_strength(strength) * throat).value();
+}
+
+WeldFatigueStress weld_fatigue_stress_of(const ThroatStress& stress) {
+  return {si<Stress>(std::hypot(stress.normal.value(), stress.shear_across.value())),
+          stress.shear_along};
+}
+
+}  // namespace boxbeam

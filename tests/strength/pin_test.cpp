@@ -1,0 +1,101 @@
+#include "boxbeam/strength/pin.hpp"
+
+#include <cmath>
+
+#include "catch.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+Length mm(double x) { return si<Length>(1e-3 * x); }
+Stress MPa(double x) { return si<Stress>(1e6 * x); }
+Force kN(double x) { return si<Force>(1e3 * x); }
+
+const PinJoint joint{mm(50), mm(50.5), mm(20), mm(30), mm(2)};
+const PinStrength strength{MPa(600), MPa(800), MPa(345), MPa(335), 1.0, 1.25, 1.0};
+
+}  // namespace
+
+TEST_CASE("pin: the bending moment is that of a beam under three even pressures") {
+  // Outer plates from the middle: F/2 spread over a beyond b/2 + c; moment at the middle by hand,
+  // F/2 (b/2 + c + a/2) - F/2 (b/4).
+  const double F = 100e3, a = 0.02, b = 0.03, c = 0.002;
+  CHECK(pin_moment(kN(100), joint).value() ==
+        Approx(0.5 * F * (0.5 * b + c + 0.5 * a) - 0.5 * F * 0.25 * b).epsilon(1e-14));
+}
+
+TEST_CASE("pin: utilisations by hand, EN 1993-1-8 table 3.10") {
+  const double F = 200e3, d = 0.05, pi = 3.14159265358979;
+  const auto use = pin_utilisation(kN(200), joint, strength);
+  const double shear = 0.5 * F / (0.6 * pi * d * d / 4 * 800e6 / 1.25);
+  const double bending = F / 8 * 0.078 / (1.5 * pi * d * d * d / 32 * 600e6);
+  CHECK(use.shear == Approx(shear).epsilon(1e-12));
+  CHECK(use.bending == Approx(bending).epsilon(1e-12));
+  CHECK(use.combined == Approx(shear * shear + bending * bending).epsilon(1e-12));
+  CHECK(use.bearing_inner == Approx(F / (1.5 * 0.03 * d * 335e6)).epsilon(1e-12));
+  CHECK(use.bearing_outer == Approx(0.5 * F / (1.5 * 0.02 * d * 345e6)).epsilon(1e-12));
+}
+
+TEST_CASE("pin: a force of the other sign uses it as much, twice the force twice as much") {
+  const auto one = pin_utilisation(kN(100), joint, strength);
+  const auto back = pin_utilisation(kN(-100), joint, strength);
+  const auto two = pin_utilisation(kN(200), joint, strength);
+  CHECK(back.shear == one.shear);
+  CHECK(back.bending == one.bending);
+  CHECK(back.bearing_inner == one.bearing_inner);
+  CHECK(two.bearing_outer == Approx(2 * one.bearing_outer).epsilon(1e-14));
+  CHECK(two.combined == Approx(4 * one.combined).epsilon(1e-14));
+}
+
+TEST_CASE("pin: bearing is by the weaker of plate and pin") {
+  const PinStrength soft{MPa(235), MPa(360), MPa(345), MPa(335), 1.0, 1.25, 1.0};
+  CHECK(pin_bearing_resistance(mm(20), MPa(345), joint, soft) ==
+        pin_bearing_resistance(mm(20), MPa(235), joint, soft));
+}
+
+TEST_CASE("replaceable pin: the service limits are 0.4 of the bearing, 8/15 of the bending") {
+  const auto ultimate = pin_utilisation(kN(100), joint, strength);
+  const auto service = replaceable_pin_utilisation(kN(100), MPa(210e3), joint, strength);
+  CHECK(service.bearing_inner == Approx(ultimate.bearing_inner / 0.4).epsilon(1e-12));
+  CHECK(service.bearing_outer == Approx(ultimate.bearing_outer / 0.4).epsilon(1e-12));
+  CHECK(service.bending == Approx(ultimate.bending * 15 / 8).epsilon(1e-12));
+  CHECK(service.contact_inner ==
+        Approx(pin_contact_stress(kN(100), mm(30), MPa(210e3), joint).value() / (2.5 * 335e6))
+            .epsilon(1e-12));
+  CHECK(service.contact_outer ==
+        Approx(pin_contact_stress(kN(50), mm(20), MPa(210e3), joint).value() / (2.5 * 345e6))
+            .epsilon(1e-12));
+}
+
+TEST_CASE("pin: the contact stress is Hertz's for a cylinder in a bore a little wider") {
+  // p^2 = F/t E*/(pi R), E* = E/[2 (1 - nu^2)], 1/R = 2/d - 2/d_0, nu = 0.3; d_0 taken as d.
+  const double F = 100e3, t = 0.03, E = 210e9, d = 0.05, d_0 = 0.0505, pi = 3.14159265358979;
+  const double curvature = 2 / d - 2 / d_0;
+  const double hertz = std::sqrt(F / t * E / (2 * 0.91) * curvature / pi);
+  CHECK(pin_contact_stress(kN(100), mm(30), MPa(210e3), joint).value() ==
+        Approx(hertz * std::sqrt(d_0 / d)).epsilon(1e-3));
+}
+
+TEST_CASE("pin: edges around the hole by hand, EN 1993-1-8 table 3.9") {
+  // 150e3/(2 20 355) = 10.563 mm; 2/3 and 1/3 of 60 mm.
+  const auto edges = pin_plate_edges(kN(150), mm(20), mm(60), MPa(355), 1.0);
+  CHECK(edges.end.value() == Approx(50.563e-3).epsilon(1e-4));
+  CHECK(edges.side.value() == Approx(30.563e-3).epsilon(1e-4));
+}
+
+TEST_CASE("pin: the standard's outline (type B) satisfies the rule for any outline (type A)") {
+  // From the hole's edge: 1.6 d_0 - d_0/2 to the end, 2.5 d_0/2 - d_0/2 to the side.
+  for (const double force : {50.0, 200.0, 800.0}) {
+    for (const double hole : {10.0, 30.0, 100.0}) {
+      const Length t = pin_plate_thickness(kN(force), mm(hole), MPa(355), 1.1);
+      // The outline may be larger than the hole needs: 2.5 t is the largest hole.
+      const Length widest = 2.5 * t;
+      const auto edges = pin_plate_edges(kN(force), t, widest, MPa(355), 1.1);
+      CAPTURE(force, hole);
+      CHECK(mm(hole) <= widest * (1 + 1e-12));
+      CHECK(edges.end <= 1.1 * widest);
+      CHECK(edges.side <= 0.75 * widest);
+    }
+  }
+}

@@ -1,0 +1,101 @@
+#include "boxbeam/strength/section_class.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "catch.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+void check_limits(const ClassLimits& limits, double class_1, double class_2, double class_3) {
+  CHECK(limits.class_1 == Approx(class_1).epsilon(1e-12));
+  CHECK(limits.class_2 == Approx(class_2).epsilon(1e-12));
+  CHECK(limits.class_3 == Approx(class_3).epsilon(1e-12));
+}
+
+}  // namespace
+
+TEST_CASE("epsilon: 1 for S235, 0.81 for S355") {
+  CHECK(epsilon_of(si<Stress>(235e6)) == 1.0);
+  // Printed in EN 1993-1-1:2005, table 5.2: f_y 275, 355, 420, 460 give 0.92, 0.81, 0.75, 0.71.
+  CHECK(epsilon_of(si<Stress>(275e6)) == Approx(0.92).margin(0.005));
+  CHECK(epsilon_of(si<Stress>(355e6)) == Approx(0.81).margin(0.005));
+  CHECK(epsilon_of(si<Stress>(420e6)) == Approx(0.75).margin(0.005));
+  CHECK(epsilon_of(si<Stress>(460e6)) == Approx(0.71).margin(0.005));
+}
+
+TEST_CASE(
+    "internal parts: the columns for bending and for even compression, EN 1993-1-1 table 5.2") {
+  check_limits(internal_part_limits(0.5, -1.0, 1.0), 72.0, 83.0, 124.0);
+  check_limits(internal_part_limits(1.0, 1.0, 1.0), 33.0, 38.0, 42.0);
+}
+
+TEST_CASE("internal parts: a part in tension is never slender") {
+  const ClassLimits limits = internal_part_limits(0.0, -infinity, 0.81);
+  CHECK(limits.class_1 == infinity);
+  CHECK(limits.class_2 == infinity);
+  CHECK(limits.class_3 == infinity);
+}
+
+TEST_CASE("internal parts: the branches meet, as well as the standard's own numbers do") {
+  const double step = 1e-12;
+  const ClassLimits below = internal_part_limits(0.5, -1.0, 1.0);
+  const ClassLimits above = internal_part_limits(0.5 + step, -1.0 + step, 1.0);
+  CHECK(above.class_1 == Approx(below.class_1).epsilon(1e-9));
+  // 456/5.5 = 82.91 against 83, 42/0.34 = 123.53 against 124.
+  CHECK(above.class_2 == Approx(below.class_2).epsilon(1.2e-3));
+  CHECK(above.class_3 == Approx(below.class_3).epsilon(3.9e-3));
+  CHECK(above.class_2 < below.class_2);
+  CHECK(above.class_3 < below.class_3);
+}
+
+TEST_CASE("internal parts: more compression, a lower limit; class 1 below 2 below 3") {
+  ClassLimits before = internal_part_limits(0.01, -99.0, 0.81);
+  for (double psi = -98.9; psi <= 1.0; psi += 0.1) {
+    // The share in compression of the elastic stresses: grows with psi as any alpha does.
+    const double alpha = psi < 0.0 ? 1.0 / (1.0 - psi) : 1.0;
+    const ClassLimits limits = internal_part_limits(alpha, psi, 0.81);
+    CAPTURE(psi);
+    CHECK(limits.class_1 <= before.class_1);
+    CHECK(limits.class_2 <= before.class_2);
+    CHECK(limits.class_3 <= before.class_3);
+    CHECK(limits.class_1 < limits.class_2);
+    CHECK(limits.class_2 < limits.class_3);
+    before = limits;
+  }
+}
+
+TEST_CASE("compressed share of the webs: a plastic web balances the axial force") {
+  const Area webs = si<Area>(0.01);
+  const Stress yield = si<Stress>(355e6);
+  for (double share = 0.0; share <= 1.0; share += 0.125) {
+    // f_y on the share in compression, -f_y on the rest.
+    const Force compression = (share - (1.0 - share)) * webs * yield;
+    CAPTURE(share);
+    CHECK(compressed_share_of_webs(compression, webs, yield) == Approx(share).margin(1e-14));
+  }
+  // More than the webs can carry: the flanges carry the rest.
+  CHECK(compressed_share_of_webs(si<Force>(1e8), webs, yield) == 1.0);
+  CHECK(compressed_share_of_webs(si<Force>(-1e8), webs, yield) == 0.0);
+}
+
+TEST_CASE("outstand flanges and round tubes, EN 1993-1-1 table 5.2") {
+  check_limits(outstand_flange_limits(1.0), 9.0, 10.0, 14.0);
+  check_limits(outstand_flange_limits(0.5), 4.5, 5.0, 7.0);
+  check_limits(round_tube_limits(1.0), 50.0, 70.0, 90.0);
+  check_limits(round_tube_limits(0.5), 12.5, 17.5, 22.5);
+}
+
+TEST_CASE("a slenderness on a limit still belongs to its class") {
+  const ClassLimits limits{10.0, 20.0, 30.0};
+  CHECK(class_of(0.0, limits) == 1);
+  CHECK(class_of(10.0, limits) == 1);
+  CHECK(class_of(10.1, limits) == 2);
+  CHECK(class_of(20.1, limits) == 3);
+  CHECK(class_of(30.0, limits) == 3);
+  CHECK(class_of(30.1, limits) == 4);
+}
