@@ -1,0 +1,205 @@
+#include "boxbeam/project/detail_catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "boxbeam/project/case_document.hpp"
+#include "boxbeam/project/sn_catalogue.hpp"
+#include "boxbeam/project/table_reader.hpp"
+#include "catalogue_data.hpp"
+
+namespace boxbeam {
+namespace {
+
+struct Catalogue {
+  std::vector<FactDefinition> facts;
+  std::vector<DetailRow> rows;
+  std::array<std::array<double, 2>, 2> gamma_Mf{};  ///< by method and consequence
+};
+
+/// The fact that says which stress of a detail is judged; every row has it by its place.
+constexpr const char* stress_fact = "stress";
+
+const char* judged_stress(StressPlace where) {
+  switch (where) {
+    case StressPlace::gross:
+    case StressPlace::net: return "nominal";
+    case StressPlace::throat: return "weld";
+    case StressPlace::hot_spot: return "hot spot";
+  }
+  return "";
+}
+
+FactDefinition read_fact(const std::string& name, TableReader& table) {
+  FactDefinition fact;
+  fact.name = name;
+  if (table.has("number")) {
+    fact.kind = table.choice("number", {"length", "ratio"}) == 0 ? FactDefinition::Kind::length
+                                                                 : FactDefinition::Kind::ratio;
+  } else {
+    fact.words = table.texts("words", true);
+  }
+  fact.fixed = table.boolean("fixed", false);
+  fact.means = table.text("means", "");
+  table.finish();
+  return fact;
+}
+
+/// "butt | fillet", each one of the fact's words.
+std::vector<std::string> read_words(TableReader& table, const FactDefinition& fact) {
+  constexpr std::string_view bar = " | ";
+  const std::string text = table.text(fact.name);
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(bar, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    if (std::find(fact.words.begin(), fact.words.end(), words.back()) == fact.words.end()) {
+      table.problem(fact.name, fmt::format("\"{}\" is no word of this fact", words.back()));
+    }
+    begin = end + bar.size();
+  }
+  return words;
+}
+
+FactRange read_range(TableReader table, FactDefinition::Kind kind) {
+  FactRange range;
+  const auto end = [&](const char* key, double& limit, bool& belongs, bool with) {
+    if (!table.has(key)) return;
+    limit = kind == FactDefinition::Kind::length ? table.positive(key, wanted::length)
+                                                 : table.number(key);
+    belongs = with;
+  };
+  end("from", range.from, range.with_from, true);
+  end("over", range.from, range.with_from, false);
+  end("up_to", range.to, range.with_to, true);
+  end("under", range.to, range.with_to, false);
+  table.finish();
+  return range;
+}
+
+DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts) {
+  DetailRow row;
+  row.id = table.text("id");
+  row.category = table.number("category");
+  row.asterisk = table.boolean("asterisk", false);
+  row.kind = static_cast<StressKind>(table.choice("kind", {"direct", "shear"}, 0));
+  row.where =
+      static_cast<StressPlace>(table.choice("where", {"gross", "net", "throat", "hot spot"}, 0));
+  row.size_effect = static_cast<SizeEffect>(
+      table.choice("size_effect", {"none", "butt", "eccentric butt", "bolt"}, 0));
+  row.welded = table.boolean("welded", true);
+  row.unconfirmed = table.boolean("unconfirmed", false);
+  row.what = table.text("what");
+  row.workmanship = table.text("workmanship", "");
+  row.note = table.text("note", "");
+  row.conditions.emplace(stress_fact, std::vector<std::string>{judged_stress(row.where)});
+  TableReader conditions = table.table("facts");
+  for (const FactDefinition& fact : facts) {
+    if (!conditions.has(fact.name)) continue;
+    if (fact.kind == FactDefinition::Kind::words) {
+      row.conditions.emplace(fact.name, read_words(conditions, fact));
+    } else {
+      row.conditions.emplace(fact.name, read_range(conditions.table(fact.name), fact.kind));
+    }
+  }
+  conditions.finish();
+  table.finish();
+  return row;
+}
+
+Catalogue read_catalogue() {
+  const CaseDocument document =
+      parse_document("details-en-1993-1-9.toml", catalogue_data::details, {});
+  ProblemList problems(document);
+  TableReader root(problems, document.root, "");
+  Catalogue catalogue;
+  for (auto& [name, table] : root.table("facts").named_tables()) {
+    catalogue.facts.push_back(read_fact(name, table));
+  }
+  for (TableReader& table : root.tables("rows", true)) {
+    catalogue.rows.push_back(read_row(table, catalogue.facts));
+  }
+  TableReader factors = root.table("partial_factors");
+  factors.text("source");
+  constexpr std::array methods{"damage_tolerant", "safe_life"};
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    TableReader method = factors.table(methods[i]);
+    catalogue.gamma_Mf[i] = {method.number("low"), method.number("high")};
+    method.finish();
+  }
+  factors.finish();
+  root.finish();
+  problems.raise();
+  return catalogue;
+}
+
+const Catalogue& catalogue() {
+  static const Catalogue all = read_catalogue();
+  return all;
+}
+
+std::string number_text(const FactDefinition& fact, double number) {
+  return fact.kind == FactDefinition::Kind::length ? fmt::format("{:.6g} mm", number * 1e3)
+                                                   : fmt::format("{:.3g}", number);
+}
+
+}  // namespace
+
+const std::vector<FactDefinition>& fact_definitions() { return catalogue().facts; }
+
+const std::vector<DetailRow>& detail_rows() { return catalogue().rows; }
+
+std::vector<std::string> fixed_facts() {
+  std::vector<std::string> names;
+  for (const FactDefinition& fact : fact_definitions()) {
+    if (fact.fixed) names.push_back(fact.name);
+  }
+  return names;
+}
+
+SnCurve curve_of(const DetailRow& row, bool raise_asterisk) {
+  const char* family = row.where == StressPlace::hot_spot ? "EN 1993-1-9 hot spot" : "EN 1993-1-9";
+  const std::string name =
+      raise_asterisk && row.asterisk ? category_name_of(row) : fmt::format("{:g}", row.category);
+  const auto curve = find_curve(family, name, row.kind);
+  assert(curve);
+  return *curve;
+}
+
+std::string to_text(const FactChange& change) {
+  if (const auto* words = std::get_if<std::vector<std::string>>(&change.to)) {
+    return fmt::format("{} = {}", change.fact, fmt::join(*words, " or "));
+  }
+  const auto found =
+      std::find_if(fact_definitions().begin(), fact_definitions().end(),
+                   [&](const FactDefinition& fact) { return fact.name == change.fact; });
+  assert(found != fact_definitions().end());
+  const auto& range = std::get<FactRange>(change.to);
+  std::string text = change.fact;
+  if (std::isfinite(range.from)) {
+    text +=
+        fmt::format(" {} {}", range.with_from ? "from" : "over", number_text(*found, range.from));
+  }
+  if (std::isfinite(range.to)) {
+    text += fmt::format(" {} {}", range.with_to ? "up to" : "under", number_text(*found, range.to));
+  }
+  return text;
+}
+
+std::string to_text(const Raise& raise) {
+  std::vector<std::string> changes;
+  for (const FactChange& change : raise.changes) changes.push_back(to_text(change));
+  return fmt::format("{}: {}, {}", fmt::join(changes, ", "), raise.row.id,
+                     category_name_of(raise.row));
+}
+
+double recommended_gamma_Mf(AssessmentMethod method, Consequence consequence) {
+  return catalogue()
+      .gamma_Mf[static_cast<std::size_t>(method)][static_cast<std::size_t>(consequence)];
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,379 @@
+#include "boxbeam/project/detail_catalogue.hpp"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "boxbeam/project/sn_catalogue.hpp"
+#include "catch.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr StressKind kinds[] = {StressKind::direct, StressKind::shear};
+
+/// Limits of the ranges in all rows, and values beside them, by fact.
+std::map<std::string, std::vector<double>> numbers_of_interest() {
+  std::map<std::string, std::vector<double>> numbers;
+  for (const DetailRow& row : detail_rows()) {
+    for (const auto& [fact, allowed] : row.conditions) {
+      const auto* range = std::get_if<FactRange>(&allowed);
+      if (range == nullptr) continue;
+      for (const double limit : {range->from, range->to}) {
+        if (!std::isfinite(limit)) continue;
+        for (const double factor : {0.9, 1.0, 1.1}) numbers[fact].push_back(factor * limit);
+      }
+    }
+  }
+  return numbers;
+}
+
+/// Random facts; the generator is seeded by the caller.
+Facts random_facts(std::mt19937& random, double share_known) {
+  static const auto numbers = numbers_of_interest();
+  std::bernoulli_distribution known(share_known);
+  const auto pick = [&](const auto& from) {
+    return from[std::uniform_int_distribution<std::size_t>(0, from.size() - 1)(random)];
+  };
+  Facts facts;
+  for (const FactDefinition& fact : fact_definitions()) {
+    if (!known(random)) continue;
+    if (fact.kind == FactDefinition::Kind::words) {
+      facts.emplace(fact.name, pick(fact.words));
+    } else if (const auto found = numbers.find(fact.name); found != numbers.end()) {
+      facts.emplace(fact.name, pick(found->second));
+    }
+  }
+  return facts;
+}
+
+/// Facts that a row asks for, one value each.
+Facts facts_of(const DetailRow& row) {
+  Facts facts;
+  for (const auto& [fact, allowed] : row.conditions) {
+    if (const auto* words = std::get_if<Words>(&allowed)) {
+      facts.emplace(fact, words->front());
+      continue;
+    }
+    const auto& range = std::get<FactRange>(allowed);
+    if (!std::isfinite(range.to)) {
+      facts.emplace(fact, 1.5 * range.from);
+    } else {
+      facts.emplace(fact,
+                    std::isfinite(range.from) ? 0.5 * (range.from + range.to) : 0.9 * range.to);
+    }
+  }
+  return facts;
+}
+
+std::set<const void*> members(const std::vector<DetailRow>& found) {
+  // Entries of one row are told apart by their place in the catalogue.
+  std::set<const void*> places;
+  for (const DetailRow& row : found) {
+    const auto same = std::find_if(detail_rows().begin(), detail_rows().end(), [&](auto& other) {
+      return other.id == row.id && other.category == row.category && other.what == row.what &&
+             other.kind == row.kind && other.conditions == row.conditions;
+    });
+    places.insert(&*same);
+  }
+  return places;
+}
+
+DetailAssessment about(const Facts& facts, StressKind kind = StressKind::direct) {
+  return assess(detail_rows(), kind, facts);
+}
+
+std::string governing(Facts facts, StressKind kind = StressKind::direct) {
+  facts.emplace("stress", "nominal");
+  const auto candidates = about(facts, kind).candidates;
+  if (candidates.empty()) return "none";
+  return candidates.front().id + ": " + category_name_of(candidates.front());
+}
+
+Facts with(Facts facts, const Facts& more) {
+  for (const auto& [name, value] : more) facts.insert_or_assign(name, value);
+  return facts;
+}
+
+}  // namespace
+
+TEST_CASE("every row of the tables of details is sound", "[detail_catalogue]") {
+  CHECK(detail_rows().size() > 100);
+  for (const DetailRow& row : detail_rows()) {
+    CAPTURE(row.id, row.category, row.what);
+    CHECK(row.id.find('/') != std::string::npos);
+    CHECK_FALSE(row.what.empty());
+    CHECK(row.conditions.contains("part"));
+    CHECK(row.conditions.contains("stress"));
+    // Table 8.1 is of details without welds, and no other.
+    CHECK(row.welded == !row.id.starts_with("8.1/"));
+    CHECK((row.where == StressPlace::hot_spot) == row.id.starts_with("B.1/"));
+    CHECK((row.size_effect == SizeEffect::butt || row.size_effect == SizeEffect::eccentric_butt) ==
+          (row.id.starts_with("8.3/") && row.id != "8.3/18"));
+    // Its category is a curve of the code, raised or not.
+    CHECK(curve_of(row).reference.value() * 1e-6 == Approx(row.category));
+    CHECK(curve_of(row).kind == row.kind);
+    if (row.asterisk) CHECK(curve_of(row, true).reference > curve_of(row).reference);
+  }
+}
+
+TEST_CASE("every row is reached by its own facts, and governs but where lines overlap",
+          "[detail_catalogue]") {
+  for (const DetailRow& row : detail_rows()) {
+    CAPTURE(row.id, row.category, row.what);
+    const auto found = about(facts_of(row), row.kind).candidates;
+    REQUIRE_FALSE(found.empty());
+    CHECK(members(found).contains(&row));
+    CHECK(std::min_element(found.begin(), found.end(), [](auto& a, auto& b) {
+            return a.category < b.category;
+          })->category == (row.id == "8.4/4" ? found.front().category : row.category));
+  }
+}
+
+TEST_CASE("more facts never add rows, and less known never gives a higher category",
+          "[detail_catalogue]") {
+  std::mt19937 random(20051993);
+  int alive = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    // Begin from a row's own facts half of the time, so that some row fits.
+    Facts facts = random_facts(random, 0.15);
+    if (trial % 2 == 0) {
+      const std::size_t i =
+          std::uniform_int_distribution<std::size_t>(0, detail_rows().size() - 1)(random);
+      facts = with(facts, facts_of(detail_rows()[i]));
+    }
+    for (const StressKind kind : kinds) {
+      const auto all = about(facts, kind).candidates;
+      if (all.empty()) continue;
+      ++alive;
+      for (const auto& [name, value] : facts) {
+        Facts fewer = facts;
+        fewer.erase(name);
+        const auto more = about(fewer, kind).candidates;
+        CAPTURE(name);
+        const auto before = members(all);
+        const auto after = members(more);
+        CHECK(std::includes(after.begin(), after.end(), before.begin(), before.end()));
+        CHECK(more.front().category <= all.front().category);
+      }
+    }
+  }
+  CHECK(alive > 500);
+}
+
+TEST_CASE("a raise holds: with its changes its row governs, and what the detail is stays",
+          "[detail_catalogue]") {
+  std::mt19937 random(8529);
+  int raised = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const std::size_t i =
+        std::uniform_int_distribution<std::size_t>(0, detail_rows().size() - 1)(random);
+    Facts facts = facts_of(detail_rows()[i]);
+    // Forget some.
+    std::erase_if(facts, [&](auto&) { return std::bernoulli_distribution(0.2)(random); });
+    const auto found = about(facts, detail_rows()[i].kind).candidates;
+    REQUIRE_FALSE(found.empty());
+    for (const Raise& raise : raises_of(detail_rows(), found.front(), facts, fixed_facts())) {
+      ++raised;
+      CHECK(raise.changes.size() <= Raise::most_changes);
+      CHECK(raise.row.category > found.front().category);
+      Facts changed = facts;
+      for (const FactChange& change : raise.changes) {
+        CHECK_FALSE([&] {
+          const Words fixed = fixed_facts();
+          return std::find(fixed.begin(), fixed.end(), change.fact) != fixed.end();
+        }());
+        changed.insert_or_assign(change.fact, facts_of(raise.row).at(change.fact));
+      }
+      CHECK(about(changed, raise.row.kind).candidates.front().category >= raise.row.category);
+    }
+  }
+  CHECK(raised > 500);
+}
+
+TEST_CASE("web-to-flange seam, table 8.2", "[detail_catalogue]") {
+  const Facts seam{{"part", "seam"}, {"interruption", "none"}};
+  const Facts one = with(seam, {{"sides", "one"}});
+  const auto category = [](const Facts& facts) {
+    const auto found = about(with(facts, {{"stress", "nominal"}})).candidates;
+    return found.empty() ? 0.0 : found.front().category;
+  };
+  // A box welded from one side, nothing else known: 100 whatever the rest.
+  CHECK(category(one) == 100);
+  CHECK(governing(with(one, {{"backing", "none"}, {"repaired", "no"}, {"process", "automatic"}})) ==
+        "8.2/6: 100");
+  CHECK(category(with(one, {{"backing", "permanent"},
+                            {"repaired", "no"},
+                            {"process", "automatic"},
+                            {"stop_start", "no"}})) == 112);
+  CHECK(category(with(
+            one, {{"backing", "permanent"}, {"repaired", "no"}, {"process", "automatic"}})) == 100);
+  const Facts good = with(
+      seam, {{"sides", "both"}, {"process", "automatic"}, {"weld", "fillet"}, {"repaired", "no"}});
+  CHECK(governing(good) == "8.2/3: 112");
+  CHECK(governing(with(good, {{"stop_start", "no"}})) == "8.2/2: 125");
+  CHECK(governing(with(good, {{"weld", "butt"}, {"stop_start", "no"}})) == "8.2/1: 125");
+  CHECK(governing(with(good, {{"process", "manual"}})) == "8.2/5: 100");
+  CHECK(governing(with(good, {{"repaired", "yes"}})) == "8.2/7: 100");
+  CHECK(category({{"part", "seam"}}) == 71);  // cope holes are not excluded
+  CHECK(governing({{"part", "seam"}, {"interruption", "gaps"}, {"gap_ratio", 2.5}}) == "8.2/8: 80");
+  CHECK(governing({{"part", "seam"}, {"interruption", "gaps"}, {"gap_ratio", 2.6}}) == "none");
+  // Shear flow in the throat.
+  CHECK(governing(with(good, {{"stress", "weld"}}), StressKind::shear) == "8.5/8: 80");
+
+  const auto deciding = about(with(good, {{"stress", "nominal"}})).deciding;
+  CHECK(deciding == Words{"stop_start"});
+  const auto found = about(with(good, {{"stress", "nominal"}})).candidates;
+  const auto raises =
+      raises_of(detail_rows(), found.front(), with(good, {{"stress", "nominal"}}), fixed_facts());
+  REQUIRE_FALSE(raises.empty());
+  CHECK(to_text(raises.front()) == "stop_start = no: 8.2/2, 125");
+}
+
+TEST_CASE("attachments and diaphragms, table 8.4", "[detail_catalogue]") {
+  const auto diaphragm = [](double l) {
+    return governing({{"part", "attachment"},
+                      {"direction", "transverse"},
+                      {"member", "diaphragm"},
+                      {"attachment_length", l}});
+  };
+  CHECK(diaphragm(0.040) == "8.4/8: 80");
+  CHECK(diaphragm(0.050) == "8.4/8: 80");
+  CHECK(diaphragm(0.051) == "8.4/8: 71");
+  CHECK(diaphragm(0.081) == "none");
+  const Facts along{{"part", "attachment"}, {"direction", "longitudinal"}, {"position", "surface"}};
+  const auto length = [&](double l, const char* transition) {
+    return governing(with(along, {{"attachment_length", l}, {"transition", transition}}));
+  };
+  CHECK(length(0.050, "none") == "8.4/1: 80");
+  CHECK(length(0.080, "none") == "8.4/1: 71");
+  CHECK(length(0.100, "none") == "8.4/1: 63");
+  CHECK(length(0.101, "none") == "8.4/1: 56");
+  CHECK(length(0.101, "taper") == "8.4/2: 71");
+  // The lines of row 4 overlap: a radius over 150 mm is 90, but 0.2 of the length is 71.
+  const Facts gusset{{"part", "attachment"},
+                     {"direction", "longitudinal"},
+                     {"position", "edge"},
+                     {"transition", "ground radius"}};
+  const auto edge = [&](double radius, double ratio) {
+    return governing(with(gusset, {{"radius", radius}, {"radius_ratio", ratio}}));
+  };
+  CHECK(edge(0.100, 0.4) == "8.4/4: 90");
+  CHECK(edge(0.200, 0.4) == "8.4/4: 90");
+  CHECK(edge(0.200, 0.2) == "8.4/4: 71");
+  CHECK(edge(0.100, 0.2) == "8.4/4: 71");
+  CHECK(edge(0.200, 0.1) == "8.4/4: 50");
+  CHECK(edge(0.100, 1.0 / 3.0) == "8.4/4: 71");
+  CHECK(governing(with(gusset, {{"transition", "none"}})) == "8.4/5: 40");
+  CHECK(governing(gusset) == "8.4/4: 50");
+}
+
+TEST_CASE("joints that carry load, table 8.5", "[detail_catalogue]") {
+  const Facts fillet{{"part", "cruciform"}, {"weld", "fillet"}};
+  CHECK(governing(with(fillet, {{"stress", "weld"}})) == "8.5/3: 36*");
+  CHECK(governing(with(fillet, {{"stress", "weld"}}), StressKind::shear) == "8.5/3: 80");
+  const auto toe = [&](double l, double t) {
+    return governing(with(fillet, {{"attachment_length", l}, {"thickness", t}}));
+  };
+  CHECK(toe(0.049, 0.06) == "8.5/1: 80");
+  CHECK(toe(0.050, 0.06) == "8.5/1: 71");  // left out by the table: the weaker neighbour
+  CHECK(toe(0.051, 0.06) == "8.5/1: 71");
+  CHECK(toe(0.100, 0.06) == "8.5/1: 63");
+  CHECK(toe(0.120, 0.06) == "8.5/1: 56");
+  CHECK(toe(0.500, 0.02) == "8.5/1: 56");
+  CHECK(toe(0.200, 0.06) == "8.5/1: 50");
+  CHECK(toe(0.500, 0.03) == "8.5/1: 50");
+  CHECK(toe(0.300, 0.06) == "8.5/1: 45");
+  CHECK(toe(0.500, 0.05) == "8.5/1: 45");
+  CHECK(toe(0.500, 0.06) == "8.5/1: 40");
+  // A weld that fuses its root has no row for it.
+  CHECK(governing({{"part", "cruciform"}, {"weld", "butt"}, {"stress", "weld"}}) == "none");
+  CHECK(governing({{"part", "overlap"}}) == "8.5/5: 45*");
+}
+
+TEST_CASE("a toe of any length and thickness has a category, longer never stronger",
+          "[detail_catalogue]") {
+  for (double t = 0.004; t < 0.08; t += 0.0033) {
+    double last = 80;
+    for (double l = 0.002; l < 0.6; l += 0.002) {
+      const auto found = about({{"part", "cruciform"},
+                                {"stress", "nominal"},
+                                {"attachment_length", l},
+                                {"thickness", t}})
+                             .candidates;
+      REQUIRE_FALSE(found.empty());
+      CHECK(found.front().category <= last);
+      last = found.front().category;
+    }
+  }
+}
+
+TEST_CASE("splices, table 8.3", "[detail_catalogue]") {
+  const Facts plate{{"part", "splice"},
+                    {"shape", "plate"},
+                    {"thickness_step", "none"},
+                    {"thickness", 0.02},
+                    {"sides", "both"}};
+  CHECK(governing(with(plate, {{"ground", "yes"}, {"ndt", "yes"}})) == "8.3/1: 112");
+  CHECK(governing(with(plate, {{"ground", "no"}, {"ndt", "yes"}, {"convexity", 0.1}})) ==
+        "8.3/5: 90");
+  CHECK(governing(with(plate, {{"ground", "no"}, {"convexity", 0.2}})) == "8.3/11: 80");
+  CHECK(governing(with(plate, {{"ground", "no"}, {"convexity", 0.05}})) == "8.3/11: 80");
+  CHECK(governing(plate) == "8.3/11: 80");
+  const Facts one = with(plate, {{"sides", "one"}, {"backing", "none"}});
+  CHECK(governing(one) == "8.3/13: 36");
+  CHECK(governing(with(one, {{"full_penetration", "yes"}, {"ndt", "yes"}})) == "8.3/13: 71");
+  const Facts strip = with(plate, {{"sides", "one"}, {"backing", "permanent"}});
+  CHECK(governing(strip) == "8.3/16: 50");
+  CHECK(governing(with(strip, {{"backing_edge", 0.010}})) == "8.3/14: 71");
+  CHECK(governing({{"part", "intersecting flanges"}}) == "8.3/18: 40");
+}
+
+TEST_CASE("plain members and bolts, table 8.1", "[detail_catalogue]") {
+  const auto found = about({{"part", "hole"}, {"stress", "nominal"}}).candidates;
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].id == "8.1/11");
+  CHECK(found[0].category == 90);
+  CHECK(found[0].where == StressPlace::net);
+  CHECK_FALSE(found[0].welded);
+  CHECK(found[0].unconfirmed);
+  const Facts plate{{"part", "plain"}, {"product", "plate"}, {"weathering", "no"}};
+  CHECK(governing(with(plate, {{"edges", "as rolled"}})) == "8.1/1: 160");
+  CHECK(governing(with(plate, {{"edges", "dressed"}})) == "8.1/4: 140");
+  CHECK(governing(plate) == "8.1/5: 125");
+  CHECK(governing(with(plate, {{"weathering", "yes"}})) == "8.1/5: 112");
+  CHECK(governing({{"part", "plain"}}, StressKind::shear) == "8.1/6: 100");
+}
+
+TEST_CASE("hot spot stress, table B.1", "[detail_catalogue]") {
+  const auto hot_spot = [](Facts facts) {
+    facts.emplace("stress", "hot spot");
+    return governing(facts);
+  };
+  CHECK(hot_spot({{"part", "splice"}, {"ground", "yes"}, {"ndt", "yes"}}) == "B.1/1: 112");
+  CHECK(hot_spot({{"part", "splice"}}) == "B.1/2: 100");
+  CHECK(hot_spot({{"part", "cruciform"}, {"weld", "butt"}}) == "B.1/3: 100");
+  CHECK(hot_spot({{"part", "cruciform"}}) == "B.1/7: 90");
+  CHECK(about({{"part", "cruciform"}, {"stress", "hot spot"}}).candidates.front().where ==
+        StressPlace::hot_spot);
+}
+
+TEST_CASE("partial factors, table 3.1", "[detail_catalogue]") {
+  CHECK(recommended_gamma_Mf(AssessmentMethod::damage_tolerant, Consequence::low) == 1.00);
+  CHECK(recommended_gamma_Mf(AssessmentMethod::damage_tolerant, Consequence::high) == 1.15);
+  CHECK(recommended_gamma_Mf(AssessmentMethod::safe_life, Consequence::low) == 1.15);
+  CHECK(recommended_gamma_Mf(AssessmentMethod::safe_life, Consequence::high) == 1.35);
+}
+
+TEST_CASE("changes read as a designer would say them", "[detail_catalogue]") {
+  CHECK(to_text(FactChange{"weld", Words{"butt", "fillet"}}) == "weld = butt or fillet");
+  CHECK(to_text(FactChange{"attachment_length", FactRange{.to = 0.05}}) ==
+        "attachment_length up to 50 mm");
+  CHECK(to_text(FactChange{"thickness", FactRange{.from = 0.02, .to = 0.03, .with_from = false}}) ==
+        "thickness over 20 mm up to 30 mm");
+  CHECK(to_text(FactChange{"convexity", FactRange{.to = 0.1, .with_to = false}}) ==
+        "convexity under 0.1");
+}
