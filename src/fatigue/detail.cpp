@@ -60,18 +60,21 @@ bool reaches_beyond(const Allowed& a, const Allowed& b) {
 
 /// Facts not known of which some value excludes a governing row and leaves a stronger one.
 std::vector<std::string> deciding_of(const std::vector<DetailRow>& candidates, const Facts& facts) {
+  const double least = strength_of(candidates.front(), facts);
+  const auto governs = [&](const DetailRow& row) { return strength_of(row, facts) <= least; };
+  const auto decides = [&](const std::string& fact, const Allowed& allowed) {
+    return std::any_of(candidates.begin(), candidates.end(), [&](const DetailRow& other) {
+      if (governs(other)) return false;
+      const auto own = other.conditions.find(fact);
+      return own == other.conditions.end() || reaches_beyond(own->second, allowed);
+    });
+  };
   std::vector<std::string> deciding;
-  for (const DetailRow& weak : candidates) {
-    if (weak.category > candidates.front().category) continue;
-    for (const auto& [fact, allowed] : weak.conditions) {
+  for (const DetailRow& row : candidates) {
+    if (!governs(row)) continue;
+    for (const auto& [fact, allowed] : row.conditions) {
       if (facts.contains(fact) || contains(deciding, fact)) continue;
-      const bool decides = std::any_of(
-          candidates.begin(), candidates.end(), [&, &name = fact, &own = allowed](auto& strong) {
-            if (strong.category <= candidates.front().category) return false;
-            const auto other = strong.conditions.find(name);
-            return other == strong.conditions.end() || reaches_beyond(other->second, own);
-          });
-      if (decides) deciding.push_back(fact);
+      if (decides(fact, allowed)) deciding.push_back(fact);
     }
   }
   return deciding;
@@ -85,13 +88,26 @@ FactValue value_in(const Allowed& allowed) {
   return std::isinf(range.from) ? 0.5 * range.to : 0.5 * (range.from + range.to);
 }
 
+/// Whether every candidate says of a fact what a row allows, so that it need not be known.
+bool agree_on(const std::vector<DetailRow>& candidates, const std::string& fact,
+              const Allowed& allowed) {
+  return std::all_of(candidates.begin(), candidates.end(), [&](const DetailRow& candidate) {
+    const auto own = candidate.conditions.find(fact);
+    return own != candidate.conditions.end() && !reaches_beyond(own->second, allowed);
+  });
+}
+
 /// What a row asks beyond the facts; nothing where it asks for a change of a fixed one.
-std::optional<std::vector<FactChange>> changes_to(const DetailRow& row, const Facts& facts,
-                                                  const Words& fixed) {
+std::optional<std::vector<FactChange>> changes_to(const DetailRow& row,
+                                                  const std::vector<DetailRow>& candidates,
+                                                  const Facts& facts, const Words& fixed) {
   std::vector<FactChange> changes;
   for (const auto& [fact, allowed] : row.conditions) {
     const auto known = facts.find(fact);
-    if (known != facts.end() && allows(allowed, known->second)) continue;
+    if (known != facts.end() ? allows(allowed, known->second)
+                             : agree_on(candidates, fact, allowed)) {
+      continue;
+    }
     if (contains(fixed, fact)) return std::nullopt;
     changes.push_back({fact, allowed});
   }
@@ -159,19 +175,26 @@ DetailAssessment assess(const std::vector<DetailRow>& rows, StressKind kind, con
   return result;
 }
 
-std::vector<Raise> raises_of(const std::vector<DetailRow>& rows, const DetailRow& governing,
-                             const Facts& facts, const std::vector<std::string>& fixed) {
+std::vector<Raise> raises_of(const std::vector<DetailRow>& rows,
+                             const std::vector<DetailRow>& candidates, const Facts& facts,
+                             const std::vector<std::string>& fixed) {
   std::vector<Raise> found;
+  if (candidates.empty()) return found;
+  const StressKind kind = candidates.front().kind;
+  const double least = strength_of(candidates.front(), facts);
   for (const DetailRow& row : rows) {
-    if (row.kind != governing.kind || row.category <= governing.category) continue;
-    const auto changes = changes_to(row, facts, fixed);
+    if (row.kind != kind) continue;
+    const auto changes = changes_to(row, candidates, facts, fixed);
     if (!changes || changes->size() > Raise::most_changes) continue;
     Facts changed = facts;
     for (const FactChange& change : *changes) {
       changed.insert_or_assign(change.fact, value_in(change.to));
     }
+    const double strength = strength_of(row, changed);
+    if (strength <= least) continue;
     // Other rows may still apply to the changed detail.
-    if (candidates_of(rows, row.kind, changed).front().category < row.category) continue;
+    const std::vector<DetailRow> left = candidates_of(rows, kind, changed);
+    if (left.empty() || strength_of(left.front(), changed) < strength) continue;
     found.push_back({*changes, row});
   }
   std::stable_sort(found.begin(), found.end(), [](const Raise& a, const Raise& b) {

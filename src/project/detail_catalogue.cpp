@@ -98,12 +98,15 @@ DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts)
   row.note = table.text("note", "");
   row.conditions.emplace(stress_fact, std::vector<std::string>{judged_stress(row.where)});
   TableReader conditions = table.table("facts");
-  for (const FactDefinition& fact : facts) {
-    if (!conditions.has(fact.name)) continue;
-    if (fact.kind == FactDefinition::Kind::words) {
-      row.conditions.emplace(fact.name, read_words(conditions, fact));
+  for (const Node::Member& member : conditions.members()) {
+    const auto fact = std::find_if(facts.begin(), facts.end(), [&](const FactDefinition& each) {
+      return each.name == member.key;
+    });
+    if (fact == facts.end()) continue;
+    if (fact->kind == FactDefinition::Kind::words) {
+      row.conditions.emplace(fact->name, read_words(conditions, *fact));
     } else {
-      row.conditions.emplace(fact.name, read_range(conditions.table(fact.name), fact.kind));
+      row.conditions.emplace(fact->name, read_range(conditions.table(fact->name), fact->kind));
     }
   }
   conditions.finish();

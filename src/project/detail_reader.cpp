@@ -150,7 +150,7 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
   detail.unconfirmed = row.unconfirmed || detail.curve.unconfirmed;
   detail.candidates = assessment.candidates;
   detail.deciding = assessment.deciding;
-  detail.raises = raises_of(detail_rows(), row, facts, fixed_facts());
+  detail.raises = raises_of(detail_rows(), assessment.candidates, facts, fixed_facts());
 }
 
 void read_category(TableReader& table, StressKind kind, bool raise_asterisk, Detail& detail) {

@@ -92,23 +92,23 @@ TEST_CASE("deciding facts are those that can exclude what governs and leave stro
 TEST_CASE("raises name the facts to know or to change, fewest first, and they hold", "[detail]") {
   const std::vector<DetailRow> rows = small_table();
   const Facts facts{{"part", "seam"}, {"process", "automatic"}, {"stop_start", "yes"}};
-  const auto raises = raises_of(rows, rows[1], facts, {"part"});
+  const auto raises = raises_of(rows, {rows[1]}, facts, {"part"});
   REQUIRE(raises.size() == 1);
   CHECK(raises[0].row.id == "1");
   CHECK(raises[0].changes == std::vector<FactChange>{{"stop_start", Words{"no"}}});
 
   // From a manual weld with unknown stops: automatic alone leaves row 2, which is stronger too only
   // once its stops are known.
-  const auto more = raises_of(rows, rows[2], {{"part", "seam"}, {"process", "manual"}}, {"part"});
+  const auto more = raises_of(rows, {rows[2]}, {{"part", "seam"}, {"process", "manual"}}, {"part"});
   REQUIRE(more.size() == 2);
   CHECK(more[0].row.id == "1");
   CHECK(more[0].changes.size() == 2);
   CHECK(more[1].row.id == "2");
 
   // What the detail is stays.
-  CHECK(raises_of(rows, rows[2], {{"part", "seam"}, {"process", "manual"}}, {"part", "process"})
+  CHECK(raises_of(rows, {rows[2]}, {{"part", "seam"}, {"process", "manual"}}, {"part", "process"})
             .empty());
-  CHECK(raises_of(rows, rows[0], {{"part", "seam"}}, {"part"}).empty());
+  CHECK(raises_of(rows, {rows[0]}, {{"part", "seam"}}, {"part"}).empty());
 }
 
 TEST_CASE("a row of the other kind of stress is no candidate", "[detail]") {

@@ -94,10 +94,11 @@ struct Raise {
   static constexpr std::size_t most_changes = 3;
 };
 
-/// The rows of a higher category than the governing one that really govern once a few facts are
-/// known or changed, the fewest changes first. No `fixed` fact is touched.
-std::vector<Raise> raises_of(const std::vector<DetailRow>& rows, const DetailRow& governing,
-                             const Facts& facts, const std::vector<std::string>& fixed);
+/// The rows that are stronger than the governing one of the candidates and really govern once a few
+/// facts are known or changed, the fewest changes first. No `fixed` fact is touched.
+std::vector<Raise> raises_of(const std::vector<DetailRow>& rows,
+                             const std::vector<DetailRow>& candidates, const Facts& facts,
+                             const std::vector<std::string>& fixed);
 
 /// A detail of a beam, ready for the verification.
 struct Detail {
