@@ -31,17 +31,6 @@ std::vector<std::string> names_of(const Sections& sections) {
   return names;
 }
 
-Section named_section(TableReader& table, std::string_view key, const Sections& sections) {
-  const std::string name = table.text(key);
-  const auto found = sections.find(name);
-  if (found != sections.end()) return found->second;
-  if (!name.empty()) {
-    table.problem(key, fmt::format("there is no section \"{}\"", name),
-                  unknown_hint(name, names_of(sections)));
-  }
-  return {};
-}
-
 Segment read_segment(TableReader table, std::size_t number, Length start,
                      const Sections& sections) {
   Segment segment;
@@ -197,6 +186,17 @@ Section read_nested_section(const std::string& name, TableReader& reader, const 
 }
 
 }  // namespace
+
+Section named_section(TableReader& table, std::string_view key, const Sections& sections) {
+  const std::string name = table.text(key);
+  const auto found = sections.find(name);
+  if (found != sections.end()) return found->second;
+  if (!name.empty()) {
+    table.problem(key, fmt::format("there is no section \"{}\"", name),
+                  unknown_hint(name, names_of(sections)));
+  }
+  return {};
+}
 
 Sections read_sections(TableReader table) {
   Sections simple;

@@ -21,22 +21,14 @@ int read_category(TableReader& table, std::string_view key) {
 }
 
 Material read_material(TableReader table) {
-  const std::string name = table.text("steel");
   std::optional<SteelSource> source;
   if (table.has("fy_source")) {
     constexpr SteelSource sources[] = {SteelSource::en_10025_2, SteelSource::en_1993_1_1};
     source = sources[table.choice("fy_source", {to_text(sources[0]), to_text(sources[1])})];
   }
+  Material material = named_steel(table, "steel", source);
   table.finish();
-  if (const auto steel = source ? find_steel(name, *source) : find_steel(name)) return *steel;
-  if (!name.empty()) {
-    const std::string near = nearest_word(name, steel_names());
-    table.problem(
-        "steel", fmt::format("there is no steel \"{}\" in the catalogue", name),
-        fmt::format("{}one of {}", near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
-                    fmt::join(steel_names(), ", ")));
-  }
-  return {};
+  return material;
 }
 
 StrengthDemand read_strength(TableReader table) {
@@ -164,6 +156,20 @@ void check_thicknesses(TableReader& root, const Project& project) {
 }
 
 }  // namespace
+
+Material named_steel(TableReader& table, std::string_view key,
+                     std::optional<SteelSource> source) {
+  const std::string name = table.text(key);
+  if (const auto steel = source ? find_steel(name, *source) : find_steel(name)) return *steel;
+  if (!name.empty()) {
+    const std::string near = nearest_word(name, steel_names());
+    table.problem(
+        key, fmt::format("there is no steel \"{}\" in the catalogue", name),
+        fmt::format("{}one of {}", near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
+                    fmt::join(steel_names(), ", ")));
+  }
+  return {};
+}
 
 void read_demands(TableReader& root, Project& project) {
   project.material = read_material(root.table("material"));

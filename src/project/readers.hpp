@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/project/table_reader.hpp"
 #include "time_tables.hpp"
@@ -106,5 +107,15 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
                      TimeTables& tables, Project& project);
 
 void read_demands(TableReader& root, Project& project);
+
+/// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam.
+void read_neighbours(TableReader& root, const Sections& sections, Project& project);
+
+/// A steel of the catalogue named by the value of a key.
+Material named_steel(TableReader& table, std::string_view key,
+                     std::optional<SteelSource> source = {});
+
+/// A section of the case named by the value of a key.
+Section named_section(TableReader& table, std::string_view key, const Sections& sections);
 
 }  // namespace boxbeam::readers

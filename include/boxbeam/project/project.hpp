@@ -11,7 +11,9 @@
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
+#include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/material.hpp"
+#include "boxbeam/strength/pin.hpp"
 
 namespace boxbeam {
 
@@ -82,6 +84,35 @@ struct Situation {
   std::vector<std::size_t> between;
 };
 
+/// A pin of the mechanism and the plates it bears on.
+struct PinInput {
+  std::string name;
+  int joint = 0;
+  PinJoint geometry;
+  PinStrength strength;
+  double required = 1.0;
+};
+
+/// A rod of the mechanism between two of its points, looked at under compression.
+struct RodInput {
+  std::string name;
+  planar::Attachment from, to;  ///< of one body
+  Section section;
+  Stress yield_strength;
+  Length buckling_length;
+  BucklingCurve curve = BucklingCurve::c;
+  double gamma_M1 = 1.0;
+  double required = 1.0;
+};
+
+/// How far the beam may bend away from the straight line between two of its places.
+struct DeflectionInput {
+  Length limit;
+  Length from, to;          ///< stations of the line's ends, which stay on it
+  Stress youngs_modulus;
+  Stress shear_modulus;
+};
+
 struct EquivalentMassDemand {
   int joint = 0;
   int on = 0;
@@ -112,6 +143,9 @@ struct Project {
   StrengthDemand strength;
   FatigueInput fatigue;
   std::vector<NamedPoint> points;
+  std::vector<PinInput> pins;
+  std::vector<RodInput> rods;
+  std::optional<DeflectionInput> deflection;
   std::vector<GivenStress> given_stresses;
 };
 

@@ -51,6 +51,7 @@ struct Check {
   std::string id;  ///< "yield/4.2-/fibre+z": criterion, station with side, point
   Criterion criterion = Criterion::yield;
   Station station;
+  bool on_beam = true;  ///< else a neighbour of the beam: it has no station
   std::string point;
   std::string situation;  ///< in which it is worst; "" where the case has only one
   Time time;              ///< instant of the largest stress or load in it
