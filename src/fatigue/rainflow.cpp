@@ -1,8 +1,10 @@
 #include "boxbeam/fatigue/rainflow.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -13,76 +15,10 @@ namespace {
 constexpr std::size_t sentinels = 2;
 constexpr double not_reached = std::numeric_limits<double>::quiet_NaN();
 
-/// Writes the turning points of `samples` but its last behind the `count` that are there, without
-/// branches that cannot be foretold; returns how many there are. `last`: the sample before; `up`:
-/// whether the way to it was up, or the way to the plateau on which it lies.
-std::size_t write_turns(std::span<const double> samples, double& last, bool& up, double* turns,
-                        std::size_t count) {
-  double before = last;
-  bool was_up = up;
-  for (const double sample : samples) {
-    const bool is_up = (sample > before) | ((sample >= before) & was_up);
-    turns[count] = before;
-    count += is_up != was_up ? 1 : 0;
-    was_up = is_up;
-    before = sample;
-  }
-  last = before;
-  up = was_up;
-  return count;
-}
-
-/// Takes out of `turns` every range that both its neighbours enclose, without branches that cannot
-/// be foretold. Closing inner cycles first changes no cycle of the count, only their order.
-///
-///     peaks p, p', valleys v, v' in the order  ... v- p v p' v' ...
-///     p-v  closes where  v- < v  and  p <= p';     v-p'  closes where  p > p'  and  v >= v'
-///
-/// so that one comparison for each point with the next of its kind decides all, no two neighbours
-/// close together, and what closes around v has the peak min(p, p').
-/// The first and the last points stay. Adds the cycles; returns how many points are left.
-std::size_t close_enclosed_once(double* turns, std::size_t count, bool peak_first, double* range,
-                                double* mean, std::size_t& emitted) {
-  double* const t = peak_first ? turns : turns + 1;
-  const std::size_t n = peak_first ? count : count - 1;
-  std::size_t out = emitted;
-  std::size_t kept = 0;
-  std::size_t i = 0;
-  bool valley_rose = false;  // the first peak has no neighbour on its left
-  bool before_closed = false;
-  double peak = t[0];
-  double valley = t[1];
-  for (; i + 3 < n; i += 2) {
-    const double next_peak = t[i + 2];
-    const double next_valley = t[i + 3];
-    const bool peak_rises = next_peak >= peak;
-    const bool valley_rises = next_valley > valley;
-    const bool falling_closes = valley_rose & peak_rises;
-    const bool rising_closes = !(peak_rises | valley_rises);
-    const double top = std::min(peak, next_peak);
-    range[out] = top - valley;
-    mean[out] = 0.5 * (top + valley);
-    out += (falling_closes | rising_closes) ? 1 : 0;
-    t[kept] = peak;
-    kept += (falling_closes | before_closed) ? 0 : 1;
-    t[kept] = valley;
-    kept += (falling_closes | rising_closes) ? 0 : 1;
-    before_closed = rising_closes;
-    valley_rose = valley_rises;
-    peak = next_peak;
-    valley = next_valley;
-  }
-  t[kept] = peak;
-  kept += before_closed ? 0 : 1;
-  for (++i; i < n; ++i) t[kept++] = t[i];
-  emitted = out;
-  return peak_first ? kept : kept + 1;
-}
-
 }  // namespace
 
-RainflowCounter::RainflowCounter(CountingRule rule, CycleSink sink)
-    : rule_(rule), sink_(std::move(sink)), shrinking_(sentinels, not_reached) {}
+RainflowCounter::RainflowCounter(CountingRule rule, CycleSink sink, const RainflowKernels& kernels)
+    : rule_(rule), sink_(std::move(sink)), kernels_(&kernels), shrinking_(sentinels, not_reached) {}
 
 void RainflowCounter::push(std::span<const double> samples) {
   assert(!find_uncountable(samples));
@@ -96,26 +32,26 @@ void RainflowCounter::push(std::span<const double> samples) {
 }
 
 void RainflowCounter::find_turns(std::span<const double> samples) {
+  double& last = course_.last;
   if (!begun_) {
-    last_ = samples.front();
+    last = samples.front();
     begun_ = true;
   }
   if (!moved_) {
-    const auto other = [&](double sample) { return sample != last_; };
+    const auto other = [&](double sample) { return sample != last; };
     const auto found = std::find_if(samples.begin(), samples.end(), other);
     if (found == samples.end()) return;
     samples = samples.subspan(static_cast<std::size_t>(found - samples.begin()));
     // The first sample is a turning point.
     moved_ = true;
-    up_ = *found > last_;
-    first_turn_is_peak_ = !up_;
-    turns_[turn_count_++] = last_;
-    last_ = *found;
+    turns_[turn_count_++] = last;
+    course_ = {*found, *found > last};
+    first_turn_is_peak_ = !course_.up;
     samples = samples.subspan(1);
   } else if (turn_count_ == 0) {
-    first_turn_is_peak_ = up_;
+    first_turn_is_peak_ = course_.up;
   }
-  turn_count_ = write_turns(samples, last_, up_, turns_.data(), turn_count_);
+  turn_count_ += kernels_->write_turns(samples, course_, turns_.data() + turn_count_);
 }
 
 void RainflowCounter::close_block(bool enclosed_first) {
@@ -133,15 +69,16 @@ void RainflowCounter::close_block(bool enclosed_first) {
 void RainflowCounter::close_enclosed() {
   constexpr std::size_t fewest_points = 32;
   constexpr std::size_t least_share = 8;  // of points that must go, for another pass to pay
-  if (count_ != 1.0 || emitted_ + turn_count_ / 2 >= range_.size()) deliver();
+  if (count_ != 1.0 || emitted_ + turn_count_ / 2 > most_emitted) deliver();
   count_ = 1.0;
+  CycleArrays cycles{range_.data(), mean_.data(), emitted_};
   std::size_t before = 0;
   do {
-    if (turn_count_ < fewest_points) return;
     before = turn_count_;
-    turn_count_ = close_enclosed_once(turns_.data(), turn_count_, first_turn_is_peak_,
-                                      range_.data(), mean_.data(), emitted_);
+    if (before < fewest_points) break;
+    turn_count_ = kernels_->close_enclosed(turns_.data(), turn_count_, first_turn_is_peak_, cycles);
   } while (before - turn_count_ >= before / least_share);
+  emitted_ = cycles.count;
 }
 
 /// Three points, of which the range X from the last of them to `turn` and the range Y before it are
@@ -206,8 +143,8 @@ void RainflowCounter::finish() {
 /// Ends the history at its last sample; returns what has not closed and is ready for another one.
 std::vector<double> RainflowCounter::take_residue() {
   if (moved_) {
-    if (turn_count_ == 0) first_turn_is_peak_ = up_;
-    turns_[turn_count_++] = last_;
+    if (turn_count_ == 0) first_turn_is_peak_ = course_.up;
+    turns_[turn_count_++] = course_.last;
   }
   close_block(false);
   std::vector<double> residue = std::move(growing_);
@@ -224,7 +161,7 @@ void RainflowCounter::emit_halves(std::span<const double> points) {
 }
 
 void RainflowCounter::emit(double a, double b, double count) {
-  if (count != count_ || emitted_ == range_.size()) deliver();
+  if (count != count_ || emitted_ == most_emitted) deliver();
   count_ = count;
   range_[emitted_] = std::abs(a - b);
   mean_[emitted_] = 0.5 * (a + b);
@@ -237,16 +174,19 @@ void RainflowCounter::deliver() {
 }
 
 std::optional<std::size_t> find_uncountable(std::span<const double> samples) {
-  constexpr double largest = 0.5 * std::numeric_limits<double>::max();
   constexpr std::size_t stride = 1024;
-  const auto countable = [](double sample) { return std::abs(sample) <= largest; };
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
+  // The exponent of 2^1023 is the last but one; two more reach the place of the sign.
+  const auto reach = [](double sample) {
+    return (std::bit_cast<std::uint64_t>(sample) & ~sign) + (std::uint64_t{2} << 52U);
+  };
   for (std::size_t from = 0; from < samples.size(); from += stride) {
     const auto part = samples.subspan(from, std::min(stride, samples.size() - from));
-    // Without a way out of the loop, so that it runs in vectors.
-    int wrong = 0;
-    for (const double sample : part) wrong |= countable(sample) ? 0 : 1;
-    if (wrong == 0) continue;
-    const auto first = std::find_if_not(part.begin(), part.end(), countable);
+    std::uint64_t reached = 0;
+    for (const double sample : part) reached |= reach(sample);
+    if ((reached & sign) == 0) continue;
+    const auto too_far = [&](double sample) { return (reach(sample) & sign) != 0; };
+    const auto first = std::find_if(part.begin(), part.end(), too_far);
     return from + static_cast<std::size_t>(first - part.begin());
   }
   return std::nullopt;

@@ -33,7 +33,7 @@ double total_count(const Tally& tally) {
 }
 
 /// A history of up to `longest` samples on few or many levels.
-Numbers any_history(int longest = 6000) {
+Numbers any_history(int longest = 12000) {
   const int size = *rc::gen::weightedOneOf<int>(
       {{3, rc::gen::inRange(0, 40)}, {1, rc::gen::inRange(0, longest)}});
   const int levels = *rc::gen::element(2, 8, 1000000);
@@ -141,9 +141,9 @@ TEST_CASE("every history: twice the sum of ranges is the way up and down") {
 
 TEST_CASE("every history: in chunks of any size the same cycles in the same order") {
   holds([] {
-    const Numbers history = any_history(9000);
+    const Numbers history = any_history(20000);
     const auto cuts =
-        *rc::gen::container<std::vector<int>>(rc::gen::resize(100, rc::gen::inRange(0, 3000)));
+        *rc::gen::container<std::vector<int>>(rc::gen::resize(100, rc::gen::inRange(0, 6000)));
     for (const CountingRule& rule : all_rules) {
       std::vector<Cycle> cycles;
       RainflowCounter counter(rule, [&](const CycleBatch& batch) {

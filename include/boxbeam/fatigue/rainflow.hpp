@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "boxbeam/fatigue/cycle.hpp"
+#include "boxbeam/fatigue/rainflow_kernels.hpp"
 
 namespace boxbeam {
 
@@ -52,9 +53,10 @@ using CycleSink = std::function<void(const CycleBatch&)>;
 /// that their neighbours enclose come first in each block of samples.
 class RainflowCounter {
  public:
-  static constexpr std::size_t block_size = 2048;
+  static constexpr std::size_t block_size = 4096;
 
-  RainflowCounter(CountingRule rule, CycleSink sink);
+  RainflowCounter(CountingRule rule, CycleSink sink,
+                  const RainflowKernels& kernels = fastest_kernels());
 
   /// The next samples [Pa]; all must be countable (find_uncountable).
   void push(std::span<const double> samples);
@@ -75,15 +77,14 @@ class RainflowCounter {
 
   CountingRule rule_;
   CycleSink sink_;
+  const RainflowKernels* kernels_;
 
-  // The sample before the next one, and the way to it.
-  double last_ = 0.0;
-  bool up_ = false;
+  Course course_;
   bool begun_ = false;  ///< whether there is a sample
   bool moved_ = false;  ///< whether there are two that differ
 
   // The turning points of the block of samples at hand, peaks and valleys by turns.
-  std::array<double, block_size + 1> turns_;
+  std::array<double, block_size + 1 + kernel_slack> turns_;
   std::size_t turn_count_ = 0;
   std::size_t block_filled_ = 0;
   bool first_turn_is_peak_ = false;
@@ -94,14 +95,15 @@ class RainflowCounter {
   std::size_t depth_ = 0;
 
   // Cycles on their way to the sink.
-  std::array<double, block_size> range_;
-  std::array<double, block_size> mean_;
+  static constexpr std::size_t most_emitted = block_size;
+  std::array<double, most_emitted + kernel_slack> range_;
+  std::array<double, most_emitted + kernel_slack> mean_;
   std::size_t emitted_ = 0;
   double count_ = 1.0;
 };
 
-/// The index of the first sample that cannot be counted: NaN, infinite, or so large that a range
-/// would overflow (beyond half of the largest double).
+/// The index of the first sample that cannot be counted: NaN, infinite, or 2^1023 and more, where a
+/// range could overflow.
 std::optional<std::size_t> find_uncountable(std::span<const double> samples);
 
 /// All cycles of a history in memory, its samples in Pa.
