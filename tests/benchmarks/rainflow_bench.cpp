@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "boxbeam/fatigue/rainflow.hpp"
+#include "boxbeam/project/stress_history.hpp"
 #include "fatigue/plain_rainflow.hpp"
 
 namespace {
@@ -101,6 +105,30 @@ void plain_count(benchmark::State& bench, Signal signal) {
   count_samples(bench);
 }
 
+/// A table of a million rows of random stresses, read and counted.
+void table(benchmark::State& bench) {
+  constexpr int rows = 1'000'000;
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / "boxbeam-bench-history.csv";
+  {
+    std::ofstream file(path);
+    file << "sigma [MPa]\n" << std::fixed << std::setprecision(3);
+    const std::vector<double>& samples = samples_of(uniform);
+    for (std::size_t i = 0; i < rows; ++i) file << 1e-6 * samples[i] << '\n';
+  }
+  for (auto _ : bench) {
+    double largest = 0.0;
+    RainflowCounter counter(
+        {}, [&](const CycleBatch& batch) { largest = std::max(largest, batch.range.front()); });
+    read_stress_history({path.string(), std::nullopt},
+                        [&](const StressSamples& samples) { counter.push(samples.normal); });
+    counter.finish();
+    benchmark::DoNotOptimize(largest);
+  }
+  std::filesystem::remove(path);
+  bench.SetItemsProcessed(bench.iterations() * rows);
+}
+
 const int registered = [] {
   constexpr const char* names[] = {"uniform", "walk", "sine"};
   const auto add = [](const std::string& name, auto run) {
@@ -119,6 +147,7 @@ const int registered = [] {
     add("rainflow/stream" + of, [=](benchmark::State& bench) { stream(bench, signal); });
     add("rainflow/plain" + of, [=](benchmark::State& bench) { plain_count(bench, signal); });
   }
+  add("rainflow/table", table);
   return 0;
 }();
 
