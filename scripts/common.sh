@@ -9,7 +9,7 @@ say() { printf '%s\n' "$*" >&2; }
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libboost-dev libboost-iostreams-dev
   libboost-filesystem-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev
   libgnuplot-iostream-dev gnuplot-nox)
-test_packages=(catch2 libbenchmark-dev python3)
+test_packages=(catch2 librapidcheck-dev libbenchmark-dev python3)
 
 # Installs those of the named packages that are missing. Quick when none is.
 install_missing() {

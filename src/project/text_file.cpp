@@ -16,13 +16,21 @@ constexpr std::uintmax_t largest_file = 8u << 20;
 
 }  // namespace
 
+FileText look_for_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::exists(path, error)) return {{}, FileText::Trouble::missing, "there is no such file"};
+  if (fs::is_directory(path, error)) return {{}, FileText::Trouble::folder, "this is a folder"};
+  return {};
+}
+
 FileText read_text_file(const std::string& path) {
   namespace fs = std::filesystem;
   using Trouble = FileText::Trouble;
+  FileText absent = look_for_file(path);
+  if (absent.trouble != Trouble::none) return absent;
   FileText too_large{{}, Trouble::too_large, "the file is over 8 MB"};
   std::error_code error;
-  if (!fs::exists(path, error)) return {{}, Trouble::missing, "there is no such file"};
-  if (fs::is_directory(path, error)) return {{}, Trouble::folder, "this is a folder"};
   if (fs::is_regular_file(path, error) && fs::file_size(path, error) > largest_file) {
     return too_large;
   }

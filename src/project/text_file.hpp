@@ -16,6 +16,9 @@ struct FileText {
   std::string why;  ///< of the trouble: "there is no such file"
 };
 
+/// The trouble with a path that names no file at all; no trouble otherwise.
+FileText look_for_file(const std::string& path);
+
 /// Reads a file, a device or a pipe of at most 8 MB.
 FileText read_text_file(const std::string& path);
 

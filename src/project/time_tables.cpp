@@ -2,42 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 
+#include "csv_text.hpp"
 #include "text_file.hpp"
 
 namespace boxbeam {
 namespace {
 
 constexpr std::size_t fewest_rows = 3;
-/// Beyond these no time or value is meant, as in the case file.
-constexpr double largest_magnitude = 1e20;
 constexpr double shortest_step = 1e-9;
-
-/// A piece of a line and where it begins.
-struct Field {
-  std::string_view text;
-  int column = 1;
-};
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t from = text.find_first_not_of(" \t");
-  if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(" \t") + 1 - from);
-}
-
-std::vector<Field> fields_of(std::string_view line) {
-  std::vector<Field> fields;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t to = std::min(line.find(',', from), line.size());
-    const std::size_t text = std::min(line.find_first_not_of(" \t", from), to);
-    fields.push_back({trimmed(line.substr(from, to - from)), position_of(line, text).column});
-    from = to + 1;
-  }
-  return fields;
-}
 
 /// Reads the lines of one table up to the first thing that is wrong.
 class TimeTableParser {
@@ -69,10 +43,8 @@ class TimeTableParser {
 
  private:
   std::string header_hint() const {
-    const std::string_view example = wanted_->example;
-    const std::size_t unit = example.find(' ') + 1;
     return fmt::format("the first line reads for example: time [s], {} [{}]; below it numbers",
-                       column_, example.substr(unit, example.find('"', unit) - unit));
+                       column_, example_unit_of(*wanted_));
   }
 
   bool fail(const Field& field, std::string message, std::string hint) {
@@ -90,29 +62,19 @@ class TimeTableParser {
 
   /// The factor to SI of the unit in the brackets of a column's name.
   std::optional<double> factor_of(const Field& field, const WantedDimension& wanted) {
-    const std::size_t open = field.text.find('[');
-    if (open == std::string_view::npos || field.text.back() != ']') {
-      fail(field, fmt::format("the column \"{}\" has no unit in brackets", field.text),
-           header_hint());
+    const auto unit = unit_of_column(field.text);
+    if (const auto* trouble = std::get_if<std::string>(&unit)) {
+      fail(field, *trouble, header_hint());
       return std::nullopt;
     }
-    const std::string_view unit = field.text.substr(open + 1, field.text.size() - open - 2);
-    const auto parsed = parse_quantity(fmt::format("1 {}", unit));
-    if (const auto* trouble = std::get_if<std::string>(&parsed)) {
-      fail(field, fmt::format("\"[{}]\": {}", unit, *trouble), header_hint());
-      return std::nullopt;
-    }
-    const auto& quantity = std::get<ParsedQuantity>(parsed);
+    const auto& quantity = std::get<ParsedQuantity>(unit);
     if (is_of(quantity.exponents, wanted)) return quantity.value;
-    fail(field,
-         fmt::format("this column is {}, but \"[{}]\" is {}", wanted.name, unit,
-                     name_of(quantity.exponents)),
-         header_hint());
+    fail(field, wrong_dimension(field.text, quantity.exponents, wanted), header_hint());
     return std::nullopt;
   }
 
   bool take_header(std::string_view line) {
-    const std::vector<Field> fields = fields_of(line);
+    const std::vector<Field> fields = fields_of(line, ',');
     if (!has_two(fields, "the first line")) return false;
     const std::optional<double> time = factor_of(fields[0], wanted::time);
     const std::optional<double> value = time ? factor_of(fields[1], *wanted_) : std::nullopt;
@@ -123,25 +85,15 @@ class TimeTableParser {
   }
 
   std::optional<double> number_in(const Field& field) {
-    std::string_view text = field.text;
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
-      fail(field, fmt::format("\"{}\" is not a number", field.text),
-           "write numbers without unit, with a decimal point, and a comma between the columns");
-      return std::nullopt;
-    }
-    if (error != std::errc{} || !(std::abs(value) <= largest_magnitude)) {
-      fail(field, fmt::format("\"{}\" is not finite, or too large to be meant", field.text),
-           "write a number of the unit in the first line");
-      return std::nullopt;
-    }
-    return value;
+    const auto number = number_in_table(field.text);
+    if (const auto* value = std::get_if<double>(&number)) return *value;
+    const auto& trouble = std::get<FieldTrouble>(number);
+    fail(field, trouble.message, trouble.hint);
+    return std::nullopt;
   }
 
   bool take_row(std::string_view line) {
-    const std::vector<Field> fields = fields_of(line);
+    const std::vector<Field> fields = fields_of(line, ',');
     if (!has_two(fields, "a row")) return false;
     const std::optional<double> time = number_in(fields[0]);
     const std::optional<double> value = time ? number_in(fields[1]) : std::nullopt;

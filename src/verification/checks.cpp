@@ -7,6 +7,7 @@
 #include <string>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/fatigue/rainflow.hpp"
 
 namespace boxbeam {
 namespace {
