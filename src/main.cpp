@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,9 +9,12 @@
 #include <iostream>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/project/quantity_text.hpp"
+#include "boxbeam/project/sn_catalogue.hpp"
 #include "boxbeam/report/files.hpp"
+#include "boxbeam/report/history_report.hpp"
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/text_report.hpp"
@@ -46,6 +50,21 @@ struct MotionOptions {
   bool assemblies = false;
   std::string json;
   std::vector<std::string> set;
+};
+
+struct FatigueOptions {
+  std::string history;
+  std::string detail;
+  std::string shear_detail;
+  std::string count = "astm";
+  std::string residue = "half-cycles";
+  std::string raw;
+  std::string loading = "spectrum";
+  double repetitions = 1.0;
+  double gamma_Ff = 1.0;
+  double gamma_Mf = 1.0;
+  bool stress_relieved = false;
+  std::string json;
 };
 
 void put(const std::string& text) {
@@ -134,6 +153,96 @@ int run_motion(const MotionOptions& options) {
   return all_pass;
 }
 
+/// A curve as the command line names it: a category of EN 1993-1-9 ("100", "36*"), a row of its
+/// tables ("8.2/6"), or a curve of a code ("DNV-RP-C203 air:D").
+SnCurve curve_named(const std::string& text, StressKind kind) {
+  const std::size_t colon = text.rfind(':');
+  const std::string family = colon == std::string::npos ? "EN 1993-1-9" : text.substr(0, colon);
+  const std::string name = colon == std::string::npos ? text : text.substr(colon + 1);
+  if (colon == std::string::npos && text.find('/') != std::string::npos) {
+    std::vector<std::string> ids;
+    const DetailRow* weakest = nullptr;
+    for (const DetailRow& row : detail_rows()) {
+      ids.push_back(row.id);
+      if (row.id != text || row.kind != kind) continue;
+      if (weakest == nullptr || row.category < weakest->category) weakest = &row;
+    }
+    if (weakest != nullptr) return curve_of(*weakest);
+    const std::string near = nearest_word(text, ids);
+    throw InputError(
+        fmt::format("there is no row \"{}\" for this stress in the tables", text),
+        near.empty() ? "write table and row, 8.2/6" : fmt::format("did you mean {}?", near));
+  }
+  const std::vector<std::string> all = families();
+  if (std::find(all.begin(), all.end(), family) == all.end()) {
+    throw InputError(fmt::format("there are no curves \"{}\"", family),
+                     fmt::format("one of {}", fmt::join(all, ", ")));
+  }
+  if (auto curve = find_curve(family, name, kind)) return *curve;
+  const std::vector<std::string> names = names_of(family, kind);
+  throw InputError(
+      fmt::format("{} has no {} curve \"{}\"", family,
+                  kind == StressKind::direct ? "direct" : "shear", name),
+      names.empty() ? "take another code" : fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+/// A bar on standard error that grows while a history is read; nothing where that is no terminal.
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool shown) : shown_(shown && isatty(STDERR_FILENO) == 1) {}
+  ~ProgressBar() {
+    if (drawn_) std::cerr << "\r\033[K" << std::flush;
+  }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void at(std::uint64_t samples) {
+    constexpr std::uint64_t step = 5'000'000;
+    if (!shown_ || samples < next_) return;
+    next_ = samples + step;
+    drawn_ = true;
+    std::cerr << fmt::format("\r{:.0f} million samples", static_cast<double>(samples) * 1e-6)
+              << std::flush;
+  }
+
+ private:
+  bool shown_ = false;
+  bool drawn_ = false;
+  std::uint64_t next_ = 0;
+};
+
+int run_fatigue(const FatigueOptions& options) {
+  HistoryDemand demand;
+  demand.source.path = options.history;
+  if (!options.raw.empty()) demand.source.binary_unit = options.raw;
+  demand.rule.counting = options.count == "astm"      ? Counting::astm
+                         : options.count == "4-point" ? Counting::four_point
+                                                      : Counting::periodic;
+  demand.rule.residue = options.residue == "half-cycles" ? Residue::half_cycles
+                        : options.residue == "repeated"  ? Residue::repeated
+                                                         : Residue::discard;
+  demand.direct = curve_named(options.detail, StressKind::direct);
+  if (!options.shear_detail.empty()) {
+    demand.shear = curve_named(options.shear_detail, StressKind::shear);
+  }
+  demand.demand = {options.loading == "spectrum" ? Loading::spectrum : Loading::constant_amplitude,
+                   options.gamma_Ff, options.gamma_Mf};
+  demand.compression_reduced = options.stress_relieved;
+  demand.repetitions = options.repetitions;
+  HistoryFatigue fatigue;
+  {
+    ProgressBar bar(options.json != "-");
+    fatigue = fatigue_of_history(demand, [&](std::uint64_t samples) { bar.at(samples); });
+  }
+  if (options.json == "-") {
+    put(history_json(demand, fatigue));
+  } else {
+    if (!options.json.empty()) write_file(options.json, history_json(demand, fatigue));
+    put(history_text(demand, fatigue));
+  }
+  return fatigue.passes() ? all_pass : check_fails;
+}
+
 /// What is wrong with the value of --at, or nothing. Farther away the phase of the motion is lost
 /// in the rounding of the period.
 std::string instant_trouble(const std::string& text) {
@@ -161,18 +270,27 @@ std::string option_hint(int argc, char** argv, const CLI::App& command) {
   return "";
 }
 
+/// What a command wants behind it, in messages.
+std::string usage_of(const std::string& command) {
+  return command == "fatigue" ? "write boxbeam fatigue HISTORY.csv --detail 100"
+                              : fmt::format("write boxbeam {} CASE.toml", command);
+}
+
 /// The hint for a mistyped or missing command, case or option, which the parser does not give.
 std::string usage_hint(int argc, char** argv, const CLI::App& app) {
-  std::string commands = "write boxbeam verify CASE.toml or boxbeam motion CASE.toml";
+  const std::vector<std::string> names{"verify", "motion", "fatigue"};
+  const std::string commands =
+      "write boxbeam verify CASE.toml, boxbeam motion CASE.toml or boxbeam fatigue HISTORY.csv";
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with('-')) continue;
-    if (word == "verify" || word == "motion") {
+    if (std::find(names.begin(), names.end(), word) != names.end()) {
       const CLI::App& command = *app.get_subcommand(word);
-      if (command["CASE"]->empty()) return fmt::format("write boxbeam {} CASE.toml", word);
-      return option_hint(argc, argv, command);
+      const auto wanted = command.get_options(
+          [](const CLI::Option* option) { return option->get_required() && option->empty(); });
+      return wanted.empty() ? option_hint(argc, argv, command) : usage_of(word);
     }
-    const std::string near = nearest_word(word, {"verify", "motion"});
+    const std::string near = nearest_word(word, names);
     return near.empty() ? commands : fmt::format("did you mean \"boxbeam {}\"?", near);
   }
   return commands;
@@ -224,6 +342,49 @@ int run(int argc, char** argv) {
   motion_command->add_option("--set", motion_options.set, "override a key; may be repeated")
       ->allow_extra_args(false);
 
+  FatigueOptions fatigue_options;
+  CLI::App* fatigue_command =
+      app.add_subcommand("fatigue", "cycles, damage and life of a stress history by itself");
+  fatigue_command
+      ->add_option("HISTORY", fatigue_options.history,
+                   "table of stresses (first line: \"sigma [MPa]\", also \"time [s]\" before and "
+                   "\"tau [MPa]\" behind), or - for standard input")
+      ->required();
+  fatigue_command
+      ->add_option("--detail", fatigue_options.detail,
+                   "what resists: a category (100), a row of the tables (8.2/6) or a curve of "
+                   "another code (\"DNV-RP-C203 air:D\")")
+      ->required();
+  fatigue_command->add_option("--shear-detail", fatigue_options.shear_detail,
+                              "likewise for the shear stress of a second column: 100 or 80");
+  fatigue_command
+      ->add_option("--count", fatigue_options.count,
+                   "astm (default), 4-point, or periodic: one period of a repeating history")
+      ->check(CLI::IsMember({"astm", "4-point", "periodic"}));
+  fatigue_command
+      ->add_option("--residue", fatigue_options.residue,
+                   "with 4-point: half-cycles (default), repeated or discard")
+      ->check(CLI::IsMember({"half-cycles", "repeated", "discard"}));
+  fatigue_command->add_option("--raw", fatigue_options.raw,
+                              "the history is raw little-endian doubles in this unit: --raw MPa");
+  fatigue_command
+      ->add_option("--repetitions", fatigue_options.repetitions,
+                   "of the history in the wanted life (default 1)")
+      ->check(CLI::PositiveNumber);
+  fatigue_command->add_option("--gamma-Ff", fatigue_options.gamma_Ff, "on the ranges (default 1)")
+      ->check(CLI::PositiveNumber);
+  fatigue_command->add_option("--gamma-Mf", fatigue_options.gamma_Mf, "on the curve (default 1)")
+      ->check(CLI::PositiveNumber);
+  fatigue_command
+      ->add_option("--loading", fatigue_options.loading,
+                   "spectrum (default) or constant: no damage while all ranges are below the limit")
+      ->check(CLI::IsMember({"spectrum", "constant"}));
+  fatigue_command->add_flag("--stress-relieved", fatigue_options.stress_relieved,
+                            "not welded, or stress relieved: compression counts 60 % (7.2.1)");
+  fatigue_command->add_option(
+      "--json", fatigue_options.json,
+      "write the result to this file; - for standard output instead of the text");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -238,6 +399,7 @@ int run(int argc, char** argv) {
     std::cerr << "Run boxbeam --help for the commands and options.\n";
     return wrong_input;
   }
+  if (fatigue_command->parsed()) return run_fatigue(fatigue_options);
   return verify_command->parsed() ? run_verify(verify_options) : run_motion(motion_options);
 }
 

@@ -157,8 +157,7 @@ void check_thicknesses(TableReader& root, const Project& project) {
 
 }  // namespace
 
-Material named_steel(TableReader& table, std::string_view key,
-                     std::optional<SteelSource> source) {
+Material named_steel(TableReader& table, std::string_view key, std::optional<SteelSource> source) {
   const std::string name = table.text(key);
   if (const auto steel = source ? find_steel(name, *source) : find_steel(name)) return *steel;
   if (!name.empty()) {

@@ -19,11 +19,11 @@ Stress strength_at(TableReader& table, std::string_view key, const Material& mat
                    Length thickness) {
   if (material.steps.empty() || !table.problems().empty()) return {};
   if (const auto strength = strength_of(material, thickness)) return *strength;
-  table.problem(key,
-                fmt::format("{} has no strength for a thickness of {:.6g} mm", material.name,
-                            thickness.value() * 1e3),
-                fmt::format("its table ends at {:.6g} mm",
-                            material.steps.back().up_to.value() * 1e3));
+  table.problem(
+      key,
+      fmt::format("{} has no strength for a thickness of {:.6g} mm", material.name,
+                  thickness.value() * 1e3),
+      fmt::format("its table ends at {:.6g} mm", material.steps.back().up_to.value() * 1e3));
   return {};
 }
 
@@ -48,8 +48,7 @@ PinInput read_pin(TableReader table, const Project& project) {
   PinStrength& strength = pin.strength;
   const Material steel = steel_of(table, "steel", project);
   const Material plates = steel_of(table, "plate_steel", project);
-  strength.pin_yield =
-      strength_at(table, "diameter", steel, yield_strength_of, geometry.diameter);
+  strength.pin_yield = strength_at(table, "diameter", steel, yield_strength_of, geometry.diameter);
   strength.pin_tensile =
       strength_at(table, "diameter", steel, tensile_strength_of, geometry.diameter);
   strength.inner_yield =
@@ -75,8 +74,8 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
     table.problem("to", "a rod goes from one point of a body to another one of the same body",
                   "write two of its points");
   }
-  rod.buckling_length = si<Length>(table.positive(
-      "buckling_length", wanted::length, distance > 0.0 ? std::optional(distance) : 1.0));
+  rod.buckling_length = si<Length>(table.positive("buckling_length", wanted::length,
+                                                  distance > 0.0 ? std::optional(distance) : 1.0));
   constexpr std::array curves{BucklingCurve::a0, BucklingCurve::a, BucklingCurve::b,
                               BucklingCurve::c, BucklingCurve::d};
   rod.curve = curves[table.choice("curve", {"a0", "a", "b", "c", "d"})];

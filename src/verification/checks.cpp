@@ -274,17 +274,17 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     const auto add = [&](Criterion criterion, Stress acting, Stress resisting, double required,
                          const std::string& source) {
       CheckResult result;
-      result.check = {id_of(criterion, station, given.name),
-                      criterion,
-                      station,
-                      given.name,
-                      "",
-                      given.time,
-                      acting,
-                      resisting,
-                      resisting / acting,
-                      required,
-                      source};
+      Check& check = result.check;
+      check.id = id_of(criterion, station, given.name);
+      check.criterion = criterion;
+      check.station = station;
+      check.point = given.name;
+      check.time = given.time;
+      check.acting = acting;
+      check.resisting = resisting;
+      check.safety_factor = resisting / acting;
+      check.required = required;
+      check.source = source;
       results.push_back(std::move(result));
     };
     const Stress yield = yield_strength_of(project.material, given.thickness).value();

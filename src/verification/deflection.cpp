@@ -97,16 +97,17 @@ std::vector<double> deflections_of(const DeflectionModel& model, const CutForceD
   return deflections;
 }
 
-std::optional<Check> check_deflection(const Project& project, const std::deque<SituationRun>& runs) {
+std::optional<Check> check_deflection(const Project& project,
+                                      const std::deque<SituationRun>& runs) {
   const DeflectionModel model = deflection_model_of(project);
   Extreme worst;
   std::size_t place = 0;
   double largest = -1.0;
   const auto largest_of = [&](const CutForceDiagram& diagram) {
     const std::vector<double> deflections = deflections_of(model, diagram);
-    const auto most = std::max_element(
-        deflections.begin(), deflections.end(),
-        [](double x, double y) { return std::abs(x) < std::abs(y); });
+    const auto most =
+        std::max_element(deflections.begin(), deflections.end(),
+                         [](double x, double y) { return std::abs(x) < std::abs(y); });
     return std::pair{std::abs(*most), static_cast<std::size_t>(most - deflections.begin())};
   };
   for (const SituationRun& run : runs) {
@@ -145,9 +146,9 @@ std::optional<Check> check_deflection(const Project& project, const std::deque<S
   check.resisting = project.deflection->limit;
   check.safety_factor = check.resisting / check.acting;
   check.required = 1.0;
-  check.source = fmt::format("the case's limit; virtual work, measured from the line s = {} to {} m",
-                             to_text(Station{project.deflection->from}),
-                             to_text(Station{project.deflection->to}));
+  check.source = fmt::format(
+      "the case's limit; virtual work, measured from the line s = {} to {} m",
+      to_text(Station{project.deflection->from}), to_text(Station{project.deflection->to}));
   return check;
 }
 

@@ -21,9 +21,9 @@ constexpr Stress youngs_modulus = 210e9 * pascal;
 Extreme largest_over(const Project& project, const SituationRun& run,
                      const std::function<double(const planar::State&)>& f) {
   const planar::Motion& motion = run.motion;
-  const auto best = std::max_element(
-      motion.states.begin(), motion.states.end(),
-      [&](const planar::State& a, const planar::State& b) { return f(a) < f(b); });
+  const auto best =
+      std::max_element(motion.states.begin(), motion.states.end(),
+                       [&](const planar::State& a, const planar::State& b) { return f(a) < f(b); });
   const auto index = static_cast<double>(best - motion.states.begin());
   const double step = motion.period / static_cast<double>(motion.states.size());
   planar::StateFinder finder(mechanism_in(project, *run.situation), motion);
@@ -33,8 +33,7 @@ Extreme largest_over(const Project& project, const SituationRun& run,
     low = std::max(low, motion.begin);
     high = std::min(high, motion.begin + motion.period);
   }
-  const Extremum found =
-      find_maximum([&](double time) { return f(finder.at(time)); }, low, high);
+  const Extremum found = find_maximum([&](double time) { return f(finder.at(time)); }, low, high);
   // The instant itself may be a corner of the function, which the search only comes near to.
   Extreme extreme{si<Time>(best->time), f(*best), index_of(project, *run.situation)};
   if (found.value > extreme.value) {
@@ -51,8 +50,8 @@ Extreme worst_of(const Project& project, const std::deque<SituationRun>& runs,
                  const std::function<double(const SituationRun&, const planar::State&)>& f) {
   Extreme worst;
   for (const SituationRun& run : runs) {
-    Extreme in = largest_over(project, run,
-                              [&](const planar::State& state) { return f(run, state); });
+    Extreme in =
+        largest_over(project, run, [&](const planar::State& state) { return f(run, state); });
     in.value *= run.situation->load_factor;
     if (&run == &runs.front() || in.value > worst.value) worst = in;
   }
@@ -72,8 +71,7 @@ double force_in(const Project& project, const SituationRun& run, const planar::S
 double compression_in(const Project& project, const SituationRun& run, const planar::State& state,
                       const RodInput& rod) {
   const double angle = state.q[3 * rod.from.body + 2];
-  const Eigen::Vector2d along =
-      Eigen::Rotation2Dd(angle) * (rod.to.p - rod.from.p).normalized();
+  const Eigen::Vector2d along = Eigen::Rotation2Dd(angle) * (rod.to.p - rod.from.p).normalized();
   const double size = (rod.to.p - rod.from.p).norm();
   double at_from = 0.0;
   double at_to = 0.0;
@@ -117,8 +115,8 @@ std::vector<NeighbourResult> check_pins(const Project& project,
     result.pin = pin_utilisation(si<Force>(worst.value), pin.geometry, pin.strength);
     const PinUtilisation& use = result.pin;
     // All grow with the force; the combined one with its square.
-    const double largest = std::max({use.shear, use.bearing_inner, use.bearing_outer, use.bending,
-                                     std::sqrt(use.combined)});
+    const double largest = std::max(
+        {use.shear, use.bearing_inner, use.bearing_outer, use.bending, std::sqrt(use.combined)});
     Check& check = result.check = frame(Criterion::pin, pin.name, project, worst);
     check.safety_factor = 1.0 / largest;
     check.resisting = si<Force>(worst.value / largest);
@@ -141,12 +139,12 @@ std::vector<NeighbourResult> check_rods(const Project& project,
     const SectionProperties properties = properties_of(rod.section);
     NeighbourResult result;
     result.weak_axis = properties.I_z < properties.I_y;
-    const Force critical = euler_force(youngs_modulus, std::min(properties.I_y, properties.I_z),
-                                       rod.buckling_length);
+    const Force critical =
+        euler_force(youngs_modulus, std::min(properties.I_y, properties.I_z), rod.buckling_length);
     result.slenderness = column_slenderness(properties.area, rod.yield_strength, critical);
     result.reduction = column_reduction(result.slenderness, rod.curve);
-    const Force resistance = buckling_resistance(properties.area, rod.yield_strength, critical,
-                                                 rod.curve, rod.gamma_M1);
+    const Force resistance =
+        buckling_resistance(properties.area, rod.yield_strength, critical, rod.curve, rod.gamma_M1);
     Check& check = result.check = frame(Criterion::buckling, rod.name, project, worst);
     check.resisting = resistance;
     check.safety_factor = check.resisting / check.acting;

@@ -10,8 +10,8 @@
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/project/case_document.hpp"
-#include "boxbeam/strength/hole_concentration.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
+#include "boxbeam/strength/hole_concentration.hpp"
 #include "boxbeam/strength/material.hpp"
 #include "boxbeam/strength/pin.hpp"
 
@@ -108,7 +108,7 @@ struct RodInput {
 /// How far the beam may bend away from the straight line between two of its places.
 struct DeflectionInput {
   Length limit;
-  Length from, to;          ///< stations of the line's ends, which stay on it
+  Length from, to;  ///< stations of the line's ends, which stay on it
   Stress youngs_modulus;
   Stress shear_modulus;
 };

@@ -14,10 +14,11 @@ namespace boxbeam {
 ///
 ///     w(s_j) = int m_j M/(E I_y) ds + int v_j V/(G A_v) ds
 ///
-/// m_j and v_j are the cut forces under a force of one at s_j, the beam supported at the two ends of
-/// the line from which the deflection is measured. Exact but for the quadrature (Gauss, five nodes
-/// to each sixteenth of a segment). A_v: EN 1993-1-1 6.2.6 (webs of boxes, 2 A/pi of round tubes,
-/// 5/6 of solid plates). Source: virtual work; Timoshenko, Strength of Materials I, article 68.
+/// m_j and v_j are the cut forces under a force of one at s_j, the beam supported at the two ends
+/// of the line from which the deflection is measured. Exact but for the quadrature (Gauss, five
+/// nodes to each sixteenth of a segment). A_v: EN 1993-1-1 6.2.6 (webs of boxes, 2 A/pi of round
+/// tubes, 5/6 of solid plates). Source: virtual work; Timoshenko, Strength of Materials I,
+/// article 68.
 struct DeflectionInfluence {
   Length at;
   std::vector<double> weight_M, weight_V;

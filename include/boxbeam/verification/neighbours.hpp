@@ -11,10 +11,10 @@ namespace boxbeam {
 /// A pin or rod of the mechanism, and what decides its check.
 struct NeighbourResult {
   Check check;
-  PinUtilisation pin;          ///< of a pin, under the acting force
-  double slenderness = 0.0;    ///< of a rod, relative
-  double reduction = 1.0;      ///< of a rod, chi
-  bool weak_axis = false;      ///< a rod buckles about its z axis
+  PinUtilisation pin;        ///< of a pin, under the acting force
+  double slenderness = 0.0;  ///< of a rod, relative
+  double reduction = 1.0;    ///< of a rod, chi
+  bool weak_axis = false;    ///< a rod buckles about its z axis
 };
 
 /// The pins a case names, under the largest force of their joint in any situation, times its load
