@@ -75,7 +75,8 @@ TEST_CASE("beta: a flange works less over a support than in the span") {
     CAPTURE(kappa);
     const double span = shear_lag_factor(kappa, BendingRegion::sagging);
     CHECK(shear_lag_factor(kappa, BendingRegion::hogging) < span);
-    CHECK(shear_lag_factor(kappa, BendingRegion::end_support) <= span);
+    const double end = shear_lag_factor(kappa, BendingRegion::end_support);
+    CHECK((kappa < 0.025 / 0.45 ? end == span : end < span));
     CHECK(shear_lag_factor(kappa, BendingRegion::cantilever) ==
           shear_lag_factor(kappa, BendingRegion::hogging));
   }
