@@ -97,6 +97,13 @@ TEST_CASE("rho: 1 up to the limit 0.673 (psi = 1) or 0.874 (psi = -1), continuou
   CHECK(outstand_reduction(above(0.748)) == Approx(1.0).epsilon(1e-12));
 }
 
+TEST_CASE("rho of outstand parts by hand: (lambda - 0.188)/lambda^2") {
+  CHECK(outstand_reduction(0.7) == 1.0);
+  CHECK(outstand_reduction(0.76) == Approx(0.572 / 0.5776).epsilon(1e-12));
+  CHECK(outstand_reduction(1.0) == Approx(0.812).epsilon(1e-12));
+  CHECK(outstand_reduction(2.0) == Approx(0.453).epsilon(1e-12));
+}
+
 TEST_CASE("rho falls with slenderness, at psi = 1 by Winter's curve") {
   for (double lambda = 0.4; lambda < 5.0; lambda += 0.01) {
     CAPTURE(lambda);
@@ -118,7 +125,12 @@ TEST_CASE("effective width: a stout plate keeps its compressed width") {
   CHECK(bent.b_eff.value() == Approx(0.15).epsilon(1e-14));
   CHECK(bent.b_e1.value() == Approx(0.06).epsilon(1e-14));
   CHECK(bent.b_e2.value() == Approx(0.09).epsilon(1e-14));
+  const auto uneven = *internal_effective_width(m(0.3), m(0.03), 0.25, 0.81);
+  CHECK(uneven.b_e1.value() == Approx(0.3 * 2 / 4.75).epsilon(1e-14));
+  CHECK(uneven.b_e2.value() == Approx(0.3 * 2.75 / 4.75).epsilon(1e-14));
   CHECK(outstand_effective_width(m(0.2), m(0.03), 1.0, tip, 0.81)->b_eff == m(0.2));
+  CHECK(outstand_effective_width(m(0.2), m(0.03), -1.0, tip, 0.81)->b_eff == m(0.1));
+  CHECK(outstand_effective_width(m(0.2), m(0.03), -1.0, support, 0.81)->b_eff == m(0.1));
 }
 
 TEST_CASE("effective width: its two shares change steadily through psi = 0") {

@@ -79,6 +79,13 @@ TEST_CASE("plate bending: 3 for a narrow hole in a thick plate, 1.79 for a wide 
   CHECK(*plate_bending_concentration(1e6, 0.0) == Approx((5 + 3 * 0.3) / (3 + 0.3)).epsilon(2e-3));
 }
 
+TEST_CASE("plate bending: the factor by hand at d/h = 1 and 1/2, d/w = 0 and 0.2") {
+  // 1.79 + 0.25/1.39 + 0.405 - 0.13; 1.79 + 0.25/0.89 + 0.648 - 0.26/1.125; 1 - 0.208 + 0.0488.
+  CHECK(*plate_bending_concentration(1.0, 0.0) == Approx(2.2448561).epsilon(1e-7));
+  CHECK(*plate_bending_concentration(0.5, 0.0) == Approx(2.4877878).epsilon(1e-7));
+  CHECK(*plate_bending_concentration(1.0, 0.2) == Approx(2.2448561 * 0.8408).epsilon(1e-7));
+}
+
 TEST_CASE("plate bending: the factor falls with d/h and stays between the two limits") {
   double before = *plate_bending_concentration(0.0, 0.0);
   for (double k = 0.05; k < 20.0; k += 0.05) {

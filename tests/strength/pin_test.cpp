@@ -13,7 +13,7 @@ Stress MPa(double x) { return si<Stress>(1e6 * x); }
 Force kN(double x) { return si<Force>(1e3 * x); }
 
 const PinJoint joint{mm(50), mm(50.5), mm(20), mm(30), mm(2)};
-const PinStrength strength{MPa(600), MPa(800), MPa(345), MPa(335), 1.0, 1.25, 1.0};
+const PinStrength strength{MPa(600), MPa(800), MPa(345), MPa(335), 1.05, 1.25, 1.1};
 
 }  // namespace
 
@@ -29,12 +29,12 @@ TEST_CASE("pin: utilisations by hand, EN 1993-1-8 table 3.10") {
   const double F = 200e3, d = 0.05, pi = 3.14159265358979;
   const auto use = pin_utilisation(kN(200), joint, strength);
   const double shear = 0.5 * F / (0.6 * pi * d * d / 4 * 800e6 / 1.25);
-  const double bending = F / 8 * 0.078 / (1.5 * pi * d * d * d / 32 * 600e6);
+  const double bending = F / 8 * 0.078 / (1.5 * pi * d * d * d / 32 * 600e6 / 1.05);
   CHECK(use.shear == Approx(shear).epsilon(1e-12));
   CHECK(use.bending == Approx(bending).epsilon(1e-12));
   CHECK(use.combined == Approx(shear * shear + bending * bending).epsilon(1e-12));
-  CHECK(use.bearing_inner == Approx(F / (1.5 * 0.03 * d * 335e6)).epsilon(1e-12));
-  CHECK(use.bearing_outer == Approx(0.5 * F / (1.5 * 0.02 * d * 345e6)).epsilon(1e-12));
+  CHECK(use.bearing_inner == Approx(F / (1.5 * 0.03 * d * 335e6 / 1.05)).epsilon(1e-12));
+  CHECK(use.bearing_outer == Approx(0.5 * F / (1.5 * 0.02 * d * 345e6 / 1.05)).epsilon(1e-12));
 }
 
 TEST_CASE("pin: a force of the other sign uses it as much, twice the force twice as much") {
@@ -55,16 +55,18 @@ TEST_CASE("pin: bearing is by the weaker of plate and pin") {
 }
 
 TEST_CASE("replaceable pin: the service limits are 0.4 of the bearing, 8/15 of the bending") {
+  // Each with its own partial factor, 1.1 and 1.05.
+  const double gamma = 1.1 / 1.05;
   const auto ultimate = pin_utilisation(kN(100), joint, strength);
   const auto service = replaceable_pin_utilisation(kN(100), MPa(210e3), joint, strength);
-  CHECK(service.bearing_inner == Approx(ultimate.bearing_inner / 0.4).epsilon(1e-12));
-  CHECK(service.bearing_outer == Approx(ultimate.bearing_outer / 0.4).epsilon(1e-12));
-  CHECK(service.bending == Approx(ultimate.bending * 15 / 8).epsilon(1e-12));
+  CHECK(service.bearing_inner == Approx(gamma * ultimate.bearing_inner / 0.4).epsilon(1e-12));
+  CHECK(service.bearing_outer == Approx(gamma * ultimate.bearing_outer / 0.4).epsilon(1e-12));
+  CHECK(service.bending == Approx(gamma * ultimate.bending * 15 / 8).epsilon(1e-12));
   CHECK(service.contact_inner ==
-        Approx(pin_contact_stress(kN(100), mm(30), MPa(210e3), joint).value() / (2.5 * 335e6))
+        Approx(pin_contact_stress(kN(100), mm(30), MPa(210e3), joint).value() * 1.1 / (2.5 * 335e6))
             .epsilon(1e-12));
   CHECK(service.contact_outer ==
-        Approx(pin_contact_stress(kN(50), mm(20), MPa(210e3), joint).value() / (2.5 * 345e6))
+        Approx(pin_contact_stress(kN(50), mm(20), MPa(210e3), joint).value() * 1.1 / (2.5 * 345e6))
             .epsilon(1e-12));
 }
 
@@ -82,6 +84,13 @@ TEST_CASE("pin: edges around the hole by hand, EN 1993-1-8 table 3.9") {
   const auto edges = pin_plate_edges(kN(150), mm(20), mm(60), MPa(355), 1.0);
   CHECK(edges.end.value() == Approx(50.563e-3).epsilon(1e-4));
   CHECK(edges.side.value() == Approx(30.563e-3).epsilon(1e-4));
+  CHECK(pin_plate_edges(kN(150), mm(20), mm(60), MPa(355), 1.1).side.value() ==
+        Approx(31.620e-3).epsilon(1e-4));
+  // 0.7 sqrt(220e3/355) = 17.426 mm; a hole of 60 mm needs 24 mm.
+  CHECK(pin_plate_thickness(kN(200), mm(10), MPa(355), 1.1).value() ==
+        Approx(17.426e-3).epsilon(1e-4));
+  CHECK(pin_plate_thickness(kN(200), mm(60), MPa(355), 1.1).value() ==
+        Approx(24e-3).epsilon(1e-12));
 }
 
 TEST_CASE("pin: the standard's outline (type B) satisfies the rule for any outline (type A)") {

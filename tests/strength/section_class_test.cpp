@@ -34,6 +34,13 @@ TEST_CASE(
   check_limits(internal_part_limits(1.0, 1.0, 1.0), 33.0, 38.0, 42.0);
 }
 
+TEST_CASE("internal parts: bending with axial force, by hand") {
+  // alpha = 0.51: 396/5.63, 456/5.63; psi = -0.5: 42/0.505.
+  check_limits(internal_part_limits(0.51, -0.5, 1.0), 396 / 5.63, 456 / 5.63, 42 / 0.505);
+  // alpha = 0.4: 36/0.4, 41.5/0.4; psi = -4: 62*5*2.
+  check_limits(internal_part_limits(0.4, -4.0, 1.0), 90.0, 103.75, 620.0);
+}
+
 TEST_CASE("internal parts: a part in tension is never slender") {
   const ClassLimits limits = internal_part_limits(0.0, -infinity, 0.81);
   CHECK(limits.class_1 == infinity);
@@ -95,6 +102,7 @@ TEST_CASE("a slenderness on a limit still belongs to its class") {
   CHECK(class_of(0.0, limits) == 1);
   CHECK(class_of(10.0, limits) == 1);
   CHECK(class_of(10.1, limits) == 2);
+  CHECK(class_of(20.0, limits) == 2);
   CHECK(class_of(20.1, limits) == 3);
   CHECK(class_of(30.0, limits) == 3);
   CHECK(class_of(30.1, limits) == 4);
