@@ -88,8 +88,8 @@ void add_points_of_body(const Node& root, ProblemList& problems, Project& projec
 void check_rounding(TableReader& root, const Project& project) {
   const FatigueInput& fatigue = project.fatigue;
   if (!fatigue.round_strength_to || !root.problems().empty()) return;
-  const Stress strength = strength_at(curve_of(fatigue, fatigue.category), most_cycles_of(project),
-                                      fatigue.demand.loading);
+  const Stress strength =
+      strength_at(curve_of(fatigue.beam.detail), most_cycles_of(project), fatigue.demand.loading);
   if (*fatigue.round_strength_to <= strength) return;
   root.table("fatigue", false)
       .problem("round_strength_to",
@@ -177,9 +177,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
 
 }  // namespace
 
-SnCurve curve_of(const FatigueInput& fatigue, int category) {
-  return fatigue.published_step ? published_step(category) : en_1993_1_9_direct(category);
-}
+SnCurve curve_of(const Detail& detail) { return scaled(detail.curve, detail.size_factor); }
 
 const planar::Mechanism& mechanism_in(const Project& project, const Situation& situation) {
   return situation.changed ? *situation.changed : project.mechanism;

@@ -10,16 +10,6 @@
 namespace boxbeam::readers {
 namespace {
 
-int read_category(TableReader& table, std::string_view key) {
-  const std::size_t before = table.problems().size();
-  const int category = table.whole_number(key);
-  if (table.problems().size() == before && !is_direct_category(category)) {
-    table.problem(key, fmt::format("{} is no detail category for direct stress", category),
-                  fmt::format("one of {}", direct_categories()));
-  }
-  return category;
-}
-
 Material read_material(TableReader table) {
   std::optional<SteelSource> source;
   if (table.has("fy_source")) {
@@ -34,40 +24,10 @@ Material read_material(TableReader table) {
 StrengthDemand read_strength(TableReader table) {
   StrengthDemand demand;
   demand.gamma_M0 = table.number("gamma_M0", 1.0);
+  demand.gamma_M2 = table.number("gamma_M2", 1.25);
   demand.required = table.number("required");
   table.finish();
   return demand;
-}
-
-FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
-  FatigueInput input;
-  input.category = read_category(table, "category");
-  input.published_step = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 1;
-  if (table.has("round_strength_to")) {
-    input.round_strength_to = si<Stress>(table.positive("round_strength_to", wanted::stress));
-  }
-  table.has("cycles");  // read with the situations
-  input.demand.loading = table.choice("loading", {"spectrum", "constant amplitude"}) == 0
-                             ? Loading::spectrum
-                             : Loading::constant_amplitude;
-  input.demand.gamma_Ff = table.number("gamma_Ff", 1.0);
-  input.demand.gamma_Mf = table.number("gamma_Mf");
-  input.required = table.number("required");
-  for (TableReader& detail : table.tables("details")) {
-    DetailStretch stretch;
-    stretch.name = detail.text("name");
-    stretch.from = station_of(detail, "from", beam);
-    stretch.to = station_of(detail, "to", beam);
-    stretch.category = read_category(detail, "category");
-    stretch.assumed = detail.text("assumed", "");
-    if (stretch.to < stretch.from) {
-      detail.problem("to", "the stretch ends before it begins", "exchange \"from\" and \"to\"");
-    }
-    detail.finish();
-    input.details.push_back(std::move(stretch));
-  }
-  table.finish();
-  return input;
 }
 
 void read_points(TableReader& root, Project& project) {

@@ -108,6 +108,9 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
 
 void read_demands(TableReader& root, Project& project);
 
+/// [fatigue] and its details.
+FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam);
+
 /// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam.
 void read_neighbours(TableReader& root, const Sections& sections, Project& project);
 

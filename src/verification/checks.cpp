@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/fatigue/rainflow.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
 
 namespace boxbeam {
 namespace {
@@ -16,13 +18,16 @@ std::string yield_source(const Material& material) {
   return "EN 1993-1-1:2005, 6.2.1(5) (elastic, von Mises); yield strength by " + material.source;
 }
 
-const char* fatigue_source(const FatigueInput& fatigue) {
-  if (fatigue.published_step) {
-    return "sledge-rig thesis, 4.8.2: the category taken at 5e6 cycles (not EN 1993-1-9)";
+std::string fatigue_source(const FatigueInput& fatigue, const std::vector<SnCurve>& curves) {
+  if (fatigue.published_step) return curves.front().code + ": " + curves.front().source;
+  std::string source = curves.front().code;
+  source += fatigue.demand.loading == Loading::spectrum ? ", 7.1(3), 8, annex A.5" : ", 7.1(2), 8";
+  if (curves.size() > 1) source += ", equation 8.3";
+  if (std::any_of(curves.begin(), curves.end(),
+                  [](const SnCurve& curve) { return curve.unconfirmed; })) {
+    source += " (unconfirmed figures)";
   }
-  return fatigue.demand.loading == Loading::spectrum
-             ? "EN 1993-1-9:2005+AC:2009, 7.1(3), 8, annex A.5"
-             : "EN 1993-1-9:2005+AC:2009, 7.1(2), 8";
+  return source;
 }
 
 /// A name without spaces: "hole hub edge +z" is "hole-hub-edge+z".
@@ -42,7 +47,11 @@ std::string id_of(Criterion criterion, const Station& station, const std::string
 }
 
 CutForceFunction normal_stress(const StressPoint& point) {
-  return [&point](const CutForces& cut) { return stress_at(point.level, cut).normal.value(); };
+  return [&point](const CutForces& cut) { return stress_at(point.influence, cut).normal.value(); };
+}
+
+CutForceFunction shear_stress(const StressPoint& point) {
+  return [&point](const CutForces& cut) { return stress_at(point.influence, cut).shear.value(); };
 }
 
 /// The check's frame, and the stress in the situation where it is worst.
@@ -98,29 +107,74 @@ std::pair<Extreme, Extreme> extremes_in(const Project& project, std::size_t situ
   return {highest, lowest};
 }
 
-/// All cycles of the wanted life.
-std::vector<SpectrumRow> spectrum_of(const Project& project, const Turns& turns) {
+/// All cycles of the wanted life of one stress.
+std::vector<SpectrumRow> spectrum_of(const Project& project, const Turns& turns, StressKind kind,
+                                     bool compression_reduced) {
   std::vector<SpectrumRow> spectrum;
+  const auto add = [&](const Situation& situation, std::vector<Cycle> cycles) {
+    if (compression_reduced) cycles = boxbeam::compression_reduced(std::move(cycles));
+    for (Cycle& cycle : cycles) {
+      cycle.count *= situation.cycles;
+      spectrum.push_back({situation.name, kind, cycle, 0.0});
+    }
+  };
   for (std::size_t i = 0; i < project.situations.size(); ++i) {
     const Situation& situation = project.situations[i];
     if (situation.cycles == 0.0) continue;
     if (!situation.between.empty()) {
       const auto [highest, lowest] = extremes_in(project, i, turns);
-      const double range = highest.value - lowest.value;
-      const double mean = 0.5 * (highest.value + lowest.value);
-      spectrum.push_back(
-          {situation.name, {si<Stress>(range), si<Stress>(mean), situation.cycles}, 0.0});
+      add(situation, {{si<Stress>(highest.value - lowest.value),
+                       si<Stress>(0.5 * (highest.value + lowest.value)), 1.0}});
       continue;
     }
     std::vector<Stress> stresses;
     stresses.reserve(turns[i].size());
     for (const TurningPoint& turn : turns[i]) stresses.push_back(si<Stress>(turn.value));
-    for (Cycle& cycle : count_periodic_cycles(stresses)) {
-      cycle.count *= situation.cycles;
-      spectrum.push_back({situation.name, cycle, 0.0});
-    }
+    add(situation, count_periodic_cycles(stresses));
   }
   return spectrum;
+}
+
+double largest_range_of(const std::vector<SpectrumRow>& spectrum) {
+  double largest = 0.0;
+  for (const SpectrumRow& row : spectrum) largest = std::max(largest, row.cycle.range.value());
+  return largest;
+}
+
+/// A stress of a point, its cycles and what resists them.
+struct Channel {
+  Turns turns;
+  std::vector<SpectrumRow> spectrum;
+  SnCurve curve;
+
+  FatigueChannel for_damage() const {
+    FatigueChannel channel{{}, curve};
+    for (const SpectrumRow& row : spectrum) channel.cycles.push_back(row.cycle);
+    return channel;
+  }
+};
+
+/// The channels that a criterion looks at; none of them where its stress does not change.
+std::vector<Channel> channels_of(const Project& project,
+                                 const std::vector<SituationHistory>& histories,
+                                 const StressPoint& point, Criterion criterion) {
+  std::vector<Channel> channels;
+  const double nothing = 1e-9 * point.yield_strength.value();
+  const auto add = [&](const CutForceFunction& stress, StressKind kind, const Detail& detail) {
+    Channel channel;
+    channel.turns = turns_of(project, histories, stress);
+    channel.spectrum = spectrum_of(project, channel.turns, kind,
+                                   detail.compression_reduced && kind == StressKind::direct);
+    channel.curve = curve_of(detail);
+    if (largest_range_of(channel.spectrum) >= nothing) channels.push_back(std::move(channel));
+  };
+  if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
+    add(normal_stress(point), StressKind::direct, point.detail->detail);
+  }
+  if (point.shear_detail != nullptr && criterion != Criterion::fatigue) {
+    add(shear_stress(point), StressKind::shear, *point.shear_detail);
+  }
+  return channels;
 }
 
 /// The situation whose cycles take the largest part of the life, or have the largest range where
@@ -161,7 +215,7 @@ std::optional<CheckResult> check_yield(const Project& project,
   TurningPoint largest;
   for (const SituationHistory& at : histories) {
     TurningPoint in = at.history.largest(
-        [&](const CutForces& cut) { return stress_at(point.level, cut).von_mises().value(); });
+        [&](const CutForces& cut) { return stress_at(point.influence, cut).von_mises().value(); });
     in.value *= at.situation->load_factor;
     if (worst != nullptr && in.value <= largest.value) continue;
     worst = &at;
@@ -178,7 +232,7 @@ std::optional<CheckResult> check_yield(const Project& project,
   check.source = yield_source(project.material);
   CheckBasis& basis = *result.basis;
   basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
-  basis.stress_at_time = stress_at(point.level, basis.cut_at_time);
+  basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   const double normal = basis.stress_at_time.normal.value();
   basis.highest = basis.lowest = {largest.time, normal, basis.running};
   return result;
@@ -186,63 +240,143 @@ std::optional<CheckResult> check_yield(const Project& project,
 
 std::optional<CheckResult> check_fatigue(const Project& project,
                                          const std::vector<SituationHistory>& histories,
-                                         const StressPoint& point) {
-  const CutForceFunction stress = normal_stress(point);
-  const Turns turns = turns_of(project, histories, stress);
-  std::vector<SpectrumRow> spectrum = spectrum_of(project, turns);
-  std::vector<Cycle> cycles;
-  double largest = 0.0;
-  for (const SpectrumRow& row : spectrum) {
-    cycles.push_back(row.cycle);
-    largest = std::max(largest, row.cycle.range.value());
-  }
-  if (largest < 1e-9 * point.yield_strength.value()) return std::nullopt;
+                                         const StressPoint& point, Criterion criterion) {
+  std::vector<Channel> channels = channels_of(project, histories, point, criterion);
+  const bool together = criterion == Criterion::combined_fatigue;
+  if (channels.size() < (together ? 2 : 1)) return std::nullopt;
 
-  const FatigueInput& fatigue = project.fatigue;
-  const SnCurve curve = curve_of(fatigue, point.category);
-  const double factor = largest_factor(cycles, curve, fatigue.demand);
-  const auto endure = [&](double k) {
-    for (SpectrumRow& row : spectrum) {
-      row.endured = cycles_to_failure_in(cycles, row.cycle, curve, fatigue.demand, k);
+  const FatigueDemand& demand = project.fatigue.demand;
+  std::vector<FatigueChannel> loads;
+  for (const Channel& channel : channels) loads.push_back(channel.for_damage());
+  const double factor = largest_factor(loads, demand);
+  const auto spectrum_at = [&](double k) {
+    std::vector<SpectrumRow> rows;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      for (SpectrumRow row : channels[i].spectrum) {
+        row.endured = cycles_to_failure_in(loads[i].cycles, row.cycle, loads[i].curve, demand, k);
+        rows.push_back(std::move(row));
+      }
     }
+    return rows;
   };
   // Just above the factor, where the life is used up: at it a range may stand below the cut-off.
-  endure(factor * (1.0 + 1e-9));
-  const std::size_t governing = governing_situation(project, spectrum);
-  endure(factor);
-  const auto [highest, lowest] = extremes_in(project, governing, turns);
+  const std::size_t governing = governing_situation(project, spectrum_at(factor * (1.0 + 1e-9)));
+  const auto [highest, lowest] = extremes_in(project, governing, channels.front().turns);
   const bool upper = std::abs(highest.value) >= std::abs(lowest.value);
   const auto in = [&](const Extreme& extreme) -> const SituationHistory& {
     return history_of(histories, project.situations[extreme.situation]);
   };
 
-  CheckResult result =
-      start(Criterion::fatigue, project, point, in(upper ? highest : lowest), stress);
+  const bool shear = criterion == Criterion::shear_fatigue;
+  CheckResult result = start(criterion, project, point, in(upper ? highest : lowest),
+                             shear ? shear_stress(point) : normal_stress(point));
   Check& check = result.check;
+  CheckBasis& basis = *result.basis;
   check.situation = project.situations[governing].name;
   check.time = (upper ? highest : lowest).time;
-  const Stress range = si<Stress>(highest.value - lowest.value);
-  check.acting = range;
   check.safety_factor = factor;
-  // The range that the life allows, partial factors applied; of a spectrum, its largest range.
-  check.resisting = factor * range;
-  check.required = fatigue.required;
-  check.source = fatigue_source(fatigue);
-  CheckBasis& basis = *result.basis;
+  check.required = project.fatigue.required;
+  for (const Channel& channel : channels) basis.curves.push_back(channel.curve);
+  check.source = fatigue_source(project.fatigue, basis.curves);
+  for (const FatigueChannel& load : loads) {
+    basis.damage += damage_of(load.cycles, load.curve, demand);
+  }
+  if (together) {
+    check.acting = basis.damage;
+    check.resisting = 1.0;
+  } else {
+    // The range that the life allows, partial factors applied; of a spectrum, its largest range.
+    const Stress range = si<Stress>(highest.value - lowest.value);
+    check.acting = range;
+    check.resisting = factor * range;
+    basis.equivalent = equivalent_range(basis.damage, basis.curves.front(), demand);
+  }
   basis.highest = highest;
   basis.lowest = lowest;
   basis.cut_at_highest = in(highest).history.at(highest.time);
   basis.cut_at_lowest = in(lowest).history.at(lowest.time);
   basis.cut_at_time = upper ? basis.cut_at_highest : basis.cut_at_lowest;
-  basis.stress_at_time = stress_at(point.level, basis.cut_at_time);
-  basis.spectrum = std::move(spectrum);
-  FatigueDemand constant = fatigue.demand;
+  basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
+  basis.spectrum = spectrum_at(factor);
+  FatigueDemand constant = demand;
   constant.loading = Loading::constant_amplitude;
-  basis.constant_amplitude_factor = largest_factor(cycles, curve, constant);
-  basis.damage = damage_of(cycles, curve, fatigue.demand);
-  basis.equivalent = equivalent_range(basis.damage, curve, fatigue.demand);
-  basis.knee = knee_of(curve);
-  basis.cut_off = cut_off_of(curve);
+  basis.constant_amplitude_factor = largest_factor(loads, constant);
+  return result;
+}
+
+std::optional<CheckResult> check_range(const Project& project,
+                                       const std::vector<SituationHistory>& histories,
+                                       const StressPoint& point) {
+  constexpr double most = 1.5;
+  std::optional<CheckResult> worst;
+  const auto look = [&](const CutForceFunction& stress, Stress limit) {
+    const Turns turns = turns_of(project, histories, stress);
+    for (std::size_t i = 0; i < project.situations.size(); ++i) {
+      if (project.situations[i].cycles == 0.0) continue;
+      const auto [highest, lowest] = extremes_in(project, i, turns);
+      const double range = project.fatigue.demand.gamma_Ff * (highest.value - lowest.value);
+      if (range < 1e-9 * limit.value()) continue;
+      const double factor = limit.value() / range;
+      if (worst && factor >= worst->check.safety_factor) continue;
+      const Situation& running = project.situations[highest.situation];
+      const SituationHistory& history = history_of(histories, running);
+      worst = start(Criterion::stress_range, project, point, history, stress);
+      Check& check = worst->check;
+      check.situation = project.situations[i].name;
+      check.time = highest.time;
+      check.acting = si<Stress>(range);
+      check.resisting = limit;
+      check.safety_factor = factor;
+      check.source = "EN 1993-1-9:2005+AC:2009, 8(1), equation 8.1";
+      CheckBasis& basis = *worst->basis;
+      basis.highest = highest;
+      basis.lowest = lowest;
+      basis.cut_at_highest = basis.cut_at_time = history.history.at(highest.time);
+      basis.cut_at_lowest =
+          history_of(histories, project.situations[lowest.situation]).history.at(lowest.time);
+      basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
+    }
+  };
+  if (point.detail != nullptr) look(normal_stress(point), most * point.yield_strength);
+  if (point.shear_detail != nullptr) {
+    look(shear_stress(point), most / std::numbers::sqrt3 * point.yield_strength);
+  }
+  return worst;
+}
+
+std::optional<CheckResult> check_throat(const Project& project,
+                                        const std::vector<SituationHistory>& histories,
+                                        const StressPoint& point) {
+  const Situation* situation = nullptr;
+  TurningPoint largest;
+  for (const SituationHistory& at : histories) {
+    TurningPoint in = at.history.largest([&](const CutForces& cut) {
+      return std::abs(stress_at(point.influence, cut).shear.value());
+    });
+    in.value *= at.situation->load_factor;
+    if (situation != nullptr && in.value <= largest.value) continue;
+    situation = at.situation;
+    largest = in;
+  }
+  const auto tensile = tensile_strength_of(project.material, point.plate);
+  if (!tensile || largest.value < 1e-9 * tensile->value()) return std::nullopt;
+  const WeldStrength strength{*tensile, project.material.beta_w, project.strength.gamma_M2};
+  ThroatStress stress;
+  stress.shear_along = si<Stress>(largest.value);
+  CheckResult result = start(Criterion::weld, project, point, history_of(histories, *situation),
+                             shear_stress(point));
+  Check& check = result.check;
+  check.time = largest.time;
+  check.acting = si<Stress>(largest.value);
+  check.safety_factor = 1.0 / directional_utilisation(stress, strength).largest();
+  check.resisting = check.safety_factor * stress.shear_along;
+  check.required = project.strength.required;
+  check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
+  CheckBasis& basis = *result.basis;
+  basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest =
+      history_of(histories, *situation).history.at(largest.time);
+  basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
+  basis.highest = basis.lowest = {largest.time, basis.stress_at_time.shear.value(), basis.running};
   return result;
 }
 
@@ -255,9 +389,16 @@ std::vector<CheckResult> check_beam(const Project& project, const std::deque<Sit
       const auto add = [&](std::optional<CheckResult> result) {
         if (result) results.push_back(std::move(*result));
       };
-      add(check_yield(project, histories, at_worst_edge(point, histories, Criterion::yield)));
-      if (!point.fatigue) continue;
-      add(check_fatigue(project, histories, at_worst_edge(point, histories, Criterion::fatigue)));
+      const StressPoint worst = at_worst_edge(point, histories, Criterion::fatigue);
+      for (const Criterion criterion :
+           {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {
+        add(check_fatigue(project, histories, worst, criterion));
+      }
+      add(check_range(project, histories, worst));
+      if (point.on_throat)
+        add(check_throat(project, histories, point));
+      else if (point.yield)
+        add(check_yield(project, histories, at_worst_edge(point, histories, Criterion::yield)));
     }
   }
   if (results.empty()) {
@@ -292,12 +433,12 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
         yield_source(project.material));
     if (!given.opposite) continue;
     const FatigueInput& fatigue = project.fatigue;
-    Stress strength = strength_at(curve_of(fatigue, fatigue.category), most_cycles_of(project),
-                                  fatigue.demand.loading);
+    Stress strength =
+        strength_at(curve_of(fatigue.beam.detail), most_cycles_of(project), fatigue.demand.loading);
     if (fatigue.round_strength_to) strength = rounded(strength, *fatigue.round_strength_to);
     add(Criterion::fatigue, given.peak + *given.opposite,
         strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,
-        fatigue_source(fatigue));
+        fatigue_source(fatigue, {fatigue.beam.detail.curve}));
   }
   return results;
 }

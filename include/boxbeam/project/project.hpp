@@ -6,6 +6,7 @@
 
 #include "boxbeam/beam/tapered_beam.hpp"
 #include "boxbeam/fatigue/damage.hpp"
+#include "boxbeam/fatigue/detail.hpp"
 #include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
@@ -32,32 +33,44 @@ struct NamedPoint {
   Length z;
 };
 
-/// Detail category on a stretch of the beam, where it differs from the rest or is assumed.
-struct DetailStretch {
-  std::string name;
-  Length from, to;
-  int category = 0;     ///< [MPa at 2e6 cycles]
-  std::string assumed;  ///< why this category, where nobody classified the detail
+/// Where in a section a detail is.
+enum class DetailPlace {
+  section,  ///< anywhere
+  fibres,   ///< the plates at the outermost fibres
+  seams,    ///< where webs and flanges meet
 };
+
+/// A detail on a stretch of the beam.
+struct BeamDetail {
+  Length from, to;
+  DetailPlace on = DetailPlace::section;
+  Detail detail;
+  std::string assumed;  ///< why it is taken so, where nobody classified it
+};
+
+/// What resists a range: the detail's curve with its size effect.
+SnCurve curve_of(const Detail& detail);
 
 struct StrengthDemand {
   double gamma_M0 = 1.0;
+  double gamma_M2 = 1.25;  ///< of welds and pins
   double required = 1.0;
 };
 
 struct FatigueInput {
-  int category = 0;  ///< of the whole beam, unless a stretch says otherwise
+  BeamDetail beam;  ///< of the whole beam, unless one of the details says otherwise
+  /// Plates under shear stress, and the throats of seams, anywhere on the beam.
+  Detail shear, throat;
   /// The thesis' arithmetic instead of the standard's curve, for comparison only.
   bool published_step = false;
   /// Fatigue strengths are rounded to a multiple of this where given (published arithmetic).
   std::optional<Stress> round_strength_to;
   FatigueDemand demand;
+  std::string gamma_Mf_source;  ///< "safe life, high consequence" where table 3.1 gave it
   double required = 1.0;
-  std::vector<DetailStretch> details;
+  std::vector<BeamDetail> details;
+  std::vector<std::string> codes;  ///< families of curves to be shown beside
 };
-
-/// The curve of a category as the case wants it.
-SnCurve curve_of(const FatigueInput& fatigue, int category);
 
 /// A stress taken from a published calculation instead of being computed.
 struct GivenStress {

@@ -13,7 +13,8 @@ namespace boxbeam {
 /// Cycles of one size in the wanted life, and where they come from.
 struct SpectrumRow {
   std::string situation;
-  Cycle cycle;  ///< its count is that of the life
+  StressKind kind = StressKind::direct;
+  Cycle cycle;  ///< its count is that of the life; the range as it counts (7.2.1)
   /// Cycles to failure, the loads taken safety_factor times; infinity where it does no damage.
   double endured = 0.0;
 };
@@ -32,10 +33,11 @@ struct CheckBasis {
   std::vector<double> times, history;
   // Fatigue only:
   std::vector<SpectrumRow> spectrum;
+  std::vector<const BeamDetail*> details;  ///< for direct stress: one; for shear stress: none
+  std::vector<SnCurve> curves;             ///< that resist, in the order direct, shear
   double constant_amplitude_factor = 0.0;  ///< EN 1993-1-9 7.1(2)
   double damage = 0.0;                     ///< in the wanted life, partial factors applied
-  Stress equivalent;                       ///< range at 2e6 cycles with this damage
-  Stress knee, cut_off;                    ///< d_sigma_D and d_sigma_L of the category
+  Stress equivalent;                       ///< range of 2e6 cycles with this damage; one curve only
 };
 
 /// A check and what it rests on; nothing for a stress that was given.
@@ -51,12 +53,25 @@ std::optional<CheckResult> check_yield(const Project& project,
                                        const std::vector<SituationHistory>& histories,
                                        const StressPoint& point);
 
-/// Direct-stress fatigue of a point: the cycles of all situations, as often as the life asks.
-/// Nothing where the stress does not change.
+/// Fatigue of a point under direct stress, under shear stress, or under both together: the cycles
+/// of all situations, as often as the life asks. Nothing where the stress does not change, and none
+/// together where one of them alone does damage.
 /// Source: EN 1993-1-9:2005, clauses 7 and 8, annex A.
 std::optional<CheckResult> check_fatigue(const Project& project,
                                          const std::vector<SituationHistory>& histories,
-                                         const StressPoint& point);
+                                         const StressPoint& point, Criterion criterion);
+
+/// The largest stress range of a point against 1.5 f_y, direct, or 1.5 f_y/sqrt(3), shear.
+/// Source: EN 1993-1-9:2005, 8(1), equation 8.1.
+std::optional<CheckResult> check_range(const Project& project,
+                                       const std::vector<SituationHistory>& histories,
+                                       const StressPoint& point);
+
+/// The throat of a seam between web and flange under the shear flow: directional method with
+/// tau_par alone. Source: EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1.
+std::optional<CheckResult> check_throat(const Project& project,
+                                        const std::vector<SituationHistory>& histories,
+                                        const StressPoint& point);
 
 /// Every criterion at every point of the stations.
 std::vector<CheckResult> check_beam(const Project& project, const std::deque<SituationRun>& runs,

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxbeam/project/detail_catalogue.hpp"
+#include "boxbeam/project/detail_reader.hpp"
+#include "boxbeam/project/sn_catalogue.hpp"
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+/// Thickness of the outer plate at a place, for size effects.
+std::optional<Length> plate_at(const TaperedBeam& beam, Length s, ProblemList& problems) {
+  if (beam.segments.empty() || !problems.empty()) return std::nullopt;
+  const Section section = section_at(beam, {s});
+  return wall_at(section.outer, 0.5 * height_of(section.outer));
+}
+
+/// The partial factor as a number, or by table 3.1.
+void read_gamma_Mf(TableReader& table, FatigueInput& input) {
+  const bool by_table = table.has("assessment") || table.has("consequence");
+  if (!by_table) {
+    input.demand.gamma_Mf = table.number("gamma_Mf");
+    return;
+  }
+  const std::size_t method = table.choice("assessment", {"damage tolerant", "safe life"});
+  const std::size_t consequence = table.choice("consequence", {"low", "high"});
+  if (table.has("gamma_Mf")) {
+    table.problem("gamma_Mf", "gamma_Mf follows from \"assessment\" and \"consequence\"",
+                  "write either the number or these two");
+  }
+  input.demand.gamma_Mf = recommended_gamma_Mf(
+      method == 0 ? AssessmentMethod::damage_tolerant : AssessmentMethod::safe_life,
+      consequence == 0 ? Consequence::low : Consequence::high);
+  input.gamma_Mf_source =
+      fmt::format("{}, {} consequence (table 3.1, recommended)",
+                  method == 0 ? "damage tolerant" : "safe life", consequence == 0 ? "low" : "high");
+}
+
+std::vector<std::string> read_codes(TableReader& table) {
+  std::vector<std::string> codes;
+  if (!table.has("codes")) return codes;
+  const std::vector<std::string> known = families();
+  for (const std::string& code : table.texts("codes", true)) {
+    if (std::find(known.begin(), known.end(), code) == known.end()) {
+      table.problem("codes", fmt::format("there are no curves \"{}\"", code),
+                    unknown_hint(code, known));
+      continue;
+    }
+    codes.push_back(code);
+  }
+  return codes;
+}
+
+/// A detail for shear stress under a key, or a category of it that is there by default.
+Detail read_shear_detail(TableReader& table, const char* key, double category, const char* name) {
+  if (!table.has(key)) {
+    Detail detail;
+    detail.name = name;
+    detail.curve = en_1993_1_9_shear(category);
+    return detail;
+  }
+  TableReader given = table.table(key);
+  Detail detail = read_detail(given);
+  if (given.problems().empty() && detail.curve.kind != StressKind::shear) {
+    given.problem("", fmt::format("\"{}\" wants a detail for shear stress", key),
+                  "write kind = \"shear\" in it, with category = 100 or 80");
+  }
+  given.finish();
+  return detail;
+}
+
+BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
+  BeamDetail on_beam;
+  on_beam.from = station_of(table, "from", beam);
+  on_beam.to = station_of(table, "to", beam);
+  constexpr DetailPlace places[] = {DetailPlace::section, DetailPlace::fibres, DetailPlace::seams};
+  on_beam.on = places[table.choice("on", {"section", "fibres", "seams"}, 0)];
+  on_beam.detail = read_detail(table, plate_at(beam, on_beam.from, table.problems()));
+  if (!table.has("name")) {
+    table.problem("name", "a detail of the beam wants a name", "write name = \"hub weld\"");
+  }
+  if (table.problems().empty() && on_beam.detail.curve.kind == StressKind::shear) {
+    table.problem("kind", "details of stretches are for direct stress",
+                  "write shear = { kind = \"shear\", category = 80 } in [fatigue]");
+  }
+  on_beam.assumed = table.text("assumed", "");
+  if (on_beam.to < on_beam.from) {
+    table.problem("to", "the stretch ends before it begins", "exchange \"from\" and \"to\"");
+  }
+  table.finish();
+  return on_beam;
+}
+
+}  // namespace
+
+FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
+  FatigueInput input;
+  input.beam.to = beam.segments.empty() ? Length{} : beam.length();
+  input.beam.detail = read_detail(table, plate_at(beam, Length{}, table.problems()));
+  input.beam.assumed = table.text("assumed", "");
+  input.published_step = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 1;
+  if (input.published_step && table.problems().empty()) {
+    input.beam.detail.curve = published_step(input.beam.detail.curve.reference.value() * 1e-6);
+  }
+  if (table.has("round_strength_to")) {
+    input.round_strength_to = si<Stress>(table.positive("round_strength_to", wanted::stress));
+  }
+  table.has("cycles");  // read with the situations
+  input.demand.loading = table.choice("loading", {"spectrum", "constant amplitude"}) == 0
+                             ? Loading::spectrum
+                             : Loading::constant_amplitude;
+  input.demand.gamma_Ff = table.number("gamma_Ff", 1.0);
+  read_gamma_Mf(table, input);
+  input.required = table.number("required");
+  input.shear = read_shear_detail(table, "shear", 100.0, "plate under shear (8.1/6)");
+  input.throat = read_shear_detail(table, "throat", 80.0, "throat of a seam (8.5/8)");
+  input.codes = read_codes(table);
+  for (TableReader& detail : table.tables("details")) {
+    input.details.push_back(read_beam_detail(detail, beam));
+  }
+  table.finish();
+  return input;
+}
+
+}  // namespace boxbeam::readers
