@@ -48,13 +48,13 @@ CheckResult start(Criterion criterion, const StressPoint& point, const StationHi
   basis.point = point;
   basis.history.reserve(history.samples().size());
   for (const CutForces& cut : history.samples()) {
-    basis.history.push_back(stress_at(point.level, cut).normal.value());
+    basis.history.push_back(stress_at(point.influence, cut).normal.value());
   }
   return result;
 }
 
 CutForceFunction normal_stress(const StressPoint& point) {
-  return [&point](const CutForces& cut) { return stress_at(point.level, cut).normal.value(); };
+  return [&point](const CutForces& cut) { return stress_at(point.influence, cut).normal.value(); };
 }
 
 void fill_instants(CheckResult& result, const StationHistory& history) {
@@ -62,7 +62,7 @@ void fill_instants(CheckResult& result, const StationHistory& history) {
   basis.cut_at_highest = history.at(basis.highest.time);
   basis.cut_at_lowest = history.at(basis.lowest.time);
   basis.cut_at_time = history.at(result.check.time);
-  basis.stress_at_time = stress_at(basis.point.level, basis.cut_at_time);
+  basis.stress_at_time = stress_at(basis.point.influence, basis.cut_at_time);
 }
 
 Stress rounded(Stress stress, Stress step) {
@@ -74,7 +74,7 @@ Stress rounded(Stress stress, Stress step) {
 std::optional<CheckResult> check_yield(const Project& project, const StationHistory& history,
                                        const StressPoint& point) {
   const TurningPoint worst = history.largest(
-      [&](const CutForces& cut) { return stress_at(point.level, cut).von_mises().value(); });
+      [&](const CutForces& cut) { return stress_at(point.influence, cut).von_mises().value(); });
   if (worst.value < 1e-9 * point.yield_strength.value()) return std::nullopt;
   CheckResult result = start(Criterion::yield, point, history);
   Check& check = result.check;
