@@ -31,6 +31,21 @@ Section section_at(const TaperedBeam& beam, const Station& station) {
   return interpolate(segment.from, segment.to, (station.s - segment.start) / segment.length);
 }
 
+Taper taper_at(const TaperedBeam& beam, const Station& station) {
+  const Segment& segment = beam.segments[segment_at(beam, station)];
+  if (segment.from == segment.to) return {};
+  constexpr double step = 1e-5;  // of the segment: 1e-10 of error, as small as round-off
+  const double here = (station.s - segment.start) / segment.length;
+  const double per_step = 1.0 / (step * segment.length.value());
+  const auto near = [&](double steps, double weight) {
+    return NearbySection{interpolate(segment.from, segment.to, here + steps * step),
+                         weight * per_step};
+  };
+  if (here < step) return {near(0.0, -1.5), near(1.0, 2.0), near(2.0, -0.5)};
+  if (here > 1.0 - step) return {near(0.0, 1.5), near(-1.0, -2.0), near(-2.0, 0.5)};
+  return {near(-1.0, -0.5), near(1.0, 0.5)};
+}
+
 std::vector<Length> places_of(const TaperedBeam& beam) {
   std::vector<Length> places{Length{}};
   for (const Segment& segment : beam.segments) places.push_back(segment.end());

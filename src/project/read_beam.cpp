@@ -2,34 +2,11 @@
 
 #include <algorithm>
 
+#include "boxbeam/section/section_defect.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
 namespace {
-
-HollowRectangle read_box(TableReader& table) {
-  return {si<Length>(table.positive("width", wanted::length)),
-          si<Length>(table.positive("height", wanted::length)),
-          si<Length>(table.positive("flange", wanted::length)),
-          si<Length>(table.positive("web", wanted::length))};
-}
-
-HollowRectangle read_rectangular_tube(TableReader& table) {
-  const Length wall = si<Length>(table.positive("wall", wanted::length));
-  return {si<Length>(table.positive("width", wanted::length)),
-          si<Length>(table.positive("height", wanted::length)), wall, wall};
-}
-
-RoundTube read_round_tube(TableReader& table) {
-  return {si<Length>(table.positive("diameter", wanted::length)),
-          si<Length>(table.positive("wall", wanted::length))};
-}
-
-std::vector<std::string> names_of(const Sections& sections) {
-  std::vector<std::string> names;
-  for (const auto& [name, section] : sections) names.push_back(name);
-  return names;
-}
 
 Segment read_segment(TableReader table, std::size_t number, Length start,
                      const Sections& sections) {
@@ -58,6 +35,20 @@ Segment read_segment(TableReader table, std::size_t number, Length start,
   return segment;
 }
 
+/// How far from its middle the plate of a hole is flat, on the narrower side.
+Length room_for_holes(const Profile& profile, HoleWalls walls) {
+  const Extent extent = extent_of(profile);
+  if (const auto* box = std::get_if<Box>(&profile)) {
+    return walls == HoleWalls::webs ? std::min(clear_top_of(profile), -clear_bottom_of(profile))
+                                    : 0.5 * box->width - std::max(box->left_web, box->right_web);
+  }
+  Length corner;
+  if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
+    corner = std::max(tube->wall + tube->inner_radius, tube->outer_radius);
+  }
+  return (walls == HoleWalls::webs ? extent.z_high : extent.y_high) - corner;
+}
+
 /// What is wrong with a hole in the sections at its station, or nothing.
 std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, const Hole& hole) {
   for (const Side side : {Side::before, Side::behind}) {
@@ -66,10 +57,10 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
       continue;
     }
     const Section section = section_at(beam, {s, side});
-    const auto* box = std::get_if<HollowRectangle>(&section.outer);
-    if (box == nullptr) return "holes are known in boxes and rectangular tubes only";
-    const Length room = hole.walls == HoleWalls::webs ? half_clear_height(section.outer)
-                                                      : 0.5 * box->width - box->web;
+    if (!takes_holes(section.outer)) {
+      return "holes are known in boxes, rectangular tubes and plates only";
+    }
+    const Length room = room_for_holes(section.outer, hole.walls);
     if (abs(hole.position) + 0.5 * hole.diameter >= room) {
       return fmt::format(
           "the hole at {:.4g} mm reaches {:.4g} mm from the middle of a plate that reaches {:.4g} "
@@ -149,76 +140,7 @@ void read_hole(TableReader table, Project& project) {
   }
 }
 
-/// The section if nothing is wrong with it, else one with a defect, so that what is built from it
-/// knows that a problem has been noted.
-Section sound_or_none(const std::string& name, TableReader& reader, std::size_t problems_before,
-                      const Section& section) {
-  if (reader.problems().size() != problems_before) return {};
-  if (auto defect = defect_of(section)) {
-    reader.problem("", fmt::format("section \"{}\": {}", name, *defect),
-                   "change its dimensions so that all plates and profiles have their place");
-    return {};
-  }
-  return section;
-}
-
-Section read_simple_section(const std::string& name, TableReader& reader, std::size_t kind) {
-  const std::size_t before = reader.problems().size();
-  Section section;
-  if (kind == 0)
-    section.outer = read_box(reader);
-  else if (kind == 1)
-    section.outer = read_rectangular_tube(reader);
-  else
-    section.outer = read_round_tube(reader);
-  reader.finish();
-  return sound_or_none(name, reader, before, section);
-}
-
-/// Two simple sections, one in the other.
-Section read_nested_section(const std::string& name, TableReader& reader, const Sections& simple) {
-  const std::size_t before = reader.problems().size();
-  Section section = named_section(reader, "outer", simple);
-  section.inner = named_section(reader, "inner", simple).outer;
-  reader.finish();
-  if (defect_of(Section{section.outer, {}}) || defect_of(Section{*section.inner, {}})) return {};
-  return sound_or_none(name, reader, before, section);
-}
-
 }  // namespace
-
-Section named_section(TableReader& table, std::string_view key, const Sections& sections) {
-  const std::string name = table.text(key);
-  const auto found = sections.find(name);
-  if (found != sections.end()) return found->second;
-  if (!name.empty()) {
-    table.problem(key, fmt::format("there is no section \"{}\"", name),
-                  unknown_hint(name, names_of(sections)));
-  }
-  return {};
-}
-
-Sections read_sections(TableReader table) {
-  Sections simple;
-  std::vector<std::pair<std::string, TableReader>> nested;
-  for (auto& [name, reader] : table.named_tables()) {
-    const std::size_t before = table.problems().size();
-    const std::size_t kind =
-        reader.choice("kind", {"box", "rectangular tube", "round tube", "nested"});
-    if (table.problems().size() != before) {
-      simple.emplace(name, Section{});  // what its other keys mean is not known
-    } else if (kind == 3) {
-      nested.emplace_back(name, reader);
-    } else {
-      simple.emplace(name, read_simple_section(name, reader, kind));
-    }
-  }
-  Sections sections = simple;
-  for (auto& [name, reader] : nested) {
-    sections.emplace(name, read_nested_section(name, reader, simple));
-  }
-  return sections;
-}
 
 Length station_of(TableReader& table, std::string_view key, const TaperedBeam& beam) {
   const double s = table.not_negative(key, wanted::length);

@@ -17,7 +17,11 @@ namespace boxbeam::readers {
 
 using Sections = std::map<std::string, Section>;
 
+/// [sections]: every kind of profile, and nested ones. A section with a problem has a defect.
 Sections read_sections(TableReader table);
+
+/// The section named by the value of a key; one with a defect where there is none.
+Section named_section(TableReader& table, std::string_view key, const Sections& sections);
 
 /// Segments, holes and places of [beam]; fills the project's beam and hole cases.
 void read_beam(TableReader& table, const Sections& sections, Project& project);

@@ -178,6 +178,32 @@ std::vector<double> TableReader::quantities(std::string_view key, const WantedDi
   return values;
 }
 
+std::vector<Eigen::Vector2d> TableReader::pairs(std::string_view key,
+                                                const WantedDimension& wanted) {
+  std::vector<Eigen::Vector2d> values;
+  const std::vector<Node>* items = list_of(key, "[\"0 mm\", \"0 mm\"]");
+  if (items == nullptr) return values;
+  for (const Node& item : *items) {
+    values.push_back(
+        pair_in(item, fmt::format("\"{}\", item {},", key, values.size() + 1), wanted));
+  }
+  return values;
+}
+
+std::vector<std::vector<Eigen::Vector2d>> TableReader::lists_of_pairs(
+    std::string_view key, const WantedDimension& wanted) {
+  std::vector<std::vector<Eigen::Vector2d>> lists;
+  if (!has(key)) return lists;
+  const std::vector<Node>* items = list_of(key, "[[\"0 mm\", \"0 mm\"], ...]");
+  if (items == nullptr) return lists;
+  for (const Node& list : *items) {
+    const std::string what = fmt::format("\"{}\", item {},", key, lists.size() + 1);
+    lists.emplace_back();
+    for (const Node& item : list.items) lists.back().push_back(pair_in(item, what, wanted));
+  }
+  return lists;
+}
+
 std::vector<double> TableReader::quantities(std::string_view key,
                                             std::span<const WantedDimension> each) {
   std::vector<double> values;

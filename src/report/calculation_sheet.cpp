@@ -32,12 +32,19 @@ std::string normal_stress_lines(const std::string& symbol, const StressPoint& po
                                 const CutForces& cut) {
   const double N = cut.N.value();
   const double M = cut.M_y.value();
-  const double axial = point.level.per_N * N;
-  const double bending = point.level.per_M * M;
+  const double axial = point.influence.normal[cut_force::N] * N;
+  const double bending = point.influence.normal[cut_force::M_y] * M;
   std::string out;
   if (!point.concentration) {
     const bool central = std::abs(point.net.centroid_z.value()) < 1e-12;
     const char* net = point.net.area == point.gross.area ? "" : ",net";
+    if (point.net.I_yz.value() != 0.0) {
+      out += line(symbol, "N/A + M_y and N z_c, N y_c with I_y, I_z and I_yz at");
+      out += after(
+          fmt::format("(y, z) = ({}, {})", text::mm(point.y.value()), text::mm(point.z.value())));
+      return out + more(fmt::format("{} + {} = {}", text::MPa(axial), term(text::MPa(bending)),
+                                    text::MPa(axial + bending)));
+    }
     out += line(symbol, central ? fmt::format("N/A{0} + M z/I_y{0}", net)
                                 : fmt::format("N/A{0} + (M - N z_c)(z - z_c)/I_y{0}", net));
     out += more(fmt::format("{}/{} + {} x {}/{}", text::kN(N), area(point.net.area.value()),
@@ -72,9 +79,10 @@ std::string normal_stress_lines(const std::string& symbol, const StressPoint& po
     out += more(fmt::format("with N = {}, M = {}, V = {}", text::kN(N), text::kNm(M),
                             text::kN(cut.V_z.value())));
   }
-  const double shear = point.level.per_V * cut.V_z.value();
+  const double per_V = point.influence.normal[cut_force::V_z];
+  const double shear = per_V * cut.V_z.value();
   std::string sum = fmt::format("{} + {}", text::MPa(axial), term(text::MPa(bending)));
-  if (point.level.per_V != 0.0) sum += " + " + term(text::MPa(shear));
+  if (per_V != 0.0) sum += " + " + term(text::MPa(shear));
   out += more(fmt::format("{} = {}", sum, text::MPa(axial + bending + shear)));
   return out;
 }
@@ -97,9 +105,15 @@ std::string yield_lines(const Project& project, const Check& check, const CheckB
   std::string out = place_line(check, basis);
   out += line("t", text::seconds(check.time.value()) + ", where the equivalent stress is largest");
   out += normal_stress_lines("sigma", basis.point, basis.cut_at_time);
-  out += line(
-      "tau", fmt::format("V S/(I_y b) = {} (V = {})", text::MPa(basis.stress_at_time.shear.value()),
-                         text::kN(basis.cut_at_time.V_z.value())));
+  const double prismatic = stress_at(basis.point.prismatic, basis.cut_at_time).shear.value();
+  const double tau = basis.stress_at_time.shear.value();
+  const std::string V = text::kN(basis.cut_at_time.V_z.value());
+  if (text::MPa(tau) == text::MPa(prismatic)) {
+    out += line("tau", fmt::format("V S/(I_y b) = {} (V = {})", text::MPa(tau), V));
+  } else {
+    out += line("tau", fmt::format("d/dx(M S/I_y)/b = {} in the taper; V S/(I_y b) = {} (V = {})",
+                                   text::MPa(tau), text::MPa(prismatic), V));
+  }
   out += line("sigma_v", "sqrt(sigma^2 + 3 tau^2) = " + text::MPa(check.acting.value()));
   out += line("f_y", fmt::format("{} ({}, plate {})", text::MPa(basis.point.yield_strength.value()),
                                  project.material.name, text::mm(basis.point.plate.value())));

@@ -3,30 +3,34 @@
 #include <cmath>
 
 namespace boxbeam {
+namespace {
+
+/// Cut forces of zero add nothing, even where their factor is not known.
+double sum_of(const std::array<double, 6>& factors, const CutForces& cut) {
+  const std::array<double, 6> forces{cut.N.value(), cut.V_y.value(), cut.V_z.value(),
+                                     cut.T.value(), cut.M_y.value(), cut.M_z.value()};
+  double sum = 0.0;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (forces[k] != 0.0) sum += factors[k] * forces[k];
+  }
+  return sum;
+}
+
+}  // namespace
 
 Stress PointStress::von_mises() const {
   return si<Stress>(
       std::sqrt(normal.value() * normal.value() + 3.0 * shear.value() * shear.value()));
 }
 
-StressLevel stress_level_of(const Section& section, const std::vector<Hole>& holes,
-                            const SectionProperties& net, Length z) {
-  const double arm = (z - net.centroid_z).value();
-  const double width = width_at(section, holes, z).value();
-  const double first_moment = first_moment_beyond(section, holes, z, net.centroid_z).value();
-  StressLevel level;
-  level.per_M = arm / net.I_y.value();
-  level.per_N = 1.0 / net.area.value() - net.centroid_z.value() * level.per_M;
-  // At the crown of a round tube both the first moment and the width vanish, and the shear with
-  // them.
-  level.per_shear = width > 0.0 ? first_moment / (net.I_y.value() * width) : 0.0;
-  return level;
+PointStress stress_at(const StressInfluence& influence, const CutForces& cut) {
+  return {si<Stress>(sum_of(influence.normal, cut)), si<Stress>(sum_of(influence.shear, cut))};
 }
 
-PointStress stress_at(const StressLevel& level, const CutForces& cut) {
-  return {si<Stress>(level.per_N * cut.N.value() + level.per_M * cut.M_y.value() +
-                     level.per_V * cut.V_z.value()),
-          si<Stress>(level.per_shear * cut.V_z.value())};
+StressInfluence shear_scaled(const StressInfluence& influence, double factor) {
+  StressInfluence scaled = influence;
+  for (double& shear : scaled.shear) shear *= factor;
+  return scaled;
 }
 
 }  // namespace boxbeam

@@ -1,195 +1,124 @@
 #include "boxbeam/section/section_properties.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <numbers>
+
+#include "boxbeam/section/outline.hpp"
 
 namespace boxbeam {
 namespace {
 
-/// Sums over a section, SI; about the mid-height until the centroid is known.
-struct Sums {
-  double area = 0.0;
-  double moment = 0.0;  ///< integral of z dA
-  double I_y = 0.0;
-  double I_z = 0.0;
-
-  void add(const Sums& other, double sign) {
-    area += sign * other.area;
-    moment += sign * other.moment;
-    I_y += sign * other.I_y;
-    I_z += sign * other.I_z;
-  }
-};
-
-Sums rectangle(double width, double height, double y = 0.0, double z = 0.0) {
-  const double area = width * height;
-  return {area, area * z, area * (height * height / 12.0 + z * z),
-          area * (width * width / 12.0 + y * y)};
+/// A symmetric section's round-off is no eccentricity.
+double without_round_off(double value, double scale) {
+  return std::abs(value) < 1e-14 * scale ? 0.0 : value;
 }
 
-Sums disc(double diameter) {
-  const double squared = diameter * diameter;
-  const double second = std::numbers::pi * squared * squared / 64.0;
-  return {0.25 * std::numbers::pi * squared, 0.0, second, second};
+SectionProperties properties_of(const AreaSums& sums, const Extent& extent) {
+  const double width = (extent.y_high - extent.y_low).value();
+  const double height = (extent.z_high - extent.z_low).value();
+  const double y = without_round_off(sums.y / sums.area, width);
+  const double z = without_round_off(sums.z / sums.area, height);
+  const double I_y = sums.zz - sums.area * z * z;
+  const double I_z = sums.yy - sums.area * y * y;
+  const double I_yz = without_round_off(sums.yz - sums.area * y * z, std::max(I_y, I_z));
+  const double mean = 0.5 * (I_y + I_z);
+  const double radius = std::hypot(0.5 * (I_y - I_z), I_yz);
+  SectionProperties result;
+  result.area = si<Area>(sums.area);
+  result.centroid_y = si<Length>(y);
+  result.centroid_z = si<Length>(z);
+  result.I_y = si<SecondMoment>(I_y);
+  result.I_z = si<SecondMoment>(I_z);
+  result.I_yz = si<SecondMoment>(I_yz);
+  result.I_1 = si<SecondMoment>(mean + radius);
+  result.I_2 = si<SecondMoment>(mean - radius);
+  result.principal_angle =
+      I_yz == 0.0 && I_y >= I_z ? 0.0 : 0.5 * std::atan2(-2.0 * I_yz, I_y - I_z);
+  result.y_left = extent.y_high;
+  result.y_right = extent.y_low;
+  result.z_top = extent.z_high;
+  result.z_bottom = extent.z_low;
+  const auto farther = [](Length high, Length low, double centroid) {
+    return std::max(high.value() - centroid, centroid - low.value());
+  };
+  result.W_y = si<SectionModulus>(I_y / farther(extent.z_high, extent.z_low, z));
+  result.W_z = si<SectionModulus>(I_z / farther(extent.y_high, extent.y_low, y));
+  return result;
 }
 
-Sums sums_of(const Profile& profile) {
-  Sums sums;
-  if (const auto* box = std::get_if<HollowRectangle>(&profile)) {
-    sums.add(rectangle(box->width.value(), box->height.value()), 1.0);
-    sums.add(
-        rectangle((box->width - 2.0 * box->web).value(), (box->height - 2.0 * box->flange).value()),
-        -1.0);
-  } else {
-    const auto& tube = std::get<RoundTube>(profile);
-    sums.add(disc(tube.diameter.value()), 1.0);
-    sums.add(disc((tube.diameter - 2.0 * tube.wall).value()), -1.0);
-  }
-  return sums;
+/// Takes the middle of a flange out, over the depth between two levels.
+void narrow(Outline& outline, double right, double left, double low, double high, double part) {
+  const double middle = 0.5 * (left + right);
+  const double half = 0.5 * (1.0 - part) * (left - right);
+  add_rectangle(outline, middle - half, middle + half, low, high, -1.0);
 }
 
-/// The strips a hole takes out of the section through its centre.
-/// Precondition: the outer profile is a hollow rectangle and the hole lies within its wall.
-Sums strips_of(const Hole& hole, const HollowRectangle& box) {
-  const double d = hole.diameter.value();
-  Sums sums;
-  if (hole.walls == HoleWalls::webs) {
-    const double t = box.web.value();
-    const double y = 0.5 * (box.width.value() - t);
-    for (double side : {-1.0, 1.0}) sums.add(rectangle(t, d, side * y, hole.position.value()), 1.0);
-    return sums;
-  }
-  const double t = box.flange.value();
-  const double z = 0.5 * (box.height.value() - t);
-  const double y = hole.position.value();
-  for (double side : {-1.0, 1.0}) {
-    sums.add(rectangle(d, t, y, side * z), 1.0);
-    if (y != 0.0) sums.add(rectangle(d, t, -y, side * z), 1.0);
-  }
-  return sums;
+/// The box whose stiffeners in the strips left out are gone.
+Box without_idle_stiffeners(const Box& box, double flange_part) {
+  Box bare = box;
+  const double right = (box.right_web - 0.5 * box.width).value();
+  const double left = (0.5 * box.width - box.left_web).value();
+  std::erase_if(bare.stiffeners, [&](const Stiffener& bar) {
+    const bool on_flange =
+        bar.plate == BoxPlate::top_flange || bar.plate == BoxPlate::bottom_flange;
+    return on_flange && std::abs(bar.place.value() - 0.5 * (left + right)) <
+                            0.5 * (1.0 - flange_part) * (left - right);
+  });
+  return bare;
 }
 
-/// Half the chord of a circle at level z.
-double half_chord(double diameter, double z) {
-  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - z * z));
-}
-
-/// Area and first moment about mid-height of the part of a shape beyond a level.
-struct Beyond {
-  double area = 0.0;
-  double moment = 0.0;
-};
-
-Beyond rectangle_beyond(double width, double low, double high, double z) {
-  if (z >= high) return {};
-  const double from = std::max(low, z);
-  return {width * (high - from), 0.5 * width * (high * high - from * from)};
-}
-
-Beyond disc_beyond(double diameter, double z) {
-  const double radius = 0.5 * diameter;
-  if (z >= radius) return {};
-  if (z <= -radius) return {std::numbers::pi * radius * radius, 0.0};
-  const double chord = half_chord(diameter, z);
-  return {radius * radius * std::acos(z / radius) - z * chord, 2.0 / 3.0 * chord * chord * chord};
-}
-
-Beyond difference(const Beyond& a, const Beyond& b) {
-  return {a.area - b.area, a.moment - b.moment};
-}
-
-Beyond beyond(const Profile& profile, double z) {
-  if (const auto* box = std::get_if<HollowRectangle>(&profile)) {
-    const double half = 0.5 * box->height.value();
-    const double clear = half_clear_height(profile).value();
-    return difference(rectangle_beyond(box->width.value(), -half, half, z),
-                      rectangle_beyond((box->width - 2.0 * box->web).value(), -clear, clear, z));
-  }
-  const auto& tube = std::get<RoundTube>(profile);
-  return difference(disc_beyond(tube.diameter.value(), z),
-                    disc_beyond((tube.diameter - 2.0 * tube.wall).value(), z));
-}
-
-double width_of(const Profile& profile, double z) {
-  if (const auto* box = std::get_if<HollowRectangle>(&profile)) {
-    if (std::abs(z) > 0.5 * box->height.value()) return 0.0;
-    return std::abs(z) > half_clear_height(profile).value() ? box->width.value()
-                                                            : 2.0 * box->web.value();
-  }
-  const auto& tube = std::get<RoundTube>(profile);
-  return 2.0 * (half_chord(tube.diameter.value(), z) -
-                half_chord((tube.diameter - 2.0 * tube.wall).value(), z));
+/// The holes that do not stand in the strips of the flanges that are left out.
+std::vector<Hole> without_idle_holes(std::vector<Hole> holes, double clear_width,
+                                     double flange_part) {
+  std::erase_if(holes, [&](const Hole& hole) {
+    return hole.walls == HoleWalls::flanges &&
+           hole.position.value() < 0.5 * (1.0 - flange_part) * clear_width;
+  });
+  return holes;
 }
 
 }  // namespace
 
 SectionProperties properties_of(const Section& section, const std::vector<Hole>& holes) {
-  Sums sums = sums_of(section.outer);
-  if (section.inner) sums.add(sums_of(*section.inner), 1.0);
-  for (const Hole& hole : holes) {
-    sums.add(strips_of(hole, std::get<HollowRectangle>(section.outer)), -1.0);
-  }
-  const double centroid = sums.moment / sums.area;
-  const double I_y = sums.I_y - sums.area * centroid * centroid;
-  const double half = 0.5 * height_of(section.outer).value();
-  const double half_width = std::holds_alternative<HollowRectangle>(section.outer)
-                                ? 0.5 * std::get<HollowRectangle>(section.outer).width.value()
-                                : half;
-  SectionProperties result;
-  result.area = si<Area>(sums.area);
-  result.centroid_z = si<Length>(centroid);
-  result.I_y = si<SecondMoment>(I_y);
-  result.I_z = si<SecondMoment>(sums.I_z);
-  result.z_top = si<Length>(half);
-  result.z_bottom = si<Length>(-half);
-  result.W_y = si<SectionModulus>(I_y / (half + std::abs(centroid)));
-  result.W_z = si<SectionModulus>(sums.I_z / half_width);
-  return result;
+  return properties_of(sums_of(outline_of(section, holes)), extent_of(section.outer));
 }
 
 SectionProperties properties_of(const Section& section) { return properties_of(section, {}); }
 
+SectionProperties properties_of(const Section& section, const std::vector<Hole>& holes,
+                                double flange_part) {
+  assert(flange_part > 0.0 && flange_part <= 1.0);
+  if (const auto* box = std::get_if<Box>(&section.outer)) {
+    const double right = (box->right_web - 0.5 * box->width).value();
+    const double left = (0.5 * box->width - box->left_web).value();
+    Outline outline = outline_of(Section{without_idle_stiffeners(*box, flange_part), section.inner},
+                                 without_idle_holes(holes, left - right, flange_part));
+    const double half = 0.5 * box->height.value();
+    narrow(outline, right, left, clear_top_of(*box).value(), half, flange_part);
+    narrow(outline, right, left, -half, clear_bottom_of(*box).value(), flange_part);
+    return properties_of(sums_of(outline), extent_of(section.outer));
+  }
+  if (const auto* tube = std::get_if<RectangularTube>(&section.outer)) {
+    const double left = (0.5 * tube->width - tube->wall).value();
+    Outline outline = outline_of(section, without_idle_holes(holes, 2.0 * left, flange_part));
+    const double half = 0.5 * tube->height.value();
+    const double inside = clear_top_of(*tube).value();
+    narrow(outline, -left, left, inside, half, flange_part);
+    narrow(outline, -left, left, -half, -inside, flange_part);
+    return properties_of(sums_of(outline), extent_of(section.outer));
+  }
+  return properties_of(section, holes);
+}
+
 SectionModulus first_moment_beyond(const Section& section, const std::vector<Hole>& holes, Length z,
                                    Length centroid_z) {
-  Beyond total = beyond(section.outer, z.value());
-  if (section.inner) {
-    const Beyond inner = beyond(*section.inner, z.value());
-    total = {total.area + inner.area, total.moment + inner.moment};
-  }
-  for (const Hole& hole : holes) {
-    const auto& box = std::get<HollowRectangle>(section.outer);
-    const double d = hole.diameter.value();
-    if (hole.walls == HoleWalls::webs) {
-      const double level = hole.position.value();
-      total = difference(total, rectangle_beyond(2.0 * box.web.value(), level - 0.5 * d,
-                                                 level + 0.5 * d, z.value()));
-    } else {
-      const double half = 0.5 * box.height.value();
-      const double strip = hole.position.value() == 0.0 ? d : 2.0 * d;
-      const double t = box.flange.value();
-      total = difference(total, rectangle_beyond(strip, half - t, half, z.value()));
-      total = difference(total, rectangle_beyond(strip, -half, -half + t, z.value()));
-    }
-  }
-  return si<SectionModulus>(total.moment - centroid_z.value() * total.area);
+  const AreaSums beyond = sums_beyond(outline_of(section, holes), z.value());
+  return si<SectionModulus>(beyond.z - centroid_z.value() * beyond.area);
 }
 
 Length width_at(const Section& section, const std::vector<Hole>& holes, Length z) {
-  double width = width_of(section.outer, z.value());
-  if (section.inner) width += width_of(*section.inner, z.value());
-  for (const Hole& hole : holes) {
-    const auto& box = std::get<HollowRectangle>(section.outer);
-    const bool in_flange = abs(z) > half_clear_height(section.outer);
-    if (hole.walls == HoleWalls::webs) {
-      // A level on the edge of the hole has material beside it.
-      if (!in_flange && abs(z - hole.position) < 0.5 * hole.diameter)
-        width -= 2.0 * box.web.value();
-    } else if (in_flange) {
-      width -= (hole.position.value() == 0.0 ? 1.0 : 2.0) * hole.diameter.value();
-    }
-  }
-  return si<Length>(std::max(0.0, width));
+  return si<Length>(width_at(outline_of(section, holes), z.value()));
 }
 
 }  // namespace boxbeam

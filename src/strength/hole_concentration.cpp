@@ -1,7 +1,10 @@
 #include "boxbeam/strength/hole_concentration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "boxbeam/section/normal_stress.hpp"
 
 namespace boxbeam {
 
@@ -16,26 +19,40 @@ const char* to_text(HoleCase hole_case) {
 
 Length plate_width_of(const Section& section, const std::vector<Hole>& holes, const Hole& hole,
                       HoleCase hole_case) {
-  const auto& box = std::get<HollowRectangle>(section.outer);
-  if (hole_case == HoleCase::published_exponential) return box.height;
-  if (hole.walls == HoleWalls::webs) return box.height - 2.0 * box.flange;
+  const Profile& outer = section.outer;
+  if (hole_case == HoleCase::published_exponential) return height_of(outer);
+  if (hole.walls == HoleWalls::webs) return clear_top_of(outer) - clear_bottom_of(outer);
   double across = 0.0;
   for (const Hole& other : holes) {
     if (other.walls == HoleWalls::flanges) across += other.position.value() == 0.0 ? 1.0 : 2.0;
   }
-  return (box.width - 2.0 * box.web) / across;
+  const Extent extent = extent_of(outer);
+  Length walls;
+  if (const auto* box = std::get_if<Box>(&outer)) walls = box->left_web + box->right_web;
+  if (const auto* tube = std::get_if<RectangularTube>(&outer)) walls = 2.0 * tube->wall;
+  return (extent.y_high - extent.y_low - walls) / across;
 }
 
 namespace {
 
 std::vector<HoleEdge> edges_in_web(const Section& section, const std::vector<Hole>& holes,
-                                   const Hole& hole, double a) {
-  const SectionProperties gross = properties_of(section);
-  const SectionProperties net = properties_of(section, holes);
+                                   const Taper& taper, const Hole& hole, double a) {
+  const AreaSums gross = sums_of(outline_of(section, {}));
+  const AreaSums net = sums_of(outline_of(section, holes));
   const double membrane = membrane_concentration(a) / (1.0 - a) / 3.0;
   const double radius = 0.5 * hole.diameter.value();
   const double z = hole.position.value();
-  const double shear = stress_level_of(section, {}, gross, hole.position).per_shear;
+  const StressInfluence middle = normal_influence(gross, 0.0, z);
+  const double gradient_per_N = normal_stress_plane(gross)(2, 0);
+  const double gradient_per_M = normal_stress_plane(net)(2, 1);
+  // Of two unlike webs the one with the larger shear.
+  const std::vector<SectionPoint> webs =
+      points_at_level(stress_field_of(section, {}, taper), "", hole.position, PointSet::in_plane);
+  const StressInfluence shear =
+      std::max_element(webs.begin(), webs.end(), [](const SectionPoint& one, const auto& other) {
+        return std::abs(one.influence.shear[cut_force::V_z]) <
+               std::abs(other.influence.shear[cut_force::V_z]);
+      })->influence;
   constexpr int steps = 120;
   std::vector<HoleEdge> edges;
   for (int k = 0; k < steps; ++k) {
@@ -45,9 +62,12 @@ std::vector<HoleEdge> edges_in_web(const Section& section, const std::vector<Hol
     HoleEdge edge;
     edge.z = si<Length>(z + radius * std::sin(theta));
     edge.angle = theta;
-    edge.level.per_N = along / gross.area.value();
-    edge.level.per_M = along * z / gross.I_y.value() + gradient * radius / net.I_y.value();
-    edge.level.per_V = -4.0 / (1.0 - a) * std::sin(2.0 * theta) * shear;
+    for (const std::size_t force : {cut_force::N, cut_force::V_z, cut_force::M_y}) {
+      edge.influence.normal[force] = along * middle.normal[force] -
+                                     4.0 / (1.0 - a) * std::sin(2.0 * theta) * shear.shear[force];
+    }
+    edge.influence.normal[cut_force::N] += gradient * radius * gradient_per_N;
+    edge.influence.normal[cut_force::M_y] += gradient * radius * gradient_per_M;
     edges.push_back(edge);
   }
   return edges;
@@ -56,28 +76,26 @@ std::vector<HoleEdge> edges_in_web(const Section& section, const std::vector<Hol
 }  // namespace
 
 std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Hole>& holes,
-                                    const Hole& hole, HoleCase hole_case) {
+                                    const Taper& taper, const Hole& hole, HoleCase hole_case) {
   const double a = hole.diameter / plate_width_of(section, holes, hole, hole_case);
-  if (hole_case == HoleCase::in_plane_bending) return edges_in_web(section, holes, hole, a);
+  if (hole_case == HoleCase::in_plane_bending) return edges_in_web(section, holes, taper, hole, a);
 
   std::vector<HoleEdge> edges(2);
   for (std::size_t k = 0; k < 2; ++k) {
     const double sign = k == 0 ? 1.0 : -1.0;
     HoleEdge& edge = edges[k];
-    if (hole_case == HoleCase::membrane_tension) {
-      const SectionProperties gross = properties_of(section);
-      const double factor = membrane_concentration(a) / (1.0 - a);
-      edge.z = sign * gross.z_top;
-      edge.level.per_N = factor / gross.area.value();
-      edge.level.per_M = factor * edge.z.value() / gross.I_y.value();
+    const bool membrane = hole_case == HoleCase::membrane_tension;
+    const Extent extent = extent_of(section.outer);
+    const AreaSums sums = sums_of(outline_of(section, membrane ? std::vector<Hole>{} : holes));
+    double factor = published_concentration(a);
+    if (membrane) {
+      factor = membrane_concentration(a) / (1.0 - a);
+      edge.z = k == 0 ? extent.z_high : extent.z_low;
     } else {
-      const double factor = published_concentration(a);
       edge.z = hole.position + sign * 0.5 * hole.diameter;
-      edge.level = stress_level_of(section, holes, properties_of(section, holes), edge.z);
-      edge.level.per_N *= factor;
-      edge.level.per_M *= factor;
-      edge.level.per_shear = 0.0;
     }
+    edge.influence = normal_influence(sums, 0.0, edge.z.value());
+    for (double& normal : edge.influence.normal) normal *= factor;
   }
   return edges;
 }

@@ -1,29 +1,121 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace boxbeam {
+namespace {
+
+constexpr double compressed = 42.0, bent = 124.0, outstand = 14.0, round_tube = 90.0;
+
+/// A plate between its supports, and the limit of its class without eps.
+struct Panel {
+  std::string name;
+  Length clear, thickness;
+  double factor;
+  int power = 1;  ///< of eps; 2 for tubes
+};
+
+/// The panels of a plate of a box between its stiffeners, the widest one.
+Length widest_panel(const Box& box, BoxPlate plate, Length low, Length high) {
+  std::vector<const Stiffener*> bars;
+  for (const Stiffener& bar : box.stiffeners) {
+    if (bar.plate == plate) bars.push_back(&bar);
+  }
+  std::sort(bars.begin(), bars.end(),
+            [](const Stiffener* a, const Stiffener* b) { return a->place < b->place; });
+  Length widest, from = low;
+  for (const Stiffener* bar : bars) {
+    widest = std::max(widest, bar->place - 0.5 * bar->thickness - from);
+    from = bar->place + 0.5 * bar->thickness;
+  }
+  return std::max(widest, high - from);
+}
+
+std::vector<Panel> panels_of(const Box& box) {
+  const Length right = box.right_web - 0.5 * box.width, left = 0.5 * box.width - box.left_web;
+  const Length low = clear_bottom_of(box), high = clear_top_of(box);
+  const auto flange = [&](const char* name, BoxPlate plate, Length t) {
+    return Panel{name, widest_panel(box, plate, right, left), t, compressed};
+  };
+  const auto web = [&](const char* name, BoxPlate plate, Length t) {
+    const Length widest = widest_panel(box, plate, low, high);
+    // A part of a web, near a flange, may be compressed all over.
+    return Panel{name, widest, t, widest < high - low ? compressed : bent};
+  };
+  std::vector<Panel> panels;
+  const bool stiffened = !box.stiffeners.empty();
+  if (box.top_flange == box.bottom_flange && !stiffened) {
+    panels.push_back(flange("flange", BoxPlate::top_flange, box.top_flange));
+  } else {
+    panels.push_back(flange("top flange", BoxPlate::top_flange, box.top_flange));
+    panels.push_back(flange("bottom flange", BoxPlate::bottom_flange, box.bottom_flange));
+  }
+  if (box.left_web == box.right_web && !stiffened) {
+    panels.push_back(web("web", BoxPlate::left_web, box.left_web));
+  } else {
+    panels.push_back(web("left web", BoxPlate::left_web, box.left_web));
+    panels.push_back(web("right web", BoxPlate::right_web, box.right_web));
+  }
+  for (std::size_t i = 0; i < box.stiffeners.size(); ++i) {
+    panels.push_back({"stiffener " + std::to_string(i + 1), box.stiffeners[i].depth,
+                      box.stiffeners[i].thickness, outstand});
+  }
+  return panels;
+}
+
+std::vector<Panel> panels_of(const RectangularTube& tube) {
+  const Length corners = 2.0 * (tube.wall + tube.inner_radius);
+  return {{"flange", tube.width - corners, tube.wall, compressed},
+          {"web", tube.height - corners, tube.wall, bent}};
+}
+
+std::vector<Panel> panels_of(const RoundTube& tube) {
+  return {{"round wall", tube.diameter, tube.wall, round_tube, 2}};
+}
+
+std::vector<Panel> panels_of(const ThinWalled& path) {
+  std::vector<int> walls_at(path.nodes.size(), 0);
+  for (const ThinWall& wall : path.walls) {
+    ++walls_at[wall.from];
+    ++walls_at[wall.to];
+  }
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < path.walls.size(); ++i) {
+    const ThinWall& wall = path.walls[i];
+    const SectionPlace& a = path.nodes[wall.from];
+    const SectionPlace& b = path.nodes[wall.to];
+    const bool free = walls_at[wall.from] == 1 || walls_at[wall.to] == 1;
+    panels.push_back({"wall " + std::to_string(i + 1),
+                      hypot(b.y - a.y, b.z - a.z) - wall.trim_from - wall.trim_to, wall.thickness,
+                      free ? outstand : compressed});
+  }
+  return panels;
+}
+
+// Solids have no plate that could buckle.
+std::vector<Panel> panels_of(const Plate&) { return {}; }
+std::vector<Panel> panels_of(const Polygon&) { return {}; }
+
+}  // namespace
+
+std::vector<SlenderPlate> plate_slenderness_of(const Profile& profile, const Material& material) {
+  std::vector<SlenderPlate> plates;
+  for (const Panel& panel :
+       std::visit([](const auto& shape) { return panels_of(shape); }, profile)) {
+    const auto yield = yield_strength_of(material, panel.thickness);
+    if (!yield) continue;
+    const double eps = std::sqrt(235e6 / yield->value());
+    plates.push_back(
+        {panel.name, panel.clear / panel.thickness, panel.factor * std::pow(eps, panel.power)});
+  }
+  return plates;
+}
 
 std::vector<SlenderPlate> slender_plates_of(const Profile& profile, const Material& material) {
-  std::vector<SlenderPlate> slender;
-  // `power`: eps for plates, eps^2 for tubes.
-  const auto look = [&](const char* name, Length clear, Length thickness, double factor,
-                        int power) {
-    const auto yield = yield_strength_of(material, thickness);
-    if (!yield) return;
-    const double eps = std::sqrt(235e6 / yield->value());
-    const double limit = factor * std::pow(eps, power);
-    const double ratio = clear / thickness;
-    if (ratio > limit) slender.push_back({name, ratio, limit});
-  };
-  if (const auto* box = std::get_if<HollowRectangle>(&profile)) {
-    look("flange", box->width - 2.0 * box->web, box->flange, 42.0, 1);
-    look("web", box->height - 2.0 * box->flange, box->web, 124.0, 1);
-  } else {
-    const auto& tube = std::get<RoundTube>(profile);
-    look("round wall", tube.diameter, tube.wall, 90.0, 2);
-  }
-  return slender;
+  std::vector<SlenderPlate> plates = plate_slenderness_of(profile, material);
+  std::erase_if(plates, [](const SlenderPlate& plate) { return plate.ratio <= plate.limit; });
+  return plates;
 }
 
 }  // namespace boxbeam

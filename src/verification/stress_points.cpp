@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "boxbeam/numerics/extremum.hpp"
+#include "boxbeam/section/normal_stress.hpp"
 
 namespace boxbeam {
 namespace {
@@ -61,16 +62,16 @@ struct Span {
 using Peaks = std::array<double, 6>;
 
 Peaks peaks_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
-  const SectionProperties gross = properties_of(section_at(beam, {s}));
-  const double per_N = 1.0 / gross.area.value();
-  const double per_M = gross.z_top.value() / gross.I_y.value();
+  const Section section = section_at(beam, {s});
+  const AreaSums sums = sums_of(outline_of(section, {}));
+  const Extent extent = extent_of(section.outer);
+  const StressInfluence high = normal_influence(sums, 0.0, extent.z_high.value());
+  const StressInfluence low = normal_influence(sums, 0.0, extent.z_low.value());
   Span top, bottom, M, V;
   for (std::size_t i = 0; i < loads.instants(); ++i) {
     const CutForces cut = loads.diagram(i).at({s});
-    const double axial = per_N * cut.N.value();
-    const double bending = per_M * cut.M_y.value();
-    top.add(axial + bending);
-    bottom.add(axial - bending);
+    top.add(stress_at(high, cut).normal.value());
+    bottom.add(stress_at(low, cut).normal.value());
     M.add(cut.M_y.value());
     V.add(cut.V_z.value());
   }
@@ -108,77 +109,67 @@ void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads,
 
 std::vector<StressPoint> stress_points_at(const Project& project, const Station& station) {
   const TaperedBeam& beam = project.beam;
-  const Section section = section_at(beam, station);
-  const std::vector<Hole> holes = holes_at(beam, station.s);
+  const Taper taper = taper_at(beam, station);
+  const StressField field =
+      stress_field_of(section_at(beam, station), holes_at(beam, station.s), taper);
+  const Section& section = field.section;
   const SectionProperties gross = properties_of(section);
-  const SectionProperties net = properties_of(section, holes);
+  const SectionProperties net = properties_of(section, field.holes);
   const Category category = category_at(project.fatigue, station.s);
 
   std::vector<StressPoint> points;
-  const auto add = [&](const std::string& name, Length z, bool fatigue) -> StressPoint& {
+  const auto add = [&](const SectionPoint& place, bool fatigue) -> StressPoint& {
     StressPoint point;
     point.station = station;
-    point.name = name;
-    point.z = z;
+    point.name = place.name;
+    point.y = place.y;
+    point.z = place.z;
     point.section = section;
     point.gross = gross;
     point.net = net;
-    point.plate = wall_at(section.outer, z);
-    if (section.inner && abs(z) <= 0.5 * height_of(*section.inner)) {
-      point.plate = std::max(point.plate, wall_at(*section.inner, z));  // the weaker of the two
-    }
+    point.influence = place.influence;
+    point.prismatic = place.prismatic;
+    point.plate = place.plate;
     point.yield_strength = yield_strength_of(project.material, point.plate).value();
     point.fatigue = fatigue;
     point.category = category.value;
     point.category_assumed = category.assumed;
     return points.emplace_back(std::move(point));
   };
-  const auto add_nominal = [&](const std::string& name, Length z, bool fatigue) {
-    if (width_at(section, holes, z).value() <= 0.0 && abs(z) < 0.5 * height_of(section.outer))
-      return;
-    add(name, z, fatigue).level = stress_level_of(section, holes, net, z);
+  const auto add_level = [&](const std::string& name, Length z, bool fatigue) {
+    for (const SectionPoint& place : points_at_level(field, name, z, PointSet::in_plane)) {
+      add(place, fatigue);
+    }
   };
 
-  add_nominal("fibre +z", net.z_top, true);
-  add_nominal("fibre -z", net.z_bottom, true);
-  if (std::holds_alternative<HollowRectangle>(section.outer)) {
-    const Length web = half_clear_height(section.outer);
-    add_nominal("web end +z", web, false);
-    add_nominal("web end -z", -web, false);
-  }
-  // In a hole at mid-height there is no neutral fibre; its edges are looked at instead.
-  add_nominal("neutral axis", net.centroid_z, false);
-
-  if (section.inner) {
-    const Length half = 0.5 * height_of(*section.inner);
-    for (const double sign : {1.0, -1.0}) {
-      StressPoint& point = add(sign > 0.0 ? "inner fibre +z" : "inner fibre -z", sign * half, true);
-      point.plate = wall_at(*section.inner, half);
-      point.yield_strength = yield_strength_of(project.material, point.plate).value();
-      point.level = stress_level_of(section, holes, net, sign * half);
-    }
+  for (const SectionPoint& place : points_of(field, PointSet::in_plane)) {
+    // Direct-stress fatigue is looked at where the bending stress is largest.
+    const bool inside = place.name.starts_with("web end") || place.name.starts_with("neutral axis");
+    add(place, !inside);
   }
   for (std::size_t i = 0; i < beam.holes.size(); ++i) {
     if (beam.holes[i].s != station.s) continue;
     const Hole& hole = beam.holes[i].hole;
     const HoleCase hole_case = project.hole_cases[i];
-    const double a = hole.diameter / plate_width_of(section, holes, hole, hole_case);
+    const double a = hole.diameter / plate_width_of(section, field.holes, hole, hole_case);
     const double factor = hole_case == HoleCase::published_exponential
                               ? published_concentration(a)
                               : membrane_concentration(a) / (1.0 - a);
-    const std::vector<HoleEdge> edges = hole_edges_of(section, holes, hole, hole_case);
-    StressPoint& point = add("hole " + hole.name + " edge", edges.front().z, true);
-    point.level = edges.front().level;
+    const std::vector<HoleEdge> edges = hole_edges_of(section, field.holes, taper, hole, hole_case);
+    SectionPoint edge{"hole " + hole.name + " edge", {}, edges.front().z, {}, {}, {}, {}};
+    edge.plate = wall_at(section, edge.z);
+    edge.influence = edge.prismatic = edges.front().influence;
+    StressPoint& point = add(edge, true);
     point.concentration = EdgeConcentration{hole.name, hole_case, a, factor, 0.0};
     point.edges = edges;
     if (hole.walls == HoleWalls::webs) {
       // Where a hole has taken the neutral fibre, the shear is largest just beside the hole.
-      add_nominal("beside hole " + hole.name + " +z", hole.position + 0.5 * hole.diameter, false);
-      add_nominal("beside hole " + hole.name + " -z", hole.position - 0.5 * hole.diameter, false);
+      add_level("beside hole " + hole.name + " +z", hole.position + 0.5 * hole.diameter, false);
+      add_level("beside hole " + hole.name + " -z", hole.position - 0.5 * hole.diameter, false);
     }
   }
   for (const NamedPoint& named : project.points) {
-    if (named.s == station.s) add_nominal(named.name, named.z, true);
+    if (named.s == station.s) add_level(named.name, named.z, true);
   }
   return points;
 }
@@ -193,7 +184,7 @@ StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationH
     for (const SituationHistory& at : histories) {
       Span span;
       for (const CutForces& cut : at.history.samples()) {
-        span.add(stress_at(edge.level, cut).normal.value());
+        span.add(stress_at(edge.influence, cut).normal.value());
       }
       value = std::max(value, criterion == Criterion::fatigue
                                   ? span.range()
@@ -202,7 +193,7 @@ StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationH
     if (value <= worst) continue;
     worst = value;
     moved.z = edge.z;
-    moved.level = edge.level;
+    moved.influence = edge.influence;
     moved.concentration->angle = edge.angle;
   }
   return moved;

@@ -5,6 +5,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/section/section_defect.hpp"
 #include "catch.hpp"
 #include "project/small_case.hpp"
 

@@ -19,8 +19,8 @@ constexpr double rho = 7800;
 /// A box 400 mm wide with 50 mm plates, uniform for 1.5 m at 600 mm of height, then tapered to
 /// 1000 mm over 1.7 m: A = 0.1 h + 0.03 m^2.
 TaperedBeam tapered() {
-  const Section A1{HollowRectangle{mm(400), mm(600), mm(50), mm(50)}, {}};
-  const Section A2{HollowRectangle{mm(400), mm(1000), mm(50), mm(50)}, {}};
+  const Section A1{symmetric_box(mm(400), mm(600), mm(50), mm(50)), {}};
+  const Section A2{symmetric_box(mm(400), mm(1000), mm(50), mm(50)), {}};
   TaperedBeam beam;
   beam.segments = {{"S1", m(0), m(1.5), A1, A1}, {"S2", m(1.5), m(1.7), A1, A2}};
   beam.density = si<Density>(rho);

@@ -14,7 +14,7 @@ namespace {
 Length m(double x) { return si<Length>(x); }
 
 Section box(double width, double height, double wall) {
-  return {HollowRectangle{m(width), m(height), m(wall), m(wall)}, {}};
+  return {symmetric_box(m(width), m(height), m(wall), m(wall)), {}};
 }
 
 /// A uniform beam without mass of its own, in one or two segments.

@@ -14,9 +14,9 @@ Length m(double x) { return si<Length>(x); }
 
 /// The lever beam of the sledge rig: segments S1 to S6 from the lower end, pivot at 3.2 m.
 TaperedBeam rig() {
-  const Profile a1 = HollowRectangle{mm(400), mm(600), mm(50), mm(50)};
-  const Profile a2 = HollowRectangle{mm(400), mm(1000), mm(50), mm(50)};
-  const Profile tube = HollowRectangle{mm(290), mm(490), mm(56), mm(56)};
+  const Profile a1 = symmetric_box(mm(400), mm(600), mm(50), mm(50));
+  const Profile a2 = symmetric_box(mm(400), mm(1000), mm(50), mm(50));
+  const Profile tube = symmetric_box(mm(290), mm(490), mm(56), mm(56));
   const Section A1{a1, {}}, A2{a2, {}}, A1_tube{a1, tube}, only_tube{tube, {}};
   TaperedBeam beam;
   beam.segments = {{"S1", m(0), m(1.5), A1, A1},
@@ -35,7 +35,7 @@ TaperedBeam rig() {
 
 /// A uniform box 400 x 600 x 50 mm in two pieces, A = 90e-3 m^2, I_y = 4.075e-3 m^4.
 TaperedBeam uniform_bar() {
-  const Section A1{HollowRectangle{mm(400), mm(600), mm(50), mm(50)}, {}};
+  const Section A1{symmetric_box(mm(400), mm(600), mm(50), mm(50)), {}};
   TaperedBeam beam;
   beam.segments = {{"a", m(0), m(1.25), A1, A1}, {"b", m(1.25), m(2.75), A1, A1}};
   beam.density = si<Density>(7800);
@@ -79,8 +79,8 @@ TEST_CASE("centres of the rig's halves by hand, from the pivot") {
 }
 
 TEST_CASE("mass properties of a taper in every dimension equal Simpson's rule on the sections") {
-  const Section from{HollowRectangle{mm(400), mm(600), mm(50), mm(40)}, RoundTube{mm(200), mm(20)}};
-  const Section to{HollowRectangle{mm(300), mm(900), mm(30), mm(25)}, RoundTube{mm(150), mm(30)}};
+  const Section from{symmetric_box(mm(400), mm(600), mm(50), mm(40)), RoundTube{mm(200), mm(20)}};
+  const Section to{symmetric_box(mm(300), mm(900), mm(30), mm(25)), RoundTube{mm(150), mm(30)}};
   TaperedBeam beam;
   beam.segments = {{"taper", m(0), m(2.5), from, to}};
   beam.density = si<Density>(7800);

@@ -18,7 +18,7 @@ constexpr double mass = 100.0;
 
 /// A uniform bar of 6.2 m and 100 kg in three segments, so that pieces must meet.
 TaperedBeam uniform_bar() {
-  const Section tube{HollowRectangle{0.1 * metre, 0.2 * metre, 0.01 * metre, 0.01 * metre}, {}};
+  const Section tube{symmetric_box(0.1 * metre, 0.2 * metre, 0.01 * metre, 0.01 * metre), {}};
   const double area = properties_of(tube).area.value();
   TaperedBeam beam;
   beam.density = si<Density>(mass / (area * length));

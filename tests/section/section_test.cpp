@@ -1,5 +1,6 @@
 #include "boxbeam/section/section.hpp"
 
+#include "boxbeam/section/section_defect.hpp"
 #include "catch.hpp"
 
 using namespace boxbeam;
@@ -8,8 +9,8 @@ namespace {
 
 Length mm(double x) { return si<Length>(1e-3 * x); }
 
-HollowRectangle box(double width, double height, double flange, double web) {
-  return {mm(width), mm(height), mm(flange), mm(web)};
+Box box(double width, double height, double flange, double web) {
+  return symmetric_box(mm(width), mm(height), mm(flange), mm(web));
 }
 
 RoundTube tube(double diameter, double wall) { return {mm(diameter), mm(wall)}; }
@@ -77,11 +78,11 @@ TEST_CASE("every dimension of an interpolated section varies linearly") {
   const Section from{box(400, 600, 50, 40), tube(200, 10)};
   const Section to{box(200, 1000, 30, 60), tube(100, 30)};
   const Section quarter = interpolate(from, to, 0.25);
-  const auto& outer = std::get<HollowRectangle>(quarter.outer);
+  const auto& outer = std::get<Box>(quarter.outer);
   CHECK(outer.width.value() == Approx(0.350).epsilon(1e-14));
   CHECK(outer.height.value() == Approx(0.700).epsilon(1e-14));
-  CHECK(outer.flange.value() == Approx(0.045).epsilon(1e-14));
-  CHECK(outer.web.value() == Approx(0.045).epsilon(1e-14));
+  CHECK(outer.top_flange.value() == Approx(0.045).epsilon(1e-14));
+  CHECK(outer.left_web.value() == Approx(0.045).epsilon(1e-14));
   const auto& inner = std::get<RoundTube>(*quarter.inner);
   CHECK(inner.diameter.value() == Approx(0.175).epsilon(1e-14));
   CHECK(inner.wall.value() == Approx(0.015).epsilon(1e-14));
@@ -106,7 +107,7 @@ TEST_CASE("only sections of the same kinds of profile taper into each other") {
 TEST_CASE("height, clear height and the wall at a level follow the drawing") {
   const Profile outer = box(400, 600, 50, 40);
   CHECK(height_of(outer).value() == Approx(0.6).epsilon(1e-15));
-  CHECK(half_clear_height(outer).value() == Approx(0.25).epsilon(1e-15));
+  CHECK(clear_top_of(outer).value() == Approx(0.25).epsilon(1e-15));
   for (const double sign : {1.0, -1.0}) {
     CHECK(wall_at(outer, mm(sign * 260)) == mm(50));
     CHECK(wall_at(outer, mm(sign * 240)) == mm(40));
@@ -114,6 +115,6 @@ TEST_CASE("height, clear height and the wall at a level follow the drawing") {
   CHECK(wall_at(outer, mm(0)) == mm(40));
   const Profile round = tube(200, 10);
   CHECK(height_of(round) == mm(200));
-  CHECK(half_clear_height(round).value() == Approx(0.09).epsilon(1e-15));
+  CHECK(clear_top_of(round).value() == Approx(0.09).epsilon(1e-15));
   CHECK(wall_at(round, mm(95)) == mm(10));
 }

@@ -10,8 +10,8 @@ using namespace boxbeam;
 namespace {
 
 Profile box(double width, double height, double thickness) {
-  return HollowRectangle{si<Length>(width), si<Length>(height), si<Length>(thickness),
-                         si<Length>(thickness)};
+  return symmetric_box(si<Length>(width), si<Length>(height), si<Length>(thickness),
+                       si<Length>(thickness));
 }
 
 }  // namespace

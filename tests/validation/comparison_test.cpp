@@ -100,7 +100,7 @@ std::vector<double> published_moments() {
 }
 
 Section box(double height) {
-  return {HollowRectangle{0.4 * metre, si<Length>(height), 0.05 * metre, 0.05 * metre}, {}};
+  return {symmetric_box(0.4 * metre, si<Length>(height), 0.05 * metre, 0.05 * metre), {}};
 }
 
 const Section& rig_tube() { return test::rig().beam.segments.back().from; }

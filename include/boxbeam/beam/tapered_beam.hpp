@@ -5,6 +5,7 @@
 
 #include "boxbeam/numerics/polynomial.hpp"
 #include "boxbeam/section/section.hpp"
+#include "boxbeam/section/taper.hpp"
 
 namespace boxbeam {
 
@@ -64,6 +65,10 @@ std::size_t segment_at(const TaperedBeam& beam, const Station& station);
 
 /// The section at a station.
 Section section_at(const TaperedBeam& beam, const Station& station);
+
+/// How the section at a station changes along its segment; empty where it does not. Differences of
+/// second order over steps of a hundred-thousandth of the segment, to one side at its ends.
+Taper taper_at(const TaperedBeam& beam, const Station& station);
 
 /// The places where something is: ends of segments, holes and named points, ascending, each once.
 std::vector<Length> places_of(const TaperedBeam& beam);

@@ -38,6 +38,10 @@ class TableReader {
   /// Two quantities, ["1 m", "2 m"].
   Eigen::Vector2d pair(std::string_view key, const WantedDimension& wanted,
                        std::optional<Eigen::Vector2d> fallback = {});
+  /// Any number of pairs, [["1 m", "2 m"], ...], and of lists of them.
+  std::vector<Eigen::Vector2d> pairs(std::string_view key, const WantedDimension& wanted);
+  std::vector<std::vector<Eigen::Vector2d>> lists_of_pairs(std::string_view key,
+                                                           const WantedDimension& wanted);
   /// A quantity of either sign, but not zero.
   double not_zero(std::string_view key, const WantedDimension& wanted);
   std::vector<double> quantities(std::string_view key, const WantedDimension& wanted);

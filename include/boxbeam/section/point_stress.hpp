@@ -1,14 +1,15 @@
 #pragma once
 
+#include <array>
+
 #include "boxbeam/section/cut_forces.hpp"
-#include "boxbeam/section/section_properties.hpp"
 
 namespace boxbeam {
 
 /// Nominal stress at one point of a section.
 struct PointStress {
   Stress normal;  ///< tension positive
-  Stress shear;
+  Stress shear;   ///< along the wall; signed like the cut force that causes it
 
   /// Equivalent stress of plane stress with one normal component, after von Mises:
   ///
@@ -16,26 +17,26 @@ struct PointStress {
   Stress von_mises() const;
 };
 
-/// What a level z of a section contributes to its stress; depends on the section only.
+/// Places of the cut forces in an influence.
+namespace cut_force {
+enum Index : std::size_t { N, V_y, V_z, T, M_y, M_z };
+}  // namespace cut_force
+
+/// Stress per cut force at one point; depends on the section (and its taper) only, SI: 1/m^2 for
+/// forces, 1/m^3 for moments.
 ///
-///     sigma = N/A + (M_y - N z_c) (z - z_c)/I_y,   tau = V_z S(z) / (I_y b(z))
+///     sigma = sum normal_k c_k,  tau = sum shear_k c_k,  c = (N, V_y, V_z, T, M_y, M_z)
 ///
-/// M_y is taken about mid-height, z_c is the centroid of the (net) section. The shear formula is
-/// Jourawski's for a prismatic piece: in a taper the inclined flanges carry a part of V_z, which
-/// it leaves with the webs. Valid for bending in the plane of motion (V_y = T = M_z = 0).
-/// Source: Timoshenko, Strength of Materials I, articles 22 and 26.
-struct StressLevel {
-  double per_N = 0.0;  ///< sigma per N [1/m^2]
-  double per_M = 0.0;  ///< sigma per M_y [1/m^3]
-  double per_V =
-      0.0;  ///< sigma per V_z: only where shear turns into hoop stress, at a hole [1/m^2]
-  double per_shear = 0.0;  ///< tau per V_z [1/m^2]
+/// N and the moments are about the beam axis. A factor that is not known (the torsion of a general
+/// polygon) is NaN: it makes the stress NaN where that cut force is not zero.
+struct StressInfluence {
+  std::array<double, 6> normal{};
+  std::array<double, 6> shear{};
 };
 
-/// Precondition: there is material at level z.
-StressLevel stress_level_of(const Section& section, const std::vector<Hole>& holes,
-                            const SectionProperties& net, Length z);
+PointStress stress_at(const StressInfluence& influence, const CutForces& cut);
 
-PointStress stress_at(const StressLevel& level, const CutForces& cut);
+/// The same influence with the shear multiplied: q/t to q/a on the throat of a weld.
+StressInfluence shear_scaled(const StressInfluence& influence, double factor);
 
 }  // namespace boxbeam

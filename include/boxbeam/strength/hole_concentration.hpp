@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "boxbeam/section/point_stress.hpp"
+#include "boxbeam/section/section_points.hpp"
 #include "boxbeam/strength/hole_factors.hpp"
 
 namespace boxbeam {
@@ -24,9 +24,9 @@ Length plate_width_of(const Section& section, const std::vector<Hole>& holes, co
 
 /// A place on the edge of a hole and the local stress along the edge there.
 struct HoleEdge {
-  Length z;            ///< level of the place
-  double angle = 0.0;  ///< seen from the hole's centre, from +x towards +z [rad]; webs only
-  StressLevel level;   ///< stress per cut force, concentration included
+  Length z;                   ///< level of the place
+  double angle = 0.0;         ///< seen from the hole's centre, from +x towards +z [rad]; webs only
+  StressInfluence influence;  ///< stress per cut force, concentration included
 };
 
 /// Places around the edge of a hole among which the largest stress is looked for.
@@ -36,7 +36,8 @@ struct HoleEdge {
 ///
 ///     sigma = K_g/3 (N/A + M z_0/I) (1 - 2 cos 2 theta) + (M r/I_net) (sin theta - sin 3 theta)
 ///             - 4/(1-a) tau_0 sin 2 theta
-///     K_g = K_t(a)/(1-a),  tau_0 = V S(z_0)/(I b) of the gross section
+///     K_g = K_t(a)/(1-a),  tau_0 the shear at z_0 of the gross section, V S(z_0)/(I b) and the
+///     taper
 ///
 /// every 3 degrees, which misses at most 0.4 % of a peak between two. At theta = +-90 degrees
 /// without shear: K_g times the membrane part and 2 M r/I_net. The factors of an infinite plate are
@@ -46,7 +47,8 @@ struct HoleEdge {
 /// of Elasticity, article 35; gradient: Airy function of kappa z^3/6 with the same boundary
 /// conditions; the factor 2 also in Roark's Formulas, table 17.1 (conservative by 0 to 4 % for d/w
 /// up to 0.7).
+/// Bending in the plane of motion: M_z, V_y and T are not counted.
 std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Hole>& holes,
-                                    const Hole& hole, HoleCase hole_case);
+                                    const Taper& taper, const Hole& hole, HoleCase hole_case);
 
 }  // namespace boxbeam

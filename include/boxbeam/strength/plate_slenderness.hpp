@@ -8,20 +8,25 @@
 
 namespace boxbeam {
 
-/// A plate too slender for elastic stresses on the gross section: it may buckle before it yields.
+/// How slender a plate is.
 struct SlenderPlate {
-  std::string plate;   ///< "flange", "web", "round wall"
-  double ratio = 0.0;  ///< c/t of the clear plate, or D/t
+  std::string plate;   ///< "flange", "web", "top flange", "round wall", "wall 2", ...
+  double ratio = 0.0;  ///< c/t of the clear plate between walls and stiffeners, or D/t
   double limit = 0.0;  ///< of class 3
 };
 
-/// The plates of a profile beyond the limit of class 3, where the section is class 4:
+/// The plates of a profile and the limits of class 3:
 ///
-///     flange c/t <= 42 eps (compression),  web c/t <= 124 eps (bending),  tube D/t <= 90 eps^2
-///     eps = sqrt(235 MPa/f_y)
+///     flange c/t <= 42 eps (compression),  web c/t <= 124 eps (bending),  tube D/t <= 90 eps^2,
+///     outstand (a stiffener, a wall with a free edge) c/t <= 14 eps,  eps = sqrt(235 MPa/f_y)
 ///
-/// A necessary condition: axial compression lowers the web's limit. Plates without a yield strength
-/// in the material's table are left out. Source: EN 1993-1-1:2005, table 5.2.
+/// A necessary condition: axial compression lowers the web's limit; a web divided by stiffeners is
+/// taken as compressed. Plates without a yield strength in the material's table are left out,
+/// solids have none. Source: EN 1993-1-1:2005, table 5.2.
+std::vector<SlenderPlate> plate_slenderness_of(const Profile& profile, const Material& material);
+
+/// Those beyond the limit, where the section is class 4: they may buckle before they yield, and
+/// elastic stresses on the gross section mean nothing.
 std::vector<SlenderPlate> slender_plates_of(const Profile& profile, const Material& material);
 
 }  // namespace boxbeam

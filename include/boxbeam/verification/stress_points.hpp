@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
-#include "boxbeam/section/point_stress.hpp"
+#include "boxbeam/section/section_points.hpp"
+#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
@@ -25,11 +26,12 @@ struct EdgeConcentration {
 struct StressPoint {
   Station station;
   std::string name;  ///< "fibre +z"
-  Length z;
+  Length y, z;
   Section section;
   SectionProperties gross, net;
-  StressLevel level;
-  Length plate;  ///< thickness that decides the yield strength
+  StressInfluence influence;  ///< shear by equilibrium in the taper
+  StressInfluence prismatic;  ///< shear by V S/(I b), for comparison
+  Length plate;               ///< thickness that decides the yield strength
   Stress yield_strength;
   std::optional<EdgeConcentration> concentration;
   std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/section/outline.hpp"
+#include "boxbeam/section/point_stress.hpp"
+#include "boxbeam/section/shear_flow.hpp"
+
+namespace boxbeam {
+
+/// A section with everything that its stresses follow from.
+struct StressField {
+  Section section;
+  std::vector<Hole> holes;
+  Taper taper;
+  AreaSums sums;                       ///< net
+  std::optional<ShearFlow> flow;       ///< equilibrium flow; nothing for solid sections
+  std::optional<ShearFlow> prismatic;  ///< V S/I, as if the section did not change
+};
+
+StressField stress_field_of(const Section& section, const std::vector<Hole>& holes,
+                            const Taper& taper);
+
+/// A place in a section whose stress is to be verified.
+struct SectionPoint {
+  std::string name;
+  Length y, z;
+  Length plate;               ///< thickness that decides the yield strength
+  StressInfluence influence;  ///< shear by equilibrium, taper included
+  StressInfluence prismatic;  ///< shear by V S/(I t), for comparison; the same without taper
+  /// On a seam of a box: the shear on the throat of the weld, q/a, a the throat of the whole seam.
+  std::optional<StressInfluence> on_throat;
+};
+
+/// Which places of a section are looked at.
+enum class PointSet {
+  in_plane,  ///< those that can govern under N, V_z and M_y in a section symmetric about z
+  all
+};
+
+/// The named places of a section. In plane: "fibre +z", "fibre -z", of boxes and rectangular tubes
+/// "web end +z", "web end -z", "neutral axis", and "inner fibre +z", "inner fibre -z" of an inner
+/// profile. All: besides them corners, webs on both sides and flanges beside them ("web end +y
+/// +z"), faces of the webs ("fibre +y"), every 45 degrees of a round tube, ends, middle and neutral
+/// axis of every wall of a path on both faces, every corner of a polygon. Sections that are not
+/// symmetric about z always give all. A place in a hole is left out.
+///
+/// The shear of a wall is q/t, on the outer face of a cell or, in an open wall, on the face named,
+/// with t/I_T per torque. Solid sections have a mean over a level,
+///
+///     tau = dF/dx/b,  F the force of the part beyond z; V S/(I b) without taper
+///
+/// Plates know V_y likewise, and T by the exact series in the middles of the sides. Of polygons V_y
+/// and T are not known: their factors are NaN. Source: Jourawski (1856); Timoshenko and Goodier,
+/// article 109.
+std::vector<SectionPoint> points_of(const StressField& field, PointSet set);
+
+/// The material at a level: of a web, wall to wall (both webs where they may differ), in a flange
+/// the mean over its width. Nothing where the level lies in a hole.
+std::vector<SectionPoint> points_at_level(const StressField& field, const std::string& name,
+                                          Length z, PointSet set);
+
+/// Why the shear of V_y or T is not known in a section, or nothing.
+std::optional<std::string> unknown_shear_of(const Section& section);
+
+}  // namespace boxbeam

@@ -1,0 +1,405 @@
+#include "boxbeam/section/section_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "boxbeam/section/level_shear.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// A place on a wall.
+struct WallPlace {
+  std::size_t wall = 0;
+  double fraction = 0.0;
+};
+
+bool is_web(const Wall& wall) {
+  return wall.part == WallPart::left_web || wall.part == WallPart::right_web;
+}
+
+bool has_webs(const Profile& profile) {
+  return std::holds_alternative<Box>(profile) || std::holds_alternative<RectangularTube>(profile);
+}
+
+void set_shear(StressInfluence& influence, const CutFactors& factors) {
+  for (std::size_t k = 0; k < influence.shear.size(); ++k) {
+    influence.shear[k] = factors[static_cast<Eigen::Index>(k)];
+  }
+}
+
+/// Shear stress on a face of a wall: 1 the right, -1 the left, 0 the outer one of a cell.
+CutFactors wall_shear(const ShearFlow& flow, const WallPlace& place, double face) {
+  const CutFactors q = flow_at(flow, place.wall, place.fraction);
+  if (face == 0.0) face = q[cut_force::T] < 0.0 ? -1.0 : 1.0;
+  return q / flow.at.graph.walls[place.wall].thickness + face * face_shear_of(flow, place.wall);
+}
+
+SectionPoint point_at(const StressField& field, const std::string& name, double y, double z,
+                      Length plate) {
+  SectionPoint point;
+  point.name = name;
+  point.y = si<Length>(y);
+  point.z = si<Length>(z);
+  point.plate = plate;
+  point.influence = point.prismatic = normal_influence(field.sums, y, z);
+  return point;
+}
+
+/// Shear from the wall, normal stress at (y, z), which may be the face of the wall.
+SectionPoint wall_point(const StressField& field, const std::string& name, const WallPlace& place,
+                        double y, double z, double face, Length plate) {
+  SectionPoint point = point_at(field, name, y, z, plate);
+  set_shear(point.influence, wall_shear(*field.flow, place, face));
+  set_shear(point.prismatic, wall_shear(*field.prismatic, place, face));
+  return point;
+}
+
+/// The place on walls of a part, of material if there is any, nearest to a coordinate along them: z
+/// on webs, y on flanges. Walls run along their axis in ascending order.
+WallPlace nearest(const WallGraph& graph, WallPart part, bool inner, double along) {
+  WallPlace best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+    const Wall& wall = graph.walls[i];
+    if (wall.part != part || wall.inner != inner) continue;
+    const Eigen::Index axis = is_web(wall) ? 1 : 0;
+    const double low = wall.start[axis], high = wall.end[axis];
+    const double at = std::clamp(along, low, high);
+    // At the edge of a hole the material beside it is meant.
+    const double distance = std::abs(along - at) + (wall.solid ? 0.0 : 1e-9 * (high - low));
+    if (distance >= least) continue;
+    least = distance;
+    best = {i, (at - low) / (high - low)};
+  }
+  return best;
+}
+
+/// The place of a round tube at an angle from +y towards +z.
+WallPlace on_round(const WallGraph& graph, bool inner, double angle) {
+  const double turn = 2.0 * std::numbers::pi;
+  const double positive = angle - turn * std::floor(angle / turn);
+  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+    const Wall& wall = graph.walls[i];
+    const double fraction = (positive - wall.angle) / wall.sweep;
+    if (wall.inner == inner && fraction >= 0.0 && fraction <= 1.0) return {i, fraction};
+  }
+  return {};
+}
+
+bool in_hole(const StressField& field, Length z) {
+  return width_at(field.section, field.holes, z).value() <= 0.0 &&
+         abs(z) < 0.5 * height_of(field.section.outer);
+}
+
+/// A fibre of a box or tube in the middle of its top or bottom; sign +1 or -1.
+SectionPoint fibre(const StressField& field, const std::string& name, bool inner, double sign) {
+  const Profile& profile = inner ? *field.section.inner : field.section.outer;
+  const WallGraph& graph = field.flow->at.graph;
+  const Extent extent = extent_of(profile);
+  const Length z = sign > 0.0 ? extent.z_high : extent.z_low;
+  const WallPlace place =
+      has_webs(profile)
+          ? nearest(graph, sign > 0.0 ? WallPart::top_flange : WallPart::bottom_flange, inner, 0.0)
+          : on_round(graph, inner, sign * 0.5 * std::numbers::pi);
+  const Length plate = inner ? wall_at(profile, z) : wall_at(field.section, z);
+  return wall_point(field, name, place, 0.0, z.value(), 0.0, plate);
+}
+
+/// A place on a web. `seam`: whether it is its end, where the flange is welded on.
+SectionPoint web_point(const StressField& field, const std::string& name, WallPart web, double z,
+                       bool seam) {
+  const WallPlace place = nearest(field.flow->at.graph, web, false, z);
+  const Wall& wall = field.flow->at.graph.walls[place.wall];
+  const double y = wall.start.x();
+  SectionPoint point =
+      wall_point(field, name, place, y, z, 0.0, wall_at(field.section, si<Length>(z)));
+  if (const auto* box = std::get_if<Box>(&field.section.outer); box != nullptr && seam) {
+    const double throat =
+        box->seam_throat.value() > 0.0 ? box->seam_throat.value() : wall.thickness;
+    // The weld carries the flow of the mid-line.
+    StressInfluence weld = point.influence;
+    set_shear(weld, flow_at(*field.flow, place.wall, place.fraction) / throat);
+    point.on_throat = weld;
+  }
+  return point;
+}
+
+/// A place in a solid, or the mean over a level of any other section, at y.
+SectionPoint level_point(const StressField& field, const std::string& name, double y, double z) {
+  SectionPoint point = point_at(field, name, y, z, wall_at(field.section, si<Length>(z)));
+  set_shear(point.influence, level_shear_of(field.section, field.holes, field.taper, z));
+  set_shear(point.prismatic, level_shear_of(field.section, field.holes, {}, z));
+  return point;
+}
+
+std::string signed_axis(double sign, char axis) {
+  return fmt::format("{}{}", sign > 0.0 ? '+' : '-', axis);
+}
+
+void add_tube_points(const StressField& field, bool inner, std::vector<SectionPoint>& points) {
+  const Profile& profile = inner ? *field.section.inner : field.section.outer;
+  const Extent extent = extent_of(profile);
+  const double radius = extent.y_high.value();
+  const std::string before = inner ? "inner " : "";
+  for (int k = 0; k < 8; ++k) {
+    const double angle = 0.25 * std::numbers::pi * k;
+    points.push_back(wall_point(field, fmt::format("{}wall at {} deg", before, 45 * k),
+                                on_round(field.flow->at.graph, inner, angle),
+                                radius * std::cos(angle), radius * std::sin(angle), 0.0,
+                                wall_at(profile, Length{})));
+  }
+}
+
+/// Corners, both webs and the flanges beside them, of a box or rectangular tube.
+void add_box_points(const StressField& field, bool inner, std::vector<SectionPoint>& points) {
+  const Profile& profile = inner ? *field.section.inner : field.section.outer;
+  const WallGraph& graph = field.flow->at.graph;
+  const Extent extent = extent_of(profile);
+  const std::string before = inner ? "inner " : "";
+  const Length middle = properties_of(field.section, field.holes).centroid_z;
+  for (const double side : {1.0, -1.0}) {
+    const WallPart web = side > 0.0 ? WallPart::left_web : WallPart::right_web;
+    const double face = (side > 0.0 ? extent.y_high : extent.y_low).value();
+    const std::string y_name = signed_axis(side, 'y');
+    for (const double up : {1.0, -1.0}) {
+      const WallPart flange = up > 0.0 ? WallPart::top_flange : WallPart::bottom_flange;
+      const Length outer = up > 0.0 ? extent.z_high : extent.z_low;
+      const Length clear = up > 0.0 ? clear_top_of(profile) : clear_bottom_of(profile);
+      const std::string at = fmt::format("{} {}", y_name, signed_axis(up, 'z'));
+      // Both faces that meet in an outer corner are free of shear.
+      points.push_back(
+          point_at(field, before + "corner " + at, face, outer.value(), wall_at(profile, outer)));
+      const Wall& at_web = graph.walls[nearest(graph, web, inner, clear.value()).wall];
+      const double y = at_web.start.x() - side * 0.5 * at_web.thickness;
+      points.push_back(wall_point(field, before + "flange end " + at,
+                                  nearest(graph, flange, inner, y), y, outer.value(), 0.0,
+                                  wall_at(profile, outer)));
+      if (!inner) {
+        points.push_back(web_point(field, "web end " + at, web, clear.value(), true));
+      }
+    }
+    const WallPlace half = nearest(graph, web, inner, 0.0);
+    points.push_back(wall_point(field, before + "fibre " + y_name, half, face, 0.0, 0.0,
+                                wall_at(profile, Length{})));
+    if (inner || !in_hole(field, middle)) {
+      points.push_back(wall_point(field, before + "neutral axis " + y_name,
+                                  nearest(graph, web, inner, middle.value()), face, middle.value(),
+                                  0.0, wall_at(profile, middle)));
+    }
+  }
+}
+
+void add_stiffener_points(const StressField& field, std::vector<SectionPoint>& points) {
+  int number = 0;
+  const WallGraph& graph = field.flow->at.graph;
+  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+    const Wall& wall = graph.walls[i];
+    if (wall.part != WallPart::stiffener) continue;
+    points.push_back(wall_point(field, fmt::format("stiffener {} edge", ++number), {i, 1.0},
+                                wall.end.x(), wall.end.y(), 0.0, si<Length>(wall.thickness)));
+  }
+}
+
+void add_path_points(const StressField& field, std::vector<SectionPoint>& points) {
+  const WallGraph& graph = field.flow->at.graph;
+  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+    const Wall& wall = graph.walls[i];
+    const auto add = [&](const char* where, double fraction) {
+      const Eigen::Vector2d along = direction_on(wall, fraction);
+      const Eigen::Vector2d left(-along.y(), along.x());
+      for (const double face : {1.0, -1.0}) {
+        const Eigen::Vector2d at = point_on(wall, fraction) - face * 0.5 * wall.thickness * left;
+        points.push_back(wall_point(
+            field, fmt::format("wall {} {} {}", i + 1, where, face > 0.0 ? "right" : "left"),
+            {i, fraction}, at.x(), at.y(), face, si<Length>(wall.thickness)));
+      }
+    };
+    add("start", 0.0);
+    add("middle", 0.5);
+    add("end", 1.0);
+    // Where the stress of M_y changes its sign the flow of V_z is largest.
+    const Eigen::Vector3d plane = field.flow->at.plane.col(1);
+    const auto stress = [&](const Eigen::Vector2d& at) {
+      return plane.dot(Eigen::Vector3d(1.0, at.x(), at.y()));
+    };
+    const double first = stress(wall.start), last = stress(wall.end);
+    if ((first > 0.0) != (last > 0.0)) add("neutral axis", first / (first - last));
+  }
+}
+
+/// Plates: the level's mean for V_z on the sides, for V_y on top and bottom, T by the series.
+SectionPoint plate_point(const StressField& field, const std::string& name, double y, double z) {
+  const auto& plate = std::get<Plate>(field.section.outer);
+  SectionPoint point = level_point(field, name, y, z);
+  const double half_width = 0.5 * plate.width.value(), half_height = 0.5 * plate.height.value();
+  const bool top_or_bottom = std::abs(z) == half_height;
+  const bool corner = top_or_bottom && std::abs(y) == half_width;
+  for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
+    const Taper taper = influence == &point.influence ? field.taper : Taper{};
+    influence->shear[cut_force::T] = 0.0;
+    if (top_or_bottom && !corner) {
+      set_shear(*influence, level_shear_across_of(field.section, field.holes, taper, y));
+      influence->shear[cut_force::T] =
+          (z > 0.0 ? -1.0 : 1.0) * torsion_shear_of_rectangle(plate.width, plate.height);
+    } else if (!corner) {
+      influence->shear[cut_force::T] =
+          (y < 0.0 ? -1.0 : 1.0) * torsion_shear_of_rectangle(plate.height, plate.width);
+    }
+  }
+  return point;
+}
+
+void add_polygon_points(const StressField& field, std::vector<SectionPoint>& points) {
+  const auto add = [&](const std::string& name, double y, double z) {
+    SectionPoint point = level_point(field, name, y, z);
+    for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
+      influence->shear[cut_force::V_y] = influence->shear[cut_force::T] =
+          std::numeric_limits<double>::quiet_NaN();
+    }
+    points.push_back(point);
+  };
+  const auto& polygon = std::get<Polygon>(field.section.outer);
+  int number = 0;
+  for (const SectionPlace& place : polygon.outer) {
+    add(fmt::format("corner {}", ++number), place.y.value(), place.z.value());
+  }
+  const double z = field.sums.z / field.sums.area;
+  if (!in_hole(field, si<Length>(z))) add("neutral axis", field.sums.y / field.sums.area, z);
+}
+
+void add_plate_points(const StressField& field, PointSet set, std::vector<SectionPoint>& points) {
+  const Extent extent = extent_of(field.section.outer);
+  const double y = extent.y_high.value(), z = extent.z_high.value();
+  const Length middle = si<Length>(field.sums.z / field.sums.area);
+  points.push_back(plate_point(field, "fibre +z", 0.0, z));
+  points.push_back(plate_point(field, "fibre -z", 0.0, -z));
+  const bool solid = !in_hole(field, middle);
+  if (set == PointSet::in_plane) {
+    if (solid) points.push_back(plate_point(field, "neutral axis", y, middle.value()));
+    return;
+  }
+  for (const double side : {1.0, -1.0}) {
+    const std::string y_name = signed_axis(side, 'y');
+    if (solid)
+      points.push_back(plate_point(field, "neutral axis " + y_name, side * y, middle.value()));
+    for (const double up : {1.0, -1.0}) {
+      points.push_back(plate_point(field, fmt::format("corner {} {}", y_name, signed_axis(up, 'z')),
+                                   side * y, up * z));
+    }
+  }
+}
+
+void add_hollow_points(const StressField& field, PointSet set, std::vector<SectionPoint>& points) {
+  const Profile& outer = field.section.outer;
+  const Length middle = si<Length>(field.sums.z / field.sums.area);
+  points.push_back(fibre(field, "fibre +z", false, 1.0));
+  points.push_back(fibre(field, "fibre -z", false, -1.0));
+  if (has_webs(outer) && set == PointSet::in_plane) {
+    points.push_back(
+        web_point(field, "web end +z", WallPart::left_web, clear_top_of(outer).value(), true));
+    points.push_back(
+        web_point(field, "web end -z", WallPart::left_web, clear_bottom_of(outer).value(), true));
+  }
+  if (set == PointSet::in_plane) {
+    // In a hole at mid-height there is no neutral fibre.
+    for (SectionPoint& point : points_at_level(field, "neutral axis", middle, set)) {
+      points.push_back(std::move(point));
+    }
+  } else if (has_webs(outer)) {
+    add_box_points(field, false, points);
+  } else {
+    add_tube_points(field, false, points);
+  }
+  add_stiffener_points(field, points);
+  if (!field.section.inner) return;
+  points.push_back(fibre(field, "inner fibre +z", true, 1.0));
+  points.push_back(fibre(field, "inner fibre -z", true, -1.0));
+  if (set == PointSet::in_plane) return;
+  if (has_webs(*field.section.inner))
+    add_box_points(field, true, points);
+  else
+    add_tube_points(field, true, points);
+}
+
+}  // namespace
+
+StressField stress_field_of(const Section& section, const std::vector<Hole>& holes,
+                            const Taper& taper) {
+  StressField field{section, holes, taper, sums_of(outline_of(section, holes)), {}, {}};
+  field.flow = shear_flow_of(section, holes, taper);
+  field.prismatic = taper.empty() ? field.flow : shear_flow_of(section, holes, {});
+  return field;
+}
+
+std::vector<SectionPoint> points_of(const StressField& field, PointSet set) {
+  const Profile& outer = field.section.outer;
+  if (!is_symmetric_about_z(field.section)) set = PointSet::all;
+  std::vector<SectionPoint> points;
+  if (std::holds_alternative<Plate>(outer))
+    add_plate_points(field, set, points);
+  else if (std::holds_alternative<Polygon>(outer))
+    add_polygon_points(field, points);
+  else if (std::holds_alternative<ThinWalled>(outer))
+    add_path_points(field, points);
+  else
+    add_hollow_points(field, set, points);
+  return points;
+}
+
+std::vector<SectionPoint> points_at_level(const StressField& field, const std::string& name,
+                                          Length z, PointSet set) {
+  if (in_hole(field, z)) return {};
+  const Profile& outer = field.section.outer;
+  if (!is_symmetric_about_z(field.section)) set = PointSet::all;
+  if (const auto* tube = std::get_if<RoundTube>(&outer)) {
+    const double radius = 0.5 * (tube->diameter - tube->wall).value();
+    const double angle = std::asin(std::clamp(z.value() / radius, -1.0, 1.0));
+    const double y = std::sqrt(std::max(0.0, radius * radius - z.value() * z.value()));
+    return {wall_point(field, name, on_round(field.flow->at.graph, false, angle), y, z.value(), 0.0,
+                       wall_at(field.section, z))};
+  }
+  if (has_webs(outer) && z >= clear_bottom_of(outer) && z <= clear_top_of(outer)) {
+    if (set == PointSet::in_plane) {
+      return {web_point(field, name, WallPart::left_web, z.value(), false)};
+    }
+    return {web_point(field, name + " +y", WallPart::left_web, z.value(), false),
+            web_point(field, name + " -y", WallPart::right_web, z.value(), false)};
+  }
+  SectionPoint point = std::holds_alternative<Plate>(outer)
+                           ? plate_point(field, name, extent_of(outer).y_high.value(), z.value())
+                           : level_point(field, name, 0.0, z.value());
+  if (has_webs(outer)) {
+    // V_y, M_z and T act along a flange, which a level does not cut.
+    const WallPart flange = z.value() > 0.0 ? WallPart::top_flange : WallPart::bottom_flange;
+    const WallPlace place = nearest(field.flow->at.graph, flange, false, 0.0);
+    const auto take = [&](StressInfluence& influence, const ShearFlow& flow) {
+      const CutFactors along = wall_shear(flow, place, 0.0);
+      for (const std::size_t k : {cut_force::V_y, cut_force::T, cut_force::M_z}) {
+        influence.shear[k] = along[static_cast<Eigen::Index>(k)];
+      }
+    };
+    take(point.influence, *field.flow);
+    take(point.prismatic, *field.prismatic);
+  } else if (!std::holds_alternative<Plate>(outer)) {
+    for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
+      influence->shear[cut_force::V_y] = influence->shear[cut_force::T] =
+          std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return {point};
+}
+
+std::optional<std::string> unknown_shear_of(const Section& section) {
+  if (!std::holds_alternative<Polygon>(section.outer)) return std::nullopt;
+  return "the shear stress of V_y and T is not known in a polygon: give it as a plate, a box or a "
+         "thin-walled path";
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,253 @@
+#include "boxbeam/section/shear_flow.hpp"
+
+#include <Eigen/Cholesky>
+#include <boost/math/quadrature/gauss.hpp>
+#include <numeric>
+
+#include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/torsion.hpp"
+
+namespace boxbeam {
+namespace {
+
+using Eigen::RowVector3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Calls `visit(fraction, weight)` at the points of a rule on [0, 1]: exact along straight walls.
+template <class Visit>
+void at_gauss_points(const Visit& visit) {
+  using Rule = boost::math::quadrature::gauss<double, 7>;
+  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+    const double x = 0.5 * Rule::abscissa()[i];
+    const double weight = 0.5 * Rule::weights()[i];
+    visit(0.5 + x, weight);
+    if (x != 0.0) visit(0.5 - x, weight);
+  }
+}
+
+StressedWalls stressed_walls_of(const Section& section, const std::vector<Hole>& holes) {
+  StressedWalls walls;
+  walls.graph = *wall_graph_of(section, holes);
+  walls.cells = wall_cells_of(walls.graph);
+  walls.plane = normal_stress_plane(sums_of(outline_of(section, holes)));
+  return walls;
+}
+
+/// Resultant of the normal stresses of some material per N, M_y, M_z: alpha, beta_y, beta_z.
+RowVector3d force_of(const Vector3d& material, const StressedWalls& walls) {
+  return material.transpose() * walls.plane;
+}
+
+RowVector3d force_upstream(const StressedWalls& walls, std::size_t wall, double fraction) {
+  return force_of(walls.cells.upstream[wall] + material_up_to(walls.graph.walls[wall], fraction),
+                  walls);
+}
+
+RowVector3d force_of_component(const StressedWalls& walls, std::size_t wall) {
+  return force_of(walls.cells.total[walls.cells.component[wall]], walls);
+}
+
+/// Flow of the walls cut open.
+CutFactors open_flow(const ShearFlow& flow, std::size_t wall, double fraction) {
+  RowVector3d slope = RowVector3d::Zero(), slope_of_all = RowVector3d::Zero();
+  for (const ShearFlow::Nearby& near : flow.taper) {
+    slope += near.weight * force_upstream(near.walls, wall, fraction);
+    slope_of_all += near.weight * force_of_component(near.walls, wall);
+  }
+  const WallCells& cells = flow.at.cells;
+  const double area =
+      cells.upstream[wall][0] + material_up_to(flow.at.graph.walls[wall], fraction)[0];
+  const double share = area / cells.total[cells.component[wall]][0];
+  return share * flow_out_of(force_of_component(flow.at, wall), slope_of_all) -
+         flow_out_of(force_upstream(flow.at, wall, fraction), slope);
+}
+
+/// Flow without twist: cut open, and closed again by the cells' flows.
+CutFactors transverse_flow(const ShearFlow& flow, std::size_t wall, double fraction) {
+  CutFactors factors = open_flow(flow, wall, fraction);
+  const std::vector<Cell>& cells = flow.at.cells.cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const Cell::Side& side : cells[i].sides) {
+      if (side.wall == wall) {
+        factors += side.sign * flow.cell_flows.row(static_cast<Eigen::Index>(i)).transpose();
+      }
+    }
+  }
+  return factors;
+}
+
+/// Integral of the open flow over length by thickness of a wall, links to its nodes included.
+CutFactors warp_of(const ShearFlow& flow, std::size_t index) {
+  const Wall& wall = flow.at.graph.walls[index];
+  CutFactors sum = CutFactors::Zero();
+  at_gauss_points([&](double f, double weight) { sum += weight * open_flow(flow, index, f); });
+  sum *= length_of(wall);
+  sum += (wall.start - flow.at.graph.nodes[wall.from]).norm() * open_flow(flow, index, 0.0);
+  sum += (flow.at.graph.nodes[wall.to] - wall.end).norm() * open_flow(flow, index, 1.0);
+  return sum / wall.thickness;
+}
+
+void close_cells(ShearFlow& flow) {
+  const std::vector<Cell>& cells = flow.at.cells.cells;
+  const auto n = static_cast<Eigen::Index>(cells.size());
+  flow.cell_flows.setZero(n, 6);
+  if (n == 0) return;
+  Eigen::Matrix<double, Eigen::Dynamic, 6> gap(n, 6);
+  gap.setZero();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (const Cell::Side& side : cells[static_cast<std::size_t>(i)].sides) {
+      gap.row(i) -= side.sign * warp_of(flow, side.wall).transpose();
+    }
+  }
+  flow.cell_flows = flow.at.cells.flexibility.ldlt().solve(gap);
+}
+
+/// Adds a force per cut force along a way from one place to the next.
+void add_force(Eigen::Matrix<double, 3, 6>& sum, const CutFactors& flow, const Vector2d& from,
+               const Vector2d& to) {
+  const Vector2d way = to - from;
+  sum.row(0) += way.x() * flow.transpose();
+  sum.row(1) += way.y() * flow.transpose();
+  sum.row(2) += cross(from, to) * flow.transpose();
+}
+
+/// V_y, V_z and T of the flows along the mid-lines.
+template <class Flow>
+Eigen::Matrix<double, 3, 6> along_walls(const WallGraph& graph, const Flow& flow) {
+  Eigen::Matrix<double, 3, 6> sum = Eigen::Matrix<double, 3, 6>::Zero();
+  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+    const Wall& wall = graph.walls[i];
+    const double length = length_of(wall);
+    at_gauss_points([&](double f, double weight) {
+      const Vector2d at = point_on(wall, f);
+      add_force(sum, flow(i, f), at, at + weight * length * direction_on(wall, f));
+    });
+    add_force(sum, flow(i, 0.0), graph.nodes[wall.from], wall.start);
+    add_force(sum, flow(i, 1.0), wall.end, graph.nodes[wall.to]);
+  }
+  return sum;
+}
+
+/// V_y, V_z and T of the normal stresses, which follow the material in a taper.
+Eigen::Matrix<double, 3, 6> of_inclined_stress(const ShearFlow& flow) {
+  Eigen::Matrix<double, 3, 6> sum = Eigen::Matrix<double, 3, 6>::Zero();
+  if (flow.taper.empty()) return sum;
+  for (std::size_t i = 0; i < flow.at.graph.walls.size(); ++i) {
+    const Wall& wall = flow.at.graph.walls[i];
+    if (!wall.solid) continue;
+    const double area = material_up_to(wall, 1.0)[0];
+    at_gauss_points([&](double f, double weight) {
+      Vector2d slope = Vector2d::Zero();
+      for (const ShearFlow::Nearby& near : flow.taper) {
+        slope += near.weight * point_on(near.walls.graph.walls[i], f);
+      }
+      const Vector2d at = point_on(wall, f);
+      const RowVector3d force = weight * area * RowVector3d(1.0, at.x(), at.y()) * flow.at.plane;
+      CutFactors factors = CutFactors::Zero();
+      factors[cut_force::N] = force[0];
+      factors[cut_force::M_y] = force[1];
+      factors[cut_force::M_z] = force[2];
+      add_force(sum, factors, at, at + slope);
+    });
+  }
+  return sum;
+}
+
+/// Torsion constants of the outer and the inner profile. Precondition: thin-walled.
+std::vector<double> torsion_constants_of(const Section& section) {
+  std::vector<double> constants{torsion_constant_of(section.outer)->value()};
+  if (section.inner) constants.push_back(torsion_constant_of(*section.inner)->value());
+  return constants;
+}
+
+/// Cells carry what a component's torsion constant has beyond its walls' own s t^3/3.
+void set_torsion(ShearFlow& flow, const Section& section) {
+  const std::vector<double> constants = torsion_constants_of(section);
+  const double whole = std::accumulate(constants.begin(), constants.end(), 0.0);
+  flow.twist_per_torque = 1.0 / whole;
+  const WallCells& cells = flow.at.cells;
+  flow.cell_flows_per_torque = flows_per_twist(cells);
+  std::vector<double> own(constants.size(), 0.0), bredt(constants.size(), 0.0);
+  for (std::size_t i = 0; i < flow.at.graph.walls.size(); ++i) {
+    const Wall& wall = flow.at.graph.walls[i];
+    own[cells.component[i]] +=
+        length_of(wall) * wall.thickness * wall.thickness * wall.thickness / 3.0;
+  }
+  for (std::size_t i = 0; i < cells.cells.size(); ++i) {
+    bredt[cells.cells[i].component] +=
+        2.0 * cells.cells[i].area * flow.cell_flows_per_torque[static_cast<Eigen::Index>(i)];
+  }
+  for (std::size_t i = 0; i < cells.cells.size(); ++i) {
+    const std::size_t c = cells.cells[i].component;
+    flow.cell_flows_per_torque[static_cast<Eigen::Index>(i)] *=
+        (constants[c] - own[c]) / bredt[c] / whole;
+  }
+}
+
+}  // namespace
+
+std::optional<ShearFlow> shear_flow_of(const Section& section, const std::vector<Hole>& holes,
+                                       const Taper& taper) {
+  if (!wall_graph_of(section, holes)) return std::nullopt;
+  ShearFlow flow;
+  flow.at = stressed_walls_of(section, holes);
+  for (const NearbySection& near : taper) {
+    flow.taper.push_back({stressed_walls_of(near.section, holes), near.weight});
+  }
+  close_cells(flow);
+  set_torsion(flow, section);
+  const Eigen::Matrix<double, 3, 6> carried =
+      along_walls(flow.at.graph,
+                  [&](std::size_t wall, double f) { return transverse_flow(flow, wall, f); }) +
+      of_inclined_stress(flow);
+  flow.torque = -carried.row(2).transpose();
+  flow.torque[cut_force::T] = 1.0;
+  return flow;
+}
+
+CutFactors flow_at(const ShearFlow& flow, std::size_t wall, double fraction) {
+  CutFactors factors = transverse_flow(flow, wall, fraction);
+  const std::vector<Cell>& cells = flow.at.cells.cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const Cell::Side& side : cells[i].sides) {
+      if (side.wall != wall) continue;
+      factors += side.sign * flow.cell_flows_per_torque[static_cast<Eigen::Index>(i)] * flow.torque;
+    }
+  }
+  return factors;
+}
+
+CutFactors face_shear_of(const ShearFlow& flow, std::size_t wall) {
+  // A wall's own stress runs round within its thickness, counter-clockwise for T > 0: forwards on
+  // the right.
+  return flow.at.graph.walls[wall].thickness * flow.twist_per_torque * flow.torque;
+}
+
+Eigen::Matrix<double, 3, 6> resultants_of(const ShearFlow& flow) {
+  Eigen::Matrix<double, 3, 6> sum =
+      along_walls(flow.at.graph,
+                  [&](std::size_t wall, double f) { return flow_at(flow, wall, f); }) +
+      of_inclined_stress(flow);
+  // The walls' own share of the torque, which runs round within their thickness.
+  double own = 0.0;
+  for (const Wall& wall : flow.at.graph.walls) {
+    own += length_of(wall) * wall.thickness * wall.thickness * wall.thickness / 3.0;
+  }
+  sum.row(2) += own * flow.twist_per_torque * flow.torque.transpose();
+  return sum;
+}
+
+std::optional<SectionPlace> shear_centre_of(const Section& section) {
+  if (std::holds_alternative<Plate>(section.outer)) return SectionPlace{};
+  const auto flow = shear_flow_of(section, {}, {});
+  if (!flow) return std::nullopt;
+  // The torque about the beam axis that V_z and V_y need to pass without twist is y_s V_z - z_s
+  // V_y.
+  return SectionPlace{si<Length>(-flow->torque[cut_force::V_z]),
+                      si<Length>(flow->torque[cut_force::V_y])};
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,114 @@
+// Shear in tapers: balance of pieces between two neighbouring sections.
+
+#include "boxbeam/section/taper.hpp"
+
+#include <cmath>
+
+#include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/section_points.hpp"
+#include "catch.hpp"
+#include "section/random_sections.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+struct TaperedPiece {
+  Section from, to;
+  double length;
+
+  Section at(double x) const { return interpolate(from, to, x / length); }
+  Taper taper_at(double x) const {
+    const double step = 1e-5 * length;
+    return {{at(x - step), -0.5 / step}, {at(x + step), 0.5 / step}};
+  }
+};
+
+/// Force in the top flange and the webs above a fraction of their clear height, by summing sigma
+/// over a grid of the section: owes nothing to walls and trees.
+double force_above(const Section& section, double part, const CutForces& cut) {
+  const auto& box = std::get<Box>(section.outer);
+  const double low = clear_bottom_of(box).value(), high = clear_top_of(box).value();
+  const double top = 0.5 * box.height.value(), left = 0.5 * box.width.value();
+  const double level = low + part * (high - low);
+  const AreaSums sums = sums_of(outline_of(section, {}));
+  const auto over = [&](double y_low, double y_high, double z_low, double z_high) {
+    // The stress is a plane: its mean over a rectangle is that of the middle.
+    const double middle =
+        stress_at(normal_influence(sums, 0.5 * (y_low + y_high), 0.5 * (z_low + z_high)), cut)
+            .normal.value();
+    return middle * (y_high - y_low) * (z_high - z_low);
+  };
+  return over(-left, left, high, top) + over(left - box.left_web.value(), left, level, high) +
+         over(-left, -left + box.right_web.value(), level, high);
+}
+
+}  // namespace
+
+TEST_CASE("tapered boxes: both webs together carry the growth of the force above them",
+          "[section]") {
+  test::RandomSections random(99);
+  for (int i = 0; i < 40; ++i) {
+    Box from = random.box(), to = random.box();
+    from.stiffeners.clear();
+    to.stiffeners.clear();
+    const TaperedPiece piece{{from, {}}, {to, {}}, random.number(1.0, 4.0)};
+    const double x = random.number(0.2, 0.8) * piece.length;
+    const double N = random.number(-1e5, 1e5), V = random.number(-1e5, 1e5);
+    const double M = random.number(-1e5, 1e5), M_z = random.number(-1e5, 1e5);
+    const double V_y = random.number(-1e5, 1e5);
+    const auto cut_at = [&](double s) {
+      CutForces cut;
+      cut.N = si<Force>(N);
+      cut.V_z = si<Force>(V);
+      cut.V_y = si<Force>(V_y);
+      cut.M_y = si<Moment>(M + V * (s - x));      // M_y' = V_z
+      cut.M_z = si<Moment>(M_z - V_y * (s - x));  // M_z' = -V_y
+      return cut;
+    };
+    const ShearFlow flow = *shear_flow_of(piece.at(x), {}, piece.taper_at(x));
+    Eigen::Matrix<double, 6, 1> c;
+    c << N, V_y, V, 0.0, M, M_z;
+    for (const double part : {0.0, 0.3, 0.7, 1.0}) {
+      const double h = 1e-4 * piece.length;
+      const double expected = (force_above(piece.at(x + h), part, cut_at(x + h)) -
+                               force_above(piece.at(x - h), part, cut_at(x - h))) /
+                              (2 * h);
+      double webs = 0.0;
+      for (std::size_t k = 0; k < flow.at.graph.walls.size(); ++k) {
+        const WallPart of = flow.at.graph.walls[k].part;
+        if (of == WallPart::left_web || of == WallPart::right_web) {
+          webs += flow_at(flow, k, part).dot(c);
+        }
+      }
+      CAPTURE(i, part);
+      CHECK(webs == Approx(expected).epsilon(1e-5).margin(1.0));
+    }
+    // Flows and inclined normal forces balance V and T, but for the walls' own thickness.
+    const auto sums = resultants_of(flow);
+    const Eigen::Vector3d balance = sums * c;
+    const double size = std::abs(V) + std::abs(V_y) + (std::abs(M) + std::abs(M_z)) / piece.length +
+                        std::abs(N) / piece.length;
+    CHECK(std::abs(balance[0] - V_y) < 0.02 * size);
+    CHECK(std::abs(balance[1] - V) < 0.02 * size);
+    CHECK(std::abs(balance[2]) < 1e-6 * size);
+  }
+}
+
+TEST_CASE("a prismatic piece has the same shear with and without its taper", "[section]") {
+  test::RandomSections random(4);
+  const Section section{random.box(), {}};
+  const TaperedPiece piece{section, section, 2.0};
+  const StressField plain = stress_field_of(section, {}, {});
+  const StressField tapered = stress_field_of(section, {}, piece.taper_at(1.0));
+  const auto points = points_of(plain, PointSet::all);
+  const auto same = points_of(tapered, PointSet::all);
+  REQUIRE(points.size() == same.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      CHECK(same[i].influence.shear[k] ==
+            Approx(points[i].influence.shear[k]).epsilon(1e-6).margin(1e-6));
+      CHECK(same[i].prismatic.shear[k] == points[i].influence.shear[k]);
+    }
+  }
+}
