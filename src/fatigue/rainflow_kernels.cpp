@@ -152,9 +152,10 @@ __attribute__((target("avx512f,popcnt"))) std::size_t close_enclosed_avx512(doub
     rose = rises >> (lanes - 1);
     before_closed = closes >> (here - 1);
   }
-  for (std::size_t i = before_closed; i < n - decided; ++i) t[kept++] = rest[i];
+  const std::size_t last_stay = n - decided - before_closed;
+  std::copy_n(rest + before_closed, last_stay, t + kept);
   cycles.count = static_cast<std::size_t>(range - cycles.range);
-  return kept + skipped;
+  return kept + last_stay + skipped;
 }
 
 constexpr RainflowKernels avx512_kernels{write_turns_avx512, close_enclosed_avx512};
