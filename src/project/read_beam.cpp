@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/section/section_defect.hpp"
 #include "readers.hpp"
 
@@ -83,23 +84,8 @@ bool overlaps(const TaperedBeam& beam, Length s, const Hole& hole) {
          });
 }
 
-void read_hole(TableReader table, Project& project) {
-  TaperedBeam& beam = project.beam;
-  Hole hole;
-  hole.name = table.text("name");
-  hole.diameter = si<Length>(table.positive("diameter", wanted::length));
-  const Length s = station_of(table, "station", beam);
-  const bool flanges = table.choice("through", {"webs", "flanges"}) == 1;
-  hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
-  const char* where = flanges ? "offsets" : "levels";
-  const std::vector<double> positions = table.quantities(where, wanted::length);
-  constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
-                                HoleCase::published_exponential};
-  const HoleCase hole_case = cases[table.choice(
-      "concentration", {"in-plane bending", "membrane tension", "published exponential"})];
-  table.finish();
-  if (!table.problems().empty()) return;
-
+/// Whether the concentration fits the walls of the hole; notes it where not.
+void check_concentration(TableReader& table, bool flanges, HoleCase hole_case) {
   if (!flanges && hole_case == HoleCase::membrane_tension) {
     table.problem("concentration",
                   "a hole in a web is not in membrane tension: the bending of the beam "
@@ -114,6 +100,53 @@ void read_hole(TableReader table, Project& project) {
     table.problem("concentration", "the published formula was used for a hole in a web",
                   "write concentration = \"membrane tension\"");
   }
+}
+
+/// Concentration and detail of a hole.
+HoleInput read_hole_input(TableReader& table, bool flanges, Length s) {
+  HoleInput input;
+  if (table.has("detail")) {
+    TableReader given = table.table("detail");
+    BeamDetail detail;
+    detail.from = detail.to = s;
+    detail.detail = read_detail(given);
+    detail.assumed = given.text("assumed", "");
+    given.finish();
+    input.detail = std::move(detail);
+  }
+  const bool net = input.detail && input.detail->detail.where == StressPlace::net;
+  if (net && !table.has("concentration")) return input;
+  constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
+                                HoleCase::published_exponential};
+  const HoleCase hole_case = cases[table.choice(
+      "concentration", {"in-plane bending", "membrane tension", "published exponential"})];
+  if (!table.problems().empty()) return input;
+  if (net) {
+    table.problem("concentration",
+                  fmt::format("row {} is for the stress of the net section and contains the "
+                              "concentration at the hole: K_t would count it twice",
+                              input.detail->detail.row),
+                  "take \"concentration\" away, or a detail of the plain plate: row = \"8.1/4\"");
+  }
+  check_concentration(table, flanges, hole_case);
+  input.concentration = hole_case;
+  return input;
+}
+
+void read_hole(TableReader table, Project& project) {
+  TaperedBeam& beam = project.beam;
+  Hole hole;
+  hole.name = table.text("name");
+  hole.diameter = si<Length>(table.positive("diameter", wanted::length));
+  const Length s = station_of(table, "station", beam);
+  const bool flanges = table.choice("through", {"webs", "flanges"}) == 1;
+  hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
+  const char* where = flanges ? "offsets" : "levels";
+  const std::vector<double> positions = table.quantities(where, wanted::length);
+  const HoleInput input = read_hole_input(table, flanges, s);
+  table.finish();
+  if (!table.problems().empty()) return;
+
   const std::string name = hole.name;
   const auto named_alike = [&](const BeamHole& other) {
     return other.hole.name == name || other.hole.name.starts_with(name + " ");
@@ -136,7 +169,7 @@ void read_hole(TableReader table, Project& project) {
                     "move them apart, or write one hole");
     }
     beam.holes.push_back({s, hole});
-    project.hole_cases.push_back(hole_case);
+    project.hole_inputs.push_back(input);
   }
 }
 

@@ -122,7 +122,4 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
 Material named_steel(TableReader& table, std::string_view key,
                      std::optional<SteelSource> source = {});
 
-/// A section of the case named by the value of a key.
-Section named_section(TableReader& table, std::string_view key, const Sections& sections);
-
 }  // namespace boxbeam::readers

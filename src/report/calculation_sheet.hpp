@@ -7,6 +7,7 @@
 namespace boxbeam {
 
 /// One check as formula, substituted values, result and source.
-std::string calculation_sheet(const Project& project, const CheckResult& result);
+std::string calculation_sheet(const Project& project, const Verification& verification,
+                              const CheckResult& result);
 
 }  // namespace boxbeam

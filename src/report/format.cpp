@@ -19,6 +19,13 @@ std::string kN(double newtons) { return significant(newtons * 1e-3) + " kN"; }
 std::string kNm(double newton_metres) { return significant(newton_metres * 1e-3) + " kN m"; }
 std::string MPa(double pascals) { return significant(pascals * 1e-6) + " MPa"; }
 std::string mm(double metres) { return significant(metres * 1e3) + " mm"; }
+std::string amount(double value, const std::string& unit) {
+  if (unit == "Pa") return MPa(value);
+  if (unit == "N") return kN(value);
+  if (unit == "m") return mm(value);
+  return significant(value);
+}
+
 std::string seconds(double time) { return fmt::format("{:.4f} s", time); }
 std::string kilograms(double mass) { return fmt::format("{:.0f} kg", mass); }
 std::string percent(double fraction) { return significant(fraction * 100.0, 3) + " %"; }

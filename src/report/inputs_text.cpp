@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/report/format.hpp"
 #include "mechanism_text.hpp"
 #include "text_layout.hpp"
@@ -79,7 +80,46 @@ std::string hole_inputs(const Project& project) {
         "hole", fmt::format("{}: {} mm through both {} at s = {:.6g} m, {} {} mm, case \"{}\"",
                             at.hole.name, plain_mm(at.hole.diameter), webs ? "webs" : "flanges",
                             at.s.value(), webs ? "z =" : "y = +-", plain_mm(at.hole.position),
-                            to_text(project.hole_cases[i])));
+                            project.hole_inputs[i].concentration
+                                ? to_text(*project.hole_inputs[i].concentration)
+                                : "net section"));
+  }
+  return out;
+}
+
+std::string place_text(const BeamDetail& detail) {
+  std::string where = fmt::format("s = {:.6g}", detail.from.value());
+  if (detail.to > detail.from) where += fmt::format(" to {:.6g}", detail.to.value());
+  where += " m";
+  switch (detail.on) {
+    case DetailPlace::section: return where;
+    case DetailPlace::fibres: return where + ", fibres";
+    case DetailPlace::seams: return where + ", seams";
+  }
+  return where;
+}
+
+/// A detail, what it can be and what would raise it.
+std::string detail_text(const BeamDetail& of, const std::string& where) {
+  constexpr std::size_t most_raises = 2;
+  const Detail& detail = of.detail;
+  std::string out = fmt::format("{}: category {}", where, detail.curve.name);
+  if (!detail.row.empty()) {
+    out += fmt::format(", {} (EN 1993-1-9 table {}, row {})", detail.name,
+                       detail.row.substr(0, detail.row.find('/')),
+                       detail.row.substr(detail.row.find('/') + 1));
+  } else if (detail.name != "category " + detail.curve.name) {
+    out += ", " + detail.name;
+  }
+  if (detail.where == StressPlace::net) out += ", stress of the net section";
+  if (detail.size_factor != 1.0) {
+    out += fmt::format(", k_s = {}", text::significant(detail.size_factor));
+  }
+  if (detail.compression_reduced) out += ", compression counts 60 %";
+  if (!of.assumed.empty()) out += ", ASSUMED";
+  if (detail.unconfirmed) out += ", UNCONFIRMED";
+  for (std::size_t i = 0; i < std::min(most_raises, detail.raises.size()); ++i) {
+    out += fmt::format("; raised by {}", to_text(detail.raises[i]));
   }
   return out;
 }
@@ -124,10 +164,21 @@ std::string inputs_text(const Project& project) {
   out += layout::entry(
       "fatigue",
       fmt::format(
-          "category {}, {}, gamma_Ff = {}, gamma_Mf = {}, required factor {}", fatigue.category,
+          "{}, gamma_Ff = {}, gamma_Mf = {}{}, required factor {}",
           fatigue.demand.loading == Loading::spectrum ? "spectrum" : "constant amplitude",
           text::significant(fatigue.demand.gamma_Ff, 3),
-          text::significant(fatigue.demand.gamma_Mf, 3), text::significant(fatigue.required, 3)));
+          text::significant(fatigue.demand.gamma_Mf, 3),
+          fatigue.gamma_Mf_source.empty() ? "" : fmt::format(" ({})", fatigue.gamma_Mf_source),
+          text::significant(fatigue.required, 3)));
+  out += layout::entry("detail", detail_text(fatigue.beam, "whole beam"));
+  for (const BeamDetail& detail : fatigue.details) {
+    out += layout::entry("detail", detail_text(detail, place_text(detail)));
+  }
+  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
+    if (!project.hole_inputs[i].detail) continue;
+    out += layout::entry("detail", detail_text(*project.hole_inputs[i].detail,
+                                               "hole " + project.beam.holes[i].hole.name));
+  }
   for (const Situation& situation : project.situations) {
     out += layout::entry(situation.name.empty() ? "cycles" : "situation",
                          situation_text(project, situation));

@@ -29,8 +29,8 @@ Json check_json(const Check& check) {
   return {{"id", check.id},
           {"criterion", to_text(check.criterion)},
           {"point", check.point},
-          {"station", finite(check.station.s.value())},
-          {"side", to_text(check.station.side)},
+          {"station", check.on_beam ? Json(finite(check.station.s.value())) : Json()},
+          {"side", check.on_beam ? Json(to_text(check.station.side)) : Json()},
           {"situation", check.situation},
           {"time", finite(check.time.value())},
           {"acting", finite(check.acting.value())},
@@ -64,6 +64,22 @@ Json governing_json(const Verification& verification) {
     governing[to_text(criterion)] = result != nullptr ? check_json(result->check) : Json();
   }
   return governing;
+}
+
+Json codes_json(const Verification& verification) {
+  Json codes = Json::array();
+  for (const CodeResult& code : verification.codes) {
+    const bool found = code.missing.empty();
+    codes.push_back({{"code", code.code},
+                     {"curve", found ? Json(code.curve) : Json()},
+                     {"unconfirmed", code.unconfirmed},
+                     {"safety_factor", found ? Json(finite(code.safety_factor)) : Json()},
+                     {"required", finite(code.required)},
+                     {"station", found ? Json(finite(code.station.s.value())) : Json()},
+                     {"point", found ? Json(code.point) : Json()},
+                     {"missing", code.missing}});
+  }
+  return codes;
 }
 
 const char* sign_text(int sign) { return sign > 0 ? "+" : (sign < 0 ? "-" : "0"); }
@@ -130,6 +146,7 @@ std::string results_json(const Project& project, const Verification& verificatio
                          {"beam", beam_json(verification, project)},
                          {"checks", std::move(checks)},
                          {"governing", governing_json(verification)},
+                         {"codes", codes_json(verification)},
                          {"remarks", remarks_of(project, verification)}};
   return document.dump(2) + "\n";
 }

@@ -402,18 +402,17 @@ void sn(Gnuplot& gp, const Project& project, const Verification& verification) {
      << text::significant(figure.cut_off * 1e-6, 3) << " MPa' at 1e8," << figure.cut_off * 1e-6
      << " left offset 0.6,0.8 point pt 6\n";
   if (en) {
-    gp << "set label 'm = 3' at 3e5," << 1.15 * figure.category * std::cbrt(2e6 / 3e5) << "\n"
+    gp << "set label 'm = 3' at 3e5," << 1.15e-6 * figure.reference * std::cbrt(2e6 / 3e5) << "\n"
        << "set label 'm = 5' at 2.5e7," << 1.12 * figure.knee * 1e-6 * std::pow(5e6 / 2.5e7, 0.2)
        << "\n"
-       << "set label 'category " << figure.category << "' at 2e6," << figure.category
+       << "set label 'category " << figure.name << "' at 2e6," << figure.reference * 1e-6
        << " left offset 0.6,0.6 point pt 6\n";
   }
   gp << "set label '" << text::significant(range, 3) << " MPa' at " << cycles << "," << range
      << " left offset 1,-0.7 tc rgb '" << colour(1) << "'\n";
   gp << "plot $line using 1:2 with lines lw 2 lc rgb '" << colour(0) << "' title "
-     << quoted(
-            en ? fmt::format("EN 1993-1-9, category {}, spectrum", figure.category)
-               : fmt::format("published step, category {} taken at 5e6 cycles", figure.category));
+     << quoted(en ? fmt::format("{}, category {}, spectrum", figure.code, figure.name)
+                  : fmt::format("published step, category {} taken at 5e6 cycles", figure.name));
   if (en) {
     gp << ", $line using 1:3 with lines lw 1.6 dt 2 lc rgb '" << colour(0)
        << "' title 'constant amplitude (7.1(2))'";

@@ -11,13 +11,39 @@
 namespace boxbeam {
 namespace {
 
-void add_categories(const Project& project, std::vector<std::string>& remarks) {
-  for (const DetailStretch& detail : project.fatigue.details) {
-    if (detail.assumed.empty()) continue;
-    std::string where = text::significant(detail.from.value(), 3);
-    if (detail.to > detail.from) where += " to " + text::significant(detail.to.value(), 3);
-    remarks.push_back(fmt::format("detail category {} is assumed for the {} at s = {} m: {}",
-                                  detail.category, detail.name, where, detail.assumed));
+void add_details(const Project& project, std::vector<std::string>& remarks) {
+  const FatigueInput& fatigue = project.fatigue;
+  const auto add = [&](const BeamDetail& of, const std::string& where) {
+    const Detail& detail = of.detail;
+    if (!of.assumed.empty()) {
+      remarks.push_back(fmt::format("detail category {} is assumed for the {} at {}: {}",
+                                    detail.curve.name, detail.name, where, of.assumed));
+    }
+    if (detail.unconfirmed) {
+      remarks.push_back(fmt::format(
+          "unconfirmed: the figures of {} {} for the {} at {} are recalled, not read in the code",
+          detail.row.empty() ? detail.curve.code : "row " + detail.row,
+          detail.row.empty() ? detail.curve.name : "(category " + detail.curve.name + ")",
+          detail.name, where));
+    }
+    if (detail.deciding.empty()) return;
+    remarks.push_back(fmt::format(
+        "the {} at {} can be {} rows of the tables; the weakest, {} (category {}), is taken; to "
+        "know: {}",
+        detail.name, where, detail.candidates.size(), detail.row, detail.curve.name,
+        fmt::join(detail.deciding, ", ")));
+  };
+  const auto place = [](const BeamDetail& of) {
+    std::string where = "s = " + text::significant(of.from.value(), 3);
+    if (of.to > of.from) where += " to " + text::significant(of.to.value(), 3);
+    return where + " m";
+  };
+  add(fatigue.beam, "the whole beam");
+  for (const BeamDetail& detail : fatigue.details) add(detail, place(detail));
+  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
+    if (project.hole_inputs[i].detail) {
+      add(*project.hole_inputs[i].detail, "hole " + project.beam.holes[i].hole.name);
+    }
   }
 }
 
@@ -154,14 +180,11 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   for (const std::string& assumption : project.assumptions)
     remarks.push_back("assumed: " + assumption);
   for (const Gate& gate : verification.gates) {
-    remarks.push_back(fmt::format(
-        "not applicable: the {} of segment {} has c/t = {}, above {} of class 3 (EN 1993-1-1, "
-        "table "
-        "5.2): it may buckle before it yields, and the stress of the full section is not valid",
-        gate.plate.plate, gate.segment, text::significant(gate.plate.ratio, 3),
-        text::significant(gate.plate.limit, 3)));
+    const std::string where =
+        gate.plate.empty() ? "" : fmt::format("{} of segment {}: ", gate.plate, gate.segment);
+    remarks.push_back((gate.blocks ? "not applicable: " : "") + where + gate.finding);
   }
-  add_categories(project, remarks);
+  add_details(project, remarks);
   add_branches(project, remarks);
   for (const MotionSummary& motion : verification.motions) {
     const std::size_t before = remarks.size();

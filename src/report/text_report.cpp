@@ -28,11 +28,12 @@ std::string upper(std::string text) {
 }
 
 std::string where(const Check& check) {
+  if (!check.on_beam) return check.point;
   return fmt::format("s = {} m, {}", to_text(check.station), check.point);
 }
 
 std::string governing_line(const Check& check) {
-  return fmt::format("{:<8}{:<8} factor {:<5} required {:<5} utilisation {:<7} at {}, t = {}",
+  return fmt::format("{:<8}{:<16} factor {:<5} required {:<5} utilisation {:<7} at {}, t = {}",
                      check.passes() ? "passes" : "FAILS", to_text(check.criterion),
                      text::significant(check.safety_factor, 3),
                      text::significant(check.required, 3), text::percent(check.utilisation()),
@@ -42,7 +43,7 @@ std::string governing_line(const Check& check) {
 std::string verdict_lines(const Verification& verification) {
   std::string lines;
   std::vector<const CheckResult*> governing;
-  for (const Criterion criterion : {Criterion::yield, Criterion::fatigue}) {
+  for (const Criterion criterion : criteria) {
     if (const CheckResult* result = verification.governing(criterion)) governing.push_back(result);
   }
   std::stable_sort(governing.begin(), governing.end(),
@@ -53,17 +54,32 @@ std::string verdict_lines(const Verification& verification) {
   return lines;
 }
 
+/// How many checks, worst first, are above a utilisation, and at least `fewest`.
+std::size_t checks_above(const Verification& verification, double utilisation, std::size_t fewest) {
+  const auto below = std::find_if(
+      verification.checks.begin(), verification.checks.end(),
+      [&](const CheckResult& result) { return result.check.utilisation() < utilisation; });
+  return std::max(static_cast<std::size_t>(below - verification.checks.begin()),
+                  std::min(fewest, verification.checks.size()));
+}
+
 std::string checks_table(const Verification& verification, std::size_t most) {
   Table table({"use", "factor", "required", "criterion", "s [m]", "point", "when [s]", "acting",
                "resisting"});
   for (std::size_t i = 0; i < std::min(most, verification.checks.size()); ++i) {
     const Check& check = verification.checks[i].check;
-    const char* kind = check.criterion == Criterion::fatigue ? "range " : "";
+    const bool range = check.criterion == Criterion::fatigue ||
+                       check.criterion == Criterion::shear_fatigue ||
+                       check.criterion == Criterion::stress_range;
+    const char* kind = range                                            ? "range "
+                       : check.criterion == Criterion::combined_fatigue ? "damage "
+                                                                        : "";
     table.row({text::percent(check.utilisation()) + (check.passes() ? "  " : " !"),
                text::significant(check.safety_factor, 3), text::significant(check.required, 3),
-               to_text(check.criterion), to_text(check.station), check.point,
-               fmt::format("{:.4f}", check.time.value()), kind + text::MPa(check.acting.value()),
-               text::MPa(check.resisting.value())});
+               to_text(check.criterion), check.on_beam ? to_text(check.station) : "-", check.point,
+               fmt::format("{:.4f}", check.time.value()),
+               kind + text::amount(check.acting.value(), check.acting.unit()),
+               text::amount(check.resisting.value(), check.resisting.unit())});
   }
   return table.text();
 }
@@ -195,12 +211,32 @@ std::string section_section(const Verification& verification) {
 
 std::string sheets_section(const Project& project, const Verification& verification) {
   std::string out = heading("Governing checks");
-  for (const Criterion criterion : {Criterion::yield, Criterion::fatigue}) {
+  for (const Criterion criterion : criteria) {
     if (const CheckResult* result = verification.governing(criterion)) {
-      out += calculation_sheet(project, *result) + "\n";
+      out += calculation_sheet(project, verification, *result) + "\n";
     }
   }
   return out;
+}
+
+std::string codes_section(const Verification& verification) {
+  if (verification.codes.empty()) return "";
+  std::string out = heading("The same beam under several codes");
+  out +=
+      "  Direct-stress fatigue: the same ranges, counts and partial factors on the curve of each "
+      "code whose\n  strength at 2e6 cycles is nearest below that of the detail.\n\n";
+  Table table({"code", "curve", "factor", "required", "use", "s [m]", "point", ""});
+  for (const CodeResult& code : verification.codes) {
+    if (!code.missing.empty()) {
+      table.row({code.code, "-", "-", "-", "-", "-", "-", code.missing});
+      continue;
+    }
+    table.row({code.code, code.curve, text::significant(code.safety_factor, 3),
+               text::significant(code.required, 3),
+               text::percent(code.required / code.safety_factor), to_text(code.station), code.point,
+               code.unconfirmed ? "UNCONFIRMED" : ""});
+  }
+  return out + table.text() + "\n";
 }
 
 std::string chain_section(const Project& project, const Verification& verification) {
@@ -286,11 +322,25 @@ std::string text_report(const Project& project, const Verification& verification
   out += cut_force_section(verification);
   out += section_section(verification);
   out += sheets_section(project, verification);
-  out += heading("All checks, worst first");
+  out += heading("Checks, worst first");
   out +=
       "  use = required/factor; ! fails; a factor is the largest multiple of the whole load "
       "history that holds\n\n";
-  out += checks_table(verification, verification.checks.size()) + "\n";
+  constexpr double shown_above = 0.10;
+  constexpr std::size_t fewest_shown = 24;
+  const std::size_t shown = checks_above(verification, shown_above, fewest_shown);
+  out += checks_table(verification, shown) + "\n";
+  if (shown < verification.checks.size()) {
+    out +=
+        layout::paragraph(fmt::format(
+            "{} more checks are less used than {}; all stand in "
+            "results.json.",
+            verification.checks.size() - shown,
+            text::percent(shown == fewest_shown ? verification.checks[shown - 1].check.utilisation()
+                                                : shown_above))) +
+        "\n";
+  }
+  out += codes_section(verification);
   out += chain_section(project, verification);
   out += equivalent_mass_section(project, verification);
   return out;

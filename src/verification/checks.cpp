@@ -383,9 +383,10 @@ std::optional<CheckResult> check_throat(const Project& project,
 std::vector<CheckResult> check_beam(const Project& project, const std::deque<SituationRun>& runs,
                                     const std::vector<Station>& stations) {
   std::vector<CheckResult> results;
+  const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   for (const Station& station : stations) {
     const std::vector<SituationHistory> histories = histories_at(runs, station);
-    for (const StressPoint& point : stress_points_at(project, station)) {
+    for (const StressPoint& point : stress_points_at(project, zones, station)) {
       const auto add = [&](std::optional<CheckResult> result) {
         if (result) results.push_back(std::move(*result));
       };

@@ -18,8 +18,7 @@ class CurveTable {
     const auto found = curves_.find(strength);
     if (found != curves_.end()) return found->second;
     return curves_
-        .emplace(strength,
-                 curve_of_same_strength(code_, StressKind::direct, si<Stress>(strength)))
+        .emplace(strength, curve_of_same_strength(code_, StressKind::direct, si<Stress>(strength)))
         .first->second;
   }
 
@@ -50,13 +49,12 @@ CodeResult governing_under(const std::string& code, const Project& project,
     const double strength = strength_at_reference(result.basis->curves.front());
     const std::optional<SnCurve>& curve = curves.at(strength);
     if (!curve) {
-      worst.missing = fmt::format("no curve is as low as {:.3g} MPa at 2e6 cycles (s = {} m, {})",
-                                  strength * 1e-6, to_text(result.check.station),
-                                  result.check.point);
+      worst.missing =
+          fmt::format("no curve is as low as {:.3g} MPa at 2e6 cycles (s = {} m, {})",
+                      strength * 1e-6, to_text(result.check.station), result.check.point);
       return worst;
     }
-    const double factor =
-        largest_factor(cycles_of(*result.basis), *curve, project.fatigue.demand);
+    const double factor = largest_factor(cycles_of(*result.basis), *curve, project.fatigue.demand);
     if (found && factor >= worst.safety_factor) continue;
     found = true;
     worst.code = curve->code;

@@ -61,7 +61,7 @@ DeflectionModel deflection_model_of(const Project& project) {
     borders.push_back(influence.at.value());
   for (const Segment& segment : beam.segments) {
     for (int k = 0; k <= pieces_per_segment; ++k) {
-      borders.push_back((segment.start + segment.length * k / pieces_per_segment).value());
+      borders.push_back(segment.start.value() + segment.length.value() * k / pieces_per_segment);
     }
   }
   std::sort(borders.begin(), borders.end());

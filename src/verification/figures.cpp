@@ -145,9 +145,12 @@ void place_loads(const Project& project, const planar::State& state,
 SnFigure sn_figure(const Project& project, const CheckResult& governing) {
   const FatigueInput& fatigue = project.fatigue;
   SnFigure figure;
-  figure.category = governing.basis ? governing.basis->point.category : fatigue.category;
+  const SnCurve curve =
+      governing.basis ? governing.basis->curves.front() : curve_of(fatigue.beam.detail);
+  figure.name = curve.name;
+  figure.code = curve.code;
+  figure.reference = curve.reference.value();
   figure.published_step = fatigue.published_step;
-  const SnCurve curve = curve_of(fatigue, figure.category);
   for (int i = 0; i <= 120; ++i) {
     const double cycles = std::pow(10.0, 4.0 + 5.0 * i / 120.0);
     figure.cycles.push_back(cycles);

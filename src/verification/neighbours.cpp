@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/section/section_properties.hpp"
 

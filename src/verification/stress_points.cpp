@@ -13,23 +13,31 @@ namespace {
 /// Grid points inside a segment on which maxima along the beam are bracketed.
 constexpr int grid = 24;
 
-struct Category {
-  int value;
-  std::string assumed;
-};
-
-/// The lowest category of the stretches a station lies in, or that of the whole beam.
-Category category_at(const FatigueInput& fatigue, Length s) {
-  Category lowest{fatigue.category, ""};
-  bool found = false;
-  for (const DetailStretch& stretch : fatigue.details) {
+/// The weakest detail of the stretches that a place lies in, or that of the whole beam.
+const BeamDetail& detail_at(const FatigueInput& fatigue, Length s, DetailPlace on) {
+  const BeamDetail* weakest = nullptr;
+  const auto strength = [](const BeamDetail& of) {
+    return strength_at(curve_of(of.detail), 2e6, Loading::spectrum);
+  };
+  for (const BeamDetail& stretch : fatigue.details) {
     if (s < stretch.from || s > stretch.to) continue;
-    if (found && stretch.category >= lowest.value) continue;
-    lowest = {stretch.category,
-              stretch.assumed.empty() ? "" : stretch.name + ": " + stretch.assumed};
-    found = true;
+    if (stretch.on != DetailPlace::section && stretch.on != on) continue;
+    if (weakest == nullptr || strength(stretch) < strength(*weakest)) weakest = &stretch;
   }
-  return lowest;
+  return weakest != nullptr ? *weakest : fatigue.beam;
+}
+
+/// Area integrals of a section known by its properties.
+AreaSums sums_of(const SectionProperties& of) {
+  const double A = of.area.value();
+  const double y = of.centroid_y.value();
+  const double z = of.centroid_z.value();
+  return {A,
+          A * y,
+          A * z,
+          of.I_z.value() + A * y * y,
+          of.I_y.value() + A * z * z,
+          of.I_yz.value() + A * y * z};
 }
 
 /// Whether section or loads jump at a place.
@@ -107,71 +115,136 @@ void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads,
 
 }  // namespace
 
-std::vector<StressPoint> stress_points_at(const Project& project, const Station& station) {
-  const TaperedBeam& beam = project.beam;
-  const Taper taper = taper_at(beam, station);
-  const StressField field =
-      stress_field_of(section_at(beam, station), holes_at(beam, station.s), taper);
-  const Section& section = field.section;
-  const SectionProperties gross = properties_of(section);
-  const SectionProperties net = properties_of(section, field.holes);
-  const Category category = category_at(project.fatigue, station.s);
+namespace {
+
+/// The points of one station as they are gathered.
+class StressPoints {
+ public:
+  StressPoints(const Project& project, const std::vector<BendingZone>& zones,
+               const Station& station)
+      : project_(&project),
+        station_(station),
+        taper_(taper_at(project.beam, station)),
+        field_(stress_field_of(section_at(project.beam, station), holes_at(project.beam, station.s),
+                               taper_)),
+        gross_(properties_of(field_.section)),
+        net_(properties_of(field_.section, field_.holes)),
+        lag_(shear_lag_at(zones, field_.section, station.s)) {
+    if (lag_) net_ = properties_of(field_.section, field_.holes, lag_->flange_part);
+  }
+
+  void add_section() {
+    const FatigueInput& fatigue = project_->fatigue;
+    const BeamDetail& fibres = detail_at(fatigue, station_.s, DetailPlace::fibres);
+    const BeamDetail& seams = detail_at(fatigue, station_.s, DetailPlace::seams);
+    for (const SectionPoint& place : points_of(field_, PointSet::in_plane)) {
+      const bool seam = place.name.starts_with("web end");
+      const bool neutral = place.name.starts_with("neutral axis");
+      StressPoint& point = add(place);
+      point.detail = neutral ? nullptr : (seam ? &seams : &fibres);
+      if (seam || neutral) point.shear_detail = &fatigue.shear;
+      if (!place.on_throat) continue;
+      SectionPoint throat = place;
+      throat.name = "seam" + place.name.substr(std::string("web end").size()) + " throat";
+      throat.influence = *place.on_throat;
+      StressPoint& on_throat = add(throat);
+      on_throat.influence.normal = {};
+      on_throat.shear_detail = &fatigue.throat;
+      on_throat.on_throat = true;
+      on_throat.yield = false;
+    }
+  }
+
+  void add_hole(const Hole& hole, const HoleInput& input) {
+    const BeamDetail& of_beam = detail_at(project_->fatigue, station_.s, DetailPlace::fibres);
+    const BeamDetail* detail = input.detail ? &*input.detail : &of_beam;
+    if (input.concentration) {
+      const HoleCase hole_case = *input.concentration;
+      const double a =
+          hole.diameter / plate_width_of(field_.section, field_.holes, hole, hole_case);
+      const double factor = hole_case == HoleCase::published_exponential
+                                ? published_concentration(a)
+                                : membrane_concentration(a) / (1.0 - a);
+      const std::vector<HoleEdge> edges =
+          hole_edges_of(field_.section, field_.holes, taper_, hole, hole_case);
+      SectionPoint edge{"hole " + hole.name + " edge", {}, edges.front().z, {}, {}, {}, {}};
+      edge.plate = wall_at(field_.section, edge.z);
+      edge.influence = edge.prismatic = edges.front().influence;
+      StressPoint& point = add(edge);
+      point.influence = edges.front().influence;  // of the gross section, as its source has it
+      point.detail = detail;
+      point.concentration = EdgeConcentration{hole.name, hole_case, a, factor, 0.0};
+      point.edges = edges;
+    }
+    // Where a hole has taken the neutral fibre, the shear is largest just beside the hole; a
+    // category for the net section is judged by the nominal stress there.
+    const bool webs = hole.walls == HoleWalls::webs;
+    for (const double sign : {1.0, -1.0}) {
+      const Length z = webs ? hole.position + sign * 0.5 * hole.diameter
+                            : (sign > 0.0 ? gross_.z_top : gross_.z_bottom);
+      if (!webs && input.concentration) continue;
+      const std::string name = "beside hole " + hole.name + (sign > 0.0 ? " +z" : " -z");
+      add_level(name, z, input.concentration ? nullptr : detail);
+    }
+  }
+
+  void add_level(const std::string& name, Length z, const BeamDetail* detail) {
+    for (const SectionPoint& place : points_at_level(field_, name, z, PointSet::in_plane)) {
+      StressPoint& point = add(place);
+      point.detail = detail;
+      point.shear_detail = &project_->fatigue.shear;
+    }
+  }
 
   std::vector<StressPoint> points;
-  const auto add = [&](const SectionPoint& place, bool fatigue) -> StressPoint& {
+
+ private:
+  StressPoint& add(const SectionPoint& place) {
     StressPoint point;
-    point.station = station;
+    point.station = station_;
     point.name = place.name;
     point.y = place.y;
     point.z = place.z;
-    point.section = section;
-    point.gross = gross;
-    point.net = net;
+    point.section = field_.section;
+    point.gross = gross_;
+    point.net = net_;
     point.influence = place.influence;
     point.prismatic = place.prismatic;
+    if (lag_) {
+      point.influence.normal =
+          normal_influence(sums_of(net_), place.y.value(), place.z.value()).normal;
+    }
     point.plate = place.plate;
-    point.yield_strength = yield_strength_of(project.material, point.plate).value();
-    point.fatigue = fatigue;
-    point.category = category.value;
-    point.category_assumed = category.assumed;
+    point.yield_strength = yield_strength_of(project_->material, point.plate).value();
+    point.lag = lag_;
     return points.emplace_back(std::move(point));
-  };
-  const auto add_level = [&](const std::string& name, Length z, bool fatigue) {
-    for (const SectionPoint& place : points_at_level(field, name, z, PointSet::in_plane)) {
-      add(place, fatigue);
-    }
-  };
-
-  for (const SectionPoint& place : points_of(field, PointSet::in_plane)) {
-    // Direct-stress fatigue is looked at where the bending stress is largest.
-    const bool inside = place.name.starts_with("web end") || place.name.starts_with("neutral axis");
-    add(place, !inside);
   }
-  for (std::size_t i = 0; i < beam.holes.size(); ++i) {
-    if (beam.holes[i].s != station.s) continue;
-    const Hole& hole = beam.holes[i].hole;
-    const HoleCase hole_case = project.hole_cases[i];
-    const double a = hole.diameter / plate_width_of(section, field.holes, hole, hole_case);
-    const double factor = hole_case == HoleCase::published_exponential
-                              ? published_concentration(a)
-                              : membrane_concentration(a) / (1.0 - a);
-    const std::vector<HoleEdge> edges = hole_edges_of(section, field.holes, taper, hole, hole_case);
-    SectionPoint edge{"hole " + hole.name + " edge", {}, edges.front().z, {}, {}, {}, {}};
-    edge.plate = wall_at(section, edge.z);
-    edge.influence = edge.prismatic = edges.front().influence;
-    StressPoint& point = add(edge, true);
-    point.concentration = EdgeConcentration{hole.name, hole_case, a, factor, 0.0};
-    point.edges = edges;
-    if (hole.walls == HoleWalls::webs) {
-      // Where a hole has taken the neutral fibre, the shear is largest just beside the hole.
-      add_level("beside hole " + hole.name + " +z", hole.position + 0.5 * hole.diameter, false);
-      add_level("beside hole " + hole.name + " -z", hole.position - 0.5 * hole.diameter, false);
-    }
+
+  const Project* project_;
+  Station station_;
+  Taper taper_;
+  StressField field_;
+  SectionProperties gross_, net_;
+  std::optional<ShearLag> lag_;
+};
+
+}  // namespace
+
+std::vector<StressPoint> stress_points_at(const Project& project,
+                                          const std::vector<BendingZone>& zones,
+                                          const Station& station) {
+  StressPoints gathered(project, zones, station);
+  gathered.add_section();
+  for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
+    const BeamHole& at = project.beam.holes[i];
+    if (at.s == station.s) gathered.add_hole(at.hole, project.hole_inputs[i]);
   }
   for (const NamedPoint& named : project.points) {
-    if (named.s == station.s) add_level(named.name, named.z, true);
+    if (named.s != station.s) continue;
+    gathered.add_level(named.name, named.z,
+                       &detail_at(project.fatigue, station.s, DetailPlace::fibres));
   }
-  return points;
+  return std::move(gathered.points);
 }
 
 StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationHistory>& histories,
@@ -205,7 +278,7 @@ std::vector<Station> stations_to_verify(const Project& project,
   std::vector<Length> places = places_of(beam);
   for (const NamedPoint& point : project.points) places.push_back(point.s);
   // The category changes at the ends of a detail's stretch; inside it is constant.
-  for (const DetailStretch& stretch : project.fatigue.details) {
+  for (const BeamDetail& stretch : project.fatigue.details) {
     places.push_back(stretch.from);
     places.push_back(stretch.to);
   }

@@ -9,6 +9,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/verification/deflection.hpp"
 
 namespace boxbeam {
 namespace {
@@ -239,22 +240,29 @@ void describe_mechanism(const Project& project, const std::deque<SituationRun>& 
   }
 }
 
-/// Plates of class 4: their gross elastic stress says nothing about their strength.
-std::vector<Gate> gates_of(const Project& project) {
-  std::vector<Gate> gates;
-  for (const Segment& segment : project.beam.segments) {
-    for (const Section* section : {&segment.from, &segment.to}) {
-      if (section == &segment.to && segment.from == segment.to) continue;
-      for (const SlenderPlate& plate : slender_plates_of(section->outer, project.material)) {
-        gates.push_back({segment.name, plate});
-      }
-      if (!section->inner) continue;
-      for (const SlenderPlate& plate : slender_plates_of(*section->inner, project.material)) {
-        gates.push_back({segment.name, plate});
-      }
-    }
+/// The checks beside the stresses of the beam, which the case asks for.
+void check_neighbours(const Project& project, const std::deque<SituationRun>& runs,
+                      Verification& result) {
+  result.neighbours = check_pins(project, runs);
+  for (NeighbourResult& rod : check_rods(project, runs))
+    result.neighbours.push_back(std::move(rod));
+  for (const NeighbourResult& neighbour : result.neighbours) {
+    result.checks.push_back({neighbour.check, {}});
   }
-  return gates;
+  if (!project.deflection) return;
+  if (const auto deflection = check_deflection(project, runs)) {
+    result.checks.push_back({*deflection, {}});
+  }
+}
+
+Verdict verdict_of(const Verification& verification) {
+  const bool all_pass =
+      std::all_of(verification.checks.begin(), verification.checks.end(),
+                  [](const CheckResult& result) { return result.check.passes(); });
+  if (!all_pass) return Verdict::fail;
+  const bool blocked = std::any_of(verification.gates.begin(), verification.gates.end(),
+                                   [](const Gate& gate) { return gate.blocks; });
+  return blocked ? Verdict::not_applicable : Verdict::pass;
 }
 
 void describe_beam(const Project& project, Verification& result) {
@@ -265,11 +273,12 @@ void describe_beam(const Project& project, Verification& result) {
     result.tapers.push_back({segment.name, slope});
   }
   for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
-    if (project.hole_cases[i] != HoleCase::published_exponential) continue;
+    const HoleCase published = HoleCase::published_exponential;
+    if (project.hole_inputs[i].concentration != published) continue;
     const BeamHole& at = project.beam.holes[i];
     const Section section = section_at(project.beam, {at.s});
-    const double a = at.hole.diameter / plate_width_of(section, holes_at(project.beam, at.s),
-                                                       at.hole, project.hole_cases[i]);
+    const double a = at.hole.diameter /
+                     plate_width_of(section, holes_at(project.beam, at.s), at.hole, published);
     result.published_concentrations.push_back({at.hole.name, a, published_concentration(a)});
   }
 }
@@ -299,15 +308,13 @@ Verification verify(const Project& project) {
   Verification result;
   describe_mechanism(project, runs, result);
   result.stations = cut_force_envelopes(project, runs, stations);
-  result.checks = project.given_stresses.empty() ? check_beam(project, runs, stations)
-                                                 : check_given_stresses(project);
+  const bool computed = project.given_stresses.empty();
+  result.checks = computed ? check_beam(project, runs, stations) : check_given_stresses(project);
+  check_neighbours(project, runs, result);
   sort_worst_first(result.checks);
-  const bool all_pass = std::all_of(result.checks.begin(), result.checks.end(),
-                                    [](const CheckResult& r) { return r.check.passes(); });
-  result.gates = project.given_stresses.empty() ? gates_of(project) : std::vector<Gate>{};
-  result.verdict = !all_pass              ? Verdict::fail
-                   : result.gates.empty() ? Verdict::pass
-                                          : Verdict::not_applicable;
+  if (computed) result.gates = gates_of(project, runs, stations, result.checks);
+  result.verdict = verdict_of(result);
+  result.codes = compare_codes(project, result.checks);
   result.critical_instants = critical_instants_of(result);
   describe_instants(project, runs, result);
   describe_beam(project, result);

@@ -251,8 +251,7 @@ std::map<std::string, std::function<double()>> computed() {
   values["N_y rigorous"] = [] { return rig().governing(Criterion::yield)->check.safety_factor; };
   values["S-N step"] = [] { return 100.0 * std::pow(5e6 / 1e8, 0.2); };
   values["S-N EN"] = [] {
-    return strength_at(en_1993_1_9_direct(100), 1e8, Loading::spectrum).value() /
-           1e6;
+    return strength_at(en_1993_1_9_direct(100), 1e8, Loading::spectrum).value() / 1e6;
   };
   values["knee"] = [] { return knee_of(en_1993_1_9_direct(100)).value() / 1e6; };
   values["range"] = [] { return 16.3 + 16.1; };

@@ -62,7 +62,8 @@ TEST_CASE("results.json: keys in their order, two records at every jump") {
   const auto document = nlohmann::ordered_json::parse(test::read_file(out + "/results.json"));
   CHECK(keys_of(document) == std::vector<std::string>{"schema", "case", "version", "input_sha256",
                                                       "verdict", "model", "critical_instants",
-                                                      "beam", "checks", "governing", "remarks"});
+                                                      "beam", "checks", "governing", "codes",
+                                                      "remarks"});
   CHECK(keys_of(document["checks"][0]) ==
         std::vector<std::string>{"id", "criterion", "point", "station", "side", "situation", "time",
                                  "acting", "resisting", "safety_factor", "required", "utilisation",

@@ -72,6 +72,13 @@ struct FatigueInput {
   std::vector<std::string> codes;  ///< families of curves to be shown beside
 };
 
+/// How the stress at a hole is verified.
+struct HoleInput {
+  /// Which problem its concentration is; none where its detail is one for the net section.
+  std::optional<HoleCase> concentration;
+  std::optional<BeamDetail> detail;  ///< of its own; none: that of the beam
+};
+
 /// A stress taken from a published calculation instead of being computed.
 struct GivenStress {
   std::string name;
@@ -146,8 +153,8 @@ struct Project {
   planar::Mechanism mechanism;        ///< as the case writes it, before any situation
   std::vector<Situation> situations;  ///< at least one; the first runs
   TaperedBeam beam;
-  std::vector<HoleCase> hole_cases;  ///< one per hole of the beam
-  int beam_body = planar::ground;    ///< ground: the beam is no body, only the chain can load it
+  std::vector<HoleInput> hole_inputs;  ///< one per hole of the beam
+  int beam_body = planar::ground;      ///< ground: the beam is no body, only the chain can load it
   Dynamics dynamics = Dynamics::rigorous;
   std::optional<planar::NewtonChain> chain;
   std::optional<EquivalentMassDemand> equivalent_mass;

@@ -14,6 +14,8 @@ std::string kN(double newtons);
 std::string kNm(double newton_metres);
 std::string MPa(double pascals);
 std::string mm(double metres);
+/// A value of an SI unit ("Pa", "N", "m", "1") in engineering units.
+std::string amount(double value, const std::string& unit);
 std::string seconds(double time);
 std::string kilograms(double mass);
 std::string percent(double fraction);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <string>
 
@@ -42,6 +43,13 @@ enum class Criterion {
   buckling,          ///< a rod under compression
   deflection,        ///< of the beam
 };
+
+/// All criteria, in the order of a report.
+inline constexpr std::array criteria{Criterion::yield,         Criterion::fatigue,
+                                     Criterion::shear_fatigue, Criterion::combined_fatigue,
+                                     Criterion::stress_range,  Criterion::weld,
+                                     Criterion::pin,           Criterion::buckling,
+                                     Criterion::deflection};
 
 /// "yield", "shear fatigue", ...; in ids with "-" for the space.
 const char* to_text(Criterion criterion);

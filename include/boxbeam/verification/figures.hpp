@@ -54,7 +54,8 @@ struct PostureFigure {
 
 /// The governing fatigue strength line and working point, for the S-N diagram.
 struct SnFigure {
-  int category = 0;
+  std::string code, name;  ///< of the curve
+  double reference = 0.0;  ///< its strength at 2e6 cycles [Pa]
   bool published_step = false;
   std::vector<double> cycles;
   std::vector<double> spectrum;            ///< strength [Pa] at these cycles

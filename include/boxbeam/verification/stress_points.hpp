@@ -8,6 +8,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/section/section_points.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
@@ -28,21 +29,27 @@ struct StressPoint {
   std::string name;  ///< "fibre +z"
   Length y, z;
   Section section;
-  SectionProperties gross, net;
+  SectionProperties gross;
+  SectionProperties net;      ///< holes, and what shear lag leaves idle of the flanges, taken out
   StressInfluence influence;  ///< shear by equilibrium in the taper
   StressInfluence prismatic;  ///< shear by V S/(I b), for comparison
   Length plate;               ///< thickness that decides the yield strength
   Stress yield_strength;
   std::optional<EdgeConcentration> concentration;
   std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found
-  bool fatigue = true;          ///< whether direct-stress fatigue has a meaning here
-  int category = 0;
-  std::string category_assumed;  ///< why, where the category is an assumption
+  /// What resists ranges of direct and of shear stress; none where that is not looked at.
+  const BeamDetail* detail = nullptr;
+  const Detail* shear_detail = nullptr;
+  bool yield = true;       ///< whether the equivalent stress is looked at
+  bool on_throat = false;  ///< the throat of a seam: only its shear stress has a meaning
+  std::optional<ShearLag> lag;
 };
 
 /// Extreme fibres, ends of the webs, neutral axis, fibres of an inner profile, hole edges and the
-/// web beside them, and the user's own points in the section at a station.
-std::vector<StressPoint> stress_points_at(const Project& project, const Station& station);
+/// web beside them, throats of seams, and the user's own points in the section at a station.
+std::vector<StressPoint> stress_points_at(const Project& project,
+                                          const std::vector<BendingZone>& zones,
+                                          const Station& station);
 
 /// A point on a hole's edge moved to the place with the largest stress (yield) or stress range
 /// (fatigue) at the instants of all motions; any other point as it is.

@@ -8,10 +8,12 @@
 #include "boxbeam/mechanism/planar/equivalent_mass.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
-#include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/code_comparison.hpp"
 #include "boxbeam/verification/figures.hpp"
+#include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/neighbours.hpp"
 
 namespace boxbeam {
 
@@ -62,12 +64,6 @@ struct PublishedConcentration {
   double factor = 0.0;
 };
 
-/// A plate of a segment whose gross elastic stress is not valid.
-struct Gate {
-  std::string segment;
-  SlenderPlate plate;
-};
-
 /// What is left of the arithmetic at the instant nearest to a dead point.
 struct DigitsLeft {
   double left = 0.0;  ///< decimal digits of velocities
@@ -103,7 +99,9 @@ struct Verification {
   std::vector<MotionSummary> motions;  ///< at least one; the first situation runs
   std::optional<planar::EquivalentMass> equivalent_mass;
   std::optional<ChainComparison> chain;
-  std::vector<Gate> gates;  ///< what stands against believing the stresses; empty is good
+  std::vector<Gate> gates;        ///< what stands against believing the stresses, or changes them
+  std::vector<CodeResult> codes;  ///< the governing fatigue check under several codes
+  std::vector<NeighbourResult> neighbours;  ///< what the checks of pins and rods rest on
   std::vector<TaperSlope> tapers;
   std::vector<PublishedConcentration> published_concentrations;
   std::optional<SnFigure> sn;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "boxbeam/section/section.hpp"
+#include "boxbeam/strength/shear_lag.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+
+namespace boxbeam {
+
+/// A stretch of the beam between two places of zero moment, at the instant when the bending moment
+/// is largest.
+struct BendingZone {
+  Length from, to;
+  /// Length between zero moments, for shear lag; twice the stretch where the moment at an end of
+  /// the beam is not zero, as at a clamped one.
+  Length effective_length;
+  BendingRegion region = BendingRegion::sagging;  ///< hogging where a force makes a peak inside
+};
+
+/// The stretches of the beam, in order; none where it is never bent.
+/// Source: EN 1993-1-5:2006, 3.2.1, figure 3.1 (lengths between zero moments).
+std::vector<BendingZone> bending_zones_of(const Project& project,
+                                          const std::deque<SituationRun>& runs);
+
+/// What shear lag leaves of the flanges at a place.
+struct ShearLag {
+  Length b_0;               ///< half of the width between the middles of the webs
+  Length effective_length;  ///< L_e
+  double kappa = 0.0;
+  double beta = 1.0;
+  double flange_part = 1.0;  ///< of the clear width, see properties_of
+};
+
+/// Shear lag of a box or rectangular tube at a place; nothing where it does not count (b_0 below
+/// L_e/50, other profiles, no bending). Source: EN 1993-1-5:2006, 3.1, 3.2.1.
+std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, const Section& section,
+                                     Length s);
+
+}  // namespace boxbeam

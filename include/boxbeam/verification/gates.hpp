@@ -1,0 +1,30 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/bending_zones.hpp"
+#include "boxbeam/verification/checks.hpp"
+
+namespace boxbeam {
+
+/// Something to be looked at before elastic stresses are believed.
+struct Gate {
+  std::string segment;
+  std::string plate;    ///< "flange", "web"; "" where it is the whole section
+  std::string finding;  ///< what is the matter, with its numbers and clause
+  /// Whether the stresses computed mean nothing here: no check that passes counts.
+  bool blocks = false;
+};
+
+/// Section class with the stress that is there (EN 1993-1-1, table 5.2; class 4 with its effective
+/// width, EN 1993-1-5, 4.4), need of a shear buckling check (EN 1993-1-5, 5.1(2)), shear lag (EN
+/// 1993-1-5, 3.1; reduces the stresses' flanges, does not block), stress above yield. Each plate of
+/// a segment once, where it is worst. A plate counts as compressed in an instant where its
+/// compression is more than 1 % of its largest stress.
+std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
+                           const std::vector<Station>& stations,
+                           const std::vector<CheckResult>& checks);
+
+}  // namespace boxbeam

@@ -1,0 +1,200 @@
+#include "boxbeam/verification/gates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/strength/effective_width.hpp"
+#include "boxbeam/strength/plate_slenderness.hpp"
+#include "boxbeam/strength/section_class.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Below this part of its largest stress a plate's compression has no class.
+constexpr double negligible = 0.01;
+
+/// A web of a box or tube between its flanges.
+struct Web {
+  std::string name;
+  double y = 0.0;  ///< of its middle [m]
+  Length low, high, thickness;
+
+  Length depth() const { return high - low; }
+};
+
+std::vector<Web> webs_of(const Profile& profile) {
+  const Length low = clear_bottom_of(profile);
+  const Length high = clear_top_of(profile);
+  if (const auto* box = std::get_if<Box>(&profile)) {
+    const double left = (0.5 * box->width - 0.5 * box->left_web).value();
+    const double right = (0.5 * box->right_web - 0.5 * box->width).value();
+    if (box->left_web == box->right_web) return {{"web", left, low, high, box->left_web}};
+    return {{"left web", left, low, high, box->left_web},
+            {"right web", right, low, high, box->right_web}};
+  }
+  if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
+    return {{"web", 0.5 * (tube->width - tube->wall).value(), low, high, tube->wall}};
+  }
+  return {};
+}
+
+/// The stress distribution over a web with the lowest limit of class 3.
+struct WorstStress {
+  double psi = -1.0;
+  double limit = 0.0;
+  bool compressed = false;
+};
+
+WorstStress worst_over(const std::vector<SituationHistory>& histories,
+                       const StressInfluence& at_low, const StressInfluence& at_high,
+                       double epsilon) {
+  double largest = 0.0;
+  for (const SituationHistory& at : histories) {
+    for (const CutForces& cut : at.history.samples()) {
+      largest = std::max({largest, std::abs(stress_at(at_low, cut).normal.value()),
+                          std::abs(stress_at(at_high, cut).normal.value())});
+    }
+  }
+  WorstStress worst;
+  for (const SituationHistory& at : histories) {
+    for (const CutForces& cut : at.history.samples()) {
+      const double low = -stress_at(at_low, cut).normal.value();
+      const double high = -stress_at(at_high, cut).normal.value();
+      const double most = std::max(low, high);
+      if (most <= negligible * largest) continue;
+      const double psi = std::min(low, high) / most;
+      const double limit = internal_part_limits(1.0, psi, epsilon).class_3;
+      if (worst.compressed && limit >= worst.limit) continue;
+      worst = {psi, limit, true};
+    }
+  }
+  return worst;
+}
+
+/// Gates by segment and plate, the worst of each with how far it is beyond its limit.
+class GateList {
+ public:
+  void add(const std::string& kind, Gate gate, double excess) {
+    const std::string key = kind + "/" + gate.segment + "/" + gate.plate;
+    const auto found = worst_.find(key);
+    if (found != worst_.end() && found->second.second >= excess) return;
+    if (found == worst_.end()) order_.push_back(key);
+    worst_[key] = {std::move(gate), excess};
+  }
+  std::vector<Gate> gates() const {
+    std::vector<Gate> gates;
+    for (const std::string& key : order_) gates.push_back(worst_.at(key).first);
+    return gates;
+  }
+
+ private:
+  std::map<std::string, std::pair<Gate, double>> worst_;
+  std::vector<std::string> order_;
+};
+
+std::string class_4_text(double ratio, double limit, const std::string& effective) {
+  return fmt::format(
+      "c/t = {:.3g} is above {:.3g}, class 4 (EN 1993-1-1, table 5.2): it may buckle "
+      "before it yields, and the stress of the full section is not valid{}",
+      ratio, limit, effective);
+}
+
+void look_at_class(const Project& project, const std::string& segment, const Profile& profile,
+                   const AreaSums& sums, const std::vector<SituationHistory>& histories,
+                   GateList& gates) {
+  const std::vector<Web> webs = webs_of(profile);
+  for (const SlenderPlate& plate : slender_plates_of(profile, project.material)) {
+    gates.add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
+              plate.ratio / plate.limit);
+  }
+  for (const Web& web : webs) {
+    const auto yield = yield_strength_of(project.material, web.thickness);
+    if (!yield) continue;
+    const double epsilon = epsilon_of(*yield);
+    const WorstStress worst = worst_over(histories, normal_influence(sums, web.y, web.low.value()),
+                                         normal_influence(sums, web.y, web.high.value()), epsilon);
+    const double ratio = web.depth() / web.thickness;
+    if (worst.compressed && ratio > worst.limit) {
+      const auto effective =
+          internal_effective_width(web.depth(), web.thickness, worst.psi, epsilon);
+      gates.add("class",
+                {segment, web.name,
+                 class_4_text(ratio, worst.limit,
+                              effective ? fmt::format("; with psi = {:.2f}, rho = {:.3g} of its "
+                                                      "compressed width is effective (EN 1993-1-5, "
+                                                      "4.4)",
+                                                      worst.psi, effective->rho)
+                                        : ""),
+                 true},
+                ratio / worst.limit);
+    }
+    const ShearBucklingNeed need =
+        shear_buckling_need(web.depth(), web.thickness, *yield, shear_hardening_factor(*yield));
+    if (need.check_needed()) {
+      gates.add("shear buckling",
+                {segment, web.name,
+                 fmt::format("h_w/t_w = {:.3g} is above 72 eps/eta = {:.3g}: the web may buckle in "
+                             "shear, and its resistance is that of EN 1993-1-5, clause 5 (5.1(2))",
+                             need.ratio, need.limit),
+                 true},
+                need.ratio / need.limit);
+    }
+  }
+}
+
+void look_at_shear_lag(const std::string& segment, const std::optional<ShearLag>& lag,
+                       GateList& gates) {
+  if (!lag) return;
+  gates.add(
+      "shear lag",
+      {segment, "flange",
+       fmt::format("b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: shear "
+                   "lag counts; with kappa = {:.3g} a part beta = {:.3g} of the width works, "
+                   "and the normal stresses are those of the section so reduced (EN "
+                   "1993-1-5, 3.1 and 3.2.1)",
+                   lag->b_0.value() * 1e3, lag->effective_length.value(), lag->kappa, lag->beta),
+       false},
+      -lag->beta);
+}
+
+void look_at_yield(const std::vector<CheckResult>& checks, GateList& gates) {
+  for (const CheckResult& result : checks) {
+    const Check& check = result.check;
+    if (check.criterion != Criterion::yield || check.safety_factor >= 1.0) continue;
+    gates.add("yield",
+              {"", "",
+               fmt::format("at s = {} m, {} the stress is above the yield strength: there the beam "
+                           "is not elastic, and its fatigue factors mean nothing",
+                           to_text(check.station), check.point),
+               true},
+              1.0 / check.safety_factor);
+  }
+}
+
+}  // namespace
+
+std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
+                           const std::vector<Station>& stations,
+                           const std::vector<CheckResult>& checks) {
+  GateList gates;
+  const std::vector<BendingZone> zones = bending_zones_of(project, runs);
+  for (const Station& station : stations) {
+    const Section section = section_at(project.beam, station);
+    const std::string& segment = project.beam.segments[segment_at(project.beam, station)].name;
+    const std::vector<SituationHistory> histories = histories_at(runs, station);
+    const AreaSums sums = sums_of(outline_of(section, {}));
+    look_at_class(project, segment, section.outer, sums, histories, gates);
+    if (section.inner) look_at_class(project, segment, *section.inner, sums, histories, gates);
+    look_at_shear_lag(segment, shear_lag_at(zones, section, station.s), gates);
+  }
+  look_at_yield(checks, gates);
+  return gates.gates();
+}
+
+}  // namespace boxbeam
