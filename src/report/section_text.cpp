@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -20,8 +19,7 @@ std::string in(double value, double scale, const char* unit) {
 }
 
 std::string place(const SectionPlace& at) {
-  // Round-off of a symmetric section is no eccentricity.
-  const auto mm = [](Length x) { return std::abs(x.value()) < 1e-12 ? 0.0 : x.value() * 1e3; };
+  const auto mm = [](Length x) { return x.value() * 1e3; };
   return fmt::format("y {:.6g} mm, z {:.6g} mm", mm(at.y), mm(at.z));
 }
 
