@@ -9,7 +9,9 @@
 #include <iostream>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/project/detail_catalogue.hpp"
+#include "boxbeam/project/named_section.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/project/quantity_text.hpp"
 #include "boxbeam/project/sn_catalogue.hpp"
@@ -17,6 +19,7 @@
 #include "boxbeam/report/history_report.hpp"
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/report/plots.hpp"
+#include "boxbeam/report/section_text.hpp"
 #include "boxbeam/report/text_report.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
@@ -64,6 +67,12 @@ struct FatigueOptions {
   double gamma_Ff = 1.0;
   double gamma_Mf = 1.0;
   bool stress_relieved = false;
+  std::string json;
+};
+
+struct SectionOptions {
+  std::vector<std::string> profiles;
+  std::string steel = "S355";
   std::string json;
 };
 
@@ -150,6 +159,25 @@ int run_motion(const MotionOptions& options) {
   }
   if (!options.json.empty()) write_file(options.json, motion_json(motion));
   put(motion_text(project, motion));
+  return all_pass;
+}
+
+int run_section(const SectionOptions& options) {
+  const auto steel = find_steel(options.steel);
+  if (!steel) {
+    throw InputError(fmt::format("there is no steel \"{}\"", options.steel),
+                     fmt::format("known are {}", fmt::join(steel_names(), ", ")));
+  }
+  std::vector<SectionSummary> summaries;
+  std::string text;
+  for (const NamedSection& section : sections_from_words(options.profiles)) {
+    summaries.push_back(summary_of(section, *steel));
+    text += section_text(summaries.back());
+  }
+  if (!options.json.empty() && options.json != "-") {
+    write_file(options.json, section_json(summaries));
+  }
+  put(options.json == "-" ? section_json(summaries) : text);
   return all_pass;
 }
 
@@ -272,15 +300,18 @@ std::string option_hint(int argc, char** argv, const CLI::App& command) {
 
 /// What a command wants behind it, in messages.
 std::string usage_of(const std::string& command) {
-  return command == "fatigue" ? "write boxbeam fatigue HISTORY.csv --detail 100"
-                              : fmt::format("write boxbeam {} CASE.toml", command);
+  if (command == "fatigue") return "write boxbeam fatigue HISTORY.csv --detail 100";
+  if (command == "section") return "write boxbeam section \"RHS 200x100x8\"";
+  return fmt::format("write boxbeam {} CASE.toml", command);
 }
 
 /// The hint for a mistyped or missing command, case or option, which the parser does not give.
 std::string usage_hint(int argc, char** argv, const CLI::App& app) {
-  const std::vector<std::string> names{"verify", "motion", "fatigue"};
+  const std::vector<std::string> names{"verify", "motion", "section", "fatigue"};
   const std::string commands =
-      "write boxbeam verify CASE.toml, boxbeam motion CASE.toml or boxbeam fatigue HISTORY.csv";
+      "write boxbeam verify CASE.toml, boxbeam motion CASE.toml, boxbeam section PROFILE or "
+      "boxbeam "
+      "fatigue HISTORY.csv";
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with('-')) continue;
@@ -342,6 +373,18 @@ int run(int argc, char** argv) {
   motion_command->add_option("--set", motion_options.set, "override a key; may be repeated")
       ->allow_extra_args(false);
 
+  SectionOptions section_options;
+  CLI::App* section_command =
+      app.add_subcommand("section", "properties of sections and slenderness of their plates");
+  section_command
+      ->add_option("PROFILE", section_options.profiles,
+                   "\"RHS 200x100x8\", \"SHS 100x5\", \"CHS 168.3x8\",\n"
+                   "\"box 400x600 flange 50 web 50\" (width x height), or FILE.toml:SECTION")
+      ->required();
+  section_command->add_option("--steel", section_options.steel, "for the plates (default: S355)");
+  section_command->add_option("--json", section_options.json,
+                              "write the properties to this file; - for standard output");
+
   FatigueOptions fatigue_options;
   CLI::App* fatigue_command =
       app.add_subcommand("fatigue", "cycles, damage and life of a stress history by itself");
@@ -399,6 +442,7 @@ int run(int argc, char** argv) {
     std::cerr << "Run boxbeam --help for the commands and options.\n";
     return wrong_input;
   }
+  if (section_command->parsed()) return run_section(section_options);
   if (fatigue_command->parsed()) return run_fatigue(fatigue_options);
   return verify_command->parsed() ? run_verify(verify_options) : run_motion(motion_options);
 }

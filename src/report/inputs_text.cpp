@@ -54,10 +54,6 @@ std::string text_of(const ThinWalled& path) {
   return fmt::format("{} thin walls between {} nodes", path.walls.size(), path.nodes.size());
 }
 
-std::string profile_text(const Profile& profile) {
-  return std::visit([](const auto& shape) { return text_of(shape); }, profile);
-}
-
 std::string beam_inputs(const TaperedBeam& beam) {
   layout::Table table({"segment", "s [m]", "width x height, plates [mm]", "inside [mm]"});
   const auto row = [&](const std::string& name, Length s, const Section& section) {
@@ -142,6 +138,10 @@ std::string situation_text(const Project& project, const Situation& situation) {
 }
 
 }  // namespace
+
+std::string profile_text(const Profile& profile) {
+  return std::visit([](const auto& shape) { return text_of(shape); }, profile);
+}
 
 std::string inputs_text(const Project& project) {
   const FatigueInput& fatigue = project.fatigue;

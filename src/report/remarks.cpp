@@ -59,9 +59,10 @@ void add_tapers(const Verification& verification, std::vector<std::string>& rema
   for (const TaperSlope& taper : verification.tapers) {
     const double degrees = taper.angle * 180.0 / std::numbers::pi;
     std::string remark = fmt::format(
-        "the flanges of segment {} slope {:.1f} deg: V S/(I b) leaves with the webs what the "
-        "inclined "
-        "flanges carry of V",
+        "the flanges of segment {} slope {:.1f} deg: the shear is that of equilibrium, d/dx(M "
+        "S/I), "
+        "which leaves with the flanges what they carry of V; V S/(I b) stands beside it in the "
+        "calculation sheet",
         taper.segment, degrees);
     // Wedge under a tip force (Timoshenko and Goodier): M/W is 0.9939 of the exact edge stress at
     // a half-angle of 10 deg, 0.9861 at 15 deg.

@@ -239,6 +239,18 @@ Defect defect_of(const ThinWalled& path) {
     std::replace(group.begin(), group.end(), old, group[wall.from]);
     used[wall.from] = used[wall.to] = true;
   }
+  for (std::size_t i = 0; i < path.walls.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const ThinWall& one = path.walls[j];
+      const ThinWall& other = path.walls[i];
+      const bool neighbours = one.from == other.from || one.from == other.to ||
+                              one.to == other.from || one.to == other.to;
+      if (!neighbours && meet(path.nodes[one.from], path.nodes[one.to], path.nodes[other.from],
+                              path.nodes[other.to])) {
+        return fmt::format("the walls {} and {} cross where there is no node", j + 1, i + 1);
+      }
+    }
+  }
   for (std::size_t i = 0; i < path.nodes.size(); ++i) {
     if (!used[i] || group[i] != group[path.walls[0].from]) {
       return "not all nodes and walls hang together";

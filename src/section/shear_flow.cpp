@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
 #include <numeric>
 
 #include "boxbeam/section/normal_stress.hpp"
@@ -246,8 +247,9 @@ std::optional<SectionPlace> shear_centre_of(const Section& section) {
   if (!flow) return std::nullopt;
   // The torque about the beam axis that V_z and V_y need to pass without twist is y_s V_z - z_s
   // V_y.
-  return SectionPlace{si<Length>(-flow->torque[cut_force::V_z]),
-                      si<Length>(flow->torque[cut_force::V_y])};
+  // Round-off is no eccentricity.
+  const auto place = [](double x) { return si<Length>(std::abs(x) < 1e-12 ? 0.0 : x); };
+  return SectionPlace{place(-flow->torque[cut_force::V_z]), place(flow->torque[cut_force::V_y])};
 }
 
 }  // namespace boxbeam

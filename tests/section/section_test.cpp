@@ -118,3 +118,56 @@ TEST_CASE("height, clear height and the wall at a level follow the drawing") {
   CHECK(clear_top_of(round).value() == Approx(0.09).epsilon(1e-15));
   CHECK(wall_at(round, mm(95)) == mm(10));
 }
+
+TEST_CASE("stiffeners lie inside the box and not in one another", "[section]") {
+  Box stiff = box(400, 600, 20, 20);
+  stiff.stiffeners = {{BoxPlate::top_flange, mm(0), mm(100), mm(10)}};
+  CHECK(possible({stiff, {}}));
+  stiff.stiffeners.push_back({BoxPlate::left_web, mm(230), mm(300), mm(10)});
+  CHECK(defect_of(Section{stiff, {}})->find("cuts into") != std::string::npos);
+  stiff.stiffeners = {{BoxPlate::top_flange, mm(178), mm(100), mm(10)}};
+  CHECK(defect_of(Section{stiff, {}})->find("does not fit inside") != std::string::npos);
+}
+
+TEST_CASE("corner radii come in pairs and fit the tube", "[section]") {
+  CHECK(possible({RectangularTube{mm(100), mm(200), mm(8), mm(12), mm(8)}, {}}));
+  CHECK_FALSE(possible({RectangularTube{mm(100), mm(200), mm(8), mm(12), mm(0)}, {}}));
+  CHECK_FALSE(possible({RectangularTube{mm(100), mm(200), mm(8), mm(60), mm(40)}, {}}));
+}
+
+TEST_CASE("loops must not cross themselves, hollows lie inside", "[section]") {
+  const auto at = [](double y, double z) { return SectionPlace{mm(y), mm(z)}; };
+  const std::vector<SectionPlace> square{at(0, 0), at(100, 0), at(100, 100), at(0, 100)};
+  CHECK(possible({Polygon{square}, {}}));
+  CHECK_FALSE(possible({Polygon{{at(0, 0), at(100, 100), at(100, 0), at(0, 100)}}, {}}));
+  CHECK_FALSE(possible({Polygon{{at(0, 0), at(100, 0)}}, {}}));
+  CHECK(possible({Polygon{square, {{at(10, 10), at(20, 10), at(10, 20)}}}, {}}));
+  CHECK_FALSE(possible({Polygon{square, {{at(110, 10), at(120, 10), at(110, 20)}}}, {}}));
+  CHECK_FALSE(possible({Polygon{square, {{at(90, 10), at(120, 10), at(90, 20)}}}, {}}));
+}
+
+TEST_CASE("walls of a path hang together and do not cross away from nodes", "[section]") {
+  const auto at = [](double y, double z) { return SectionPlace{mm(y), mm(z)}; };
+  const ThinWall first{0, 1, mm(5), {}, {}}, second{2, 3, mm(5), {}, {}}, join{1, 2, mm(5), {}, {}};
+  CHECK(possible({ThinWalled{{at(0, 0), at(100, 0), at(100, 50)}, {first, join}}, {}}));
+  const std::vector<SectionPlace> apart{at(0, 0), at(100, 0), at(0, 50), at(100, 50)};
+  CHECK(defect_of(Section{ThinWalled{apart, {first, second}}, {}})->find("hang together") !=
+        std::string::npos);
+  const std::vector<SectionPlace> crossed{at(0, 0), at(100, 100), at(0, 100), at(100, 0)};
+  CHECK(defect_of(Section{ThinWalled{crossed, {first, second, join}}, {}})->find("cross") !=
+        std::string::npos);
+}
+
+TEST_CASE("only hollow sections stand in one another", "[section]") {
+  CHECK_FALSE(possible({box(400, 600, 50, 50), Plate{mm(20), mm(100)}}));
+}
+
+TEST_CASE("only boxes with the same stiffeners taper into each other", "[section]") {
+  Box stiff = box(400, 600, 20, 20);
+  stiff.stiffeners = {{BoxPlate::top_flange, mm(40), mm(100), mm(10)}};
+  CHECK_FALSE(same_kind({box(400, 600, 20, 20), {}}, {stiff, {}}));
+  CHECK(same_kind({stiff, {}}, {stiff, {}}));
+  CHECK_FALSE(is_symmetric_about_z({stiff, {}}));
+  stiff.stiffeners.push_back({BoxPlate::top_flange, mm(-40), mm(100), mm(10)});
+  CHECK(is_symmetric_about_z({stiff, {}}));
+}

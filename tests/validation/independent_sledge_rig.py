@@ -223,6 +223,29 @@ def fibre_factors(s, side):
     return factors
 
 
+def web_end_factor(s, side, sign):
+    """Yield factor where the webs meet a flange. The shear is that of the flange's own balance: what
+    its force N A_f/A + M S_f/I gains between two sections, M rising by V, passes into both webs.
+    In a taper this is far less than V S_f/I."""
+    step = 1e-5
+
+    def flange_force(station, normal, bending):
+        area, inertia, half_height = section(station, side, holes=False)
+        flange = BOX_WIDTH * BOX_PLATE
+        return flange * (normal / area + bending * sign * (half_height - BOX_PLATE / 2) / inertia)
+
+    def equivalent(time):
+        normal, shear, bending = cut_forces(time, s, side)
+        area, inertia, half_height = section(s, side, holes=False)
+        # To one side only: the taper may begin here.
+        forces = [flange_force(s + k * step, normal, bending + k * step * shear) for k in range(3)]
+        flow = (-1.5 * forces[0] + 2 * forces[1] - 0.5 * forces[2]) / step
+        stress = normal / area + bending * sign * (half_height - BOX_PLATE) / inertia
+        return math.sqrt(stress**2 + 3 * (flow / (2 * BOX_PLATE))**2)
+
+    return YIELD_STRENGTH / -minimum(lambda time: -equivalent(time))
+
+
 # Comparison. A group is a title, rows (name, program's value, value here), the deviation allowed
 # and what it is relative to: a number, or None for each value here itself.
 
@@ -273,6 +296,17 @@ def verification_groups(results):
         factors.update(fibre_factors(s, side))
     rows = [(name, theirs.get(name, math.inf), factor) for name, factor in factors.items()]
     yield "factors of the edge fibres", rows, 1e-8, None
+
+    rows = []
+    for check in results["checks"]:
+        s, side, point = check["station"], check["side"].strip("0"), check["point"]
+        if check["criterion"] != "yield" or not point.startswith("web end") or s == PIVOT:
+            continue
+        if side == "-" or any(g[0] <= s < g[1] and g[4] for g in SEGMENTS):
+            continue  # no section behind to look at, or two profiles
+        rows.append((check["id"], check["safety_factor"],
+                     web_end_factor(s, side, 1 if point.endswith("+z") else -1)))
+    yield "yield factors of web ends, tapers among them", rows, 1e-8, None
 
     for start, end, *_ in SEGMENTS:
         for tenth in range(1, 10):
