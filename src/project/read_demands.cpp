@@ -25,6 +25,7 @@ StrengthDemand read_strength(TableReader table) {
   StrengthDemand demand;
   demand.gamma_M0 = table.number("gamma_M0", 1.0);
   demand.gamma_M2 = table.number("gamma_M2", 1.25);
+  demand.shear_lag = table.boolean("shear_lag", true);
   demand.required = table.number("required");
   table.finish();
   return demand;

@@ -199,6 +199,10 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   add_short_lives(project, remarks);
   add_beside(project, verification, remarks);
   if (project.given_stresses.empty()) add_tapers(verification, remarks);
+  if (!project.strength.shear_lag) {
+    remarks.push_back(
+        "shear lag is left out, as the case asks: flanges count with their whole width");
+  }
   add_holes(project, remarks);
   add_published(project, verification, remarks);
   remarks.push_back(

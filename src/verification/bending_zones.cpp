@@ -64,6 +64,7 @@ std::vector<double> zeros_of(const CutForceDiagram& diagram, double largest) {
 
 std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs) {
+  if (!project.strength.shear_lag) return {};
   const LargestBending largest = largest_bending_of(runs);
   if (largest.moment <= 0.0) return {};
   const double length = project.beam.length().value();

@@ -165,8 +165,15 @@ class StressPoints {
       const double factor = hole_case == HoleCase::published_exponential
                                 ? published_concentration(a)
                                 : membrane_concentration(a) / (1.0 - a);
-      const std::vector<HoleEdge> edges =
+      std::vector<HoleEdge> edges =
           hole_edges_of(field_.section, field_.holes, taper_, hole, hole_case);
+      if (!taper_.empty()) {
+        // How much of the shear the inclined flanges carry near a hole, often at a kink of the
+        // taper and under a force, is not certain: the worse of both shears counts.
+        const std::vector<HoleEdge> prismatic =
+            hole_edges_of(field_.section, field_.holes, {}, hole, hole_case);
+        edges.insert(edges.end(), prismatic.begin(), prismatic.end());
+      }
       SectionPoint edge{"hole " + hole.name + " edge", {}, edges.front().z, {}, {}, {}, {}};
       edge.plate = wall_at(field_.section, edge.z);
       edge.influence = edge.prismatic = edges.front().influence;

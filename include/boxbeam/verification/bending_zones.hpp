@@ -20,7 +20,8 @@ struct BendingZone {
   BendingRegion region = BendingRegion::sagging;  ///< hogging where a force makes a peak inside
 };
 
-/// The stretches of the beam, in order; none where it is never bent.
+/// The stretches of the beam, in order; none where it is never bent, or the case leaves shear lag
+/// out.
 /// Source: EN 1993-1-5:2006, 3.2.1, figure 3.1 (lengths between zero moments).
 std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs);
