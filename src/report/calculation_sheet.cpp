@@ -38,7 +38,7 @@ std::string normal_stress_lines(const std::string& symbol, const StressPoint& po
   std::string out;
   if (!point.concentration) {
     const bool central = std::abs(point.net.centroid_z.value()) < 1e-12;
-    const char* net = point.net.area == point.gross.area ? "" : ",net";
+    const char* net = point.lag ? ",eff" : (point.net.area == point.gross.area ? "" : ",net");
     if (point.net.I_yz.value() != 0.0) {
       out += line(symbol, "N/A + M_y and N z_c, N y_c with I_y, I_z and I_yz at");
       out += after(
@@ -150,8 +150,18 @@ std::string extreme_lines(const Project& project, const Check& check, const Chec
   }
   out += normal_stress_lines("sigma_max", basis.point, basis.cut_at_highest) + at(basis.highest);
   out += normal_stress_lines("sigma_min", basis.point, basis.cut_at_lowest) + at(basis.lowest);
-  return out + line("range", fmt::format("sigma_max - sigma_min = {}",
-                                         text::MPa(basis.highest.value - basis.lowest.value)));
+  out += line("range", fmt::format("sigma_max - sigma_min = {}",
+                                   text::MPa(basis.highest.value - basis.lowest.value)));
+  if (basis.point.lag && !basis.point.concentration) {
+    const auto whole = [&](const CutForces& cut) {
+      return stress_at(basis.point.prismatic, cut).normal.value();
+    };
+    out += after(fmt::format("{} without shear lag (beta = {}, L_e = {} m)",
+                             text::MPa(whole(basis.cut_at_highest) - whole(basis.cut_at_lowest)),
+                             text::significant(basis.point.lag->beta, 3),
+                             text::significant(basis.point.lag->effective_length.value(), 3)));
+  }
+  return out;
 }
 
 std::string curve_lines(const Project& project, const CheckBasis& basis) {

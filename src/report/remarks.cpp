@@ -48,11 +48,14 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
 }
 
 void add_holes(const Project& project, std::vector<std::string>& remarks) {
-  if (project.beam.holes.empty() || !project.given_stresses.empty()) return;
+  const bool by_beam =
+      std::any_of(project.hole_inputs.begin(), project.hole_inputs.end(),
+                  [](const HoleInput& input) { return input.concentration && !input.detail; });
+  if (!by_beam || !project.given_stresses.empty()) return;
   remarks.push_back(
-      "at hole edges the largest local stress around the edge (concentration included) is compared "
-      "with the yield strength and, as modified nominal stress, with the category of the beam; "
-      "where the category is one for holes on the net section, this counts the hole twice");
+      "at hole edges without a detail of their own the largest local stress around the edge "
+      "(concentration included) is compared, as modified nominal stress, with the category of the "
+      "beam; where that is one for holes on the net section, this counts the hole twice");
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
@@ -176,15 +179,34 @@ void add_short_lives(const Project& project, std::vector<std::string>& remarks) 
 
 }  // namespace
 
+namespace {
+
+/// Plates of which the same is to be said are named together.
+void add_gates(const Verification& verification, std::vector<std::string>& remarks) {
+  std::vector<std::pair<const Gate*, std::string>> groups;
+  for (const Gate& gate : verification.gates) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return group.first->finding == gate.finding && group.first->plate == gate.plate;
+    });
+    if (same == groups.end())
+      groups.emplace_back(&gate, gate.segment);
+    else
+      same->second += ", " + gate.segment;
+  }
+  for (const auto& [gate, segments] : groups) {
+    const std::string where =
+        gate->plate.empty() ? "" : fmt::format("{} of segment {}: ", gate->plate, segments);
+    remarks.push_back((gate->blocks ? "not applicable: " : "") + where + gate->finding);
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> remarks_of(const Project& project, const Verification& verification) {
   std::vector<std::string> remarks;
   for (const std::string& assumption : project.assumptions)
     remarks.push_back("assumed: " + assumption);
-  for (const Gate& gate : verification.gates) {
-    const std::string where =
-        gate.plate.empty() ? "" : fmt::format("{} of segment {}: ", gate.plate, gate.segment);
-    remarks.push_back((gate.blocks ? "not applicable: " : "") + where + gate.finding);
-  }
+  add_gates(verification, remarks);
   add_details(project, remarks);
   add_branches(project, remarks);
   for (const MotionSummary& motion : verification.motions) {
@@ -206,8 +228,10 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   add_holes(project, remarks);
   add_published(project, verification, remarks);
   remarks.push_back(
-      "not checked here: shear buckling, the part of axial compression in the section class, shear "
-      "lag, fatigue under shear stress, weld throats, pins and rods");
+      "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
+      "for granted), lateral torsional buckling, plate buckling of class 4" +
+      std::string(project.pins.empty() ? ", pins" : "") + (project.rods.empty() ? ", rods" : "") +
+      (project.deflection ? "" : ", deflection"));
   return remarks;
 }
 
