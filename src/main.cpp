@@ -172,6 +172,7 @@ int run_section(const SectionOptions& options) {
   std::string text;
   for (const NamedSection& section : sections_from_words(options.profiles)) {
     summaries.push_back(summary_of(section, *steel));
+    if (!text.empty()) text += "\n";
     text += section_text(summaries.back());
   }
   if (!options.json.empty() && options.json != "-") {

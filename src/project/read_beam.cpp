@@ -4,6 +4,7 @@
 
 #include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/section/section_defect.hpp"
+#include "boxbeam/strength/hole_concentration.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -85,7 +86,23 @@ bool overlaps(const TaperedBeam& beam, Length s, const Hole& hole) {
 }
 
 /// Whether the concentration fits the walls of the hole; notes it where not.
-void check_concentration(TableReader& table, bool flanges, HoleCase hole_case) {
+void check_concentration(TableReader& table, bool flanges, bool solid, HoleCase hole_case) {
+  const bool out_of_plane = hole_case == HoleCase::out_of_plane_bending;
+  if (out_of_plane && !(flanges && solid)) {
+    table.problem("concentration",
+                  "only a solid plate with a hole along z is bent out of its plane; the walls of a "
+                  "hollow beam are strained evenly, or in their plane",
+                  flanges ? "write concentration = \"membrane tension\""
+                          : "write concentration = \"in-plane bending\"");
+    return;
+  }
+  if (flanges && solid && hole_case == HoleCase::membrane_tension) {
+    table.problem("concentration",
+                  "the bending of the beam bends a solid plate out of its plane at a hole along z",
+                  "write concentration = \"out-of-plane bending\", which counts N as membrane "
+                  "tension");
+    return;
+  }
   if (!flanges && hole_case == HoleCase::membrane_tension) {
     table.problem("concentration",
                   "a hole in a web is not in membrane tension: the bending of the beam "
@@ -102,8 +119,18 @@ void check_concentration(TableReader& table, bool flanges, HoleCase hole_case) {
   }
 }
 
+/// Whether the factor of plate bending is known for a hole; notes it where not.
+void check_bending_width(TableReader& table, const char* where, const Section& section,
+                         const Hole& hole) {
+  if (!hole_edges_of(section, {hole}, {}, hole, HoleCase::out_of_plane_bending).empty()) return;
+  table.problem(where,
+                "the holes take 0.3 of the width or more, where the factor of plate bending is not "
+                "known",
+                "make the hole smaller or the plate wider");
+}
+
 /// Concentration and detail of a hole.
-HoleInput read_hole_input(TableReader& table, bool flanges, Length s) {
+HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const TaperedBeam& beam) {
   HoleInput input;
   if (table.has("detail")) {
     TableReader given = table.table("detail");
@@ -117,9 +144,10 @@ HoleInput read_hole_input(TableReader& table, bool flanges, Length s) {
   const bool net = input.detail && input.detail->detail.where == StressPlace::net;
   if (net && !table.has("concentration")) return input;
   constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
-                                HoleCase::published_exponential};
-  const HoleCase hole_case = cases[table.choice(
-      "concentration", {"in-plane bending", "membrane tension", "published exponential"})];
+                                HoleCase::out_of_plane_bending, HoleCase::published_exponential};
+  const HoleCase hole_case =
+      cases[table.choice("concentration", {"in-plane bending", "membrane tension",
+                                           "out-of-plane bending", "published exponential"})];
   if (!table.problems().empty()) return input;
   if (net) {
     table.problem("concentration",
@@ -128,7 +156,8 @@ HoleInput read_hole_input(TableReader& table, bool flanges, Length s) {
                               input.detail->detail.row),
                   "take \"concentration\" away, or a detail of the plain plate: row = \"8.1/4\"");
   }
-  check_concentration(table, flanges, hole_case);
+  const bool solid = std::holds_alternative<Plate>(section_at(beam, {s}).outer);
+  check_concentration(table, flanges, solid, hole_case);
   input.concentration = hole_case;
   return input;
 }
@@ -143,7 +172,7 @@ void read_hole(TableReader table, Project& project) {
   hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
   const char* where = flanges ? "offsets" : "levels";
   const std::vector<double> positions = table.quantities(where, wanted::length);
-  const HoleInput input = read_hole_input(table, flanges, s);
+  const HoleInput input = read_hole_input(table, flanges, s, beam);
   table.finish();
   if (!table.problems().empty()) return;
 
@@ -167,6 +196,8 @@ void read_hole(TableReader table, Project& project) {
     } else if (overlaps(beam, s, hole)) {
       table.problem(where, "the hole overlaps another one in the same section",
                     "move them apart, or write one hole");
+    } else if (input.concentration == HoleCase::out_of_plane_bending) {
+      check_bending_width(table, where, section_at(beam, {s}), hole);
     }
     beam.holes.push_back({s, hole});
     project.hole_inputs.push_back(input);

@@ -71,6 +71,21 @@ Detail read_shear_detail(TableReader& table, const char* key, double category, c
   return detail;
 }
 
+/// The factor from the nominal stress to that of the detail, which some rows cannot do without.
+double read_stress_factor(TableReader& table, const Detail& detail) {
+  const double factor = table.number("stress_factor", 1.0);
+  const bool wanted = detail.where == StressPlace::hot_spot || detail.where == StressPlace::throat;
+  if (wanted && !table.has("stress_factor")) {
+    table.problem(
+        "",
+        fmt::format("row {} is for {}, which is not the nominal stress of the section", detail.row,
+                    detail.where == StressPlace::hot_spot ? "the structural stress at the hot spot"
+                                                          : "the stress in the weld's throat"),
+        "write stress_factor, its ratio to the nominal stress: stress_factor = 1.3");
+  }
+  return factor;
+}
+
 BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
   BeamDetail on_beam;
   on_beam.from = station_of(table, "from", beam);
@@ -85,6 +100,7 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
     table.problem("kind", "details of stretches are for direct stress",
                   "write shear = { kind = \"shear\", category = 80 } in [fatigue]");
   }
+  on_beam.stress_factor = read_stress_factor(table, on_beam.detail);
   on_beam.assumed = table.text("assumed", "");
   if (on_beam.to < on_beam.from) {
     table.problem("to", "the stretch ends before it begins", "exchange \"from\" and \"to\"");
@@ -99,6 +115,7 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   FatigueInput input;
   input.beam.to = beam.segments.empty() ? Length{} : beam.length();
   input.beam.detail = read_detail(table, plate_at(beam, Length{}, table.problems()));
+  input.beam.stress_factor = read_stress_factor(table, input.beam.detail);
   input.beam.assumed = table.text("assumed", "");
   input.published_step = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 1;
   if (input.published_step && table.problems().empty()) {

@@ -69,6 +69,11 @@ std::string normal_stress_lines(const std::string& symbol, const StressPoint& po
                                         text::significant(k.factor),
                                         text::significant(k.diameter_to_width, 3)));
         break;
+      case HoleCase::out_of_plane_bending:
+        out += line(symbol, fmt::format("K_t 6 M/[(w - d) h^2] + K_g N/A, K_g = {} (d/w = {})",
+                                        text::significant(k.factor),
+                                        text::significant(k.diameter_to_width, 3)));
+        break;
       case HoleCase::published_exponential:
         out += line(
             symbol,
@@ -124,7 +129,12 @@ std::string yield_lines(const Project& project, const Check& check, const CheckB
   out += line("t", text::seconds(check.time.value()) + ", where the equivalent stress is largest");
   out += normal_stress_lines("sigma", basis.point, basis.cut_at_time);
   out += shear_stress_lines("tau", basis.point, basis.cut_at_time);
-  out += line("sigma_v", "sqrt(sigma^2 + 3 tau^2) = " + text::MPa(check.acting.value()));
+  const double load_factor = project.situations[basis.running].load_factor;
+  out += line("sigma_v",
+              fmt::format("{}sqrt(sigma^2 + 3 tau^2) = {}{}",
+                          load_factor == 1.0 ? "" : text::significant(load_factor, 3) + " x ",
+                          text::MPa(check.acting.value()),
+                          check.situation.empty() ? "" : " (" + check.situation + ")"));
   out += line("f_y", fmt::format("{} ({}, plate {})", text::MPa(basis.point.yield_strength.value()),
                                  project.material.name, text::mm(basis.point.plate.value())));
   out += factor_line(
@@ -150,7 +160,9 @@ std::string extreme_lines(const Project& project, const Check& check, const Chec
   }
   out += normal_stress_lines("sigma_max", basis.point, basis.cut_at_highest) + at(basis.highest);
   out += normal_stress_lines("sigma_min", basis.point, basis.cut_at_lowest) + at(basis.lowest);
-  out += line("range", fmt::format("sigma_max - sigma_min = {}",
+  const double factor = basis.point.detail->stress_factor;
+  out += line("range", fmt::format("{}(sigma_max - sigma_min) = {}",
+                                   factor == 1.0 ? "" : text::significant(factor, 4) + " ",
                                    text::MPa(basis.highest.value - basis.lowest.value)));
   if (basis.point.lag && !basis.point.concentration) {
     const auto whole = [&](const CutForces& cut) {

@@ -111,6 +111,9 @@ std::string detail_text(const BeamDetail& of, const std::string& where) {
   if (detail.size_factor != 1.0) {
     out += fmt::format(", k_s = {}", text::significant(detail.size_factor));
   }
+  if (of.stress_factor != 1.0) {
+    out += fmt::format(", stress factor {}", text::significant(of.stress_factor, 4));
+  }
   if (detail.compression_reduced) out += ", compression counts 60 %";
   if (!of.assumed.empty()) out += ", ASSUMED";
   if (detail.unconfirmed) out += ", UNCONFIRMED";

@@ -46,8 +46,11 @@ Json json_of(const SectionSummary& summary) {
   json["steel"] = summary.steel;
   json["plates"] = Json::array();
   for (const SlenderPlate& plate : summary.plates) {
-    json["plates"].push_back(
-        {{"plate", plate.plate}, {"ratio", plate.ratio}, {"class_3_limit", plate.limit}});
+    json["plates"].push_back({{"plate", plate.plate},
+                              {"ratio", plate.ratio},
+                              {"class", class_of(plate.ratio, plate.limits)},
+                              {"limits", Json::array({plate.limits.class_1, plate.limits.class_2,
+                                                      plate.limits.class_3})}});
   }
   return json;
 }
@@ -86,10 +89,13 @@ std::string section_text(const SectionSummary& summary) {
         "source", summary.section.source + (summary.section.unconfirmed ? " (not confirmed)" : ""));
   }
   if (summary.plates.empty()) return out;
-  layout::Table table({"plate", "c/t", "class 3 up to", ""});
+  layout::Table table({"plate", "c/t", "class", "class 1 up to", "2", "3"});
   for (const SlenderPlate& plate : summary.plates) {
-    table.row({plate.plate, text::significant(plate.ratio, 4), text::significant(plate.limit, 4),
-               plate.ratio > plate.limit ? "class 4" : ""});
+    table.row({plate.plate, text::significant(plate.ratio, 4),
+               fmt::format("{}", class_of(plate.ratio, plate.limits)),
+               text::significant(plate.limits.class_1, 4),
+               text::significant(plate.limits.class_2, 4),
+               text::significant(plate.limits.class_3, 4)});
   }
   return out + "\n" + table.text() +
          fmt::format("  {}, EN 1993-1-1:2005, table 5.2: flanges compressed, webs bent\n",

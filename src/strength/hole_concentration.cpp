@@ -12,6 +12,7 @@ const char* to_text(HoleCase hole_case) {
   switch (hole_case) {
     case HoleCase::in_plane_bending: return "in-plane bending";
     case HoleCase::membrane_tension: return "membrane tension";
+    case HoleCase::out_of_plane_bending: return "out-of-plane bending";
     case HoleCase::published_exponential: return "published exponential";
   }
   return "";
@@ -73,6 +74,24 @@ std::vector<HoleEdge> edges_in_web(const Section& section, const std::vector<Hol
   return edges;
 }
 
+/// At both faces of a plate that lies flat, of which holes take a part of the width.
+std::vector<HoleEdge> edges_in_flat_plate(const Plate& plate, double diameter, double a) {
+  const double width = plate.width.value();
+  const double height = plate.height.value();
+  const auto bending = plate_bending_concentration(diameter / height, a);
+  if (!bending) return {};
+  std::vector<HoleEdge> edges(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double sign = k == 0 ? 1.0 : -1.0;
+    edges[k].z = sign * 0.5 * plate.height;
+    edges[k].influence.normal[cut_force::N] =
+        membrane_concentration(a) / (1.0 - a) / (width * height);
+    edges[k].influence.normal[cut_force::M_y] =
+        sign * *bending * 6.0 / (width * (1.0 - a) * height * height);
+  }
+  return edges;
+}
+
 }  // namespace
 
 std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Hole>& holes,
@@ -80,6 +99,9 @@ std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Ho
   const double a = hole.diameter / plate_width_of(section, holes, hole, hole_case);
   if (hole_case == HoleCase::in_plane_bending) return edges_in_web(section, holes, taper, hole, a);
 
+  if (hole_case == HoleCase::out_of_plane_bending) {
+    return edges_in_flat_plate(std::get<Plate>(section.outer), hole.diameter.value(), a);
+  }
   std::vector<HoleEdge> edges(2);
   for (std::size_t k = 0; k < 2; ++k) {
     const double sign = k == 0 ? 1.0 : -1.0;

@@ -1,20 +1,30 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace boxbeam {
 namespace {
 
-constexpr double compressed = 42.0, bent = 124.0, outstand = 14.0, round_tube = 90.0;
+/// How a plate is held and stressed.
+enum class PanelKind { compressed, bent, outstand, round_tube };
+using enum PanelKind;
 
-/// A plate between its supports, and the limit of its class without eps.
+/// A plate between its supports.
 struct Panel {
   std::string name;
   Length clear, thickness;
-  double factor;
-  int power = 1;  ///< of eps; 2 for tubes
+  PanelKind kind;
 };
+
+ClassLimits limits_of(PanelKind kind, double epsilon) {
+  switch (kind) {
+    case compressed: return internal_part_limits(1.0, 1.0, epsilon);
+    case bent: return internal_part_limits(0.5, -1.0, epsilon);
+    case outstand: return outstand_flange_limits(epsilon);
+    case round_tube: return round_tube_limits(epsilon);
+  }
+  return {};
+}
 
 /// The panels of a plate of a box between its stiffeners, the widest one.
 Length widest_panel(const Box& box, BoxPlate plate, Length low, Length high) {
@@ -71,7 +81,7 @@ std::vector<Panel> panels_of(const RectangularTube& tube) {
 }
 
 std::vector<Panel> panels_of(const RoundTube& tube) {
-  return {{"round wall", tube.diameter, tube.wall, round_tube, 2}};
+  return {{"round wall", tube.diameter, tube.wall, round_tube}};
 }
 
 std::vector<Panel> panels_of(const ThinWalled& path) {
@@ -105,9 +115,8 @@ std::vector<SlenderPlate> plate_slenderness_of(const Profile& profile, const Mat
        std::visit([](const auto& shape) { return panels_of(shape); }, profile)) {
     const auto yield = yield_strength_of(material, panel.thickness);
     if (!yield) continue;
-    const double eps = std::sqrt(235e6 / yield->value());
-    plates.push_back(
-        {panel.name, panel.clear / panel.thickness, panel.factor * std::pow(eps, panel.power)});
+    const ClassLimits limits = limits_of(panel.kind, epsilon_of(*yield));
+    plates.push_back({panel.name, panel.clear / panel.thickness, limits.class_3, limits});
   }
   return plates;
 }

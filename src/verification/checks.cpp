@@ -50,6 +50,14 @@ CutForceFunction normal_stress(const StressPoint& point) {
   return [&point](const CutForces& cut) { return stress_at(point.influence, cut).normal.value(); };
 }
 
+/// The normal stress that the detail of a point is judged by.
+CutForceFunction detail_stress(const StressPoint& point) {
+  const double factor = point.detail->stress_factor;
+  return [&point, factor](const CutForces& cut) {
+    return factor * stress_at(point.influence, cut).normal.value();
+  };
+}
+
 CutForceFunction shear_stress(const StressPoint& point) {
   return [&point](const CutForces& cut) { return stress_at(point.influence, cut).shear.value(); };
 }
@@ -169,7 +177,7 @@ std::vector<Channel> channels_of(const Project& project,
     if (largest_range_of(channel.spectrum) >= nothing) channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
-    add(normal_stress(point), StressKind::direct, point.detail->detail);
+    add(detail_stress(point), StressKind::direct, point.detail->detail);
   }
   if (point.shear_detail != nullptr && criterion != Criterion::fatigue) {
     add(shear_stress(point), StressKind::shear, *point.shear_detail);
@@ -269,7 +277,7 @@ std::optional<CheckResult> check_fatigue(const Project& project,
 
   const bool shear = criterion == Criterion::shear_fatigue;
   CheckResult result = start(criterion, project, point, in(upper ? highest : lowest),
-                             shear ? shear_stress(point) : normal_stress(point));
+                             shear ? shear_stress(point) : detail_stress(point));
   Check& check = result.check;
   CheckBasis& basis = *result.basis;
   check.situation = project.situations[governing].name;
@@ -337,7 +345,7 @@ std::optional<CheckResult> check_range(const Project& project,
       basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
     }
   };
-  if (point.detail != nullptr) look(normal_stress(point), most * point.yield_strength);
+  if (point.detail != nullptr) look(detail_stress(point), most * point.yield_strength);
   if (point.shear_detail != nullptr) {
     look(shear_stress(point), most / std::numbers::sqrt3 * point.yield_strength);
   }

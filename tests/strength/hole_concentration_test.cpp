@@ -156,3 +156,23 @@ TEST_CASE("the cases have names of their own") {
   CHECK(std::string(to_text(HoleCase::membrane_tension)) == "membrane tension");
   CHECK(std::string(to_text(HoleCase::published_exponential)) == "published exponential");
 }
+
+TEST_CASE(
+    "a hole along z in a solid plate that lies flat: plate bending and membrane, both faces") {
+  // Plate 200 x 10 mm, hole of 20 mm: d/h = 2, d/w = 0.1. Nominal 6M/[(w - d) h^2], factor of plate
+  // bending; N/A with Peterson's net factor over 1 - d/w.
+  const Section flat{Plate{0.2 * metre, 0.01 * metre}, {}};
+  const Hole hole{"bolt", 0.02 * metre, HoleWalls::flanges, Length{}};
+  const auto edges = hole_edges_of(flat, {hole}, {}, hole, HoleCase::out_of_plane_bending);
+  REQUIRE(edges.size() == 2);
+  const double nominal = 6.0 / (0.18 * 0.01 * 0.01);
+  const double factor = plate_bending_concentration(2.0, 0.1).value();
+  CHECK(edges[0].influence.normal[cut_force::M_y] == Approx(factor * nominal).epsilon(1e-12));
+  CHECK(edges[1].influence.normal[cut_force::M_y] == Approx(-factor * nominal).epsilon(1e-12));
+  const double membrane = membrane_concentration(0.1) / 0.9 / (0.2 * 0.01);
+  for (const HoleEdge& edge : edges)
+    CHECK(edge.influence.normal[cut_force::N] == Approx(membrane).epsilon(1e-12));
+  // From d/w = 0.3 on the factor is not known.
+  const Hole wide{"port", 0.07 * metre, HoleWalls::flanges, Length{}};
+  CHECK(hole_edges_of(flat, {wide}, {}, wide, HoleCase::out_of_plane_bending).empty());
+}

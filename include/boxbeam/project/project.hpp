@@ -45,6 +45,9 @@ struct BeamDetail {
   Length from, to;
   DetailPlace on = DetailPlace::section;
   Detail detail;
+  /// The stress of the detail over the nominal one of the section: k_f of EN 1993-1-9 6.3, the
+  /// structural stress of annex B, the stress in a throat by t/a.
+  double stress_factor = 1.0;
   std::string assumed;  ///< why it is taken so, where nobody classified it
 };
 

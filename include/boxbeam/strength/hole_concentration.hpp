@@ -12,6 +12,7 @@ namespace boxbeam {
 enum class HoleCase {
   in_plane_bending,       ///< hole in a web that the bending of the beam strains across its depth
   membrane_tension,       ///< hole in a flange, strained evenly
+  out_of_plane_bending,   ///< hole through a plate that lies flat and is bent out of its plane
   published_exponential,  ///< the sledge-rig thesis' formula (meant for out-of-plane plate bending)
 };
 
@@ -43,7 +44,9 @@ struct HoleEdge {
 /// without shear: K_g times the membrane part and 2 M r/I_net. The factors of an infinite plate are
 /// 3 and 4; 1/(1-a) raises the shear as the ligaments carry it. Membrane tension (flange): sigma =
 /// K_g (N/A + M z/I) at the outer fibre, gross. Published exponential: K_t times the nominal net
-/// stress at the two levels of the edge. Source: Kirsch (1898) and Timoshenko and Goodier, Theory
+/// stress at the two levels of the edge. Out-of-plane bending (solid plate, hole along z): K_t of
+/// plate bending on the net nominal stress 6M/[(w-d) h^2] and K_g on N/A, at both faces; nothing is
+/// returned where d/w is 0.3 or more. Source: Kirsch (1898) and Timoshenko and Goodier, Theory
 /// of Elasticity, article 35; gradient: Airy function of kappa z^3/6 with the same boundary
 /// conditions; the factor 2 also in Roark's Formulas, table 17.1 (conservative by 0 to 4 % for d/w
 /// up to 0.7).

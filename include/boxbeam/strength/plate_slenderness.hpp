@@ -5,6 +5,7 @@
 
 #include "boxbeam/section/section.hpp"
 #include "boxbeam/strength/material.hpp"
+#include "boxbeam/strength/section_class.hpp"
 
 namespace boxbeam {
 
@@ -13,6 +14,7 @@ struct SlenderPlate {
   std::string plate;   ///< "flange", "web", "top flange", "round wall", "wall 2", ...
   double ratio = 0.0;  ///< c/t of the clear plate between walls and stiffeners, or D/t
   double limit = 0.0;  ///< of class 3
+  ClassLimits limits;
 };
 
 /// The plates of a profile and the limits of class 3:
