@@ -40,7 +40,7 @@ TEST_CASE("section: several profiles give a list, a table each") {
   CHECK(Json::parse(result.out).size() == 2);
   const test::ProgramResult text = test::run_program({"section", "SHS", "100x5"});
   CHECK(text.exit_code == 0);
-  CHECK(text.out.find("class 3 up to") != std::string::npos);
+  CHECK(text.out.find("class 1 up to") != std::string::npos);
 }
 
 TEST_CASE("section: wrong words are exit code 2 with a hint") {
