@@ -60,6 +60,25 @@ std::vector<double> zeros_of(const CutForceDiagram& diagram, double largest) {
   return zeros;
 }
 
+/// Whether the moment is largest at an end of a stretch, as at a clamped end of the beam; a couple
+/// that the moment has fallen to there is none.
+bool peaks_at(const CutForceDiagram& diagram, double from, double to, double end) {
+  double largest = 0.0;
+  double at_end = 0.0;
+  for (const CutForcePiece& piece : diagram.pieces) {
+    for (int j = 0; j <= samples_per_piece; ++j) {
+      const double x = piece.length.value() * j / samples_per_piece;
+      const double s = piece.start.value() + x;
+      const double slack = nothing * (to - from);
+      if (s < from - slack || s > to + slack) continue;
+      const double moment = std::abs(piece.M_y(x));
+      largest = std::max(largest, moment);
+      if (std::abs(s - end) <= slack) at_end = std::max(at_end, moment);
+    }
+  }
+  return at_end >= (1.0 - nothing) * largest;
+}
+
 }  // namespace
 
 std::vector<BendingZone> bending_zones_of(const Project& project,
@@ -82,7 +101,8 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
     const double to = borders[i + 1];
     // Neighbouring samples of a stretch that is not bent.
     if (to - from < 1e-3 * length) continue;
-    const bool clamped = (i == 0 && !free_start) || (i + 2 == borders.size() && !free_end);
+    const bool clamped = (i == 0 && !free_start && peaks_at(diagram, from, to, from)) ||
+                         (i + 2 == borders.size() && !free_end && peaks_at(diagram, from, to, to));
     const bool peak =
         std::any_of(loads.points.begin(), loads.points.end(), [&](const PointLoad& load) {
           const double s = load.s.value();

@@ -65,13 +65,23 @@ struct Span {
   double largest() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
-/// What may peak inside a segment: stress range and largest stress of both outer fibres (gross
-/// section), the largest bending moment and the largest shear force, over the instants.
+/// What may peak inside a segment: stress range and largest stress of both outer fibres (without
+/// holes), the largest bending moment and the largest shear force, over the instants.
 using Peaks = std::array<double, 6>;
 
-Peaks peaks_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
-  const Section section = section_at(beam, {s});
-  const AreaSums sums = sums_of(outline_of(section, {}));
+/// Where maxima are looked for.
+struct Along {
+  const TaperedBeam& beam;
+  const std::vector<BendingZone>& zones;
+  const LoadHistory& loads;
+};
+
+Peaks peaks_at(const Along& along, Length s) {
+  const LoadHistory& loads = along.loads;
+  const Section section = section_at(along.beam, {s});
+  const auto lag = shear_lag_at(along.zones, section, s);
+  const AreaSums sums = lag ? sums_of(properties_of(section, {}, lag->flange_part))
+                            : sums_of(outline_of(section, {}));
   const Extent extent = extent_of(section.outer);
   const StressInfluence high = normal_influence(sums, 0.0, extent.z_high.value());
   const StressInfluence low = normal_influence(sums, 0.0, extent.z_low.value());
@@ -87,14 +97,13 @@ Peaks peaks_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
 }
 
 /// Brackets every inner maximum of each quantity on a grid in each piece and finds it by Brent.
-void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads,
-                      std::vector<Length>& stations) {
-  for (const CutForcePiece& piece : loads.diagram(0).pieces) {
+void add_inner_maxima(const Along& along, std::vector<Length>& stations) {
+  for (const CutForcePiece& piece : along.loads.diagram(0).pieces) {
     const auto at = [&](double j) { return piece.start + piece.length * (j / grid); };
     std::array<Peaks, grid + 1> values;
     for (std::size_t j = 0; j < values.size(); ++j) {
       // The very ends belong to the neighbours as well: look just inside.
-      values[j] = peaks_at(beam, loads, at(std::clamp(static_cast<double>(j), 1e-6, grid - 1e-6)));
+      values[j] = peaks_at(along, at(std::clamp(static_cast<double>(j), 1e-6, grid - 1e-6)));
     }
     for (std::size_t q = 0; q < values[0].size(); ++q) {
       for (std::size_t j = 1; j < grid; ++j) {
@@ -104,7 +113,7 @@ void add_inner_maxima(const TaperedBeam& beam, const LoadHistory& loads,
         const bool maximum =
             before >= 0.0 && behind > 0.0 && std::max(before, behind) > 1e-9 * values[j][q];
         if (!maximum) continue;
-        const auto quantity = [&](double s) { return peaks_at(beam, loads, si<Length>(s))[q]; };
+        const auto quantity = [&](double s) { return peaks_at(along, si<Length>(s))[q]; };
         const auto middle = static_cast<double>(j);
         stations.push_back(si<Length>(
             find_maximum(quantity, at(middle - 1.0).value(), at(middle + 1.0).value()).at));
@@ -281,6 +290,7 @@ StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationH
 
 std::vector<Station> stations_to_verify(const Project& project,
                                         const std::deque<SituationRun>& runs) {
+  const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   const TaperedBeam& beam = project.beam;
   std::vector<Length> places = places_of(beam);
   for (const NamedPoint& point : project.points) places.push_back(point.s);
@@ -290,7 +300,7 @@ std::vector<Station> stations_to_verify(const Project& project,
     places.push_back(stretch.to);
   }
   std::vector<Length> inner;
-  for (const SituationRun& run : runs) add_inner_maxima(beam, run.loads, inner);
+  for (const SituationRun& run : runs) add_inner_maxima({beam, zones, run.loads}, inner);
   // Maxima of different quantities close together are one station, the one of the stress range
   // first: near its maximum a quantity is level, so that what the others lose is of second order.
   std::vector<Length> chosen;

@@ -7,10 +7,11 @@ It calculates from the rig's data as written below (only the program reads the c
 shares no code or method with the program: no constraint equations, Jacobian, iteration or system
 of equations of motion. Positions: circle intersections in closed form. Derivatives: exact
 second-order jets. Forces: Newton-Euler body by body. Cut forces: equilibrium of the part above,
-exact integrals of the line mass. Extremes: golden section from a time grid. Factors: yield
-strength / largest stress and fatigue strength / stress range of the edge fibres; hole edges with
-their stress concentration are not calculated. Equivalent mass: by definition, driver force
-projected on the acceleration of the driven point.
+exact integrals of the line mass. Extremes: golden section from a time grid. Shear lag: a strip of
+each flange left out, by the length between zero moments. Factors: yield strength / largest stress
+and fatigue strength / stress range, of edge fibres and web ends; hole edges with their stress
+concentration are not calculated. Equivalent mass: by definition, driver force projected on the
+acceleration of the driven point.
 
 World: origin at the pivot, x to the right, y up, angles anticlockwise; a vector is the complex
 number x + iy. Beam: station s from its lower end C (0) to B (6.2 m), side - or + of a joint or
@@ -51,6 +52,8 @@ FIBRE_STATIONS = ((1.5, ""), (3.2, "-"), (3.2, "+"), (4.2, ""), (4.7, "-"), (4.7
 YIELD_STRENGTH = 335e6  # S355, 40 to 63 mm thick (EN 10025-2)
 # Category 100 at 2e6 cycles; slope 3 to 5e6 cycles, then slope 5 to 1e8 cycles (EN 1993-1-9).
 FATIGUE_STRENGTH = 100e6 * (2e6 / 5e6) ** (1 / 3) * (5e6 / 1e8) ** (1 / 5)
+# Shear: category 100, slope 5 all the way (clause 7, figure 7.2).
+SHEAR_FATIGUE_STRENGTH = 100e6 * (2e6 / 1e8) ** (1 / 5)
 
 
 class Jet:
@@ -90,8 +93,9 @@ def hollow(width, height, wall):
             (width * height**3 - inner_width * inner_height**3) / 12)
 
 
-def section(s, side, holes=True):
-    """Area, second moment and half height at s."""
+def section(s, side, holes=True, lag=None):
+    """Area, second moment and half height at s; `lag`: length between zero moments, for the section
+    without what shear lag leaves idle."""
     start, end, first, last, tube = next(
         g for g in SEGMENTS if (g[0] < s <= g[1] if side == "-" else g[0] <= s < g[1]))
     height = first + (last - first) * (s - start) / (end - start)
@@ -103,7 +107,21 @@ def section(s, side, holes=True):
         for diameter, level in ((HUB_HOLE, 0.0), (BOLT_HOLE, BOLT_LEVEL), (BOLT_HOLE, -BOLT_LEVEL)):
             area -= 2 * BOX_PLATE * diameter
             inertia -= 2 * BOX_PLATE * (diameter**3 / 12 + diameter * level**2)
+    if lag:
+        width, plate = (BOX_WIDTH, BOX_PLATE) if height else (TUBE_WIDTH, TUBE_WALL)
+        idle, depth = idle_width(width - plate, lag), height or TUBE_HEIGHT
+        area -= 2 * idle * plate
+        inertia -= idle * (depth**3 - (depth - 2 * plate) ** 3) / 12
     return area, inertia, (height or TUBE_HEIGHT) / 2
+
+
+def idle_width(between_webs, length):
+    """What shear lag takes of a flange's width, in its middle: EN 1993-1-5, 3.1(1) and table 3.1 for
+    a bending moment with the peak of a support's force. Plates without stiffeners."""
+    kappa = between_webs / 2 / length
+    if kappa < 1 / 50:
+        return 0.0
+    return between_webs * (1 - 1 / (1 + 6 * (kappa - 1 / (2500 * kappa)) + 1.6 * kappa**2))
 
 
 @lru_cache(maxsize=None)
@@ -209,9 +227,19 @@ def extremes(function):
     return minimum(function), -minimum(lambda time: -function(time))
 
 
-def fibre_factors(s, side):
+def length_between_zero_moments():
+    """At the instant of the largest moment, which stands at the pivot: the beam's ends are pins, and
+    here no other zero lies between them."""
+    at = max((PERIOD * i / 1440 for i in range(1440)),
+             key=lambda time: abs(cut_forces(time, PIVOT, "-")[2]))
+    moments = [cut_forces(at, LENGTH * i / 200, "-")[2] for i in range(1, 200)]
+    assert min(moments) > 0 or max(moments) < 0
+    return LENGTH
+
+
+def fibre_factors(s, side, lag):
     """Safety factors of both edge fibres at s, named as the program's checks."""
-    area, inertia, half_height = section(s, side)
+    area, inertia, half_height = section(s, side, lag=lag)
     factors = {}
     for sign, z in (("+", half_height), ("-", -half_height)):
         def stress(time, z=z):
@@ -223,10 +251,11 @@ def fibre_factors(s, side):
     return factors
 
 
-def web_end_factor(s, side, sign):
-    """Yield factor where the webs meet a flange. The shear is that of the flange's own balance: what
-    its force N A_f/A + M S_f/I gains between two sections, M rising by V, passes into both webs.
-    In a taper this is far less than V S_f/I."""
+def web_end_factors(s, side, sign, lag):
+    """Factors where the webs meet a flange: yield, direct and shear fatigue, both together. The shear
+    is that of the flange's own balance: what its force N A_f/A + M S_f/I gains between two sections,
+    M rising by V, passes into both webs. In a taper this is far less than V S_f/I. The whole flange
+    takes part in it."""
     step = 1e-5
 
     def flange_force(station, normal, bending):
@@ -234,16 +263,25 @@ def web_end_factor(s, side, sign):
         flange = BOX_WIDTH * BOX_PLATE
         return flange * (normal / area + bending * sign * (half_height - BOX_PLATE / 2) / inertia)
 
-    def equivalent(time):
+    @lru_cache(maxsize=None)
+    def stresses(time):
         normal, shear, bending = cut_forces(time, s, side)
-        area, inertia, half_height = section(s, side, holes=False)
+        area, inertia, half_height = section(s, side, holes=False, lag=lag)
         # To one side only: the taper may begin here.
         forces = [flange_force(s + k * step, normal, bending + k * step * shear) for k in range(3)]
         flow = (-1.5 * forces[0] + 2 * forces[1] - 0.5 * forces[2]) / step
-        stress = normal / area + bending * sign * (half_height - BOX_PLATE) / inertia
-        return math.sqrt(stress**2 + 3 * (flow / (2 * BOX_PLATE))**2)
+        direct = normal / area + bending * sign * (half_height - BOX_PLATE) / inertia
+        return direct, flow / (2 * BOX_PLATE)
 
-    return YIELD_STRENGTH / -minimum(lambda time: -equivalent(time))
+    def range_of(kind):
+        low, high = extremes(lambda time: stresses(time)[kind])
+        return high - low
+
+    direct, shear = FATIGUE_STRENGTH / range_of(0), SHEAR_FATIGUE_STRENGTH / range_of(1)
+    largest = -minimum(lambda time: -math.hypot(stresses(time)[0], math.sqrt(3) * stresses(time)[1]))
+    # At 1e8 cycles, the end of both lines, a range does all the damage or none.
+    return {"yield": YIELD_STRENGTH / largest, "fatigue": direct, "shear fatigue": shear,
+            "combined fatigue": min(direct, shear)}
 
 
 # Comparison. A group is a title, rows (name, program's value, value here), the deviation allowed
@@ -290,34 +328,6 @@ def verification_groups(results):
                      (f"largest at {s:.4g}{side}", station[kind][1], high)]
         yield f"cut force {kind}", rows, 1e-9, max(abs(value) for _, _, value in rows)
 
-    theirs = {check["id"]: check["safety_factor"] for check in results["checks"]}
-    factors = {}
-    for s, side in FIBRE_STATIONS:
-        factors.update(fibre_factors(s, side))
-    rows = [(name, theirs.get(name, math.inf), factor) for name, factor in factors.items()]
-    yield "factors of the edge fibres", rows, 1e-8, None
-
-    rows = []
-    for check in results["checks"]:
-        s, side, point = check["station"], check["side"].strip("0"), check["point"]
-        if check["criterion"] != "yield" or not point.startswith("web end") or s == PIVOT:
-            continue
-        if side == "-" or any(g[0] <= s < g[1] and g[4] for g in SEGMENTS):
-            continue  # no section behind to look at, or two profiles
-        rows.append((check["id"], check["safety_factor"],
-                     web_end_factor(s, side, 1 if point.endswith("+z") else -1)))
-    yield "yield factors of web ends, tapers among them", rows, 1e-8, None
-
-    for start, end, *_ in SEGMENTS:
-        for tenth in range(1, 10):
-            factors.update(fibre_factors(start + (end - start) * tenth / 10, ""))
-    theirs = {check["id"]: check["safety_factor"] for check in results["governing"].values()}
-    rows = []
-    for criterion in ("yield", "fatigue"):
-        lowest = min((name for name in factors if name.startswith(criterion)), key=factors.get)
-        rows.append((lowest, theirs.get(lowest, math.inf), factors[lowest]))
-    yield "governing factors along the beam", rows, 1e-8, None
-
     remark = re.search(r"the mechanism feels like (\d+) kg at A; for (\d+) kg there the sledge "
                        r"would have to be (\d+) kg", "\n".join(results["remarks"]))
     stated = map(int, remark.groups()) if remark else [math.inf] * 3
@@ -326,6 +336,40 @@ def verification_groups(results):
     rows = list(zip(("felt", "wanted", "needed"), stated,
                     (round(felt), round(WANTED_MASS), round(needed))))
     yield "equivalent mass, to the kilogram", rows, 0.0, 1.0
+
+
+def stress_groups(title, results, lag):
+    """Factors of fibres and web ends; `lag`: length between zero moments, None without shear lag."""
+    theirs = {check["id"]: check["safety_factor"] for check in results["checks"]}
+    factors = {}
+    for s, side in FIBRE_STATIONS:
+        factors.update(fibre_factors(s, side, lag))
+    rows = [(name, theirs.get(name, math.inf), factor) for name, factor in factors.items()]
+    yield f"{title}, factors of the edge fibres", rows, 1e-8, None
+
+    rows = {}
+    for check in results["checks"]:
+        s, side, point = check["station"], check["side"].strip("0"), check["point"]
+        if not point.startswith("web end") or s == PIVOT:
+            continue
+        if side == "-" or any(g[0] <= s < g[1] and g[4] for g in SEGMENTS):
+            continue  # no section behind to look at, or two profiles
+        factor = web_end_factors(s, side, 1 if point.endswith("+z") else -1, lag)
+        if check["criterion"] in factor:
+            rows.setdefault(check["criterion"], []).append(
+                (check["id"], check["safety_factor"], factor[check["criterion"]]))
+    for criterion in ("yield", "fatigue", "shear fatigue", "combined fatigue"):
+        yield f"{title}, {criterion} of web ends, tapers among them", rows[criterion], 1e-8, None
+
+    for start, end, *_ in SEGMENTS:
+        for tenth in range(1, 10):
+            factors.update(fibre_factors(start + (end - start) * tenth / 10, "", lag))
+    theirs = {check["id"]: check["safety_factor"] for check in results["governing"].values()}
+    rows = []
+    for criterion in ("yield", "fatigue"):
+        lowest = min((name for name in factors if name.startswith(criterion)), key=factors.get)
+        rows.append((lowest, theirs.get(lowest, math.inf), factors[lowest]))
+    yield f"{title}, governing factors along the beam", rows, 1e-8, None
 
 
 def report(title, rows, allowed, scale):
@@ -355,9 +399,14 @@ def main():
     drawn = run_program(program, root, *moment)
     flipped = run_program(program, root, *moment, "--set", 'loops.lower.sign="-"')
     with tempfile.TemporaryDirectory() as folder:
-        results = run_program(program, root, "verify", CASE, "--no-plots", "--out", folder)
+        verify = ("verify", CASE, "--no-plots", "--out", folder)
+        results = run_program(program, root, *verify)
+        plain = run_program(program, root, *verify, "--set", "strength.shear_lag=false")
+    lag = length_between_zero_moments()
     groups = [*motion_groups("drawn branch", drawn, 1),
-              *motion_groups("flipped branch", flipped, -1), *verification_groups(results)]
+              *motion_groups("flipped branch", flipped, -1), *verification_groups(results),
+              *stress_groups("shear lag", results, lag),
+              *stress_groups("no shear lag", plain, None)]
     sys.exit(0 if all([report(*group) for group in groups]) else 1)
 
 

@@ -14,8 +14,9 @@ namespace boxbeam {
 /// is largest.
 struct BendingZone {
   Length from, to;
-  /// Length between zero moments, for shear lag; twice the stretch where the moment at an end of
-  /// the beam is not zero, as at a clamped one.
+  /// Length between zero moments, for shear lag; twice the stretch where the moment is largest at
+  /// an end of the beam, as at a clamped one. A smaller moment there, from a couple, adds nothing:
+  /// the stretch is a little shorter than it would be without, on the safe side.
   Length effective_length;
   BendingRegion region = BendingRegion::sagging;  ///< hogging where a force makes a peak inside
 };

@@ -1,5 +1,5 @@
 """What the shipped cases' calculations have in common: a beam of boxes, cut forces from the free
-part of it, stresses, extremes over a period, rainflow and Miner's rule.
+part of it, shear lag, stresses, extremes over a period, rainflow and Miner's rule.
 
 Shares no code or method with the program: derivatives are central differences of closed-form
 positions, mass integrals Simpson's rule, extremes a fine grid with golden sections, the fatigue
@@ -99,6 +99,7 @@ class Beam:
         self.heights, self.width, self.flange, self.web = heights, width, flange, web
         self.density, self.rotary = density, rotary
         self.length = heights[-1][0]
+        self.zones = []  # for shear lag: start, end, whether a force makes a peak of the moment
 
     def height(self, s):
         for (low, first), (high, last) in zip(self.heights, self.heights[1:]):
@@ -154,11 +155,73 @@ class Beam:
         local = force * u.v.conjugate()
         return local.real, local.imag, -moment
 
+    def find_zones(self, states):
+        """The stretches between zero moments at the instant of the largest moment."""
+        def moment(s):
+            return self.cut(at, s, "-")[2]
+
+        inner = [self.length * i / 400 for i in range(1, 400)]
+        at = max(states, key=lambda state: max(abs(self.cut(state, s, "-")[2]) for s in inner))
+        borders = [0.0]
+        for low, high in zip(inner, inner[1:]):
+            if moment(low) * moment(high) > 0:
+                continue
+            positive = moment(low) > 0
+            for _ in range(60):  # a zero, or a couple that turns the sign
+                middle = (low + high) / 2
+                low, high = (middle, high) if (moment(middle) > 0) == positive else (low, middle)
+            borders.append(high)
+        borders.append(self.length)
+        for start, end in zip(borders, borders[1:]):
+            # None of these beams is clamped: moments at their ends are those of couples.
+            largest = max(abs(moment(s)) for s in inner if start < s < end)
+            assert max(abs(moment(1e-9)), abs(moment(self.length))) < largest or len(borders) > 2
+            peak = any(start < station < end for station, *_ in at[2])
+            self.zones.append((start, end, peak))
+
+    def idle(self, s):
+        """What shear lag takes of the flanges' width: EN 1993-1-5, 3.1(1) and table 3.1."""
+        zone = next((z for z in self.zones if z[0] <= s <= z[1]), None)
+        between_webs = self.width - self.web
+        if zone is None or between_webs / 2 < (zone[1] - zone[0]) / 50:
+            return 0.0
+        kappa = between_webs / 2 / (zone[1] - zone[0])
+        assert kappa <= 0.7
+        more = 6.4 * kappa**2
+        if zone[2]:
+            more = 6 * (kappa - 1 / (2500 * kappa)) + 1.6 * kappa**2
+        return between_webs * (1 - 1 / (1 + more))
+
+    def working(self, s):
+        """Area and second moment without what shear lag leaves idle."""
+        idle, h = self.idle(s), self.height(s)
+        return (self.area(s) - 2 * idle * self.flange,
+                self.inertia(s) - idle * (h**3 - (h - 2 * self.flange) ** 3) / 12)
+
     def edge(self, state, s, side, sign):
         N, _, M = self.cut(state, s, side)
         d = self.hole[1] if s == self.hole[0] else 0.0
-        return (N / (self.area(s) - 2 * self.web * d)
-                + sign * M * self.height(s) / 2 / (self.inertia(s) - self.web * d**3 / 6))
+        area, inertia = self.working(s)
+        return (N / (area - 2 * self.web * d)
+                + sign * M * self.height(s) / 2 / (inertia - self.web * d**3 / 6))
+
+    def web_end(self, state, s, side, sign):
+        """Direct and shear stress where the webs meet a flange. The shear is what the force
+        N A_f/A + M S_f/I of the flange gains along the beam, M rising by V; the whole flange takes
+        part in it."""
+        N, V, M = self.cut(state, s, side)
+        step = -1e-5 if side == "-" else 1e-5
+        plate = self.width * self.flange
+
+        def flange_force(k):
+            at = s + k * step
+            return plate * (N / self.area(at) + (M + k * step * V) * sign
+                            * (self.height(at) - self.flange) / 2 / self.inertia(at))
+
+        flow = (-1.5 * flange_force(0) + 2 * flange_force(1) - 0.5 * flange_force(2)) / step
+        area, inertia = self.working(s)
+        return (N / area + sign * M * (self.height(s) / 2 - self.flange) / inertia,
+                flow / (2 * self.web))
 
 
 def golden(function, low, high):
@@ -206,21 +269,31 @@ def rainflow(values):
     return ranges
 
 
-def fatigue_factor(ranges, category, cycles, gamma_Mf):
-    """EN 1993-1-9 7.1(3), slopes 3 and 5, cut-off at 1e8: the largest factor with damage <= 1."""
+def direct_damage(category):
+    """Damage of 5e6 cycles of a range; EN 1993-1-9 7.1(3), slopes 3 and 5, cut-off at 1e8."""
     knee = category * 1e6 * 0.4 ** (1 / 3)
     cut_off = knee * 0.05**0.2
 
-    def damage(factor):
-        total = 0.0
-        for value in ranges:
-            acting = factor * gamma_Mf * value
-            if acting >= cut_off * (1 - 1e-15):
-                slope = 3 if acting >= knee else 5
-                total += cycles / 5e6 * (acting / knee) ** slope
-        return total
+    def damage(acting):
+        if acting < cut_off * (1 - 1e-15):
+            return 0.0
+        return (acting / knee) ** (3 if acting >= knee else 5)
+    return damage
 
-    low, high = 0.0, 1e6 * cut_off / max(ranges)
+
+def shear_damage(category):
+    """The same of shear stress: slope 5, cut-off at 1e8."""
+    cut_off = category * 1e6 * 0.02**0.2
+    return lambda acting: 0.0 if acting < cut_off * (1 - 1e-15) else 0.05 * (acting / cut_off) ** 5
+
+
+def fatigue_factor(channels, cycles, gamma_Mf):
+    """The largest factor with damage <= 1 of all channels: ranges and their damage."""
+    def damage(factor):
+        return sum(cycles / 5e6 * damage_of(factor * gamma_Mf * value)
+                   for ranges, damage_of in channels for value in ranges)
+
+    low, high = 0.0, 1e12 / max(max(ranges) for ranges, _ in channels)
     while high - low > 1e-13 * high:
         middle = (low + high) / 2
         low, high = (middle, high) if damage(middle) <= 1 else (low, middle)

@@ -5,7 +5,8 @@
 
 Every mechanism from its data as written below (the program alone reads the case files; the time
 tables are read by both): positions from circles and the law of cosines, forces body by body.
-Edge fibres of all beams and the hole of the press are calculated, other points are not.
+Edge fibres and web ends of all beams and the hole of the press are calculated, with and without
+shear lag; other points are not.
 """
 import cmath
 import importlib.util
@@ -20,7 +21,8 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 
 from hand_calculation import (GRAVITY, Beam, PeriodicSpline, bar_moment, circles,  # noqa: E402
-                              cross, fatigue_factor, fixed, moving, rainflow, turning_values)
+                              cross, direct_damage, fatigue_factor, fixed, moving, rainflow,
+                              shear_damage, turning_values)
 
 G = 9.81
 
@@ -32,7 +34,7 @@ class Press:
     beam = Beam([(0, 0.42), (0.25, 0.42), (1.35, 0.32), (1.6, 0.32)], 0.26, 0.04, 0.03, 7850,
                 hole=(0.8, 0.04))
     fatigue = {"cycles": 2e7, "gamma_Mf": 1.35}
-    yield_strength = 345e6
+    yield_strength = web_yield_strength = 345e6
     stations = [0.25, 0.8, 1.35]
     category = staticmethod(lambda s: 71 if s in (0.25, 1.35) else 100)
 
@@ -98,7 +100,7 @@ class Rocker(FourBar):
     case, instant, period = "sections/four-bar-rocker/rocker.toml", 0.3, 60 / 54
     beam = Beam([(0, 0.3), (1.2, 0.48), (3.0, 0.08)], 0.16, 0.012, 0.012, 7850, rotary=True)
     fatigue = {"cycles": 2e7, "gamma_Mf": 1.35}
-    yield_strength = 355e6
+    yield_strength = web_yield_strength = 355e6
     stations = [1.1, 1.2, 1.3]
     category = staticmethod(lambda s: 71 if 1.1 <= s <= 1.3 else 80)
     start, omega, shaft, crank = 0.0, 2 * math.pi * 54 / 60, 0j, 0.25
@@ -129,7 +131,7 @@ class PumpJack(FourBar):
     beam = Beam([(0, 0.45), (2.1, 0.8), (2.9, 0.8), (4.9, 0.4), (5.6, 0.4)], 0.3, 0.025, 0.014,
                 7850)
     fatigue = {"cycles": 4.2e7, "gamma_Mf": 1.35}
-    yield_strength = 225e6
+    yield_strength, web_yield_strength = 225e6, 235e6  # of 25 and of 14 mm
     stations = [2.2, 2.5, 2.8, 3.9, 4.0]
     start, omega, shaft, crank = -math.pi / 2, 2 * math.pi * 8 / 60, -2.5 - 2.6j, 0.8
     coupler, coupler_mass, pivot, arm, side = 2.6, 420, 0j, 2.5, 1
@@ -170,7 +172,7 @@ class Lift:
     beam = Beam([(0, 0.1), (0.9, 0.17), (1.5, 0.17), (2.4, 0.1)], 0.08, 0.008, 0.006, 7850,
                 hole=(1.2, 0.05))
     fatigue = {"cycles": 2e5, "gamma_Mf": 1.35}
-    yield_strength = 355e6
+    yield_strength = web_yield_strength = 355e6
     stations = [0.95, 1.05, 1.15, 1.2]
     category = staticmethod(lambda s: 56 if 0.95 <= s <= 1.15 else 90)
 
@@ -226,8 +228,6 @@ def largest(case, state, stress):
 
 def groups(case, program, root):
     motion = run(program, root, "motion", case.case, "--at", str(case.instant))
-    with tempfile.TemporaryDirectory() as folder:
-        results = run(program, root, "verify", case.case, "--no-plots", "--out", folder)
     title = case.case.split("/")[1]
 
     # Forces at an instant.
@@ -243,11 +243,19 @@ def groups(case, program, root):
             rows += [(f"{joint}, x", sign * theirs["fx"], value.real),
                      (f"{joint}, y", sign * theirs["fy"], value.imag)]
     yield f"{title}: joint forces at {case.instant} s", rows, 1e-8, scale
+    case.count = 1440
+    state = lru_cache(maxsize=None)(lambda t: case.solve(t)[0])
+    yield from factor_groups(f"{title}, no shear lag", case, state,
+                             verified(program, root, case.case, "strength.shear_lag=false"))
+    case.beam.find_zones([state(case.period * i / 240) for i in range(240)])
+    results = verified(program, root, case.case)
+    yield from factor_groups(f"{title}, shear lag", case, state, results)
+
     rows = [("mass", results["beam"]["mass"], case.beam.mass)]
     yield f"{title}: mass of the beam", rows, 1e-12, None
 
-    case.count = 1440
-    state = lru_cache(maxsize=None)(lambda t: case.solve(t)[0])
+
+def factor_groups(title, case, state, results):
     theirs = results["governing"]["yield"]
 
     def stress(at):
@@ -260,15 +268,19 @@ def groups(case, program, root):
     yield f"{title}: governing yield factor", [(theirs["id"], theirs["safety_factor"],
                                                 factor)], 1e-6, None
 
-    # Both edge fibres wherever the program shows them, and the governing place.
-    rows = []
+    # Both edge fibres and web ends wherever the program shows them, and the governing place.
+    rows, at_webs = [], []
     for check in results["checks"]:
-        if check["criterion"] != "fatigue" or not check["point"].startswith("fibre"):
-            continue
         s, sign = round(check["station"], 9), 1 if "+z" in check["point"] else -1
-        here = factor_at(case, state, s, side_of(check), sign)
-        rows.append((check["id"], check["safety_factor"], here))
+        place = (s, side_of(check), sign)
+        if check["criterion"] == "fatigue" and check["point"].startswith("fibre"):
+            rows.append((check["id"], check["safety_factor"], factor_at(case, state, *place)))
+        if check["point"].startswith("web end") and s != case.beam.hole[0]:
+            here = web_end_factor(case, state, place, check["criterion"])
+            if here:
+                at_webs.append((check["id"], check["safety_factor"], here))
     yield f"{title}: fatigue factors of the edge fibres", rows, 1e-6, None
+    yield f"{title}: factors of the web ends", at_webs, 1e-6, None
 
     theirs = results["governing"]["fatigue"]
     if "hole" in theirs["point"]:
@@ -292,8 +304,31 @@ def factor_at(case, state, s, side, sign, fine=True):
 
 
 def fatigue_of(case, state, stress, category, fine=True):
-    values = turning_values(lambda t: stress(state(t)), case.period, case.count, fine)
-    return fatigue_factor(rainflow(values), category, **case.fatigue)
+    return fatigue_factor([(ranges_of(case, state, stress, fine), direct_damage(category))],
+                          **case.fatigue)
+
+
+def ranges_of(case, state, stress, fine=True):
+    return rainflow(turning_values(lambda t: stress(state(t)), case.period, case.count, fine))
+
+
+def web_end_factor(case, state, place, criterion):
+    """A factor where the webs meet a flange; None for criteria that are not calculated."""
+    def direct(at):
+        return case.beam.web_end(at, *place)[0]
+
+    def shear(at):
+        return case.beam.web_end(at, *place)[1]
+
+    if criterion == "yield":
+        return case.web_yield_strength / largest(
+            case, state, lambda at: math.hypot(direct(at), math.sqrt(3) * shear(at)))
+    channels = []
+    if criterion in ("fatigue", "combined fatigue"):
+        channels.append((ranges_of(case, state, direct), direct_damage(case.category(place[0]))))
+    if criterion in ("shear fatigue", "combined fatigue"):
+        channels.append((ranges_of(case, state, shear), shear_damage(100)))
+    return fatigue_factor(channels, **case.fatigue) if channels else None
 
 
 def friction_groups(program, root):
@@ -329,17 +364,25 @@ def friction_groups(program, root):
         if joint != "exciter":
             rows.append((f"{joint}, y", sign * motion[joint]["fy"], value.imag))
     yield f"sledge-rig friction: joint forces at {instant} s", rows, 1e-9, None
+    lag = rig.length_between_zero_moments()
+    for name, length, more in (("shear lag", lag, ()),
+                               ("no shear lag", None, ("strength.shear_lag=false",))):
+        results = verified(program, root, case, *more)
+        factors = {}
+        for s, side in (*rig.FIBRE_STATIONS, (4.0, ""), (4.4, "")):
+            factors.update(rig.fibre_factors(s, side, length))
+        theirs = {check["id"]: check["safety_factor"] for check in results["governing"].values()}
+        rows = []
+        for criterion in ("yield", "fatigue"):
+            lowest = min((n for n in factors if n.startswith(criterion)), key=factors.get)
+            rows.append((lowest, theirs.get(lowest, math.inf), factors[lowest]))
+        yield f"sledge-rig friction, {name}: governing factors", rows, 1e-6, None
+
+
+def verified(program, root, case, *settings):
     with tempfile.TemporaryDirectory() as folder:
-        results = run(program, root, "verify", case, "--no-plots", "--out", folder)
-    factors = {}
-    for s, side in (*rig.FIBRE_STATIONS, (4.0, ""), (4.4, "")):
-        factors.update(rig.fibre_factors(s, side))
-    theirs = {check["id"]: check["safety_factor"] for check in results["governing"].values()}
-    rows = []
-    for criterion in ("yield", "fatigue"):
-        lowest = min((n for n in factors if n.startswith(criterion)), key=factors.get)
-        rows.append((lowest, theirs.get(lowest, math.inf), factors[lowest]))
-    yield "sledge-rig friction: governing factors", rows, 1e-6, None
+        more = [word for setting in settings for word in ("--set", setting)]
+        return run(program, root, "verify", case, "--no-plots", "--out", folder, *more)
 
 
 def report(title, rows, allowed, scale):
