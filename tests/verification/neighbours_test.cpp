@@ -1,0 +1,261 @@
+// Pins and rods of the mechanism beside the beam.
+
+#include "boxbeam/verification/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/verification/motion_result.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "support/changed_rig.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+constexpr double period = 1.0 / 0.7;
+constexpr double g = 9.815;
+
+const std::string pin_lines =
+    "[[pins]]\nname = \"hub pin\"\njoint = \"O\"\ndiameter = \"80 mm\"\ninner_plate = \"60 mm\"\n"
+    "outer_plate = \"30 mm\"\ngap = \"2 mm\"\nrequired = 1.5\n";
+const std::string tube_lines =
+    "[sections.rod]\nkind = \"round tube\"\ndiameter = \"114.3 mm\"\nwall = \"10 mm\"\n";
+const std::string rod_lines =
+    "[[rods]]\nname = \"upper rod\"\nfrom = \"upper_rod.B\"\nto = \"upper_rod.A\"\n"
+    "section = \"rod\"\nbuckling_length = \"6 m\"\ncurve = \"a\"\ngamma_M1 = 1.1\n";
+
+std::string with(const std::string& lines) { return test::rig_text({}, "\n" + tube_lines + lines); }
+
+Project read(const std::string& lines) { return parse_project("rig.toml", with(lines)); }
+
+/// Every thousandth of the period.
+const std::vector<InstantResult>& states() {
+  static const MotionResult motion = [] {
+    std::vector<double> times;
+    for (int i = 0; i < 1000; ++i) times.push_back(period * i / 1000.0);
+    return motion_of(read(""), times);
+  }();
+  return motion.states;
+}
+
+const JointReaction& reaction(const InstantResult& state, const std::string& joint) {
+  for (const JointReaction& reaction : state.reactions) {
+    if (reaction.joint == joint) return reaction;
+  }
+  throw std::runtime_error("no joint " + joint);
+}
+
+const BodyMotion& body(const InstantResult& state, const std::string& name) {
+  for (const BodyMotion& body : state.bodies) {
+    if (body.name == name) return body;
+  }
+  throw std::runtime_error("no body " + name);
+}
+
+}  // namespace
+
+TEST_CASE("a pin bears the largest reaction of its joint, by EN 1993-1-8 table 3.10") {
+  const Project project = read(pin_lines);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const std::vector<NeighbourResult> results = check_pins(project, runs);
+  REQUIRE(results.size() == 1);
+  const Check& check = results.front().check;
+  double largest = 0.0;
+  for (const InstantResult& state : states()) {
+    largest = std::max(largest, reaction(state, "O").force.norm());
+  }
+  const double F = check.acting.value();
+  CHECK(F >= largest * (1.0 - 1e-12));
+  CHECK(F == Approx(largest).epsilon(1e-4));  // between two of the instants
+
+  // By hand, S355: a pin of 80 mm has 325 and 470 MPa, plates of 60 and 30 mm 335 and 345 MPa
+  // (EN 10025-2); gamma_M0 = 1.0, gamma_M2 = 1.25.
+  const double d = 0.08;
+  const double f_yp = project.pins[0].strength.pin_yield.value();
+  const double f_up = project.pins[0].strength.pin_tensile.value();
+  CHECK(f_yp == 325e6);
+  CHECK(f_up == 470e6);
+  CHECK(project.pins[0].strength.inner_yield.value() == 335e6);
+  CHECK(project.pins[0].strength.outer_yield.value() == 345e6);
+  const double shear = 0.5 * F / (0.6 * std::numbers::pi * d * d / 4.0 * f_up / 1.25);
+  const double inner = F / (1.5 * 0.06 * d * 325e6);
+  const double outer = 0.5 * F / (1.5 * 0.03 * d * 325e6);
+  const double moment = F * (0.06 + 4.0 * 0.002 + 2.0 * 0.03) / 8.0;
+  const double bending = moment / (1.5 * std::numbers::pi * d * d * d / 32.0 * f_yp);
+  const PinUtilisation& use = results.front().pin;
+  CHECK(use.shear == Approx(shear).epsilon(1e-12));
+  CHECK(use.bearing_inner == Approx(inner).epsilon(1e-12));
+  CHECK(use.bearing_outer == Approx(outer).epsilon(1e-12));
+  CHECK(use.bending == Approx(bending).epsilon(1e-12));
+  CHECK(use.combined == Approx(bending * bending + shear * shear).epsilon(1e-12));
+  const double largest_use =
+      std::max({shear, inner, outer, bending, std::sqrt(bending * bending + shear * shear)});
+  CHECK(check.safety_factor == Approx(1.0 / largest_use).epsilon(1e-12));
+  CHECK(check.required == 1.5);
+  CHECK(check.id == "pin/hub-pin");
+  CHECK_FALSE(check.on_beam);
+}
+
+TEST_CASE("the factor of a pin is one on the force: with it the joint is just used up") {
+  const Project project = read(pin_lines);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const Check check = check_pins(project, runs).front().check;
+  const PinInput& pin = project.pins.front();
+  const PinUtilisation use = pin_utilisation(si<Force>(check.acting.value() * check.safety_factor),
+                                             pin.geometry, pin.strength);
+  CHECK(std::max({use.shear, use.bearing_inner, use.bearing_outer, use.bending, use.combined}) ==
+        Approx(1.0).epsilon(1e-12));
+}
+
+TEST_CASE("a rod is pressed by what its free body asks for, and buckles by EN 1993-1-1 6.3.1") {
+  const Project project = read(rod_lines);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const std::vector<NeighbourResult> results = check_rods(project, runs);
+  REQUIRE(results.size() == 1);
+  const Check& check = results.front().check;
+  // The rod from B to A: what the beam feels at B, reversed, presses it at B; Newton's law of its
+  // 119 kg gives the force at A.
+  double largest = -1e300;
+  for (const InstantResult& state : states()) {
+    const BodyMotion& rod = body(state, "upper_rod");
+    const JointReaction& at_B = reaction(state, "B");
+    REQUIRE(at_B.on == "beam");
+    const Eigen::Vector2d from_B = -at_B.force;
+    const Eigen::Vector2d from_A =
+        119.0 * (rod.acceleration.head<2>() + Eigen::Vector2d(0.0, g)) - from_B;
+    const Eigen::Vector2d along(std::cos(rod.position.z()), std::sin(rod.position.z()));
+    largest = std::max({largest, from_B.dot(along), -from_A.dot(along)});
+  }
+  const double N = check.acting.value();
+  CHECK(N >= largest * (1.0 - 1e-12));
+  CHECK(N == Approx(largest).epsilon(1e-4));
+
+  // Tube 114.3 x 10, 6 m, S355, curve a (alpha = 0.21).
+  const double D = 0.1143;
+  const double d = 0.0943;
+  const double area = std::numbers::pi / 4.0 * (D * D - d * d);
+  const double inertia = std::numbers::pi / 64.0 * (std::pow(D, 4) - std::pow(d, 4));
+  const double critical = std::numbers::pi * std::numbers::pi * 210e9 * inertia / 36.0;
+  const double lambda = std::sqrt(area * 355e6 / critical);
+  const double phi = 0.5 * (1.0 + 0.21 * (lambda - 0.2) + lambda * lambda);
+  const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+  CHECK(results.front().slenderness == Approx(lambda).epsilon(1e-9));
+  CHECK(results.front().reduction == Approx(chi).epsilon(1e-9));
+  CHECK(check.resisting.value() == Approx(chi * area * 355e6 / 1.1).epsilon(1e-9));
+  CHECK(check.safety_factor == Approx(check.resisting.value() / N).epsilon(1e-12));
+  CHECK(check.id == "buckling/upper-rod");
+}
+
+TEST_CASE("the buckling length is the rod's own where nothing is said, and the steel the beam's") {
+  const Project project = read(
+      "[[rods]]\nname = \"upper rod\"\nfrom = \"upper_rod.B\"\nto = \"upper_rod.A\"\n"
+      "section = \"rod\"\ncurve = \"c\"\n");
+  CHECK(project.rods.front().buckling_length.value() == Approx(0.5));
+  CHECK(project.rods.front().yield_strength.value() == 355e6);
+  CHECK(project.rods.front().required == 2.0);
+}
+
+TEST_CASE("the load factor of a situation multiplies the force of a pin and of a rod") {
+  Project project = read(pin_lines + rod_lines);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const double pin = check_pins(project, runs).front().check.acting.value();
+  const double rod = check_rods(project, runs).front().check.acting.value();
+  project.situations.front().load_factor = 1.3;
+  CHECK(check_pins(project, runs).front().check.acting.value() == Approx(1.3 * pin).epsilon(1e-12));
+  CHECK(check_rods(project, runs).front().check.acting.value() == Approx(1.3 * rod).epsilon(1e-12));
+}
+
+TEST_CASE("the checks of neighbours count for the verdict") {
+  Project project = read(pin_lines + rod_lines);
+  project.fatigue.required = 0.01;
+  const Verification verification = verify(project);
+  CHECK(verification.neighbours.size() == 2);
+  REQUIRE(verification.governing(Criterion::pin) != nullptr);
+  REQUIRE(verification.governing(Criterion::buckling) != nullptr);
+  CHECK(verification.verdict == Verdict::pass);
+  project.pins.front().required = 1e6;
+  CHECK(verify(project).verdict == Verdict::fail);
+}
+
+namespace {
+
+/// A bar of 2 m and 50 mm by 100 mm, pinned at its left end; at its right end a rod without mass
+/// goes to a block that creeps so slowly along a vertical line that only the weight acts.
+Project hung_bar(bool from_above) {
+  const std::string y = from_above ? "1 m" : "-1 m";
+  const std::string turn = from_above ? "90 deg" : "-90 deg";
+  return parse_project(
+      "bar.toml",
+      "[case]\nname = \"bar\"\nkind = \"planar\"\n"
+      "[mechanism]\ngravity = [\"0 m/s^2\", \"-10 m/s^2\"]\n"
+      "[bodies.bar]\npoints = { A = [\"0 m\", \"0 m\"], B = [\"2 m\", \"0 m\"] }\n"
+      "sketch = { at = [\"0 m\", \"0 m\"] }\n"
+      "[bodies.rod]\nmass = \"0 kg\"\npoints = { P = [\"0 m\", \"0 m\"], Q = [\"1 m\", \"0 m\"] }\n"
+      "sketch = { at = [\"2 m\", \"0 m\"], angle = \"" +
+          turn +
+          "\" }\n"
+          "[bodies.block]\nmass = \"0 kg\"\npoints = { Q = [\"0 m\", \"0 m\"] }\n"
+          "sketch = { at = [\"2 m\", \"" +
+          y +
+          "\"] }\n"
+          "[joints.A]\nkind = \"pin\"\nconnect = [\"bar.A\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n"
+          "[joints.B]\nkind = \"pin\"\nconnect = [\"bar.B\", \"rod.P\"]\n"
+          "[joints.Q]\nkind = \"pin\"\nconnect = [\"rod.Q\", \"block.Q\"]\n"
+          "[joints.guide]\nkind = \"slider\"\npoint = \"block.Q\"\nthrough = [\"2 m\", \"0 m\"]\n"
+          "direction = \"90 deg\"\nangle = \"-90 deg\"\n"
+          "[drivers.creep]\nkind = \"harmonic\"\npoint = \"block.Q\"\ncoordinate = \"y\"\n"
+          "mean = \"" +
+          y +
+          "\"\namplitude = \"0.1 mm\"\nfrequency = \"0.001 Hz\"\n"
+          "[sections.flat]\nkind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n"
+          "[beam]\nbody = \"bar\"\ndensity = \"8000 kg/m^3\"\n"
+          "[[beam.segments]]\nlength = \"2 m\"\nsection = \"flat\"\n"
+          "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n"
+          "[fatigue]\ncategory = 100\ncycles = 1e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
+          "required = 1.0\n"
+          "[[rods]]\nname = \"hanger\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\nsection = \"flat\"\n"
+          "curve = \"c\"\n");
+}
+
+}  // namespace
+
+TEST_CASE("a rod that hangs the beam is never compressed: no check; one that props it bears W/2") {
+  const Project hanging = hung_bar(true);
+  CHECK(check_rods(hanging, run_situations(hanging)).empty());
+  const Project propped = hung_bar(false);
+  const std::vector<NeighbourResult> results = check_rods(propped, run_situations(propped));
+  REQUIRE(results.size() == 1);
+  // 0.05 x 0.1 x 2 m^3 of 8000 kg/m^3 weigh 800 N; half of it is on the prop.
+  CHECK(results.front().check.acting.value() == Approx(400.0).epsilon(1e-6));
+  // A flat of 50 x 100 buckles about its z axis: I = 0.1 0.05^3/12.
+  CHECK(results.front().weak_axis);
+  const double critical = std::numbers::pi * std::numbers::pi * 210e9 * 0.1 * 1.25e-4 / 12.0;
+  CHECK(results.front().slenderness ==
+        Approx(std::sqrt(0.005 * 335e6 / critical)).epsilon(1e-9));  // 50 mm: 335 MPa
+}
+
+TEST_CASE("pins and rods that cannot be are refused at their place") {
+  const auto replaced = [](std::string lines, const std::string& part, const std::string& by) {
+    return with(lines.replace(lines.find(part), part.size(), by));
+  };
+  test::check_refused(replaced(pin_lines, "\"O\"\n", "\"Q\" # here\n"), "# here", "\"Q\"", "O");
+  test::check_refused(replaced(pin_lines, "gap", "hole = \"79 mm\"\ngap"), "hole = \"79 mm\"",
+                      "the pin does not fit its hole", "its diameter or more");
+  test::check_refused(replaced(pin_lines, "\"60 mm\"", "\"0 mm\""), "inner_plate = \"0 mm\"",
+                      "\"inner_plate\" must be above zero", "");
+  test::check_refused(replaced(pin_lines, "\"80 mm\"", "\"900 mm\""), "diameter = \"900 mm\"",
+                      "has no strength for a thickness of 900 mm", "its table ends at");
+  test::check_refused(
+      with(pin_lines + pin_lines.substr(0, 24) + "# again\n" + pin_lines.substr(24)), "# again",
+      "\"hub pin\" is there already", "a name of its own");
+  test::check_refused(replaced(rod_lines, "upper_rod.A", "lower_rod.C"), "to = \"lower_rod.C\"",
+                      "from one point of a body to another one of the same body", "two of its");
+  test::check_refused(replaced(rod_lines, "to = \"upper_rod.A\"", "to = \"upper_rod.B\""),
+                      "to = \"upper_rod.B\"", "another one of the same body", "two of its");
+  test::check_refused(replaced(rod_lines, "\"rod\"", "\"rood\""), "section = \"rood\"", "rood",
+                      "rod");
+  test::check_refused(replaced(rod_lines, "curve = \"a\"", "curve = \"e\""), "curve = \"e\"", "e",
+                      "a0");
+}
