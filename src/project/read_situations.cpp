@@ -48,6 +48,36 @@ void collect(const std::vector<Node::Member>& members, const std::vector<std::st
   }
 }
 
+/// What a part of the case has under a key, nullptr where it has nothing there.
+const Node* member_of(const Node* table, const std::string& key) {
+  if (table == nullptr || table->kind != Node::Kind::table) return nullptr;
+  const auto found = std::find_if(table->members.begin(), table->members.end(),
+                                  [&](const Node::Member& member) { return member.key == key; });
+  return found != table->members.end() ? &found->value : nullptr;
+}
+
+/// Notes a change of a body, joint, driver, force or loop that the case does not have, unless the
+/// situation adds it with its kind.
+bool is_there(ProblemList& problems, const Change& change, const std::vector<Change>& changes,
+              const Node& root) {
+  const std::vector<std::string>& parts = change.parts;
+  const Node* part = member_of(&root, parts[0]);
+  if (parts.size() < 3 || member_of(part, parts[1]) != nullptr) return true;
+  const std::vector<std::string> kind{parts[0], parts[1], "kind"};
+  if (std::any_of(changes.begin(), changes.end(),
+                  [&](const Change& other) { return other.parts == kind; })) {
+    return true;
+  }
+  std::vector<std::string> known;
+  if (part != nullptr) {
+    for (const Node::Member& member : part->members) known.push_back(member.key);
+  }
+  problems.add(change.member->key_place,
+               fmt::format("the case has no [{}.{}] that could change", parts[0], parts[1]),
+               unknown_hint(parts[1], known));
+  return false;
+}
+
 /// Whether a value may differ in a situation; notes it where not.
 bool may_change(ProblemList& problems, const Change& change, const std::string& beam_body) {
   const std::vector<std::string>& parts = change.parts;
@@ -78,7 +108,8 @@ planar::Mechanism changed_mechanism(TableReader& set, const Node& root, Situatio
   collect(set.members(), {}, changes);
   Node changed = root;
   for (const Change& change : changes) {
-    if (!may_change(problems, change, beam_body)) continue;
+    if (!may_change(problems, change, beam_body) || !is_there(problems, change, changes, root))
+      continue;
     const Node::Member& member = *change.member;
     situation.set.push_back(fmt::format("{} = {}", change.key(), text_of(member.value)));
     if (const auto trouble = set_value(changed, change.parts, member.key_place, member.value)) {
@@ -148,7 +179,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
       if (table.has("set") || table.has("load_factor")) {
         table.problem("between", "a change between situations has no loads of its own",
                       "write \"set\" and \"load_factor\" in the situations that it connects");
-        table.table("set").accept_all();
+        if (table.has("set")) table.table("set").accept_all();
       }
     } else {
       situation.load_factor = table.number("load_factor", 1.0);

@@ -87,6 +87,16 @@ TEST_CASE("a situation without cycles counts for the strength only") {
   CHECK(swing_in(project, 1).amplitude == Approx(9.0 * turn / 360.0).epsilon(1e-14));
 }
 
+TEST_CASE("a situation may have a force of its own") {
+  const Project project =
+      read(run +
+           "[[situations]]\nname = \"pushed\"\n[situations.set.forces.push]\nkind = \"force\"\n"
+           "point = \"arm.B\"\ndirection = \"90 deg\"\nsize = \"1 kN\"\n");
+  CHECK(mechanism_in(project, project.situations[0]).forces.empty());
+  REQUIRE(mechanism_in(project, project.situations[1]).forces.size() == 1);
+  CHECK(mechanism_in(project, project.situations[1]).forces.front().name == "push");
+}
+
 TEST_CASE("what differs may stand in quoted keys, dotted keys or tables: the same") {
   const std::string head = run + "[[situations]]\nname = \"fast\"\n";
   for (const std::string& set :
@@ -118,7 +128,9 @@ TEST_CASE("a change that cannot be is refused at its key") {
           "how the mechanism runs");
   refused("\"bodies.arm.points.B\" = [\"2 m\", \"0 m\"]",
           "a situation cannot change the beam itself", "a case of its own");
-  refused("\"drivers.swng.frequency\" = \"2 Hz\"", "swng", "as it stands in the case");
+  refused("\"drivers.swng.frequency\" = \"2 Hz\"",
+          "the case has no [drivers.swng] that could change", "swing");
+  refused("\"drivers.swing.frequnecy\" = \"2 Hz\"", "frequnecy", "frequency");
   // A value of the wrong kind is refused where it stands.
   refused("\"drivers.swing.frequency\" = \"2 m\"", "\"2 m\" is a length", "0.7 Hz");
 }

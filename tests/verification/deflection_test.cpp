@@ -198,5 +198,6 @@ TEST_CASE("a demand on deflection that cannot be is refused at its place") {
           "\"from\" before \"to\"");
   refused("limit = \"0 mm\" # here\nfrom = \"0 m\"\nto = \"3 m\"\n", "# here",
           "\"limit\" must be above zero", "");
-  refused("limit = \"5 mm\"\nfrom = \"0 m\"\nto = \"7 m\" # here\n", "# here", "7 m", "");
+  refused("limit = \"5 mm\"\nfrom = \"0 m\"\nto = \"7 m\" # here\n", "# here",
+          "lies behind the end of the beam", "from 0 to 6.2 m");
 }

@@ -170,6 +170,7 @@ TEST_CASE("the load factor of a situation multiplies the force of a pin and of a
 TEST_CASE("the checks of neighbours count for the verdict") {
   Project project = read(pin_lines + rod_lines);
   project.fatigue.required = 0.01;
+  project.pins.front().required = project.rods.front().required = 0.01;
   const Verification verification = verify(project);
   CHECK(verification.neighbours.size() == 2);
   REQUIRE(verification.governing(Criterion::pin) != nullptr);
@@ -247,9 +248,9 @@ TEST_CASE("pins and rods that cannot be are refused at their place") {
                       "\"inner_plate\" must be above zero", "");
   test::check_refused(replaced(pin_lines, "\"80 mm\"", "\"900 mm\""), "diameter = \"900 mm\"",
                       "has no strength for a thickness of 900 mm", "its table ends at");
-  test::check_refused(
-      with(pin_lines + pin_lines.substr(0, 24) + "# again\n" + pin_lines.substr(24)), "# again",
-      "\"hub pin\" is there already", "a name of its own");
+  const std::string again = "[[pins]]\nname = \"hub pin\" # again\n";
+  test::check_refused(with(pin_lines + again + pin_lines.substr(pin_lines.find("joint"))),
+                      "# again", "\"hub pin\" is there already", "a name of its own");
   test::check_refused(replaced(rod_lines, "upper_rod.A", "lower_rod.C"), "to = \"lower_rod.C\"",
                       "from one point of a body to another one of the same body", "two of its");
   test::check_refused(replaced(rod_lines, "to = \"upper_rod.A\"", "to = \"upper_rod.B\""),
