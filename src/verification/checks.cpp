@@ -398,7 +398,7 @@ std::vector<CheckResult> check_beam(const Project& project, const std::deque<Sit
       const auto add = [&](std::optional<CheckResult> result) {
         if (result) results.push_back(std::move(*result));
       };
-      const StressPoint worst = at_worst_edge(point, histories, Criterion::fatigue);
+      const StressPoint worst = at_worst_edge(project, point, histories, Criterion::fatigue);
       for (const Criterion criterion :
            {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {
         add(check_fatigue(project, histories, worst, criterion));
@@ -407,7 +407,8 @@ std::vector<CheckResult> check_beam(const Project& project, const std::deque<Sit
       if (point.on_throat)
         add(check_throat(project, histories, point));
       else if (point.yield)
-        add(check_yield(project, histories, at_worst_edge(point, histories, Criterion::yield)));
+        add(check_yield(project, histories,
+                        at_worst_edge(project, point, histories, Criterion::yield)));
     }
   }
   if (results.empty()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "boxbeam/fatigue/damage.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 
@@ -246,6 +247,52 @@ class StressPoints {
 
 }  // namespace
 
+namespace {
+
+/// The normal stress on a hole's edge over the instants of each situation that runs, by index.
+std::vector<Span> spans_at(const Project& project, const std::vector<SituationHistory>& histories,
+                           const HoleEdge& edge) {
+  std::vector<Span> spans(project.situations.size());
+  for (const SituationHistory& at : histories) {
+    for (const CutForces& cut : at.history.samples()) {
+      spans[index_of(project, *at.situation)].add(stress_at(edge.influence, cut).normal.value());
+    }
+  }
+  return spans;
+}
+
+double largest_stress_of(const Project& project, const std::vector<Span>& spans) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const Situation& situation = project.situations[i];
+    if (situation.between.empty())
+      largest = std::max(largest, situation.load_factor * spans[i].largest());
+  }
+  return largest;
+}
+
+/// How badly one cycle in each situation, and in each change between some, uses up a detail: the
+/// reciprocal of the factor that the cycles of the life leave.
+double fatigue_severity_of(const Project& project, const std::vector<Span>& spans,
+                           const Detail& detail) {
+  std::vector<Cycle> cycles;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const Situation& situation = project.situations[i];
+    if (situation.cycles == 0.0) continue;
+    Span span = spans[i];
+    for (const std::size_t other : situation.between) {
+      span.add(spans[other].low);
+      span.add(spans[other].high);
+    }
+    cycles.push_back(
+        {si<Stress>(span.range()), si<Stress>(0.5 * (span.high + span.low)), situation.cycles});
+  }
+  if (detail.compression_reduced) cycles = compression_reduced(std::move(cycles));
+  return 1.0 / largest_factor(cycles, curve_of(detail), project.fatigue.demand);
+}
+
+}  // namespace
+
 std::vector<StressPoint> stress_points_at(const Project& project,
                                           const std::vector<BendingZone>& zones,
                                           const Station& station) {
@@ -263,22 +310,16 @@ std::vector<StressPoint> stress_points_at(const Project& project,
   return std::move(gathered.points);
 }
 
-StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationHistory>& histories,
-                          Criterion criterion) {
+StressPoint at_worst_edge(const Project& project, const StressPoint& point,
+                          const std::vector<SituationHistory>& histories, Criterion criterion) {
   StressPoint moved = point;
   moved.edges.clear();
   double worst = -1.0;
   for (const HoleEdge& edge : point.edges) {
-    double value = 0.0;
-    for (const SituationHistory& at : histories) {
-      Span span;
-      for (const CutForces& cut : at.history.samples()) {
-        span.add(stress_at(edge.influence, cut).normal.value());
-      }
-      value = std::max(value, criterion == Criterion::fatigue
-                                  ? span.range()
-                                  : at.situation->load_factor * span.largest());
-    }
+    const std::vector<Span> spans = spans_at(project, histories, edge);
+    const double value = criterion == Criterion::fatigue && point.detail != nullptr
+                             ? fatigue_severity_of(project, spans, point.detail->detail)
+                             : largest_stress_of(project, spans);
     if (value <= worst) continue;
     worst = value;
     moved.z = edge.z;

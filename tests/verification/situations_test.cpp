@@ -29,6 +29,16 @@ Situation change(const std::string& name, double cycles, std::vector<std::size_t
   return situation;
 }
 
+/// The rig's motion with a force of 40 kN on the beam's end C in it.
+Situation pushed_at_C() {
+  Situation pushed = at_speed("pushed", 1e5);
+  const double to_end = -mass_properties_of(test::rig().beam).centre.value();
+  pushed.changed->forces.push_back(
+      {"push", planar::PointForce{
+                   {test::rig().beam_body, {to_end, 0.0}}, 0.0, false, PolynomialDriver{{40e3}}}});
+  return pushed;
+}
+
 /// The rig with these situations; category 36 everywhere, so that its ranges do damage.
 Verification verified(std::vector<Situation> situations) {
   Project project = test::rig();
@@ -153,13 +163,8 @@ TEST_CASE("a change between standstill and running ranges over both") {
 }
 
 TEST_CASE("a change between two situations may have a larger range than each of them") {
-  // Of the same motion, the second with a force of 40 kN on the beam's end C in it.
   const Situation run = at_speed("run", 1e5);
-  Situation pushed = at_speed("pushed", 1e5);
-  const auto beam = test::rig().beam_body;
-  const double to_end = -mass_properties_of(test::rig().beam).centre.value();
-  pushed.changed->forces.push_back(
-      {"push", planar::PointForce{{beam, {to_end, 0.0}}, 0.0, false, PolynomialDriver{{40e3}}}});
+  const Situation pushed = pushed_at_C();
   Situation run_only = run, pushed_only = pushed;
   run_only.cycles = pushed_only.cycles = 0.0;
   const Verification run_alone = verified({run});
@@ -173,12 +178,53 @@ TEST_CASE("a change between two situations may have a larger range than each of 
                     const double high = std::max(a.highest.value, b.highest.value);
                     const double low = std::min(a.lowest.value, b.lowest.value);
                     const double range = checks[0]->check.acting.value();
-                    CHECK(range == Approx(high - low).epsilon(1e-7));
                     const double larger =
                         std::max(checks[1]->check.acting.value(), checks[2]->check.acting.value());
+                    CHECK(range >= larger * (1.0 - 1e-9));
+                    // On a hole's edge each verification finds a worst place of its own.
+                    if (!checks[0]->basis->point.concentration) {
+                      CHECK(range == Approx(high - low).epsilon(1e-7));
+                    }
                     most = std::max(most, range / larger);
                   });
   CHECK(most > 1.01);
+}
+
+TEST_CASE("on a hole's edge the place with the largest range of the change is found") {
+  // The two motions do no cycles of their own: their own ranges must not decide.
+  Project project = test::rig();
+  Situation pushed = pushed_at_C();
+  pushed.cycles = 0.0;
+  project.situations = {at_speed("run", 0.0), pushed, change("start", 1e5, {0, 1})};
+  const std::deque<SituationRun> runs = run_situations(project);
+  int edges = 0;
+  for (const Side side : {Side::before, Side::behind}) {
+    const Station hub{si<Length>(3.2), side};
+    const std::vector<SituationHistory> histories = histories_at(runs, hub);
+    const auto range_at = [&](const StressInfluence& influence) {
+      double high = -1e300, low = 1e300;
+      for (const SituationHistory& at : histories) {
+        for (const CutForces& cut : at.history.samples()) {
+          const double stress = stress_at(influence, cut).normal.value();
+          high = std::max(high, stress);
+          low = std::min(low, stress);
+        }
+      }
+      return high - low;
+    };
+    for (const StressPoint& point :
+         stress_points_at(project, bending_zones_of(project, runs), hub)) {
+      if (point.edges.empty()) continue;
+      double largest = 0.0;
+      for (const HoleEdge& edge : point.edges) {
+        largest = std::max(largest, range_at(edge.influence));
+      }
+      const StressPoint worst = at_worst_edge(project, point, histories, Criterion::fatigue);
+      CHECK(range_at(worst.influence) == Approx(largest).epsilon(1e-12));
+      ++edges;
+    }
+  }
+  CHECK(edges == 6);  // the hub's hole and two bolts, on both sides of the force
 }
 
 TEST_CASE("the order of the situations does not matter") {

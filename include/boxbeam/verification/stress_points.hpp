@@ -51,10 +51,11 @@ std::vector<StressPoint> stress_points_at(const Project& project,
                                           const std::vector<BendingZone>& zones,
                                           const Station& station);
 
-/// A point on a hole's edge moved to the place with the largest stress (yield) or stress range
-/// (fatigue) at the instants of all motions; any other point as it is.
-StressPoint at_worst_edge(const StressPoint& point, const std::vector<SituationHistory>& histories,
-                          Criterion criterion);
+/// A point on a hole's edge moved to the place with the largest stress (yield), or where the cycles
+/// of all situations and changes leave the smallest factor (fatigue), at the instants of all
+/// motions; any other point as it is.
+StressPoint at_worst_edge(const Project& project, const StressPoint& point,
+                          const std::vector<SituationHistory>& histories, Criterion criterion);
 
 /// The stations to verify: both sides of every jump of load or section, other places once, and the
 /// ends of the details' stretches, and places inside segments where a stress, stress range or cut
