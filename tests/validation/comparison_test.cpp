@@ -121,9 +121,24 @@ Eigen::Vector2d rigorous_force(const char* joint, int lower_branch) {
   return Eigen::Vector2d::Zero();
 }
 
+/// The rig with flanges of their whole width, as the published calculation has them.
 const Verification& rig() {
+  static const Verification verification = [] {
+    Project project = test::rig();
+    project.strength.shear_lag = false;
+    return verify(project);
+  }();
+  return verification;
+}
+
+/// The rig as its case has it, with shear lag.
+const Verification& rig_with_lag() {
   static const Verification verification = verify(test::rig());
   return verification;
+}
+
+const ShearLag& governing_lag() {
+  return *rig_with_lag().governing(Criterion::fatigue)->basis->point.lag;
 }
 
 const Check& check(const std::string& id) {
@@ -264,6 +279,23 @@ std::map<std::string, std::function<double()>> computed() {
   values["N_ud constant"] = [] {
     return rig().governing(Criterion::fatigue)->basis->constant_amplitude_factor;
   };
+  values["b_0"] = [] { return governing_lag().b_0.value() * 1e3; };
+  values["L_e"] = [] { return governing_lag().effective_length.value(); };
+  values["kappa"] = [] { return governing_lag().kappa; };
+  values["beta"] = [] { return governing_lag().beta; };
+  values["range lag"] = [] {
+    return rig_with_lag().governing(Criterion::fatigue)->check.acting.value() / 1e6;
+  };
+  values["N_y lag"] = [] {
+    return rig_with_lag().governing(Criterion::yield)->check.safety_factor;
+  };
+  values["N_ud lag"] = [] {
+    return rig_with_lag().governing(Criterion::fatigue)->check.safety_factor;
+  };
+  values["N_ud lag constant"] = [] {
+    return rig_with_lag().governing(Criterion::fatigue)->basis->constant_amplitude_factor;
+  };
+  values["hub edge"] = [] { return check("fatigue/3.2+/hole-hub-edge").acting.value() / 1e6; };
   values["4.2 m"] = [] {
     return check("fatigue/4.2/fibre+z").acting / check("fatigue/3.2+/thesis-A").acting;
   };

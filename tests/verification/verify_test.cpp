@@ -58,6 +58,11 @@ TEST_CASE("the checks stand worst first and the verdict follows from them") {
     CHECK(result.check.utilisation() <= before);
     before = result.check.utilisation();
     all_pass = all_pass && result.check.passes();
+    // Two curves have no range in common: the amounts are the damage and 1, and no load factor.
+    if (result.check.criterion == Criterion::combined_fatigue) {
+      CHECK((result.check.acting.value() > 1.0) == (result.check.safety_factor < 1.0));
+      continue;
+    }
     CHECK(result.check.safety_factor ==
           Approx(result.check.resisting / result.check.acting).epsilon(1e-12));
   }
@@ -167,9 +172,10 @@ TEST_CASE("the governing instants are half a period apart and at full stroke") {
 }
 
 TEST_CASE("rotary inertia of the sections changes the governing range by a tenth of a percent") {
-  // By an independent calculation: 31.66 -> 31.70 MPa.
+  // By an independent calculation: 31.66 -> 31.70 MPa, flanges in full.
   Project with = test::rig();
   with.beam.rotary_inertia = true;
+  with.strength.shear_lag = false;
   const MassProperties properties = mass_properties_of(with.beam);
   with.mechanism.bodies[static_cast<std::size_t>(with.beam_body)].inertia =
       properties.inertia.value();

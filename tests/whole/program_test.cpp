@@ -38,14 +38,20 @@ std::vector<std::string> keys_of(const nlohmann::ordered_json& object) {
 }  // namespace
 
 TEST_CASE("verify rig.toml: fails, with the factors of the independent calculation") {
+  // tests/validation/independent_sledge_rig.py, with shear lag and without.
   const Json document = results(rig);
   CHECK(document["verdict"] == "fail");
   CHECK(document["governing"]["yield"]["safety_factor"].get<double>() ==
-        Approx(20.7031295803).epsilon(1e-9));
+        Approx(19.6478234324).epsilon(1e-9));
   CHECK(document["governing"]["fatigue"]["safety_factor"].get<double>() ==
-        Approx(1.27819703418).epsilon(1e-9));
+        Approx(1.21259437284).epsilon(1e-9));
   CHECK(document["governing"]["fatigue"]["station"].get<double>() == Approx(4.2));
   CHECK(document["beam"]["mass"].get<double>() == Approx(4946.9472).epsilon(1e-9));
+  const Json plain = results(rig, {"--set", "strength.shear_lag=false"});
+  CHECK(plain["governing"]["yield"]["safety_factor"].get<double>() ==
+        Approx(20.7031295803).epsilon(1e-9));
+  CHECK(plain["governing"]["fatigue"]["safety_factor"].get<double>() ==
+        Approx(1.27819703418).epsilon(1e-9));
 }
 
 TEST_CASE("verify published.toml: N_y = 20.6, N_ud = 1.69") {
