@@ -64,8 +64,10 @@ TEST_CASE("unknown names are refused with the nearest known one", "[bad_input]")
   check_refused({
       replaced("unknown key", "uniform_rod = \"0.5 m\"", "uniform_rot = \"0.5 m\"",
                {"unknown key \"uniform_rot\"", "did you mean \"uniform_rod\"?"}),
-      replaced("unknown key far from any", "cycles = 1e8", "cycles = 1e8\nspeed_of_light = 3e8",
-               {"unknown key \"speed_of_light\"", "known here: category, curve"}, "speed_of_light"),
+      replaced(
+          "unknown key far from any", "cycles = 1e8", "cycles = 1e8\nspeed_of_light = 3e8",
+          {"unknown key \"speed_of_light\"", "known here: ", "category, ", "facts, ", "gamma_Mf, "},
+          "speed_of_light"),
       replaced("unknown table", "[strength]", "[strenth]\n[strength]",
                {"unknown key \"strenth\"", "did you mean \"strength\"?"}, "[strenth]"),
       replaced("unknown body", "connect = [\"beam.B\", \"upper_rod.B\"]",
