@@ -130,17 +130,19 @@ $line << e
 1.000000000e+09 2.266393721e+01 4.126115278e+01
 e
 $work << e
-4.200000000e+07 2.315590790e+01
+4.200000000e+07 7.032674343e-03
+4.200000000e+07 2.415278429e+01
 e
 $needed << e
-4.200000000e+07 2.315590790e+01
+4.200000000e+07 7.032674343e-03
+4.200000000e+07 2.415278429e+01
 e
 set title 'S-N diagram with the governing stress range: pump-jack' noenhanced
 set logscale xy
 set format x '10^{%T}'
 set xlabel 'cycles N'
 set ylabel 'stress range [MPa]'
-set xrange [1e4:1e9]
+set xrange [1.000000000e+04:1e9]
 set yrange [10:1000]
 set key bottom left
 set ytics (10,20,30,50,70,100,200,300,500,1000)
@@ -148,6 +150,6 @@ set label 'knee 41.3 MPa' at 5e6,4.126115278e+01 right offset -0.6,-0.9 point pt
 set label 'cut-off 22.7 MPa' at 1e8,2.266393721e+01 left offset 0.6,0.8 point pt 6
 set label 'm = 3' at 3e5,1.212054405e+02
 set label 'm = 5' at 2.5e7,3.349387377e+01
-set label 'category 56' at 2e6,56 left offset 0.6,0.6 point pt 6
-set label '23.2 MPa' at 4.200000000e+07,2.315590790e+01 left offset 1,-0.7 tc rgb '#c8551b'
-plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'EN 1993-1-9, category 56, spectrum', $line using 1:3 with lines lw 1.6 dt 2 lc rgb '#1f5fa8' title 'constant amplitude (7.1(2))', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 1.00'
+set label 'category 56' at 2e6,5.600000000e+01 left offset 0.6,0.6 point pt 6
+set label '24.2 MPa' at 4.200000000e+07,2.415278429e+01 left offset 1,-0.7 tc rgb '#c8551b'
+plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'EN 1993-1-9:2005+AC:2009, category 56, spectrum', $line using 1:3 with lines lw 1.6 dt 2 lc rgb '#1f5fa8' title 'constant amplitude (7.1(2))', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 1.00'

@@ -495,11 +495,11 @@ $h0 << e
 6.000000000e+01 -2.210713126e+01
 e
 $x0 << e
-3.600989759e+01 -2.080486062e+01
-1.147282036e+01 -9.667937372e+01
+3.600989750e+01 -2.080486062e+01
+1.147282048e+01 -9.667937372e+01
 e
-set label '-20.80 MPa at 36.0099 s' at 3.600989759e+01,-2.080486062e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-96.68 MPa at 11.4728 s' at 1.147282036e+01,-9.667937372e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
+set label '-20.80 MPa at 36.0099 s' at 3.600989750e+01,-2.080486062e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
+set label '-96.68 MPa at 11.4728 s' at 1.147282048e+01,-9.667937372e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
 $h1 << e
 0.000000000e+00 1.851611605e+01
 1.250000000e-01 1.851613731e+01
@@ -984,7 +984,7 @@ $h1 << e
 6.000000000e+01 1.851611605e+01
 e
 $x1 << e
-1.059674783e+01 8.348541672e+01
+1.059674711e+01 8.348541672e+01
 3.584784244e+01 1.578366903e+01
 e
 $h2 << e
@@ -1471,8 +1471,8 @@ $h2 << e
 6.000000000e+01 -1.807050852e+01
 e
 $x2 << e
-3.651160767e+01 -1.788301735e+01
-1.645901768e+01 -8.285022182e+01
+3.651160743e+01 -1.788301735e+01
+1.645901785e+01 -8.285022182e+01
 e
 set offsets 0,0,graph 0.12,graph 0.12
 plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 1.05+ m, fibre -z: range 75.87 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 1.05- m, fibre +z: range 67.70 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 1.15 m, fibre -z: range 64.97 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle

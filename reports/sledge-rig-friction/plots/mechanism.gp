@@ -18,12 +18,12 @@ $rest1_guides << e
 1.890000000e-01 -3.200000000e+00 9.920000000e-01 0.000000000e+00
 e
 $rest1_0_axis << e
--1.924565385e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
+-1.924565389e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
 e
 $rest1_0 << e
--1.924565385e-16 -3.200000000e+00
-3.486949325e-18 0.000000000e+00
-1.871839692e-16 3.000000000e+00
+-1.924565389e-16 -3.200000000e+00
+3.486948934e-18 0.000000000e+00
+1.871839688e-16 3.000000000e+00
 e
 $rest1_1 << e
 0.000000000e+00 3.000000000e+00
@@ -86,12 +86,12 @@ $rest2_guides << e
 1.890000000e-01 -3.200000000e+00 9.920000000e-01 0.000000000e+00
 e
 $rest2_0_axis << e
--1.924565385e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
+-1.924565389e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
 e
 $rest2_0 << e
--1.924565385e-16 -3.200000000e+00
-3.486949325e-18 0.000000000e+00
-1.871839692e-16 3.000000000e+00
+-1.924565389e-16 -3.200000000e+00
+3.486948934e-18 0.000000000e+00
+1.871839688e-16 3.000000000e+00
 e
 $rest2_1 << e
 0.000000000e+00 3.000000000e+00
@@ -112,14 +112,14 @@ $rest2_grounds << e
 e
 $at2_guides << e
 -2.456769984e-01 3.000000000e+00 9.920000000e-01 0.000000000e+00
-4.551169640e-01 -3.200000000e+00 9.920000000e-01 0.000000000e+00
+4.551169639e-01 -3.200000000e+00 9.920000000e-01 0.000000000e+00
 e
 $at2_0_axis << e
 2.662067753e-01 -3.188907956e+00 -5.157756271e-01 6.178509165e+00
 e
 $at2_0 << e
 2.662067753e-01 -3.188907956e+00
--3.469446952e-18 0.000000000e+00
+-6.071532166e-18 0.000000000e+00
 -2.495688518e-01 2.989601209e+00
 e
 $at2_1 << e
@@ -131,20 +131,20 @@ $at2_2 << e
 e
 $at2_3 << e
 2.662067753e-01 -3.188907956e+00
-9.511169640e-01 -3.200000000e+00
+9.511169639e-01 -3.200000000e+00
 e
 $at2_4 << e
-9.511169640e-01 -3.200000000e+00
+9.511169639e-01 -3.200000000e+00
 e
 $at2_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow 1 from 9.584828554e-01,-2.083432263e-01 to -3.469446952e-18,0.000000000e+00 lw 2 lc rgb '#202020' front
+set arrow 1 from 9.584828554e-01,-2.083432263e-01 to -6.071532166e-18,0.000000000e+00 lw 2 lc rgb '#202020' front
 set label 1 'O  230.9 kN' at 9.584828554e-01,-2.083432263e-01 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
 set arrow 2 from -7.580404734e-01,2.981546994e+00 to -2.495688518e-01,2.989601209e+00 lw 2 lc rgb '#202020' front
 set label 2 'B  119.7 kN' at -7.580404734e-01,2.981546994e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
-set arrow 3 from -1.816266446e-01,-3.178585603e+00 to 2.662067753e-01,-3.188907956e+00 lw 2 lc rgb '#202020' front
-set label 3 'C  105.5 kN' at -1.816266446e-01,-3.178585603e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
+set arrow 3 from -1.816266447e-01,-3.178585603e+00 to 2.662067753e-01,-3.188907956e+00 lw 2 lc rgb '#202020' front
+set label 3 'C  105.5 kN' at -1.816266447e-01,-3.178585603e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
 set title "t = 1.0830 s\nlargest M, largest stress"
 plot $rest2_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#c4c4c4', $rest2_0_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest2_0 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest2_1 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest2_3 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_4 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest2_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $at2_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#c8551b', $at2_0_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c8551b', $at2_0 using 1:2 with points pt 7 ps 0.6 lc rgb '#c8551b', $at2_1 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c8551b', $at2_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c8551b', $at2_3 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c8551b', $at2_4 using 1:2 with points pt 5 ps 1.6 lc rgb '#c8551b', $at2_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
 unset label

@@ -130,17 +130,17 @@ $line << e
 1.000000000e+09 4.047131645e+01 7.368062997e+01
 e
 $work << e
-1.000000000e+08 3.446022999e+01
+1.000000000e+08 3.632456960e+01
 e
 $needed << e
-1.000000000e+08 6.892045998e+01
+1.000000000e+08 7.264913920e+01
 e
 set title 'S-N diagram with the governing stress range: sledge-rig-friction' noenhanced
 set logscale xy
 set format x '10^{%T}'
 set xlabel 'cycles N'
 set ylabel 'stress range [MPa]'
-set xrange [1e4:1e9]
+set xrange [1.000000000e+04:1e9]
 set yrange [10:1000]
 set key bottom left
 set ytics (10,20,30,50,70,100,200,300,500,1000)
@@ -148,6 +148,6 @@ set label 'knee 73.7 MPa' at 5e6,7.368062997e+01 right offset -0.6,-0.9 point pt
 set label 'cut-off 40.5 MPa' at 1e8,4.047131645e+01 left offset 0.6,0.8 point pt 6
 set label 'm = 3' at 3e5,2.164382866e+02
 set label 'm = 5' at 2.5e7,5.981048888e+01
-set label 'category 100' at 2e6,100 left offset 0.6,0.6 point pt 6
-set label '34.5 MPa' at 1.000000000e+08,3.446022999e+01 left offset 1,-0.7 tc rgb '#c8551b'
-plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'EN 1993-1-9, category 100, spectrum', $line using 1:3 with lines lw 1.6 dt 2 lc rgb '#1f5fa8' title 'constant amplitude (7.1(2))', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 2.00'
+set label 'category 100' at 2e6,1.000000000e+02 left offset 0.6,0.6 point pt 6
+set label '36.3 MPa' at 1.000000000e+08,3.632456960e+01 left offset 1,-0.7 tc rgb '#c8551b'
+plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'EN 1993-1-9:2005+AC:2009, category 100, spectrum', $line using 1:3 with lines lw 1.6 dt 2 lc rgb '#1f5fa8' title 'constant amplitude (7.1(2))', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 2.00'

@@ -140,7 +140,7 @@ set logscale xy
 set format x '10^{%T}'
 set xlabel 'cycles N'
 set ylabel 'stress range [MPa]'
-set xrange [1e4:1e9]
+set xrange [1.000000000e+04:1e9]
 set yrange [10:1000]
 set key bottom left
 set ytics (10,20,30,50,70,100,200,300,500,1000)

@@ -11,7 +11,7 @@ set size ratio -1
 set xlabel 'x [m]'
 set ylabel 'y [m]'
 unset key
-set xrange [-7.393391730e-01:7.393391733e-01]
+set xrange [-7.393391738e-01:7.393391730e-01]
 set yrange [-2.048356242e+00:4.551326232e-01]
 $rest1_guides << e
 -9.548925564e-17 -1.559457890e+00 1.952795940e-17 3.189157790e-01
@@ -34,29 +34,29 @@ $rest1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at1_guides << e
--1.090373094e-16 -1.780714398e+00 1.952795940e-17 3.189157790e-01
+-1.090373091e-16 -1.780714394e+00 1.952795940e-17 3.189157790e-01
 e
 $at1_0 << e
 0.000000000e+00 0.000000000e+00
--1.971823487e-01 -3.345327117e-02
+-1.971823494e-01 -3.345326699e-02
 e
 $at1_1_axis << e
--1.971823487e-01 -3.345327117e-02 1.971823487e-01 -1.587803238e+00
+-1.971823494e-01 -3.345326699e-02 1.971823494e-01 -1.587803238e+00
 e
 $at1_1 << e
--1.971823487e-01 -3.345327117e-02
--1.387778781e-16 -1.621256509e+00
+-1.971823494e-01 -3.345326699e-02
+-4.163336342e-17 -1.621256505e+00
 e
 $at1_2 << e
--9.927332970e-17 -1.621256509e+00
+-9.927332944e-17 -1.621256505e+00
 e
 $at1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow 1 from -1.963482076e-01,-4.345294333e-02 to -1.971823487e-01,-3.345327117e-02 lw 2 lc rgb '#202020' front
-set label 1 'A  30.30 kN' at -1.963482076e-01,-4.345294333e-02 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
-set arrow 2 from -1.277777805e-03,-1.612911063e+00 to -1.387778781e-16,-1.621256509e+00 lw 2 lc rgb '#202020' front
-set label 2 'P  25.50 kN' at -1.277777805e-03,-1.612911063e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
+set arrow 1 from -1.963482083e-01,-4.345293902e-02 to -1.971823494e-01,-3.345326699e-02 lw 2 lc rgb '#202020' front
+set label 1 'A  30.30 kN' at -1.963482083e-01,-4.345293902e-02 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
+set arrow 2 from -1.277777796e-03,-1.612911059e+00 to -4.163336342e-17,-1.621256505e+00 lw 2 lc rgb '#202020' front
+set label 2 'P  25.50 kN' at -1.277777796e-03,-1.612911059e+00 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
 set title "t = 0.3321 s\nmost negative M"
 plot $rest1_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#c4c4c4', $rest1_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest1_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest1_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $at1_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#1f5fa8', $at1_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#1f5fa8', $at1_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#1f5fa8', $at1_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#1f5fa8', $at1_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#1f5fa8', $at1_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
 unset label
@@ -141,7 +141,7 @@ $at3_1_axis << e
 e
 $at3_1 << e
 4.875408999e-02 -1.939665917e-01
--1.977584763e-16 -1.793223619e+00
+-1.179611964e-16 -1.793223619e+00
 e
 $at3_2 << e
 -1.098032782e-16 -1.793223619e+00
@@ -149,9 +149,9 @@ e
 $at3_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow 1 from 4.839400580e-02,-2.094729063e-01 to 4.875408999e-02,-1.939665917e-01 lw 2 lc rgb '#202020' front
-set label 1 'A  46.84 kN' at 4.839400580e-02,-2.094729063e-01 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
-set arrow 2 from 4.697750627e-04,-1.780167188e+00 to -1.977584763e-16,-1.793223619e+00 lw 2 lc rgb '#202020' front
+set arrow 1 from 4.839400579e-02,-2.094729063e-01 to 4.875408999e-02,-1.939665917e-01 lw 2 lc rgb '#202020' front
+set label 1 'A  46.84 kN' at 4.839400579e-02,-2.094729063e-01 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
+set arrow 2 from 4.697750627e-04,-1.780167188e+00 to -1.179611964e-16,-1.793223619e+00 lw 2 lc rgb '#202020' front
 set label 2 'P  39.45 kN' at 4.697750627e-04,-1.780167188e+00 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
 set title "t = 0.6470 s\nlargest stress"
 plot $rest3_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#c4c4c4', $rest3_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c4c4c4', $rest3_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest3_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest3_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest3_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $at3_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#3f8f4f', $at3_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#3f8f4f', $at3_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#3f8f4f', $at3_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#3f8f4f', $at3_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#3f8f4f', $at3_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
@@ -178,29 +178,29 @@ $rest4_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at4_guides << e
--1.090373093e-16 -1.780714397e+00 1.952795940e-17 3.189157790e-01
+-1.090373094e-16 -1.780714399e+00 1.952795940e-17 3.189157790e-01
 e
 $at4_0 << e
 0.000000000e+00 0.000000000e+00
-1.971823490e-01 -3.345326980e-02
+1.971823487e-01 -3.345327142e-02
 e
 $at4_1_axis << e
-1.971823490e-01 -3.345326980e-02 -1.971823490e-01 -1.587803238e+00
+1.971823487e-01 -3.345327142e-02 -1.971823487e-01 -1.587803238e+00
 e
 $at4_1 << e
-1.971823490e-01 -3.345326980e-02
--1.665334537e-16 -1.621256507e+00
+1.971823487e-01 -3.345327142e-02
+-5.551115123e-17 -1.621256509e+00
 e
 $at4_2 << e
--9.927332962e-17 -1.621256507e+00
+-9.927332972e-17 -1.621256509e+00
 e
 $at4_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow 1 from 1.963487826e-01,-4.344831340e-02 to 1.971823490e-01,-3.345326980e-02 lw 2 lc rgb '#202020' front
-set label 1 'A  30.29 kN' at 1.963487826e-01,-4.344831340e-02 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
-set arrow 2 from 1.277203007e-03,-1.612915690e+00 to -1.665334537e-16,-1.621256507e+00 lw 2 lc rgb '#202020' front
-set label 2 'P  25.48 kN' at 1.277203007e-03,-1.612915690e+00 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
+set arrow 1 from 1.963487824e-01,-4.344831506e-02 to 1.971823487e-01,-3.345327142e-02 lw 2 lc rgb '#202020' front
+set label 1 'A  30.29 kN' at 1.963487824e-01,-4.344831506e-02 right offset -0.3,0.9 tc rgb '#202020' front noenhanced
+set arrow 2 from 1.277203010e-03,-1.612915692e+00 to -5.551115123e-17,-1.621256509e+00 lw 2 lc rgb '#202020' front
+set label 2 'P  25.48 kN' at 1.277203010e-03,-1.612915692e+00 left offset 0.3,0.9 tc rgb '#202020' front noenhanced
 set title "t = 0.8679 s\nlargest M"
 plot $rest4_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#c4c4c4', $rest4_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#c4c4c4', $rest4_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest4_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest4_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#c4c4c4', $rest4_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $at4_guides using 1:2:3:4 with vectors nohead lw 1 dt 3 lc rgb '#7a4fa0', $at4_0 using 1:2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#7a4fa0', $at4_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#7a4fa0', $at4_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#7a4fa0', $at4_2 using 1:2 with points pt 5 ps 1.6 lc rgb '#7a4fa0', $at4_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
 unset label
