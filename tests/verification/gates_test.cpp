@@ -8,6 +8,7 @@
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "support/changed_rig.hpp"
+#include "support/held_bar.hpp"
 #include "support/rig.hpp"
 
 using namespace boxbeam;
@@ -84,6 +85,33 @@ TEST_CASE("shear lag of the rig: kappa = 0.175/6.2, beta_2 by EN 1993-1-5 table 
   for (const Gate& gate : gates) CHECK_FALSE(gate.blocks);
   CHECK(contains(gates.front().finding, "kappa = 0.0282"));
   CHECK(contains(gates.front().finding, "beta = 0.921"));
+}
+
+TEST_CASE("shear lag of a simply supported beam: beta_1 under its weight, beta_2 under a force") {
+  // A box 200 mm wide with webs of 10 mm on 2 m: b_0 = 95 mm, kappa = 0.095/2 = 0.0475.
+  const std::string box =
+      "kind = \"box\"\nwidth = \"200 mm\"\nheight = \"200 mm\"\nflange = \"10 mm\"\n"
+      "web = \"10 mm\"\n";
+  const double kappa = 0.095 / 2.0;
+  const Length middle = si<Length>(1.0);
+  const auto lag_of = [&](const std::string& force, BendingRegion region) {
+    const Project project = test::held_bar(true, box, force);
+    const std::deque<SituationRun> runs = run_situations(project);
+    const std::vector<BendingZone> zones = bending_zones_of(project, runs);
+    REQUIRE(zones.size() == 1);
+    CHECK(zones[0].region == region);
+    CHECK(zones[0].effective_length.value() == Approx(2.0).epsilon(1e-6));
+    const auto lag = shear_lag_at(zones, section_at(project.beam, {middle}), middle);
+    REQUIRE(lag);
+    CHECK(lag->kappa == Approx(kappa).epsilon(1e-6));
+    return lag->beta;
+  };
+  CHECK(lag_of("", BendingRegion::sagging) ==
+        Approx(1.0 / (1.0 + 6.4 * kappa * kappa)).epsilon(1e-6));
+  const double beta_2 = 1.0 / (1.0 + 6.0 * (kappa - 1.0 / (2500.0 * kappa)) + 1.6 * kappa * kappa);
+  CHECK(lag_of("[forces.load]\nkind = \"force\"\npoint = \"bar.M\"\ndirection = \"-90 deg\"\n"
+               "size = \"50 kN\"\n",
+               BendingRegion::hogging) == Approx(beta_2).epsilon(1e-6));
 }
 
 TEST_CASE("a case that leaves shear lag out has no bending zones") {

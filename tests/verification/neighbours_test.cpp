@@ -9,6 +9,7 @@
 #include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "support/changed_rig.hpp"
+#include "support/held_bar.hpp"
 
 using namespace boxbeam;
 
@@ -180,52 +181,14 @@ TEST_CASE("the checks of neighbours count for the verdict") {
   CHECK(verify(project).verdict == Verdict::fail);
 }
 
-namespace {
-
-/// A bar of 2 m and 50 mm by 100 mm, pinned at its left end; at its right end a rod without mass
-/// goes to a block that creeps so slowly along a vertical line that only the weight acts.
-Project hung_bar(bool from_above) {
-  const std::string y = from_above ? "1 m" : "-1 m";
-  const std::string turn = from_above ? "90 deg" : "-90 deg";
-  return parse_project(
-      "bar.toml",
-      "[case]\nname = \"bar\"\nkind = \"planar\"\n"
-      "[mechanism]\ngravity = [\"0 m/s^2\", \"-10 m/s^2\"]\n"
-      "[bodies.bar]\npoints = { A = [\"0 m\", \"0 m\"], B = [\"2 m\", \"0 m\"] }\n"
-      "sketch = { at = [\"0 m\", \"0 m\"] }\n"
-      "[bodies.rod]\nmass = \"0 kg\"\npoints = { P = [\"0 m\", \"0 m\"], Q = [\"1 m\", \"0 m\"] }\n"
-      "sketch = { at = [\"2 m\", \"0 m\"], angle = \"" +
-          turn +
-          "\" }\n"
-          "[bodies.block]\nmass = \"0 kg\"\npoints = { Q = [\"0 m\", \"0 m\"] }\n"
-          "sketch = { at = [\"2 m\", \"" +
-          y +
-          "\"] }\n"
-          "[joints.A]\nkind = \"pin\"\nconnect = [\"bar.A\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n"
-          "[joints.B]\nkind = \"pin\"\nconnect = [\"bar.B\", \"rod.P\"]\n"
-          "[joints.Q]\nkind = \"pin\"\nconnect = [\"rod.Q\", \"block.Q\"]\n"
-          "[joints.guide]\nkind = \"slider\"\npoint = \"block.Q\"\nthrough = [\"2 m\", \"0 m\"]\n"
-          "direction = \"90 deg\"\nangle = \"-90 deg\"\n"
-          "[drivers.creep]\nkind = \"harmonic\"\npoint = \"block.Q\"\ncoordinate = \"y\"\n"
-          "mean = \"" +
-          y +
-          "\"\namplitude = \"0.1 mm\"\nfrequency = \"0.001 Hz\"\n"
-          "[sections.flat]\nkind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n"
-          "[beam]\nbody = \"bar\"\ndensity = \"8000 kg/m^3\"\n"
-          "[[beam.segments]]\nlength = \"2 m\"\nsection = \"flat\"\n"
-          "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n"
-          "[fatigue]\ncategory = 100\ncycles = 1e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
-          "required = 1.0\n"
-          "[[rods]]\nname = \"hanger\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\nsection = \"flat\"\n"
-          "curve = \"c\"\n");
-}
-
-}  // namespace
-
 TEST_CASE("a rod that hangs the beam is never compressed: no check; one that props it bears W/2") {
-  const Project hanging = hung_bar(true);
+  const std::string flat = "kind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n";
+  const std::string rod =
+      "[[rods]]\nname = \"hanger\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\nsection = \"bar\"\n"
+      "curve = \"c\"\n";
+  const Project hanging = test::held_bar(true, flat, rod);
   CHECK(check_rods(hanging, run_situations(hanging)).empty());
-  const Project propped = hung_bar(false);
+  const Project propped = test::held_bar(false, flat, rod);
   const std::vector<NeighbourResult> results = check_rods(propped, run_situations(propped));
   REQUIRE(results.size() == 1);
   // 0.05 x 0.1 x 2 m^3 of 8000 kg/m^3 weigh 800 N; half of it is on the prop.
