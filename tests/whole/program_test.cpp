@@ -191,8 +191,17 @@ TEST_CASE("motion as tables names what it shows") {
 }
 
 TEST_CASE("the committed reports are those of the committed cases") {
-  for (const auto& [case_file, folder] : {std::pair(rig, "reports/sledge-rig"),
-                                          std::pair(published, "reports/sledge-rig-published")}) {
+  const std::pair<std::string, const char*> committed_runs[] = {
+      {rig, "reports/sledge-rig"},
+      {published, "reports/sledge-rig-published"},
+      {test::project_file("sections/sledge-rig/friction.toml"), "reports/sledge-rig-friction"},
+      {test::project_file("sections/sledge-rig/rig-detailed.toml"), "reports/sledge-rig-detailed"},
+      {test::project_file("sections/slider-crank-press/press.toml"), "reports/slider-crank-press"},
+      {test::project_file("sections/four-bar-rocker/rocker.toml"), "reports/four-bar-rocker"},
+      {test::project_file("sections/scissor-lift/lift.toml"), "reports/scissor-lift"},
+      {test::project_file("sections/pump-jack/beam.toml"), "reports/pump-jack"}};
+  for (const auto& [case_file, folder] : committed_runs) {
+    CAPTURE(case_file);
     const Json now = results(case_file);
     const Json committed =
         Json::parse(test::read_file(test::project_file(std::string(folder) + "/results.json")));
