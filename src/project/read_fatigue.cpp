@@ -141,4 +141,28 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   return input;
 }
 
+void check_net_sections(TableReader& root, const Project& project) {
+  if (!root.problems().empty()) return;
+  const FatigueInput& fatigue = project.fatigue;
+  for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
+    const BeamHole& at = project.beam.holes[i];
+    const HoleInput& input = project.hole_inputs[i];
+    if (!input.concentration || input.detail) continue;
+    const auto counts_twice = [&](const BeamDetail& of) {
+      return of.detail.where == StressPlace::net && at.s >= of.from && at.s <= of.to;
+    };
+    if (!counts_twice(fatigue.beam) &&
+        std::none_of(fatigue.details.begin(), fatigue.details.end(), counts_twice)) {
+      continue;
+    }
+    root.problem("fatigue",
+                 fmt::format("a category for the net section contains the concentration at holes, "
+                             "and that of hole \"{}\" would count twice",
+                             at.hole.name),
+                 "give the row to the hole itself, detail = { row = \"8.1/11\" }, without "
+                 "\"concentration\"");
+    return;
+  }
+}
+
 }  // namespace boxbeam::readers

@@ -115,6 +115,9 @@ void read_demands(TableReader& root, Project& project);
 /// [fatigue] and its details.
 FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam);
 
+/// Refuses categories for the net section on stretches with holes whose concentration is computed.
+void check_net_sections(TableReader& root, const Project& project);
+
 /// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam.
 void read_neighbours(TableReader& root, const Sections& sections, Project& project);
 

@@ -209,3 +209,32 @@ TEST_CASE(
   }
   CHECK(looked_at == 4);  // above and below the hole, on both sides of the force at the hub
 }
+
+TEST_CASE("a category of the net section on a stretch with a computed concentration is refused") {
+  // EN 1993-1-9, table 8.1, row 11: the concentration would count twice.
+  test::check_refused(
+      test::rig_text({{"[equivalent_mass]",
+                       "[[fatigue.details]]\nname = \"hub\"\nfrom = \"3.2 m\"\nto = \"3.2 m\"\n"
+                       "row = \"8.1/11\"\n\n[equivalent_mass]"}}),
+      "[fatigue]", "that of hole \"hub\" would count twice", "detail = { row = \"8.1/11\" }");
+}
+
+TEST_CASE("a hot-spot row wants the ratio of its stress to the nominal one, and takes it") {
+  const std::string detail =
+      "[[fatigue.details]] # of the splice\nname = \"splice\"\nfrom = \"4.2 m\"\nto = \"4.2 m\"\n"
+      "facts = { part = \"splice\", weld = \"butt\", ground = \"no\", stress = \"hot spot\" }\n";
+  test::check_refused(test::rig_text({{"[equivalent_mass]", detail + "\n[equivalent_mass]"}}),
+                      "# of the splice", "the structural stress at the hot spot",
+                      "stress_factor = 1.3");
+  // Twice the stress is twice the range: against category 100, as the beam has it, half the factor.
+  const auto factor_with = [&](const char* ratio) {
+    const Project project = test::changed_rig(
+        {{"[equivalent_mass]", detail + "stress_factor = " + ratio + "\n\n[equivalent_mass]"}});
+    const Verification verification = verify(project);
+    for (const CheckResult& result : verification.checks) {
+      if (result.check.id == "fatigue/4.2/fibre+z") return result.check.safety_factor;
+    }
+    return 0.0;
+  };
+  CHECK(factor_with("2.6") == Approx(factor_with("1.3") / 2.0).epsilon(1e-12));
+}

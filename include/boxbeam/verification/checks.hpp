@@ -54,9 +54,8 @@ std::optional<CheckResult> check_yield(const Project& project,
                                        const StressPoint& point);
 
 /// Fatigue of a point under direct stress, under shear stress, or under both together: the cycles
-/// of all situations, as often as the life asks. Nothing where the stress does not change, and nothing
-/// together where one of them does not.
-/// Source: EN 1993-1-9:2005, clauses 7 and 8, annex A.
+/// of all situations, as often as the life asks. Nothing where the stress does not change, and
+/// nothing together where one of them does not. Source: EN 1993-1-9:2005, clauses 7 and 8, annex A.
 std::optional<CheckResult> check_fatigue(const Project& project,
                                          const std::vector<SituationHistory>& histories,
                                          const StressPoint& point, Criterion criterion);
