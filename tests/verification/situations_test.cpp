@@ -151,6 +151,8 @@ TEST_CASE("a change between standstill and running ranges over both") {
                   [](const std::vector<const CheckResult*>& checks) {
                     const CheckBasis& a = *checks[1]->basis;
                     const CheckBasis& b = *checks[2]->basis;
+                    // A hole has its worst place on the edge in each situation.
+                    if (a.point.concentration) return;
                     const double high = std::max(a.highest.value, b.highest.value);
                     const double low = std::min(a.lowest.value, b.lowest.value);
                     const Check& check = checks[0]->check;
@@ -175,6 +177,8 @@ TEST_CASE("a change between two situations may have a larger range than each of 
                   [&](const std::vector<const CheckResult*>& checks) {
                     const CheckBasis& a = *checks[1]->basis;
                     const CheckBasis& b = *checks[2]->basis;
+                    // A hole has its worst place on the edge in each situation.
+                    if (a.point.concentration) return;
                     const double high = std::max(a.highest.value, b.highest.value);
                     const double low = std::min(a.lowest.value, b.lowest.value);
                     const double range = checks[0]->check.acting.value();
