@@ -146,7 +146,11 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
   detail.where = row.where;
   detail.size_effect = row.size_effect;
   detail.size_factor = size_factor_of(row, facts).value_or(1.0);
-  detail.compression_reduced = detail.compression_reduced || !row.welded;
+  // Where one of the rows that it can be is welded, the detail may be.
+  detail.compression_reduced =
+      detail.compression_reduced ||
+      std::none_of(assessment.candidates.begin(), assessment.candidates.end(),
+                   [](const DetailRow& candidate) { return candidate.welded; });
   detail.unconfirmed = row.unconfirmed || detail.curve.unconfirmed;
   detail.candidates = assessment.candidates;
   detail.deciding = assessment.deciding;

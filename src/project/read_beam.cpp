@@ -119,16 +119,6 @@ void check_concentration(TableReader& table, bool flanges, bool solid, HoleCase 
   }
 }
 
-/// Whether the factor of plate bending is known for a hole; notes it where not.
-void check_bending_width(TableReader& table, const char* where, const Section& section,
-                         const Hole& hole) {
-  if (!hole_edges_of(section, {hole}, {}, hole, HoleCase::out_of_plane_bending).empty()) return;
-  table.problem(where,
-                "the holes take 0.3 of the width or more, where the factor of plate bending is not "
-                "known",
-                "make the hole smaller or the plate wider");
-}
-
 /// Concentration and detail of a hole.
 HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const TaperedBeam& beam) {
   HoleInput input;
@@ -138,6 +128,10 @@ HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const Tape
     detail.from = detail.to = s;
     detail.detail = read_detail(given);
     detail.assumed = given.text("assumed", "");
+    if (given.problems().empty() && detail.detail.curve.kind == StressKind::shear) {
+      given.problem("kind", "the detail of a hole is for direct stress",
+                    "write a category or row for direct stress");
+    }
     given.finish();
     input.detail = std::move(detail);
   }
@@ -196,8 +190,6 @@ void read_hole(TableReader table, Project& project) {
     } else if (overlaps(beam, s, hole)) {
       table.problem(where, "the hole overlaps another one in the same section",
                     "move them apart, or write one hole");
-    } else if (input.concentration == HoleCase::out_of_plane_bending) {
-      check_bending_width(table, where, section_at(beam, {s}), hole);
     }
     beam.holes.push_back({s, hole});
     project.hole_inputs.push_back(input);
@@ -219,6 +211,36 @@ Length station_of(TableReader& table, std::string_view key, const TaperedBeam& b
   return place_near(places_of(beam), si<Length>(s));
 }
 
+namespace {
+
+/// Notes holes in flat plates that take so much of the width, all at the place together, that the
+/// factor of plate bending is not known.
+void check_bending_widths(TableReader& table, const Project& project) {
+  const TaperedBeam& beam = project.beam;
+  if (!table.problems().empty()) return;
+  for (std::size_t i = 0; i < beam.holes.size(); ++i) {
+    const HoleCase hole_case = HoleCase::out_of_plane_bending;
+    if (project.hole_inputs[i].concentration != hole_case) continue;
+    const BeamHole& at = beam.holes[i];
+    for (const Side side : {Side::before, Side::behind}) {
+      if (side == Side::before ? at.s.value() == 0.0 : at.s == beam.length()) continue;
+      const Section section = section_at(beam, {at.s, side});
+      if (std::holds_alternative<Plate>(section.outer) &&
+          !hole_edges_of(section, holes_at(beam, at.s), {}, at.hole, hole_case).empty()) {
+        continue;
+      }
+      table.problem("holes",
+                    fmt::format("at hole \"{}\" the holes take 0.3 of a flat plate's width or "
+                                "more, where the factor of plate bending is not known",
+                                at.hole.name),
+                    "make the holes smaller or the plate wider");
+      return;
+    }
+  }
+}
+
+}  // namespace
+
 void read_beam(TableReader& table, const Sections& sections, Project& project) {
   TaperedBeam& beam = project.beam;
   beam.density = si<Density>(table.positive("density", wanted::density));
@@ -236,6 +258,7 @@ void read_beam(TableReader& table, const Sections& sections, Project& project) {
     beam.points.push_back({member.key, station_of(places, member.key, beam)});
   }
   for (TableReader& hole : table.tables("holes")) read_hole(hole, project);
+  check_bending_widths(table, project);
 }
 
 }  // namespace boxbeam::readers

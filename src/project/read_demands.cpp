@@ -101,6 +101,10 @@ void check_thicknesses(TableReader& root, const Project& project) {
     for (const Section* section : {&segment.from, &segment.to}) {
       walls.push_back(wall_at(section->outer, Length{}));
       walls.push_back(wall_at(section->outer, 0.5 * height_of(section->outer)));
+      walls.push_back(wall_at(section->outer, -0.5 * height_of(section->outer)));
+      if (const auto* box = std::get_if<Box>(&section->outer)) {
+        for (const Stiffener& bar : box->stiffeners) walls.push_back(bar.thickness);
+      }
       if (!section->inner) continue;
       walls.push_back(wall_at(*section->inner, Length{}));
       walls.push_back(wall_at(*section->inner, 0.5 * height_of(*section->inner)));

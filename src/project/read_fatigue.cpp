@@ -10,11 +10,20 @@
 namespace boxbeam::readers {
 namespace {
 
-/// Thickness of the outer plate at a place, for size effects.
-std::optional<Length> plate_at(const TaperedBeam& beam, Length s, ProblemList& problems) {
+/// The thickest plate of the outer profiles on a stretch, for size effects.
+std::optional<Length> thickest_plate(const TaperedBeam& beam, Length from, Length to,
+                                     ProblemList& problems) {
   if (beam.segments.empty() || !problems.empty()) return std::nullopt;
-  const Section section = section_at(beam, {s});
-  return wall_at(section.outer, 0.5 * height_of(section.outer));
+  Length thickest;
+  for (const Segment& segment : beam.segments) {
+    if (segment.end() < from || segment.start > to) continue;
+    for (const Section* section : {&segment.from, &segment.to}) {
+      const Length half = 0.5 * height_of(section->outer);
+      thickest =
+          std::max({thickest, wall_at(section->outer, half), wall_at(section->outer, -half)});
+    }
+  }
+  return thickest;
 }
 
 /// The partial factor as a number, or by table 3.1.
@@ -92,7 +101,8 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
   on_beam.to = station_of(table, "to", beam);
   constexpr DetailPlace places[] = {DetailPlace::section, DetailPlace::fibres, DetailPlace::seams};
   on_beam.on = places[table.choice("on", {"section", "fibres", "seams"}, 0)];
-  on_beam.detail = read_detail(table, plate_at(beam, on_beam.from, table.problems()));
+  on_beam.detail =
+      read_detail(table, thickest_plate(beam, on_beam.from, on_beam.to, table.problems()));
   if (!table.has("name")) {
     table.problem("name", "a detail of the beam wants a name", "write name = \"hub weld\"");
   }
@@ -114,7 +124,12 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
 FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   FatigueInput input;
   input.beam.to = beam.segments.empty() ? Length{} : beam.length();
-  input.beam.detail = read_detail(table, plate_at(beam, Length{}, table.problems()));
+  input.beam.detail =
+      read_detail(table, thickest_plate(beam, Length{}, input.beam.to, table.problems()));
+  if (table.problems().empty() && input.beam.detail.curve.kind == StressKind::shear) {
+    table.problem("kind", "the detail of the beam is for direct stress",
+                  "write shear = { kind = \"shear\", category = 80 } beside it");
+  }
   input.beam.stress_factor = read_stress_factor(table, input.beam.detail);
   input.beam.assumed = table.text("assumed", "");
   input.published_step = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 1;

@@ -62,6 +62,35 @@ PinInput read_pin(TableReader table, const Project& project) {
   return pin;
 }
 
+/// Whether joints hold a rod at both its points, and no situation changes its body.
+void check_rod_ends(TableReader& table, const RodInput& rod, const Project& project) {
+  const double size = (rod.to.p - rod.from.p).norm();
+  const auto held_at = [&](const planar::Attachment& end) {
+    return std::any_of(project.mechanism.joints.begin(), project.mechanism.joints.end(),
+                       [&](const planar::Joint& joint) {
+                         const auto [a, b] = planar::ends_of(joint);
+                         const auto here = [&](const planar::Attachment& at) {
+                           return at.body == end.body && (at.p - end.p).norm() < 1e-9 * size;
+                         };
+                         return here(a) || here(b);
+                       });
+  };
+  for (const auto& [key, end] : {std::pair{"from", rod.from}, {"to", rod.to}}) {
+    if (held_at(end)) continue;
+    table.problem(key, "no joint holds the rod at this point, and nothing presses it there",
+                  "write the points at which joints hold it");
+  }
+  const std::string& body = project.mechanism.bodies[static_cast<std::size_t>(rod.from.body)].name;
+  for (const Situation& situation : project.situations) {
+    for (const std::string& change : situation.set) {
+      if (!change.starts_with("bodies." + body + ".")) continue;
+      table.problem("from",
+                    fmt::format("situation \"{}\" changes the body of the rod", situation.name),
+                    "leave the rod's body as it is, or take the rod out of the checks");
+    }
+  }
+}
+
 RodInput read_rod(TableReader table, const Sections& sections, const Project& project) {
   RodInput rod;
   rod.name = table.text("name");
@@ -83,8 +112,11 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
   rod.required = table.number("required", project.strength.required);
   const Material steel = steel_of(table, "steel", project);
   if (table.problems().size() == before && table.problems().empty()) {
-    const Length wall = std::max(wall_at(rod.section.outer, Length{}),
-                                 wall_at(rod.section.outer, 0.5 * height_of(rod.section.outer)));
+    const Length half = 0.5 * height_of(rod.section.outer);
+    const Length wall =
+        std::max({wall_at(rod.section.outer, Length{}), wall_at(rod.section.outer, half),
+                  wall_at(rod.section.outer, -half)});
+    check_rod_ends(table, rod, project);
     rod.yield_strength = strength_at(table, "section", steel, yield_strength_of, wall);
   }
   table.finish();

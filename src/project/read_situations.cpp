@@ -142,6 +142,10 @@ std::vector<std::size_t> read_between(TableReader& table,
     }
     between.push_back(static_cast<std::size_t>(found - situations.begin()));
   }
+  if (table.problems().empty() && between.empty()) {
+    table.problem("between", "a change between no situations",
+                  "write for example between = [\"standstill\", \"normal running\"]");
+  }
   return between;
 }
 

@@ -168,19 +168,19 @@ std::vector<Channel> channels_of(const Project& project,
                                  const StressPoint& point, Criterion criterion) {
   std::vector<Channel> channels;
   const double nothing = 1e-9 * point.yield_strength.value();
-  const auto add = [&](const CutForceFunction& stress, StressKind kind, const Detail& detail) {
+  const auto add = [&](const CutForceFunction& stress, StressKind kind, const Detail& detail,
+                       bool compression_reduced) {
     Channel channel;
     channel.turns = turns_of(project, histories, stress);
-    channel.spectrum = spectrum_of(project, channel.turns, kind,
-                                   detail.compression_reduced && kind == StressKind::direct);
+    channel.spectrum = spectrum_of(project, channel.turns, kind, compression_reduced);
     channel.curve = curve_of(detail);
     if (largest_range_of(channel.spectrum) >= nothing) channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
-    add(detail_stress(point), StressKind::direct, point.detail->detail);
+    add(detail_stress(point), StressKind::direct, point.detail->detail, point.compression_reduced);
   }
   if (point.shear_detail != nullptr && criterion != Criterion::fatigue) {
-    add(shear_stress(point), StressKind::shear, *point.shear_detail);
+    add(shear_stress(point), StressKind::shear, *point.shear_detail, false);
   }
   return channels;
 }

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "boxbeam/numerics/extremum.hpp"
-#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/shear_area.hpp"
 
 namespace boxbeam {
@@ -71,12 +71,15 @@ DeflectionModel deflection_model_of(const Project& project) {
     for (const auto& [u, weight] : gauss) {
       const double s = borders[i] + half * (1.0 + u);
       const Section section = section_at(beam, {si<Length>(s)});
-      const double EI = input.youngs_modulus.value() * properties_of(section).I_y.value();
+      const Eigen::RowVector3d curvature =
+          normal_stress_plane(sums_of(outline_of(section, {}))).row(2) /
+          input.youngs_modulus.value();
       const double GA = input.shear_modulus.value() * shear_area_of(section).value();
       model.nodes.push_back(si<Length>(s));
       for (DeflectionInfluence& influence : model.influences) {
         const UnitCut unit = unit_cut(s, influence.at.value(), a, b);
-        influence.weight_M.push_back(half * weight * unit.M / EI);
+        influence.weight_N.push_back(half * weight * unit.M * curvature[0]);
+        influence.weight_M.push_back(half * weight * unit.M * curvature[1]);
         influence.weight_V.push_back(half * weight * unit.V / GA);
       }
     }
@@ -90,8 +93,9 @@ std::vector<double> deflections_of(const DeflectionModel& model, const CutForceD
     const CutForces cut = diagram.at({model.nodes[i]});
     for (std::size_t j = 0; j < deflections.size(); ++j) {
       const DeflectionInfluence& influence = model.influences[j];
-      deflections[j] +=
-          influence.weight_M[i] * cut.M_y.value() + influence.weight_V[i] * cut.V_z.value();
+      deflections[j] += influence.weight_N[i] * cut.N.value() +
+                        influence.weight_M[i] * cut.M_y.value() +
+                        influence.weight_V[i] * cut.V_z.value();
     }
   }
   return deflections;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/section/section_properties.hpp"
@@ -35,6 +37,8 @@ Extreme largest_over(const Project& project, const SituationRun& run,
     high = std::min(high, motion.begin + motion.period);
   }
   const Extremum found = find_maximum([&](double time) { return f(finder.at(time)); }, low, high);
+  const bool at_end = !motion.closed && f(motion.end) > std::max(found.value, f(*best));
+  if (at_end) return {si<Time>(motion.end.time), f(motion.end), index_of(project, *run.situation)};
   // The instant itself may be a corner of the function, which the search only comes near to.
   Extreme extreme{si<Time>(best->time), f(*best), index_of(project, *run.situation)};
   if (found.value > extreme.value) {
@@ -57,6 +61,23 @@ Extreme worst_of(const Project& project, const std::deque<SituationRun>& runs,
     if (&run == &runs.front() || in.value > worst.value) worst = in;
   }
   return worst;
+}
+
+/// Stops where rigid bodies do not determine the reaction of a joint.
+void check_unique(const Project& project, const std::deque<SituationRun>& runs, int joint,
+                  const std::string& of) {
+  for (const SituationRun& run : runs) {
+    const planar::Mechanism& mechanism = mechanism_in(project, *run.situation);
+    if (planar::is_unique(mechanism, run.motion.freedom, joint)) continue;
+    throw AnalysisError({fmt::format("the load on {} is not determined by rigid bodies: joints "
+                                     "repeat each other, and how they share their load depends on "
+                                     "their stiffness; release one of them",
+                                     of),
+                         "joint " + mechanism.joints[static_cast<std::size_t>(joint)].name,
+                         {},
+                         {},
+                         {}});
+  }
 }
 
 double force_in(const Project& project, const SituationRun& run, const planar::State& state,
@@ -107,6 +128,7 @@ std::vector<NeighbourResult> check_pins(const Project& project,
                                         const std::deque<SituationRun>& runs) {
   std::vector<NeighbourResult> results;
   for (const PinInput& pin : project.pins) {
+    check_unique(project, runs, pin.joint, "pin " + pin.name);
     const Extreme worst =
         worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
           return force_in(project, run, state, pin.joint);
@@ -132,6 +154,11 @@ std::vector<NeighbourResult> check_rods(const Project& project,
                                         const std::deque<SituationRun>& runs) {
   std::vector<NeighbourResult> results;
   for (const RodInput& rod : project.rods) {
+    for (std::size_t i = 0; i < project.mechanism.joints.size(); ++i) {
+      const auto [a, b] = planar::ends_of(project.mechanism.joints[i]);
+      if (a.body != rod.from.body && b.body != rod.from.body) continue;
+      check_unique(project, runs, static_cast<int>(i), "rod " + rod.name);
+    }
     const Extreme worst =
         worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
           return compression_in(project, run, state, rod);
@@ -140,8 +167,7 @@ std::vector<NeighbourResult> check_rods(const Project& project,
     const SectionProperties properties = properties_of(rod.section);
     NeighbourResult result;
     result.weak_axis = properties.I_z < properties.I_y;
-    const Force critical =
-        euler_force(youngs_modulus, std::min(properties.I_y, properties.I_z), rod.buckling_length);
+    const Force critical = euler_force(youngs_modulus, properties.I_2, rod.buckling_length);
     result.slenderness = column_slenderness(properties.area, rod.yield_strength, critical);
     result.reduction = column_reduction(result.slenderness, rod.curve);
     const Force resistance =

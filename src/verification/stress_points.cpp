@@ -14,18 +14,28 @@ namespace {
 /// Grid points inside a segment on which maxima along the beam are bracketed.
 constexpr int grid = 24;
 
-/// The weakest detail of the stretches that a place lies in, or that of the whole beam.
-const BeamDetail& detail_at(const FatigueInput& fatigue, Length s, DetailPlace on) {
+/// What resists at a place.
+struct ResistingDetail {
+  const BeamDetail* detail = nullptr;
+  bool compression_reduced = false;
+};
+
+/// The weakest detail of the stretches that a place lies in, or that of the whole beam. Compression
+/// counts 60 % only where none of them is welded as it is.
+ResistingDetail detail_at(const FatigueInput& fatigue, Length s, DetailPlace on) {
   const BeamDetail* weakest = nullptr;
+  bool reduced = true;
   const auto strength = [](const BeamDetail& of) {
-    return strength_at(curve_of(of.detail), 2e6, Loading::spectrum);
+    return strength_at(curve_of(of.detail), 2e6, Loading::spectrum) / of.stress_factor;
   };
   for (const BeamDetail& stretch : fatigue.details) {
     if (s < stretch.from || s > stretch.to) continue;
     if (stretch.on != DetailPlace::section && stretch.on != on) continue;
+    reduced = reduced && stretch.detail.compression_reduced;
     if (weakest == nullptr || strength(stretch) < strength(*weakest)) weakest = &stretch;
   }
-  return weakest != nullptr ? *weakest : fatigue.beam;
+  if (weakest == nullptr) return {&fatigue.beam, fatigue.beam.detail.compression_reduced};
+  return {weakest, reduced};
 }
 
 /// Area integrals of a section known by its properties.
@@ -145,14 +155,15 @@ class StressPoints {
 
   void add_section() {
     const FatigueInput& fatigue = project_->fatigue;
-    const BeamDetail& fibres = detail_at(fatigue, station_.s, DetailPlace::fibres);
-    const BeamDetail& seams = detail_at(fatigue, station_.s, DetailPlace::seams);
+    const ResistingDetail fibres = detail_at(fatigue, station_.s, DetailPlace::fibres);
+    const ResistingDetail seams = detail_at(fatigue, station_.s, DetailPlace::seams);
+    const bool walls = std::holds_alternative<ThinWalled>(field_.section.outer);
     for (const SectionPoint& place : points_of(field_, PointSet::in_plane)) {
       const bool seam = place.name.starts_with("web end");
-      const bool neutral = place.name.starts_with("neutral axis");
+      const bool neutral = !walls && place.name.starts_with("neutral axis");
       StressPoint& point = add(place);
-      point.detail = neutral ? nullptr : (seam ? &seams : &fibres);
-      if (seam || neutral) point.shear_detail = &fatigue.shear;
+      resist(point, neutral ? ResistingDetail{} : (seam ? seams : fibres));
+      point.shear_detail = &fatigue.shear;
       if (!place.on_throat) continue;
       SectionPoint throat = place;
       throat.name = "seam" + place.name.substr(std::string("web end").size()) + " throat";
@@ -166,8 +177,8 @@ class StressPoints {
   }
 
   void add_hole(const Hole& hole, const HoleInput& input) {
-    const BeamDetail& of_beam = detail_at(project_->fatigue, station_.s, DetailPlace::fibres);
-    const BeamDetail* detail = input.detail ? &*input.detail : &of_beam;
+    ResistingDetail detail = detail_at(project_->fatigue, station_.s, DetailPlace::fibres);
+    if (input.detail) detail = {&*input.detail, input.detail->detail.compression_reduced};
     if (input.concentration) {
       const HoleCase hole_case = *input.concentration;
       const double a =
@@ -184,12 +195,15 @@ class StressPoints {
             hole_edges_of(field_.section, field_.holes, {}, hole, hole_case);
         edges.insert(edges.end(), prismatic.begin(), prismatic.end());
       }
+      // Shear lag leaves less to bend, and raises every stress of bending alike.
+      const double less = properties_of(field_.section, field_.holes).I_y / net_.I_y;
+      for (HoleEdge& edge : edges) edge.influence.normal[cut_force::M_y] *= less;
       SectionPoint edge{"hole " + hole.name + " edge", {}, edges.front().z, {}, {}, {}, {}};
       edge.plate = wall_at(field_.section, edge.z);
       edge.influence = edge.prismatic = edges.front().influence;
       StressPoint& point = add(edge);
       point.influence = edges.front().influence;  // of the gross section, as its source has it
-      point.detail = detail;
+      resist(point, detail);
       point.concentration = EdgeConcentration{hole.name, hole_case, a, factor, 0.0};
       point.edges = edges;
     }
@@ -201,14 +215,14 @@ class StressPoints {
                             : (sign > 0.0 ? gross_.z_top : gross_.z_bottom);
       if (!webs && input.concentration) continue;
       const std::string name = "beside hole " + hole.name + (sign > 0.0 ? " +z" : " -z");
-      add_level(name, z, input.concentration ? nullptr : detail);
+      add_level(name, z, input.concentration ? ResistingDetail{} : detail);
     }
   }
 
-  void add_level(const std::string& name, Length z, const BeamDetail* detail) {
+  void add_level(const std::string& name, Length z, const ResistingDetail& detail) {
     for (const SectionPoint& place : points_at_level(field_, name, z, PointSet::in_plane)) {
       StressPoint& point = add(place);
-      point.detail = detail;
+      resist(point, detail);
       point.shear_detail = &project_->fatigue.shear;
     }
   }
@@ -216,6 +230,11 @@ class StressPoints {
   std::vector<StressPoint> points;
 
  private:
+  static void resist(StressPoint& point, const ResistingDetail& detail) {
+    point.detail = detail.detail;
+    point.compression_reduced = detail.compression_reduced;
+  }
+
   StressPoint& add(const SectionPoint& place) {
     StressPoint point;
     point.station = station_;
@@ -274,7 +293,7 @@ double largest_stress_of(const Project& project, const std::vector<Span>& spans)
 /// How badly one cycle in each situation, and in each change between some, uses up a detail: the
 /// reciprocal of the factor that the cycles of the life leave.
 double fatigue_severity_of(const Project& project, const std::vector<Span>& spans,
-                           const Detail& detail) {
+                           const Detail& detail, bool reduced) {
   std::vector<Cycle> cycles;
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const Situation& situation = project.situations[i];
@@ -287,7 +306,7 @@ double fatigue_severity_of(const Project& project, const std::vector<Span>& span
     cycles.push_back(
         {si<Stress>(span.range()), si<Stress>(0.5 * (span.high + span.low)), situation.cycles});
   }
-  if (detail.compression_reduced) cycles = compression_reduced(std::move(cycles));
+  if (reduced) cycles = compression_reduced(std::move(cycles));
   return 1.0 / largest_factor(cycles, curve_of(detail), project.fatigue.demand);
 }
 
@@ -305,7 +324,7 @@ std::vector<StressPoint> stress_points_at(const Project& project,
   for (const NamedPoint& named : project.points) {
     if (named.s != station.s) continue;
     gathered.add_level(named.name, named.z,
-                       &detail_at(project.fatigue, station.s, DetailPlace::fibres));
+                       detail_at(project.fatigue, station.s, DetailPlace::fibres));
   }
   return std::move(gathered.points);
 }
@@ -317,9 +336,10 @@ StressPoint at_worst_edge(const Project& project, const StressPoint& point,
   double worst = -1.0;
   for (const HoleEdge& edge : point.edges) {
     const std::vector<Span> spans = spans_at(project, histories, edge);
-    const double value = criterion == Criterion::fatigue && point.detail != nullptr
-                             ? fatigue_severity_of(project, spans, point.detail->detail)
-                             : largest_stress_of(project, spans);
+    const double value =
+        criterion == Criterion::fatigue && point.detail != nullptr
+            ? fatigue_severity_of(project, spans, point.detail->detail, point.compression_reduced)
+            : largest_stress_of(project, spans);
     if (value <= worst) continue;
     worst = value;
     moved.z = edge.z;

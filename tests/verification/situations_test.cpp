@@ -260,6 +260,8 @@ TEST_CASE("the damage of several situations is the sum of the damages of each") 
   for (const Criterion criterion : {Criterion::fatigue, Criterion::shear_fatigue}) {
     for_each_common(criterion, {&both, &slow_alone, &fast_alone},
                     [&](const std::vector<const CheckResult*>& checks) {
+                      // Each run takes the place on a hole's edge that is worst for itself.
+                      if (checks[0]->basis->point.concentration) return;
                       const double sum = checks[1]->basis->damage + checks[2]->basis->damage;
                       CHECK(checks[0]->basis->damage == Approx(sum).epsilon(1e-9));
                       most = std::max(most, sum);

@@ -10,9 +10,12 @@
 namespace boxbeam {
 
 /// How a unit deflection at one place follows from the cut forces along the beam: the deflection is
-/// the sum of weight_M M + weight_V V over the nodes.
+/// the sum of weight_N N + weight_M M + weight_V V over the nodes.
 ///
-///     w(s_j) = int m_j M/(E I_y) ds + int v_j V/(G A_v) ds
+///     w(s_j) = int m_j kappa ds + int v_j V/(G A_v) ds,  kappa = M/(E I_y)
+///
+/// kappa is the slope of the normal stress along z over E: in unsymmetric sections, or where the
+/// centroid lies off the axis, it depends on N too (normal_stress_plane).
 ///
 /// m_j and v_j are the cut forces under a force of one at s_j, the beam supported at the two ends
 /// of the line from which the deflection is measured. Exact but for the quadrature (Gauss, five
@@ -21,7 +24,7 @@ namespace boxbeam {
 /// article 68.
 struct DeflectionInfluence {
   Length at;
-  std::vector<double> weight_M, weight_V;
+  std::vector<double> weight_N, weight_M, weight_V;
 };
 
 /// The nodes and the influences at so many places evenly along the beam.

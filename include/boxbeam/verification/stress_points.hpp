@@ -39,6 +39,7 @@ struct StressPoint {
   std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found
   /// What resists ranges of direct and of shear stress; none where that is not looked at.
   const BeamDetail* detail = nullptr;
+  bool compression_reduced = false;  ///< whether compression counts 60 % of direct stress, 7.2.1
   const Detail* shear_detail = nullptr;
   bool yield = true;       ///< whether the equivalent stress is looked at
   bool on_throat = false;  ///< the throat of a seam: only its shear stress has a meaning

@@ -130,14 +130,14 @@ $line << e
 1.000000000e+09 4.047131645e+01 7.368062997e+01
 e
 $work << e
-2.000000000e+07 1.949517176e-02
-2.000000000e+07 3.008513698e+00
-2.000000000e+07 1.087089704e+02
+2.000000000e+07 1.947916208e-02
+2.000000000e+07 3.007941121e+00
+2.000000000e+07 1.087093845e+02
 e
 $needed << e
-2.000000000e+07 1.949517176e-02
-2.000000000e+07 3.008513698e+00
-2.000000000e+07 1.087089704e+02
+2.000000000e+07 1.947916208e-02
+2.000000000e+07 3.007941121e+00
+2.000000000e+07 1.087093845e+02
 e
 set title 'S-N diagram with the governing stress range: slider-crank-press' noenhanced
 set logscale xy
@@ -153,5 +153,5 @@ set label 'cut-off 40.5 MPa' at 1e8,4.047131645e+01 left offset 0.6,0.8 point pt
 set label 'm = 3' at 3e5,2.164382866e+02
 set label 'm = 5' at 2.5e7,5.981048888e+01
 set label 'category 100' at 2e6,1.000000000e+02 left offset 0.6,0.6 point pt 6
-set label '109 MPa' at 2.000000000e+07,1.087089704e+02 left offset 1,-0.7 tc rgb '#c8551b'
+set label '109 MPa' at 2.000000000e+07,1.087093845e+02 left offset 1,-0.7 tc rgb '#c8551b'
 plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'EN 1993-1-9:2005+AC:2009, category 100, spectrum', $line using 1:3 with lines lw 1.6 dt 2 lc rgb '#1f5fa8' title 'constant amplitude (7.1(2))', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 1.00'

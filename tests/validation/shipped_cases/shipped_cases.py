@@ -67,7 +67,7 @@ class Press:
         K_g = (2 + 0.284 * b - 0.6 * b**2 + 1.32 * b**3) / b
         I = self.beam.inertia(0.8)
         Q = 0.26 * 0.04 * 0.165 + 0.06 * 0.145**2 / 2
-        net = I - 0.06 * 0.04**3 / 12
+        net = self.beam.working(0.8)[1] - 0.06 * 0.04**3 / 12  # what shear lag leaves
         return (K_g / 3 * N / self.beam.area(0.8) * (1 - 2 * math.cos(2 * theta))
                 + M * 0.02 / net * (math.sin(theta) - math.sin(3 * theta))
                 - 4 / b * V * Q / (I * 0.06) * math.sin(2 * theta))
