@@ -309,7 +309,7 @@ std::string usage_of(const std::string& command) {
 /// The hint for a mistyped or missing command, case or option, which the parser does not give.
 std::string usage_hint(int argc, char** argv, const CLI::App& app) {
   const std::vector<std::string> names{"verify", "motion", "section", "fatigue"};
-  const std::string commands =
+  std::string commands =
       "write boxbeam verify CASE.toml, boxbeam motion CASE.toml, boxbeam section PROFILE or "
       "boxbeam "
       "fatigue HISTORY.csv";

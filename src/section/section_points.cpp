@@ -174,11 +174,11 @@ void add_box_points(const StressField& field, bool inner, std::vector<SectionPoi
       const Length clear = up > 0.0 ? clear_top_of(profile) : clear_bottom_of(profile);
       const std::string at = fmt::format("{} {}", y_name, signed_axis(up, 'z'));
       // Both faces that meet in an outer corner are free of shear.
-      points.push_back(
-          point_at(field, before + "corner " + at, face, outer.value(), wall_at(profile, outer)));
+      points.push_back(point_at(field, fmt::format("{}corner {}", before, at), face, outer.value(),
+                                wall_at(profile, outer)));
       const Wall& at_web = graph.walls[nearest(graph, web, inner, clear.value()).wall];
       const double y = at_web.start.x() - side * 0.5 * at_web.thickness;
-      points.push_back(wall_point(field, before + "flange end " + at,
+      points.push_back(wall_point(field, fmt::format("{}flange end {}", before, at),
                                   nearest(graph, flange, inner, y), y, outer.value(), 0.0,
                                   wall_at(profile, outer)));
       if (!inner) {
@@ -186,10 +186,10 @@ void add_box_points(const StressField& field, bool inner, std::vector<SectionPoi
       }
     }
     const WallPlace half = nearest(graph, web, inner, 0.0);
-    points.push_back(wall_point(field, before + "fibre " + y_name, half, face, 0.0, 0.0,
-                                wall_at(profile, Length{})));
+    points.push_back(wall_point(field, fmt::format("{}fibre {}", before, y_name), half, face, 0.0,
+                                0.0, wall_at(profile, Length{})));
     if (inner || !in_hole(field, middle)) {
-      points.push_back(wall_point(field, before + "neutral axis " + y_name,
+      points.push_back(wall_point(field, fmt::format("{}neutral axis {}", before, y_name),
                                   nearest(graph, web, inner, middle.value()), face, middle.value(),
                                   0.0, wall_at(profile, middle)));
     }

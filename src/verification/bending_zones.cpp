@@ -85,7 +85,7 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs) {
   if (!project.strength.shear_lag) return {};
   const LargestBending largest = largest_bending_of(runs);
-  if (largest.moment <= 0.0) return {};
+  if (largest.loads == nullptr || largest.moment <= 0.0) return {};
   const double length = project.beam.length().value();
   const CutForceDiagram& diagram = largest.loads->diagram(largest.instant);
   std::vector<double> borders = zeros_of(diagram, largest.moment);

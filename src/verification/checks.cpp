@@ -355,15 +355,15 @@ std::optional<CheckResult> check_range(const Project& project,
 std::optional<CheckResult> check_throat(const Project& project,
                                         const std::vector<SituationHistory>& histories,
                                         const StressPoint& point) {
-  const Situation* situation = nullptr;
+  const SituationHistory* worst = &histories.front();
   TurningPoint largest;
   for (const SituationHistory& at : histories) {
     TurningPoint in = at.history.largest([&](const CutForces& cut) {
       return std::abs(stress_at(point.influence, cut).shear.value());
     });
     in.value *= at.situation->load_factor;
-    if (situation != nullptr && in.value <= largest.value) continue;
-    situation = at.situation;
+    if (in.value <= largest.value) continue;
+    worst = &at;
     largest = in;
   }
   const auto tensile = tensile_strength_of(project.material, point.plate);
@@ -371,8 +371,7 @@ std::optional<CheckResult> check_throat(const Project& project,
   const WeldStrength strength{*tensile, project.material.beta_w, project.strength.gamma_M2};
   ThroatStress stress;
   stress.shear_along = si<Stress>(largest.value);
-  CheckResult result = start(Criterion::weld, project, point, history_of(histories, *situation),
-                             shear_stress(point));
+  CheckResult result = start(Criterion::weld, project, point, *worst, shear_stress(point));
   Check& check = result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
@@ -381,8 +380,7 @@ std::optional<CheckResult> check_throat(const Project& project,
   check.required = project.strength.required;
   check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
   CheckBasis& basis = *result.basis;
-  basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest =
-      history_of(histories, *situation).history.at(largest.time);
+  basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   basis.highest = basis.lowest = {largest.time, basis.stress_at_time.shear.value(), basis.running};
   return result;
