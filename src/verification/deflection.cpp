@@ -53,7 +53,7 @@ DeflectionModel deflection_model_of(const Project& project) {
   const double b = input.to.value();
   for (int j = 0; j <= places; ++j) {
     const double s = length * j / places;
-    if (s != a && s != b) model.influences.push_back({si<Length>(s), {}, {}});
+    if (s != a && s != b) model.influences.push_back({si<Length>(s), {}, {}, {}});
   }
   // Where the unit forces and supports stand their cut forces bend or jump: no quadrature across.
   std::vector<double> borders{a, b};
