@@ -6,21 +6,44 @@
 
 namespace boxbeam {
 
+namespace {
+
+/// Rate of change of the angular momentum of an inertia J.
+Eigen::Vector3d spin_change(const Eigen::Matrix3d& J, const BeamMotion& motion) {
+  return J * motion.alpha + motion.omega.cross(J * motion.omega);
+}
+
+}  // namespace
+
 std::vector<LineLoad> weight_and_inertia(const TaperedBeam& beam,
                                          const std::vector<SegmentMass>& distribution,
-                                         const Eigen::Vector3d& gravity,
-                                         const AxisAcceleration& acceleration) {
+                                         const Eigen::Vector3d& gravity, const BeamMotion& motion) {
   assert(distribution.size() == beam.segments.size());
+  const Eigen::Vector3d along = Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d gradient =
+      motion.alpha.cross(along) + motion.omega.cross(motion.omega.cross(along));
   std::vector<LineLoad> loads(beam.segments.size());
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
     const double start = beam.segments[i].start.value();
+    const Eigen::Vector3d constant = gravity - motion.acceleration - start * gradient;
     for (int axis = 0; axis < 3; ++axis) {
-      const double constant =
-          gravity[axis] - acceleration.at_start[axis] - acceleration.gradient[axis] * start;
-      const Polynomial<1> field{{constant, -acceleration.gradient[axis]}};
+      const Polynomial<1> field{{constant[axis], -gradient[axis]}};
       loads[i].force[static_cast<std::size_t>(axis)] = distribution[i].mass * field;
     }
-    loads[i].couple[1] = -acceleration.alpha_y * distribution[i].rotary;
+  }
+  if (!beam.rotary_inertia) return loads;
+  // The moments are linear in I_y, I_z and I_yz: what each of them gives.
+  const Eigen::Vector3d by_y = spin_change(Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal(), motion);
+  const Eigen::Vector3d by_z = spin_change(Eigen::Vector3d(1.0, 0.0, 1.0).asDiagonal(), motion);
+  Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
+  product(1, 2) = product(2, 1) = -1.0;
+  const Eigen::Vector3d by_yz = spin_change(product, motion);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const SegmentMass& of = distribution[i];
+      loads[i].couple[static_cast<std::size_t>(axis)] =
+          -by_y[axis] * of.rotary_y + -by_z[axis] * of.rotary_z + -by_yz[axis] * of.rotary_yz;
+    }
   }
   return loads;
 }

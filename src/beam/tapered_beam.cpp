@@ -83,7 +83,12 @@ std::vector<SegmentMass> mass_distribution_of(const TaperedBeam& beam) {
     SegmentMass piece;
     piece.mass = interpolate<2>([&](double x) { return density * at(x).area.value(); }, length);
     if (beam.rotary_inertia) {
-      piece.rotary = interpolate<4>([&](double x) { return density * at(x).I_y.value(); }, length);
+      const auto of = [&](SecondMoment SectionProperties::*moment) {
+        return interpolate<4>([&](double x) { return density * (at(x).*moment).value(); }, length);
+      };
+      piece.rotary_y = of(&SectionProperties::I_y);
+      piece.rotary_z = of(&SectionProperties::I_z);
+      piece.rotary_yz = of(&SectionProperties::I_yz);
     }
     distribution.push_back(piece);
   }
@@ -99,6 +104,7 @@ MassProperties mass_properties_of(const TaperedBeam& beam, Length from, Length t
   double mass = 0.0;
   double first_moment = 0.0;
   double second_moment = 0.0;
+  double y = 0.0, z = 0.0, yz = 0.0;  // of the sections themselves
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
     const Segment& segment = beam.segments[i];
     const double low = (std::max(from, segment.start) - segment.start).value();
@@ -112,12 +118,17 @@ MassProperties mass_properties_of(const TaperedBeam& beam, Length from, Length t
     const SegmentMass& piece = distribution[i];
     mass += over(piece.mass);
     first_moment += over(piece.mass * arm);
-    second_moment += over(piece.mass * (arm * arm)) + over(piece.rotary);
+    second_moment += over(piece.mass * (arm * arm));
+    y += over(piece.rotary_y);
+    z += over(piece.rotary_z);
+    yz += over(piece.rotary_yz);
   }
   assert(mass > 0.0);
   const double centre = first_moment / mass;
-  return {si<Mass>(mass), from + si<Length>(centre),
-          si<MassMoment>(second_moment - mass * centre * centre)};
+  const double along = second_moment - mass * centre * centre;
+  Eigen::Matrix3d tensor = Eigen::Vector3d(y + z, along + y, along + z).asDiagonal();
+  tensor(1, 2) = tensor(2, 1) = -yz;
+  return {si<Mass>(mass), from + si<Length>(centre), si<MassMoment>(along + y), tensor};
 }
 
 }  // namespace boxbeam

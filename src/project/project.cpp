@@ -68,7 +68,7 @@ Place place_of_point(const Node& root, const std::string& body, const std::strin
 /// The beam body's points, named on the axis.
 void add_points_of_body(const Node& root, ProblemList& problems, Project& project) {
   if (project.beam_body == planar::ground) return;
-  const Body& body = project.mechanism.bodies[static_cast<std::size_t>(project.beam_body)];
+  const Body& body = planar_of(project).bodies[static_cast<std::size_t>(project.beam_body)];
   const double centre = mass_properties_of(project.beam).centre.value();
   const double length = project.beam.length().value();
   for (const BodyPoint& point : body.points) {
@@ -156,12 +156,12 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
     project.mechanism = std::move(draft.mechanism);
   }
   if (root.has("newton_chain")) {
-    project.chain = readers::read_newton_chain(root.table("newton_chain"), project.mechanism,
+    project.chain = readers::read_newton_chain(root.table("newton_chain"), planar_of(project),
                                                project.beam, project.beam_body);
   }
   if (root.has("equivalent_mass")) {
     project.equivalent_mass =
-        read_equivalent_mass(root.table("equivalent_mass"), project.mechanism, project.beam_body);
+        read_equivalent_mass(root.table("equivalent_mass"), planar_of(project), project.beam_body);
   }
   readers::read_situations(root, document.root, beam_body, tables, project);
   readers::read_demands(root, project);
@@ -180,8 +180,37 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
 
 SnCurve curve_of(const Detail& detail) { return scaled(detail.curve, detail.size_factor); }
 
-const planar::Mechanism& mechanism_in(const Project& project, const Situation& situation) {
-  return situation.changed ? *situation.changed : project.mechanism;
+bool in_space(const Project& project) {
+  return std::holds_alternative<spatial::Mechanism>(project.mechanism);
+}
+
+const planar::Mechanism& planar_of(const Project& project) {
+  return std::get<planar::Mechanism>(project.mechanism);
+}
+
+planar::Mechanism& planar_of(Project& project) {
+  return std::get<planar::Mechanism>(project.mechanism);
+}
+
+spatial::Mechanism& spatial_of(Project& project) {
+  return std::get<spatial::Mechanism>(project.mechanism);
+}
+
+const spatial::Mechanism& spatial_of(const Project& project) {
+  return std::get<spatial::Mechanism>(project.mechanism);
+}
+
+const planar::Mechanism& planar_in(const Project& project, const Situation& situation) {
+  return std::get<planar::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
+}
+
+const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation) {
+  return std::get<spatial::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
+}
+
+const Duration& duration_of(const Project& project) {
+  return std::visit([](const auto& mechanism) -> const Duration& { return mechanism.duration; },
+                    project.mechanism);
 }
 
 double most_cycles_of(const Project& project) {

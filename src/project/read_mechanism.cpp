@@ -35,7 +35,7 @@ planar::Loop read_loop(const std::string& name, TableReader& table, const Mechan
   return loop;
 }
 
-void read_duration(TableReader& root, planar::Duration& duration) {
+void read_duration(TableReader& root, Duration& duration) {
   if (!root.has("motion")) return;
   TableReader table = root.table("motion");
   duration.length = table.positive("duration", wanted::time);

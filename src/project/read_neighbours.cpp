@@ -35,7 +35,7 @@ Material steel_of(TableReader& table, std::string_view key, const Project& proje
 PinInput read_pin(TableReader table, const Project& project) {
   PinInput pin;
   pin.name = table.text("name");
-  pin.joint = joint_of(table, "joint", project.mechanism);
+  pin.joint = joint_of(table, "joint", planar_of(project));
   PinJoint& geometry = pin.geometry;
   geometry.diameter = si<Length>(table.positive("diameter", wanted::length));
   geometry.hole = si<Length>(table.positive("hole", wanted::length, geometry.diameter.value()));
@@ -66,7 +66,7 @@ PinInput read_pin(TableReader table, const Project& project) {
 void check_rod_ends(TableReader& table, const RodInput& rod, const Project& project) {
   const double size = (rod.to.p - rod.from.p).norm();
   const auto held_at = [&](const planar::Attachment& end) {
-    return std::any_of(project.mechanism.joints.begin(), project.mechanism.joints.end(),
+    return std::any_of(planar_of(project).joints.begin(), planar_of(project).joints.end(),
                        [&](const planar::Joint& joint) {
                          const auto [a, b] = planar::ends_of(joint);
                          const auto here = [&](const planar::Attachment& at) {
@@ -80,7 +80,7 @@ void check_rod_ends(TableReader& table, const RodInput& rod, const Project& proj
     table.problem(key, "no joint holds the rod at this point, and nothing presses it there",
                   "write the points at which joints hold it");
   }
-  const std::string& body = project.mechanism.bodies[static_cast<std::size_t>(rod.from.body)].name;
+  const std::string& body = planar_of(project).bodies[static_cast<std::size_t>(rod.from.body)].name;
   for (const Situation& situation : project.situations) {
     for (const std::string& change : situation.set) {
       if (!change.starts_with("bodies." + body + ".")) continue;
@@ -94,8 +94,8 @@ void check_rod_ends(TableReader& table, const RodInput& rod, const Project& proj
 RodInput read_rod(TableReader table, const Sections& sections, const Project& project) {
   RodInput rod;
   rod.name = table.text("name");
-  rod.from = attachment_of(table, "from", project.mechanism);
-  rod.to = attachment_of(table, "to", project.mechanism);
+  rod.from = attachment_of(table, "from", planar_of(project));
+  rod.to = attachment_of(table, "to", planar_of(project));
   const std::size_t before = table.problems().size();
   rod.section = named_section(table, "section", sections);
   const double distance = (rod.to.p - rod.from.p).norm();

@@ -100,9 +100,9 @@ bool may_change(ProblemList& problems, const Change& change, const std::string& 
 }
 
 /// The mechanism as it runs in a situation: the case once more with other values.
-planar::Mechanism changed_mechanism(TableReader& set, const Node& root, Situation& situation,
-                                    const Project& project, const std::string& beam_body,
-                                    TimeTables& tables) {
+AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& situation,
+                               const Project& project, const std::string& beam_body,
+                               TimeTables& tables) {
   ProblemList& problems = set.problems();
   std::vector<Change> changes;
   collect(set.members(), {}, changes);

@@ -148,14 +148,14 @@ std::string profile_text(const Profile& profile) {
 
 std::string inputs_text(const Project& project) {
   const FatigueInput& fatigue = project.fatigue;
-  const Eigen::Vector2d& g = project.mechanism.gravity;
+  const Eigen::Vector2d& g = planar_of(project).gravity;
   std::string out = beam_inputs(project.beam) + "\n" + hole_inputs(project);
   out += layout::entry(
       "density",
       fmt::format("{:.6g} kg/m^3{}", project.beam.density.value(),
                   project.beam.rotary_inertia ? ", rotary inertia of the sections counted" : ""));
   out += layout::entry("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y()));
-  out += mechanism_text(project.mechanism);
+  out += mechanism_text(planar_of(project));
   for (const InputFile& table : project.tables) {
     out += layout::entry("table", fmt::format("{}, sha256 {}", table.written, table.sha256));
   }

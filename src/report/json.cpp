@@ -45,11 +45,10 @@ Json check_json(const Check& check) {
 Json beam_json(const Verification& verification, const Project& project) {
   Json stations = Json::array();
   for (const StationEnvelope& station : verification.stations) {
-    stations.push_back({{"s", finite(station.station.s.value())},
-                        {"side", to_text(station.station.side)},
-                        {"N", pair(station.N)},
-                        {"V", pair(station.V)},
-                        {"M", pair(station.M)}});
+    Json& at = stations.emplace_back(
+        Json{{"s", finite(station.station.s.value())}, {"side", to_text(station.station.side)}});
+    for (const auto& [which, name] : cut_forces_looked_at(project))
+      at[name] = pair(station.of[which]);
   }
   return {{"length", finite(project.beam.length().value())},
           {"mass", finite(verification.beam_mass.mass.value())},

@@ -110,11 +110,11 @@ void add_beside(const Project& project, const Verification& verification,
   if (verification.equivalent_mass) {
     const auto& mass = *verification.equivalent_mass;
     const auto& demand = *project.equivalent_mass;
-    const auto& body = project.mechanism.bodies[static_cast<std::size_t>(demand.adjust)];
+    const auto& body = planar_of(project).bodies[static_cast<std::size_t>(demand.adjust)];
     std::string remark = fmt::format(
         "the mechanism feels like {} at {}; for {} there the {} would have to be {}",
         text::kilograms(mass.given),
-        project.mechanism.joints[static_cast<std::size_t>(demand.joint)].name,
+        planar_of(project).joints[static_cast<std::size_t>(demand.joint)].name,
         text::kilograms(demand.wanted.value()), body.name, text::kilograms(mass.needed));
     if (mass.needed < 0.0) remark += " (below zero: this equivalent mass cannot be reached)";
     remarks.push_back(std::move(remark));
@@ -126,33 +126,38 @@ void add_beside(const Project& project, const Verification& verification,
 namespace {
 
 void add_branches(const Project& project, std::vector<std::string>& remarks) {
-  if (!project.mechanism.loops.empty()) return;
+  if (in_space(project) || !planar_of(project).loops.empty()) return;
   remarks.push_back(
       "the case names no loop: the motion is on the branch to which the sketch leads, which is "
       "neither checked nor reported; add [loops] where a loop has two assemblies");
 }
 
-void add_motion(const Project& project, const MotionSummary& motion,
-                std::vector<std::string>& remarks) {
-  for (const double time : motion.change_points) {
+void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closure,
+                 std::vector<std::string>& remarks) {
+  for (const double time : closure.change_points) {
     remarks.push_back(fmt::format(
         "at t = {} the mechanism passes a change point, where it could go over to another branch; "
         "the smooth one is followed, and a real mechanism needs a guide there",
         text::seconds(time)));
   }
-  const planar::DegreesOfFreedom& freedom = motion.freedom;
+  const planar::DegreesOfFreedom& freedom = closure.freedom;
   if (freedom.redundant > 0) {
-    remarks.push_back(fmt::format(
-        "{} repeat each other: the beam's loads are determined, theirs are not",
-        fmt::join(planar::names_of_joints(project.mechanism, freedom.repeating), ", ")));
+    remarks.push_back(
+        fmt::format("{} repeat each other: the beam's loads are determined, theirs are not",
+                    fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", ")));
   }
-  if (freedom.undriven == 0 && motion.digits.left < 9.0) {
+  if (freedom.undriven == 0 && closure.digits.left < 9.0) {
     remarks.push_back(fmt::format(
         "close to a dead point only {:.0f} digits of velocities are left (t = {}): loads there "
         "depend strongly on lengths and on the driver",
-        std::floor(motion.digits.left), text::seconds(motion.digits.time.value())));
+        std::floor(closure.digits.left), text::seconds(closure.digits.time.value())));
   }
-  if (project.mechanism.duration.length > 0.0) {
+}
+
+void add_motion(const Project& project, const MotionSummary& motion,
+                std::vector<std::string>& remarks) {
+  if (motion.closure) add_closure(planar_of(project), *motion.closure, remarks);
+  if (duration_of(project).length > 0.0) {
     remarks.push_back(
         fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "
                     "looked at, {}",

@@ -104,33 +104,38 @@ std::string case_section(const Project& project, const Verification& verificatio
   return out + "\n";
 }
 
-std::string mechanism_section(const Project& project, const Verification& verification) {
-  const MotionSummary& motion = verification.motions.front();
-  const planar::DegreesOfFreedom& freedom = motion.freedom;
-  std::string out = heading("Mechanism");
-  out += fmt::format(
+/// How the joints close, for a mechanism of equations.
+std::string closure_text(const planar::Mechanism& mechanism, const ClosureSummary& closure) {
+  const planar::DegreesOfFreedom& freedom = closure.freedom;
+  std::string out = fmt::format(
       "  degrees of freedom  {} by Gruebler, {} by the rank of the Jacobian; {} driver{}\n",
       freedom.gruebler, freedom.by_rank, freedom.drivers, freedom.drivers == 1 ? "" : "s");
   if (freedom.redundant > 0) {
-    out +=
-        fmt::format("  redundant           {} equations, shared by {}\n", freedom.redundant,
-                    fmt::join(planar::names_of_joints(project.mechanism, freedom.repeating), ", "));
+    out += fmt::format("  redundant           {} equations, shared by {}\n", freedom.redundant,
+                       fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", "));
   }
   if (freedom.undriven > 0) {
     out += fmt::format("  moved by forces     {} degree{} of freedom, integrated over time\n",
                        freedom.undriven, freedom.undriven == 1 ? "" : "s");
   } else {
     out += fmt::format("  digits left         {:.0f} of velocities, at worst (t = {})\n",
-                       std::floor(motion.digits.left), text::seconds(motion.digits.time.value()));
+                       std::floor(closure.digits.left), text::seconds(closure.digits.time.value()));
   }
-  for (std::size_t i = 0; i < motion.branch.size(); ++i) {
-    out += fmt::format("  branch              loop {}: {}\n", project.mechanism.loops[i].name,
-                       motion.branch[i] > 0 ? "+" : "-");
+  for (std::size_t i = 0; i < closure.branch.size(); ++i) {
+    out += fmt::format("  branch              loop {}: {}\n", mechanism.loops[i].name,
+                       closure.branch[i] > 0 ? "+" : "-");
   }
   out += fmt::format("  joints closed to    {:.1e} of the mechanism's size at all instants\n\n",
-                     motion.largest_residual);
+                     closure.largest_residual);
+  return out;
+}
+
+std::string mechanism_section(const Project& project, const Verification& verification) {
+  std::string out = heading("Mechanism");
+  if (in_space(project)) return out;
+  out += closure_text(planar_of(project), *verification.motions.front().closure);
   Table table({"body", "mass [kg]", "J about centre [kg m^2]"});
-  for (const Body& body : project.mechanism.bodies) {
+  for (const Body& body : planar_of(project).bodies) {
     table.row({body.name, text::significant(body.mass, 5), text::significant(body.inertia, 5)});
   }
   return out + table.text() + "\n";
@@ -159,22 +164,33 @@ std::string loads_section(const Verification& verification) {
   return out;
 }
 
-std::string cut_force_section(const Verification& verification) {
+std::string cut_force_section(const Project& project, const Verification& verification) {
   std::string out = heading("Cut forces, smallest and largest over the period");
-  out +=
-      "  N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two sides of a "
-      "jump.\n\n";
-  Table table({"s [m]", "N min", "N max [kN]", "V min", "V max [kN]", "M min", "M max [kN m]"});
+  out += in_space(project)
+             ? "  N tension positive, V_y and V_z along +y and +z, T about +x, M_y > 0 puts +z in "
+               "tension, M_z > 0 -y;\n  - and + are the two sides of a jump.\n\n"
+             : "  N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two "
+               "sides of a jump.\n\n";
+  std::vector<std::string> titles{"s [m]"};
+  for (const auto& [which, name] : cut_forces_looked_at(project)) {
+    titles.push_back(fmt::format("{} min", name));
+    titles.push_back(fmt::format("{} max [{}]", name, which < cut_force::T ? "kN" : "kN m"));
+  }
+  Table table(titles);
   const auto k = [](double x) { return std::abs(x) < 1e-6 ? "0" : text::significant(x * 1e-3); };
   for (const StationEnvelope& station : verification.stations) {
-    table.row({to_text(station.station), k(station.N.smallest.value), k(station.N.largest.value),
-               k(station.V.smallest.value), k(station.V.largest.value), k(station.M.smallest.value),
-               k(station.M.largest.value)});
+    std::vector<std::string> row{to_text(station.station)};
+    for (const auto& [which, name] : cut_forces_looked_at(project)) {
+      row.push_back(k(station.of[which].smallest.value));
+      row.push_back(k(station.of[which].largest.value));
+    }
+    table.row(row);
   }
   out += table.text() + "\n";
   Table instants({"extreme of", "s [m]", "t [s]", "value"});
   for (const CriticalInstant& instant : verification.critical_instants) {
-    const std::string value = instant.quantity == "M"        ? text::kNm(instant.value)
+    const bool moment = instant.quantity.starts_with("M") || instant.quantity == "T";
+    const std::string value = moment                         ? text::kNm(instant.value)
                               : instant.quantity == "stress" ? text::MPa(instant.value)
                                                              : text::kN(instant.value);
     instants.row({instant.quantity, to_text(instant.station),
@@ -274,8 +290,8 @@ std::string equivalent_mass_section(const Project& project, const Verification& 
   if (!verification.equivalent_mass) return "";
   const planar::EquivalentMass& mass = *verification.equivalent_mass;
   const EquivalentMassDemand& demand = *project.equivalent_mass;
-  const Body& body = project.mechanism.bodies[static_cast<std::size_t>(demand.adjust)];
-  const std::string& joint = project.mechanism.joints[static_cast<std::size_t>(demand.joint)].name;
+  const Body& body = planar_of(project).bodies[static_cast<std::size_t>(demand.adjust)];
+  const std::string& joint = planar_of(project).joints[static_cast<std::size_t>(demand.joint)].name;
   std::string out = heading("Equivalent mass");
   out += paragraph("First harmonic of the force at " + joint +
                    " in phase with the acceleration there, divided by "
@@ -319,7 +335,7 @@ std::string text_report(const Project& project, const Verification& verification
   out += heading("Inputs") + inputs_text(project) + "\n";
   out += mechanism_section(project, verification);
   out += loads_section(verification);
-  out += cut_force_section(verification);
+  out += cut_force_section(project, verification);
   out += section_section(verification);
   out += sheets_section(project, verification);
   out += heading("Checks, worst first");
@@ -403,7 +419,7 @@ std::string assemblies_text(const Project& project, const std::vector<AssemblyRe
     for (std::size_t k = 0; k < assemblies[i].branch.size(); ++k) {
       const auto& [loop, sign] = assemblies[i].branch[k];
       out += fmt::format("   loop {} {}", loop, sign > 0 ? "+" : (sign < 0 ? "-" : "0"));
-      wanted = wanted && sign == project.mechanism.loops[k].sign;
+      wanted = wanted && sign == planar_of(project).loops[k].sign;
     }
     out += wanted ? "   (the one the case asks for)\n" : "\n";
     Table bodies({"body", "x [m]", "y [m]", "angle [deg]"});

@@ -47,10 +47,10 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
     for (const SituationRun& run : runs) {
       for (std::size_t i = 0; i < run.loads.instants(); ++i) {
         const CutForces cut = run.loads.diagram(i).at(station);
-        low = {std::min(low.N, cut.N),     low.V_y, std::min(low.V_z, cut.V_z), low.T,
-               std::min(low.M_y, cut.M_y), low.M_z};
-        high = {std::max(high.N, cut.N),     high.V_y, std::max(high.V_z, cut.V_z), high.T,
-                std::max(high.M_y, cut.M_y), high.M_z};
+        low = {std::min(low.N, cut.N), std::min(low.V_y, cut.V_y), std::min(low.V_z, cut.V_z),
+               std::min(low.T, cut.T), std::min(low.M_y, cut.M_y), std::min(low.M_z, cut.M_z)};
+        high = {std::max(high.N, cut.N), std::max(high.V_y, cut.V_y), std::max(high.V_z, cut.V_z),
+                std::max(high.T, cut.T), std::max(high.M_y, cut.M_y), std::max(high.M_z, cut.M_z)};
       }
     }
     lines[0].values.push_back(low);
@@ -133,8 +133,8 @@ void place_loads(const Project& project, const planar::State& state,
       row.place = planar::position_of({project.beam_body, {row.s.value() - centre, 0.0}}, state.q);
       continue;
     }
-    for (std::size_t i = 0; i < project.mechanism.bodies.size(); ++i) {
-      for (const BodyPoint& point : project.mechanism.bodies[i].points) {
+    for (std::size_t i = 0; i < planar_of(project).bodies.size(); ++i) {
+      for (const BodyPoint& point : planar_of(project).bodies[i].points) {
         if (point.name != row.name) continue;
         row.place = planar::position_of({static_cast<int>(i), point.p}, state.q);
       }

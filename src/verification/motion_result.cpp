@@ -21,7 +21,7 @@ Branch named_branch_of(const planar::Mechanism& mechanism, const Eigen::VectorXd
 
 InstantResult instant_of(const Project& project, const planar::State& state,
                          const planar::DegreesOfFreedom& freedom) {
-  const planar::Mechanism& mechanism = project.mechanism;
+  const planar::Mechanism& mechanism = planar_of(project);
   InstantResult result;
   result.time = state.time;
   result.residual = state.residual;
@@ -53,15 +53,15 @@ InstantResult instant_of(const Project& project, const planar::State& state,
 }  // namespace
 
 MotionResult motion_of(const Project& project, std::vector<double> times) {
-  const planar::Motion motion = planar::solve_motion(project.mechanism);
+  const planar::Motion motion = planar::solve_motion(planar_of(project));
   if (times.empty()) {
     for (int i = 0; i < 12; ++i) times.push_back(motion.begin + motion.period * i / 12.0);
   }
   MotionResult result;
   result.freedom = motion.freedom;
-  result.redundant = planar::names_of_joints(project.mechanism, motion.freedom.repeating);
+  result.redundant = planar::names_of_joints(planar_of(project), motion.freedom.repeating);
   result.change_points = motion.change_points;
-  planar::StateFinder finder(project.mechanism, motion);
+  planar::StateFinder finder(planar_of(project), motion);
   for (const double time : times) {
     planar::State state = finder.at(time);
     state.time = time;
@@ -71,7 +71,7 @@ MotionResult motion_of(const Project& project, std::vector<double> times) {
 }
 
 std::vector<AssemblyResult> assemblies_of(const Project& project, double time) {
-  const planar::Mechanism& mechanism = project.mechanism;
+  const planar::Mechanism& mechanism = planar_of(project);
   std::vector<AssemblyResult> results;
   for (const Eigen::VectorXd& q : planar::list_assemblies(mechanism, time)) {
     AssemblyResult& result = results.emplace_back();

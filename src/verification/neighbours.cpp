@@ -23,13 +23,13 @@ constexpr Stress youngs_modulus = 210e9 * pascal;
 /// Largest value of a function of the state over the motion, found between the instants.
 Extreme largest_over(const Project& project, const SituationRun& run,
                      const std::function<double(const planar::State&)>& f) {
-  const planar::Motion& motion = run.motion;
+  const planar::Motion& motion = planar_motion_of(run);
   const auto best =
       std::max_element(motion.states.begin(), motion.states.end(),
                        [&](const planar::State& a, const planar::State& b) { return f(a) < f(b); });
   const auto index = static_cast<double>(best - motion.states.begin());
   const double step = motion.period / static_cast<double>(motion.states.size());
-  planar::StateFinder finder(mechanism_in(project, *run.situation), motion);
+  planar::StateFinder finder(planar_in(project, *run.situation), motion);
   double low = motion.begin + (index - 1.0) * step;
   double high = low + 2.0 * step;
   if (!motion.closed) {
@@ -67,8 +67,8 @@ Extreme worst_of(const Project& project, const std::deque<SituationRun>& runs,
 void check_unique(const Project& project, const std::deque<SituationRun>& runs, int joint,
                   const std::string& of) {
   for (const SituationRun& run : runs) {
-    const planar::Mechanism& mechanism = mechanism_in(project, *run.situation);
-    if (planar::is_unique(mechanism, run.motion.freedom, joint)) continue;
+    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
+    if (planar::is_unique(mechanism, planar_motion_of(run).freedom, joint)) continue;
     throw AnalysisError({fmt::format("the load on {} is not determined by rigid bodies: joints "
                                      "repeat each other, and how they share their load depends on "
                                      "their stiffness; release one of them",
@@ -83,7 +83,7 @@ void check_unique(const Project& project, const std::deque<SituationRun>& runs, 
 double force_in(const Project& project, const SituationRun& run, const planar::State& state,
                 int joint) {
   for (const planar::Reaction& reaction :
-       planar::reactions_of(mechanism_in(project, *run.situation), state)) {
+       planar::reactions_of(planar_in(project, *run.situation), state)) {
     if (reaction.joint == joint) return reaction.force.norm();
   }
   return 0.0;
@@ -98,7 +98,7 @@ double compression_in(const Project& project, const SituationRun& run, const pla
   double at_from = 0.0;
   double at_to = 0.0;
   for (const planar::Reaction& reaction :
-       planar::reactions_of(mechanism_in(project, *run.situation), state)) {
+       planar::reactions_of(planar_in(project, *run.situation), state)) {
     if (reaction.on != rod.from.body) continue;
     const double push = reaction.force.dot(along);
     if ((reaction.point - rod.from.p).norm() < 1e-9 * size) at_from += push;
@@ -154,8 +154,8 @@ std::vector<NeighbourResult> check_rods(const Project& project,
                                         const std::deque<SituationRun>& runs) {
   std::vector<NeighbourResult> results;
   for (const RodInput& rod : project.rods) {
-    for (std::size_t i = 0; i < project.mechanism.joints.size(); ++i) {
-      const auto [a, b] = planar::ends_of(project.mechanism.joints[i]);
+    for (std::size_t i = 0; i < planar_of(project).joints.size(); ++i) {
+      const auto [a, b] = planar::ends_of(planar_of(project).joints[i]);
       if (a.body != rod.from.body && b.body != rod.from.body) continue;
       check_unique(project, runs, static_cast<int>(i), "rod " + rod.name);
     }

@@ -7,6 +7,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/mechanism/spatial/beam_loads.hpp"
 
 namespace boxbeam {
 namespace {
@@ -46,6 +47,16 @@ LoadsAt loads_of(const Project& project, const planar::Mechanism& mechanism,
   };
 }
 
+LoadsAt loads_of(const Project& project, const spatial::Mechanism& mechanism) {
+  auto chain = std::make_shared<const spatial::Chain>(mechanism);
+  auto body = spatial::beam_body_of(project.beam, project.placement);
+  return [&project, chain, body](Time time) {
+    BeamLoads loads = spatial::beam_loads_of(*chain, chain->at(time.value()), body);
+    check_on_beam(project, loads, time);
+    return loads;
+  };
+}
+
 /// Stops where rigid bodies do not determine what acts on the beam.
 void check_unique_loads(const planar::Mechanism& mechanism, const planar::Motion& motion,
                         int beam_body) {
@@ -70,26 +81,46 @@ void check_unique_loads(const planar::Mechanism& mechanism, const planar::Motion
        {}});
 }
 
-planar::Motion motion_in(const Project& project, const Situation& situation) {
-  const planar::Mechanism& mechanism = mechanism_in(project, situation);
+using AnyMotion = std::variant<planar::Motion, spatial::Motion>;
+
+AnyMotion motion_in(const Project& project, const Situation& situation) {
+  if (in_space(project)) {
+    return spatial::motion_of(spatial::Chain(spatial_in(project, situation)));
+  }
+  const planar::Mechanism& mechanism = planar_in(project, situation);
   planar::Motion motion = planar::solve_motion(mechanism);
   check_unique_loads(mechanism, motion, project.beam_body);
   return motion;
 }
 
-LoadSpan span_of(const planar::Motion& motion) {
-  return {si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(), motion.closed};
+LoadHistory loads_in(const Project& project, const Situation& situation, const AnyMotion& motion) {
+  if (const auto* space = std::get_if<spatial::Motion>(&motion)) {
+    const LoadSpan span{si<Time>(space->begin), si<Time>(space->period), space->instants,
+                        space->closed};
+    return {project.beam, span, loads_of(project, spatial_in(project, situation))};
+  }
+  const auto& plane = std::get<planar::Motion>(motion);
+  const LoadSpan span{si<Time>(plane.begin), si<Time>(plane.period), plane.states.size(),
+                      plane.closed};
+  return {project.beam, span, loads_of(project, planar_in(project, situation), plane)};
+}
+
+double gravity_of(const Project& project, const Situation& situation) {
+  return in_space(project) ? spatial_in(project, situation).gravity.norm()
+                           : planar_in(project, situation).gravity.norm();
 }
 
 /// Largest force and moment left over on the beam, relative to the largest joint force. Anything
 /// but round-off means that the loads do not belong to this beam.
-double imbalance_over(const Project& project, const planar::Mechanism& mechanism,
+double imbalance_over(const Project& project, const Situation& situation,
                       const LoadHistory& loads) {
+  const double weight =
+      mass_properties_of(project.beam).mass.value() * gravity_of(project, situation);
   double worst = 0.0;
   for (std::size_t i = 0; i < loads.instants(); i += loads.instants() / 16) {
     const Time time = loads.time_of(i);
     const BeamLoads at = loads.loads_at(time);
-    double largest = mass_properties_of(project.beam).mass.value() * mechanism.gravity.norm();
+    double largest = weight;
     for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
     if (largest == 0.0) continue;
     const Imbalance open = imbalance_of(project.beam, at);
@@ -109,8 +140,8 @@ double imbalance_over(const Project& project, const planar::Mechanism& mechanism
 SituationRun::SituationRun(const Project& project, const Situation& of)
     : situation(&of),
       motion(motion_in(project, of)),
-      loads(project.beam, span_of(motion), loads_of(project, mechanism_in(project, of), motion)),
-      imbalance(imbalance_over(project, mechanism_in(project, of), loads)) {}
+      loads(loads_in(project, of, motion)),
+      imbalance(imbalance_over(project, of, loads)) {}
 
 std::deque<SituationRun> run_situations(const Project& project) {
   std::deque<SituationRun> runs;
@@ -126,6 +157,10 @@ std::deque<SituationRun> run_situations(const Project& project) {
     }
   }
   return runs;
+}
+
+const planar::Motion& planar_motion_of(const SituationRun& run) {
+  return std::get<planar::Motion>(run.motion);
 }
 
 std::size_t index_of(const Project& project, const Situation& situation) {

@@ -30,19 +30,19 @@ Envelope envelope_of(const Project& project, const std::vector<SituationHistory>
   return envelope;
 }
 
-double axial(const CutForces& cut) { return cut.N.value(); }
-double shear(const CutForces& cut) { return cut.V_z.value(); }
-double bending(const CutForces& cut) { return cut.M_y.value(); }
-
 std::vector<StationEnvelope> cut_force_envelopes(const Project& project,
                                                  const std::deque<SituationRun>& runs,
                                                  const std::vector<Station>& stations) {
   std::vector<StationEnvelope> envelopes;
   const auto add = [&](const Station& station) {
     const std::vector<SituationHistory> histories = histories_at(runs, station);
-    envelopes.push_back({station, envelope_of(project, histories, axial),
-                         envelope_of(project, histories, shear),
-                         envelope_of(project, histories, bending)});
+    StationEnvelope& envelope = envelopes.emplace_back();
+    envelope.station = station;
+    for (const auto& [which, name] : cut_forces_looked_at(project)) {
+      envelope.of[which] = envelope_of(project, histories, [which = which](const CutForces& cut) {
+        return value_of(cut, which);
+      });
+    }
   };
   // Outside the two ends nothing is cut: the jump to zero there is part of the diagram.
   add({Length{}, Side::before});
@@ -57,24 +57,22 @@ void sort_worst_first(std::vector<CheckResult>& checks) {
   });
 }
 
-std::vector<CriticalInstant> critical_instants_of(const Verification& verification) {
+std::vector<CriticalInstant> critical_instants_of(const Project& project,
+                                                  const Verification& verification) {
   std::vector<CriticalInstant> instants;
-  const auto add = [&](const char* name, Envelope StationEnvelope::*quantity,
-                       Extreme Envelope::*end) {
+  const auto add = [&](const CutForceName& quantity, Extreme Envelope::*end) {
     const StationEnvelope* best = nullptr;
     for (const StationEnvelope& station : verification.stations) {
-      const double value = (station.*quantity.*end).value;
+      const double value = (station.of[quantity.which].*end).value;
       if (best == nullptr) best = &station;
-      const double so_far = (best->*quantity.*end).value;
+      const double so_far = (best->of[quantity.which].*end).value;
       if (end == &Envelope::largest ? value > so_far : value < so_far) best = &station;
     }
-    const Extreme& at = best->*quantity.*end;
-    instants.push_back({name, best->station, at.time, at.value, at.situation});
+    const Extreme& at = best->of[quantity.which].*end;
+    instants.push_back({quantity.name, best->station, at.time, at.value, at.situation});
   };
   for (const auto end : {&Envelope::largest, &Envelope::smallest}) {
-    add("N", &StationEnvelope::N, end);
-    add("V", &StationEnvelope::V, end);
-    add("M", &StationEnvelope::M, end);
+    for (const CutForceName& quantity : cut_forces_looked_at(project)) add(quantity, end);
   }
   const CheckResult* governing = verification.governing(Criterion::fatigue);
   if (governing == nullptr || !governing->basis)
@@ -116,7 +114,7 @@ struct ShownInstant {
 std::vector<ShownInstant> instants_to_show(const Verification& verification) {
   std::vector<ShownInstant> shown;
   for (const CriticalInstant& instant : verification.critical_instants) {
-    if (instant.quantity != "M" && instant.quantity != "stress") continue;
+    if (!instant.quantity.starts_with("M") && instant.quantity != "stress") continue;
     const std::string why = name_of_extreme(verification.critical_instants, instant);
     if (why.empty()) continue;
     const auto motion =
@@ -152,13 +150,13 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   comparison.chain_second = forces.g[chain.second_end];
   comparison.chain_mass = si<Mass>(forces.sought_mass);
   const BeamLoads loads = planar::beam_loads_of(
-      chain, project.beam, mass_distribution_of(project.beam), project.mechanism.gravity, state);
+      chain, project.beam, mass_distribution_of(project.beam), planar_of(project).gravity, state);
   comparison.moment_gap = si<Moment>(loads.points.back().moment.y());
   comparison.rigorous_first.setZero();
   comparison.rigorous_second.setZero();
   if (project.beam_body == planar::ground) return comparison;
   const auto body = planar::beam_body_of(project.beam, project.beam_body);
-  const BeamLoads rigorous = planar::beam_loads_of(project.mechanism, state, body);
+  const BeamLoads rigorous = planar::beam_loads_of(planar_of(project), state, body);
   for (const BeamLoadRow& row :
        load_rows(project, rigorous, comparison.time, beam_angle(project, state))) {
     if (row.s == chain.first_station) comparison.rigorous_first += row.world;
@@ -170,13 +168,21 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
 /// What the report shows of the instants that decide.
 void describe_instants(const Project& project, const std::deque<SituationRun>& runs,
                        Verification& result) {
+  result.envelope = envelope_lines(runs);
+  if (in_space(project)) {
+    for (const auto& [index, time, why] : instants_to_show(result)) {
+      const SituationRun& run = run_of(runs, project.situations[index]);
+      result.lines.push_back(cut_force_line(run.loads, time, why));
+    }
+    return;
+  }
   const SituationRun& first = runs.front();
-  result.postures.push_back(posture_figure(project, mechanism_in(project, *first.situation),
-                                           first.motion.states.front(), "beginning"));
+  result.postures.push_back(posture_figure(project, planar_in(project, *first.situation),
+                                           planar_motion_of(first).states.front(), "beginning"));
   for (const auto& [index, time, why] : instants_to_show(result)) {
     const Situation& situation = project.situations[index];
     const SituationRun& run = run_of(runs, situation);
-    planar::StateFinder finder(mechanism_in(project, situation), run.motion);
+    planar::StateFinder finder(planar_in(project, situation), planar_motion_of(run));
     const planar::State state = finder.at(time.value());
     const std::string label =
         situation.name.empty() ? why : fmt::format("{} ({})", why, situation.name);
@@ -185,17 +191,15 @@ void describe_instants(const Project& project, const std::deque<SituationRun>& r
     place_loads(project, state, rows);
     for (BeamLoadRow& row : rows) row.situation = index;
     result.loads.insert(result.loads.end(), rows.begin(), rows.end());
-    result.postures.push_back(
-        posture_figure(project, mechanism_in(project, situation), state, label));
+    result.postures.push_back(posture_figure(project, planar_in(project, situation), state, label));
     result.postures.back().loads = rows;
   }
-  result.envelope = envelope_lines(runs);
   if (project.chain) {
     const auto largest_M =
         std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
                      [](const CriticalInstant& c) { return c.quantity == "M"; });
     const SituationRun& run = run_of(runs, project.situations[largest_M->situation]);
-    planar::StateFinder finder(mechanism_in(project, *run.situation), run.motion);
+    planar::StateFinder finder(planar_in(project, *run.situation), planar_motion_of(run));
     result.chain = compare_chain(project, finder.at(largest_M->time.value()));
   }
 }
@@ -207,23 +211,30 @@ DigitsLeft digits_left_over(const planar::Mechanism& mechanism, const planar::Mo
   return {planar::digits_left_at(planar::condition_of(mechanism, worst->q)), si<Time>(worst->time)};
 }
 
+ClosureSummary closure_of(const planar::Mechanism& mechanism, const planar::Motion& motion) {
+  ClosureSummary closure;
+  closure.freedom = motion.freedom;
+  closure.branch = planar::branch_of(mechanism, motion.states.front().q);
+  if (motion.freedom.undriven == 0) closure.digits = digits_left_over(mechanism, motion);
+  closure.change_points = motion.change_points;
+  for (const planar::State& state : motion.states) {
+    closure.largest_residual = std::max(closure.largest_residual, state.residual);
+  }
+  return closure;
+}
+
 MotionSummary summary_of(const Project& project, const SituationRun& run) {
-  const planar::Motion& motion = run.motion;
-  const planar::Mechanism& mechanism = mechanism_in(project, *run.situation);
   MotionSummary summary;
   summary.situation = index_of(project, *run.situation);
-  summary.freedom = motion.freedom;
-  summary.branch = planar::branch_of(mechanism, motion.states.front().q);
-  if (motion.freedom.undriven == 0) summary.digits = digits_left_over(mechanism, motion);
-  summary.change_points = motion.change_points;
-  summary.instants = motion.states.size();
-  summary.begin = si<Time>(motion.begin);
-  summary.period = si<Time>(motion.period);
-  summary.closed = motion.closed;
-  for (const planar::State& state : motion.states) {
-    summary.largest_residual = std::max(summary.largest_residual, state.residual);
-  }
+  // Of a history that stays open, its end is an instant of its own.
+  summary.instants = run.loads.instants() - (run.loads.closed() ? 0 : 1);
+  summary.begin = run.loads.begin();
+  summary.period = run.loads.period();
+  summary.closed = run.loads.closed();
   summary.imbalance = run.imbalance;
+  if (!in_space(project)) {
+    summary.closure = closure_of(planar_in(project, *run.situation), planar_motion_of(run));
+  }
   return summary;
 }
 
@@ -235,8 +246,8 @@ void describe_mechanism(const Project& project, const std::deque<SituationRun>& 
     const EquivalentMassDemand& demand = *project.equivalent_mass;
     const SituationRun& run = runs.front();
     result.equivalent_mass =
-        planar::equivalent_mass_of(mechanism_in(project, *run.situation), run.motion, demand.joint,
-                                   demand.on, demand.adjust, demand.wanted.value());
+        planar::equivalent_mass_of(planar_in(project, *run.situation), planar_motion_of(run),
+                                   demand.joint, demand.on, demand.adjust, demand.wanted.value());
   }
 }
 
@@ -285,6 +296,16 @@ void describe_beam(const Project& project, Verification& result) {
 
 }  // namespace
 
+std::span<const CutForceName> cut_forces_looked_at(const Project& project) {
+  static constexpr CutForceName in_the_plane[] = {
+      {cut_force::N, "N"}, {cut_force::V_z, "V"}, {cut_force::M_y, "M"}};
+  static constexpr CutForceName all[] = {{cut_force::N, "N"},     {cut_force::V_y, "V_y"},
+                                         {cut_force::V_z, "V_z"}, {cut_force::T, "T"},
+                                         {cut_force::M_y, "M_y"}, {cut_force::M_z, "M_z"}};
+  if (in_space(project)) return all;
+  return in_the_plane;
+}
+
 const char* to_text(Verdict verdict) {
   switch (verdict) {
     case Verdict::pass: return "pass";
@@ -315,7 +336,7 @@ Verification verify(const Project& project) {
   if (computed) result.gates = gates_of(project, runs, stations, result.checks);
   result.verdict = verdict_of(result);
   result.codes = compare_codes(project, result.checks);
-  result.critical_instants = critical_instants_of(result);
+  result.critical_instants = critical_instants_of(project, result);
   describe_instants(project, runs, result);
   describe_beam(project, result);
   if (const CheckResult* fatigue = result.governing(Criterion::fatigue)) {

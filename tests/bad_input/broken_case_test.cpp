@@ -157,10 +157,10 @@ namespace {
 bool makes_sense(const boxbeam::Project& project) {
   using namespace boxbeam;
   const auto some = [](double x) { return std::isfinite(x) && x > 0.0; };
-  bool good = some(planar::time_span_of(project.mechanism).length) &&
+  bool good = some(planar::time_span_of(planar_of(project)).length) &&
               some(project.situations.front().cycles) &&
               some(mass_properties_of(project.beam).inertia.value());
-  for (const Body& body : project.mechanism.bodies) {
+  for (const Body& body : planar_of(project).bodies) {
     good =
         good && std::isfinite(body.mass + body.inertia) && body.mass >= 0.0 && body.inertia >= 0.0;
     for (const BodyPoint& point : body.points) good = good && point.p.allFinite();
@@ -169,7 +169,7 @@ bool makes_sense(const boxbeam::Project& project) {
     good =
         good && some(segment.length.value()) && !defect_of(segment.from) && !defect_of(segment.to);
   }
-  return good && sketch_of(project.mechanism).allFinite() && !project.name.empty();
+  return good && sketch_of(planar_of(project)).allFinite() && !project.name.empty();
 }
 
 /// A value out of `values` for the value of one line, a line taken away or twice, or other bytes.

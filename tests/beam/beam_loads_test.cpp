@@ -35,8 +35,8 @@ double I_y_at(double s) {
 }
 
 std::vector<LineLoad> loads_of(const TaperedBeam& beam, const Vector3d& gravity,
-                               const AxisAcceleration& acceleration) {
-  return weight_and_inertia(beam, mass_distribution_of(beam), gravity, acceleration);
+                               const BeamMotion& motion) {
+  return weight_and_inertia(beam, mass_distribution_of(beam), gravity, motion);
 }
 
 }  // namespace
@@ -53,13 +53,14 @@ TEST_CASE("weight per metre of the sledge rig as the thesis prints it, 6.89 and 
 TEST_CASE("load per length is rho A (g - a) at every place, d'Alembert") {
   const TaperedBeam beam = tapered();
   const Vector3d gravity(1.5, -2.0, -9.0);
-  const AxisAcceleration acceleration{{3.0, 1.0, -4.0}, {-2.0, 0.5, 7.0}, 0.0};
-  const auto loads = loads_of(beam, gravity, acceleration);
+  const BeamMotion motion{{3.0, 1.0, -4.0}, {0.5, -1.5, 2.0}, {1.0, -7.0, 0.25}};
+  // alpha x e_x + omega (omega . e_x) - omega^2 e_x, written out.
+  const Vector3d gradient(-(1.5 * 1.5 + 2.0 * 2.0), 0.25 - 0.5 * 1.5, 7.0 + 0.5 * 2.0);
+  const auto loads = loads_of(beam, gravity, motion);
   for (const double s : {0.0, 0.4, 1.2, 1.6, 2.0, 3.1}) {
     const std::size_t i = s < 1.5 ? 0 : 1;
     const double x = s - beam.segments[i].start.value();
-    const Vector3d expected =
-        rho * area_at(s) * (gravity - acceleration.at_start - acceleration.gradient * s);
+    const Vector3d expected = rho * area_at(s) * (gravity - motion.acceleration - gradient * s);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       CAPTURE(s, axis);
       CHECK(loads[i].force[axis](x) ==
@@ -70,7 +71,7 @@ TEST_CASE("load per length is rho A (g - a) at every place, d'Alembert") {
 
 TEST_CASE("free fall: weight and inertia cancel") {
   const Vector3d g(0.4, 0.0, -9.81);
-  const auto loads = loads_of(tapered(), g, {g, Vector3d::Zero(), 0.0});
+  const auto loads = loads_of(tapered(), g, {g, Vector3d::Zero(), Vector3d::Zero()});
   for (const LineLoad& load : loads) {
     for (const auto& component : load.force) CHECK(component(0.9) == Approx(0.0).margin(1e-9));
   }
@@ -78,7 +79,7 @@ TEST_CASE("free fall: weight and inertia cancel") {
 
 TEST_CASE("rotary inertia is a couple -rho I_y alpha per length, where it counts") {
   TaperedBeam beam = tapered();
-  const AxisAcceleration turning{Vector3d::Zero(), Vector3d::Zero(), 12.0};
+  const BeamMotion turning{Vector3d::Zero(), Vector3d::Zero(), {0.0, 12.0, 0.0}};
   CHECK(loads_of(beam, Vector3d::Zero(), turning)[1].couple[1](0.5) == 0.0);
   beam.rotary_inertia = true;
   const auto loads = loads_of(beam, Vector3d::Zero(), turning);
@@ -127,10 +128,9 @@ TEST_CASE("inertia of a rotation about the start: force -m a_c, moment -J alpha 
   beam.rotary_inertia = true;
   const MassProperties body = mass_properties_of(beam);
   const double alpha = 3.0, omega = 2.0, centre = body.centre.value();
-  // alpha about y takes a point at s along -z: alpha e_y x s e_x = -alpha s e_z; -omega^2 s along
-  // x.
-  const AxisAcceleration acceleration{Vector3d::Zero(), {-omega * omega, 0.0, -alpha}, alpha};
-  const Imbalance sum = imbalance_of(beam, {{}, loads_of(beam, Vector3d::Zero(), acceleration)});
+  // alpha about y takes a point at s along -z: alpha e_y x s e_x = -alpha s e_z.
+  const BeamMotion motion{Vector3d::Zero(), {0.0, omega, 0.0}, {0.0, alpha, 0.0}};
+  const Imbalance sum = imbalance_of(beam, {{}, loads_of(beam, Vector3d::Zero(), motion)});
   const double mass = body.mass.value();
   CHECK(sum.force.x() == Approx(mass * omega * omega * centre).epsilon(1e-11));
   CHECK(sum.force.z() == Approx(mass * alpha * centre).epsilon(1e-11));

@@ -189,7 +189,10 @@ TEST_CASE(
   };
   for (int run = 0; run < 20; ++run) {
     const Vector3d gravity = vector(10);
-    const AxisAcceleration acceleration{vector(5), vector(4), 3 * any(random)};
+    const double alpha_y = 3 * any(random);
+    const double omega_y = 2 * any(random);
+    const BeamMotion motion{vector(5), {0.0, omega_y, 0.0}, {0.0, alpha_y, 0.0}};
+    const Vector3d gradient(-omega_y * omega_y, 0.0, -alpha_y);
     std::vector<PointLoad> points;
     for (int i = 0; i < 5; ++i) {
       points.push_back({m(2.5 * (1 + any(random))), vector(1e5), vector(1e4)});
@@ -214,11 +217,10 @@ TEST_CASE(
                                  : i % 2 == 1         ? 4
                                                       : 2);
           const AreaAndInertia section = section_by_hand(at);
-          const Vector3d q =
-              rho * section.A * (gravity - acceleration.at_start - at * acceleration.gradient);
+          const Vector3d q = rho * section.A * (gravity - motion.acceleration - at * gradient);
           sum.force += weight * q;
           sum.moment += weight * Vector3d(at - s, 0, 0).cross(q);
-          sum.moment.y() -= weight * rho * section.I * acceleration.alpha_y;
+          sum.moment.y() -= weight * rho * section.I * alpha_y;
         }
       }
       return sum;
@@ -228,8 +230,8 @@ TEST_CASE(
     const Cut all = behind(-1e-12);
     points.push_back(
         {m(support), -all.force, -all.moment + Vector3d(support, 0, 0).cross(all.force)});
-    const BeamLoads loads{
-        points, weight_and_inertia(beam, mass_distribution_of(beam), gravity, acceleration)};
+    const BeamLoads loads{points,
+                          weight_and_inertia(beam, mass_distribution_of(beam), gravity, motion)};
     CHECK(imbalance_of(beam, loads).force.norm() < 1e-3);
     CHECK(imbalance_of(beam, loads).moment.norm() < 1e-3);
     const CutForceDiagram diagram = cut_forces_of(beam, loads);
@@ -245,8 +247,8 @@ TEST_CASE(
 TEST_CASE("dM_y/ds = V_z - m_y and dV_z/ds = -q_z on every piece, by central differences") {
   const TaperedBeam beam = tapered();
   BeamLoads loads;
-  loads.segments =
-      weight_and_inertia(beam, mass_distribution_of(beam), {2, 1, -9}, {{1, 2, 3}, {2, 3, 4}, 5});
+  loads.segments = weight_and_inertia(beam, mass_distribution_of(beam), {2, 1, -9},
+                                      {{1, 2, 3}, {2, 3, 4}, {5, -6, 7}});
   for (LineLoad& line : loads.segments) {
     line.couple[0].c[0] = 300;
     line.couple[2].c[1] = 700;

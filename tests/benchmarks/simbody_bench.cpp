@@ -486,7 +486,7 @@ int main(int argc, char** argv) {
       throw std::runtime_error("at least 8 instants per period, please");
     }
     const Rig rig(
-        read_project(std::string(BOXBEAM_SOURCE_DIR) + "/sections/sledge-rig/rig.toml").mechanism);
+        planar_of(read_project(std::string(BOXBEAM_SOURCE_DIR) + "/sections/sledge-rig/rig.toml")));
     print_versions();
     fmt::print(
         "Sledge rig, each instant from the one before: positions, velocities, accelerations and "

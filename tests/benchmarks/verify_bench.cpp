@@ -52,8 +52,8 @@ void instants_of(benchmark::State& bench, const planar::Mechanism& mechanism,
 
 void instant(benchmark::State& bench, const char* name, planar::Elimination elimination) {
   const Project project = read_project(case_path(name));
-  instants_of(bench, project.mechanism, elimination,
-              planar::time_span_of(project.mechanism).length);
+  instants_of(bench, planar_of(project), elimination,
+              planar::time_span_of(planar_of(project)).length);
 }
 
 /// The same for chains of four-bars, sparse: time per instant against the number of four-bars.

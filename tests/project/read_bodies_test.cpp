@@ -4,7 +4,7 @@ using namespace small_case;
 using namespace boxbeam;
 
 TEST_CASE("a sketch gives the origin of the body's axes, the body its centre of mass") {
-  const planar::Mechanism mechanism = read(pivot + for_a_second).mechanism;
+  const planar::Mechanism mechanism = planar_of(read(pivot + for_a_second));
   // The rod stands upright on (1, 0) m, its centre 0.5 m above; it turns at 4 rad/s about its foot,
   // which moves at (1, 2) m/s: v = v_foot + omega x (0, 0.5) = (1 - 2, 2) m/s.
   const Body& upright = mechanism.bodies[rod];

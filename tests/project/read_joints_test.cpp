@@ -149,7 +149,7 @@ TEST_CASE("joints that determine the motion more than once are read") {
       "[joints.also]\nkind = \"rigid\"\nconnect = [\"wheel.C\", \"rod.P\"]\n"
       "[drivers.turn]\nkind = \"constant rate\"\npoint = \"arm.A\"\ncoordinate = \"angle\"\n"
       "start = \"0 deg\"\nrate = \"6 rpm\"\n";
-  const Mechanism mechanism = read(pivot + again).mechanism;
+  const Mechanism mechanism = planar_of(read(pivot + again));
   CHECK(mechanism.equations() == mechanism.coordinates() + 2);
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("a mechanism of too few equations wants a duration") {
   CHECK(contains(problem.hint, "6 more equations are wanted"));
   CHECK(contains(problem.hint, "[motion]"));
   const Mechanism free =
-      read(pivot + "[motion]\nduration = \"4 s\"\nsettle = \"500 ms\"\n").mechanism;
+      planar_of(read(pivot + "[motion]\nduration = \"4 s\"\nsettle = \"500 ms\"\n"));
   CHECK(free.duration.length == 4.0);
   CHECK(free.duration.settle == 0.5);
 }

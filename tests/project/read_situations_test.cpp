@@ -25,7 +25,7 @@ Project read(const std::string& situations) {
 }
 
 const HarmonicDriver& swing_in(const Project& project, std::size_t situation) {
-  const planar::Mechanism& mechanism = mechanism_in(project, project.situations[situation]);
+  const planar::Mechanism& mechanism = planar_in(project, project.situations[situation]);
   const auto& driven = std::get<planar::Driven>(mechanism.joints.back().kind);
   return std::get<HarmonicDriver>(driven.driver);
 }
@@ -47,7 +47,7 @@ TEST_CASE("a case without situations has one without a name, with the cycles of 
   CHECK(only.cycles == 1e6);
   CHECK(only.load_factor == 1.0);
   CHECK(only.between.empty());
-  CHECK(&mechanism_in(project, only) == &project.mechanism);
+  CHECK(&planar_in(project, only) == &planar_of(project));
 }
 
 TEST_CASE("situations: name, cycles, load factor and what differs, in the order of the file") {
@@ -69,11 +69,11 @@ TEST_CASE("situations: name, cycles, load factor and what differs, in the order 
         std::vector<std::string>{"drivers.swing.frequency = 2 Hz", "bodies.rod.mass = 30 kg"});
   CHECK(swing_in(project, 0).omega == Approx(turn).epsilon(1e-14));
   CHECK(swing_in(project, 1).omega == Approx(2.0 * turn).epsilon(1e-14));
-  CHECK(mechanism_in(project, storm).bodies[small_case::rod].mass == 30.0);
-  CHECK(project.mechanism.bodies[small_case::rod].mass == 10.0);
+  CHECK(planar_in(project, storm).bodies[small_case::rod].mass == 30.0);
+  CHECK(planar_of(project).bodies[small_case::rod].mass == 10.0);
   // The beam is where and what it was.
-  CHECK(mechanism_in(project, storm).bodies[small_case::arm].mass ==
-        project.mechanism.bodies[small_case::arm].mass);
+  CHECK(planar_in(project, storm).bodies[small_case::arm].mass ==
+        planar_of(project).bodies[small_case::arm].mass);
   CHECK(project.situations[2].between == std::vector<std::size_t>{1, 0});
   CHECK(most_cycles_of(project) == 1e6);
 }
@@ -92,9 +92,9 @@ TEST_CASE("a situation may have a force of its own") {
       read(run +
            "[[situations]]\nname = \"pushed\"\n[situations.set.forces.push]\nkind = \"force\"\n"
            "point = \"arm.B\"\ndirection = \"90 deg\"\nsize = \"1 kN\"\n");
-  CHECK(mechanism_in(project, project.situations[0]).forces.empty());
-  REQUIRE(mechanism_in(project, project.situations[1]).forces.size() == 1);
-  CHECK(mechanism_in(project, project.situations[1]).forces.front().name == "push");
+  CHECK(planar_in(project, project.situations[0]).forces.empty());
+  REQUIRE(planar_in(project, project.situations[1]).forces.size() == 1);
+  CHECK(planar_in(project, project.situations[1]).forces.front().name == "push");
 }
 
 TEST_CASE("what differs may stand in quoted keys, dotted keys or tables: the same") {

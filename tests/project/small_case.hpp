@@ -95,7 +95,7 @@ template <class Kind>
 Kind joint(const std::string& lines) {
   const std::string pivot_if_driver = lines.starts_with("[drivers") ? pivot : "";
   const boxbeam::Project project = read(pivot_if_driver + lines + for_a_second);
-  const boxbeam::planar::Joint& last = project.mechanism.joints.back();
+  const boxbeam::planar::Joint& last = planar_of(project).joints.back();
   REQUIRE(std::holds_alternative<Kind>(last.kind));
   return std::get<Kind>(last.kind);
 }
@@ -104,9 +104,9 @@ Kind joint(const std::string& lines) {
 template <class Kind>
 Kind force(const std::string& lines) {
   const boxbeam::Project project = read(pivot + lines + for_a_second);
-  REQUIRE(project.mechanism.forces.size() == 1);
-  REQUIRE(std::holds_alternative<Kind>(project.mechanism.forces.front().kind));
-  return std::get<Kind>(project.mechanism.forces.front().kind);
+  REQUIRE(planar_of(project).forces.size() == 1);
+  REQUIRE(std::holds_alternative<Kind>(planar_of(project).forces.front().kind));
+  return std::get<Kind>(planar_of(project).forces.front().kind);
 }
 
 inline bool at(const boxbeam::planar::Attachment& point, int body, double x, double y) {

@@ -26,7 +26,7 @@ struct WithTable {
 
   CubicSpline spline(const std::string& more = {}) const {
     const Project project = read(more);
-    const auto& driven = std::get<planar::Driven>(project.mechanism.joints.back().kind);
+    const auto& driven = std::get<planar::Driven>(planar_of(project).joints.back().kind);
     REQUIRE(std::holds_alternative<TableDriver>(driven.driver));
     return std::get<TableDriver>(driven.driver).spline;
   }

@@ -146,7 +146,7 @@ TEST_CASE("the sledge rig beyond its reach (hand formula)") {
   CHECK(limit - 0.5 == Approx(1.302776).margin(5e-7));
   double worst = 0.0;
   for (const double wanted : {limit + 1e-6, limit + 1e-3, 2.0, 3.0, 5.0}) {
-    Mechanism mechanism = test::rig().mechanism;
+    Mechanism mechanism = planar_of(test::rig());
     test::exciter_of(mechanism).mean = wanted;
     INFO("blade at " << wanted);
     const std::optional<AnalysisFailure> failure = refusal_of(mechanism);
@@ -162,7 +162,7 @@ TEST_CASE("the sledge rig beyond its reach (hand formula)") {
   }
   // A motion: the stroke a little too long is refused near the instant at which the reach ends.
   for (const double beyond : {0.5, 1e-2, 1e-3}) {
-    Mechanism mechanism = test::rig().mechanism;
+    Mechanism mechanism = planar_of(test::rig());
     test::exciter_of(mechanism).amplitude = limit - 0.5 + beyond;
     const double at = std::asin((limit - 0.5) / (limit - 0.5 + beyond)) / (2.0 * test::pi * 0.7);
     INFO("stroke beyond by " << beyond);

@@ -129,7 +129,7 @@ Tally rig_tally(bool named_loops) {
   for (int k = 3; k <= 12; ++k) {
     for (const int instants : {24, 36, 96}) {
       for (const double phase : {0.0, 0.031}) {
-        Mechanism mechanism = test::rig().mechanism;
+        Mechanism mechanism = planar_of(test::rig());
         HarmonicDriver& driver = test::exciter_of(mechanism);
         driver.amplitude = stroke - std::pow(10.0, -k);
         driver.phase = phase;

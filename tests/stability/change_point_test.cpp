@@ -232,7 +232,7 @@ TEST_CASE("a stroke too long by nanometres is refused, not passed as a change po
       for (const bool named : {true, false}) {
         INFO("beyond by " << beyond << ", " << instants << " instants, loops "
                           << (named ? "named" : "not named"));
-        Mechanism rig = test::rig().mechanism;
+        Mechanism rig = planar_of(test::rig());
         test::exciter_of(rig).amplitude = stroke + beyond;
         if (!named) {
           const Eigen::VectorXd q = test::rig_state(0.0).q;

@@ -150,7 +150,7 @@ TEST_CASE("random starts of a four-bar: the asked branch or a refusal") {
 }
 
 TEST_CASE("random starts of the sledge rig: the asked branch or a refusal") {
-  check_starts("sledge rig", test::rig().mechanism, 10000, 1.0, 0.0, 1.0);
+  check_starts("sledge rig", planar_of(test::rig()), 10000, 1.0, 0.0, 1.0);
 }
 
 TEST_CASE("random starts of a platform on three rods: the asked branch or a refusal") {
@@ -191,10 +191,10 @@ TEST_CASE("all assemblies are listed: four-bar 2, rig 4, platform as counted by 
   const test::FourBar bar;
   const auto four_bar = list_assemblies(test::four_bar(bar, RateDriver{1.0, 1.0}, 1.0, 1), 0.0);
   CHECK(four_bar.size() == 2);
-  const auto rig = list_assemblies(test::rig().mechanism, 0.0);
+  const auto rig = list_assemblies(planar_of(test::rig()), 0.0);
   CHECK(rig.size() == 4);
   std::vector<std::vector<int>> branches;
-  for (const Eigen::VectorXd& q : rig) branches.push_back(branch_of(test::rig().mechanism, q));
+  for (const Eigen::VectorXd& q : rig) branches.push_back(branch_of(planar_of(test::rig()), q));
   std::sort(branches.begin(), branches.end());
   CHECK(std::adjacent_find(branches.begin(), branches.end()) == branches.end());
   std::cout << "stability: assemblies listed: four-bar " << four_bar.size() << " of 2, rig "

@@ -218,7 +218,7 @@ void check(const std::string& name, const Mechanism& in_m, bool branches = true)
 
 }  // namespace
 
-TEST_CASE("units: the sledge rig") { check("sledge rig", test::rig().mechanism); }
+TEST_CASE("units: the sledge rig") { check("sledge rig", planar_of(test::rig())); }
 
 TEST_CASE("units: a four-bar") {
   HarmonicDriver driver;

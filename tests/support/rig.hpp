@@ -21,8 +21,8 @@ inline boxbeam::HarmonicDriver& exciter_of(boxbeam::planar::Mechanism& mechanism
 }
 
 inline boxbeam::planar::State rig_state(double time) {
-  boxbeam::planar::InstantSolver solver(rig().mechanism);
-  return solver.solve_from_sketch(time, boxbeam::planar::sketch_of(rig().mechanism));
+  boxbeam::planar::InstantSolver solver(planar_of(rig()));
+  return solver.solve_from_sketch(time, boxbeam::planar::sketch_of(planar_of(rig())));
 }
 
 }  // namespace test

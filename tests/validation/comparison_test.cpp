@@ -62,12 +62,12 @@ double largest_deviation(const std::string& table_name, double time,
       read_project(test::project_file("sections/sledge-rig/published.toml"));
   const test::CsvTable table =
       test::read_csv(test::project_file("tests/validation/data/thesis_" + table_name + ".csv"));
-  planar::InstantSolver solver(project.mechanism);
+  planar::InstantSolver solver(planar_of(project));
   double largest = 0.0;
   for (const std::vector<double>& row : table.rows) {
     if (time >= 0.0 && row[0] != time) continue;
     const planar::State state =
-        solver.solve_from_sketch(row[0], planar::sketch_of(project.mechanism));
+        solver.solve_from_sketch(row[0], planar::sketch_of(planar_of(project)));
     for (std::size_t k = 0; k < 18; ++k) {
       largest =
           std::max(largest, std::abs((state.*values)[static_cast<Eigen::Index>(k)] - row[k + 1]));
@@ -111,12 +111,13 @@ double weight(double area_m2, double gravity) { return 7800.0 * area_m2 * gravit
 
 Eigen::Vector2d rigorous_force(const char* joint, int lower_branch) {
   Project project = test::rig();
-  project.mechanism.loops[1].sign = lower_branch;
-  planar::InstantSolver solver(project.mechanism);
-  const planar::State state = solver.solve_from_sketch(1.071, planar::sketch_of(project.mechanism));
+  planar_of(project).loops[1].sign = lower_branch;
+  planar::InstantSolver solver(planar_of(project));
+  const planar::State state =
+      solver.solve_from_sketch(1.071, planar::sketch_of(planar_of(project)));
   for (const planar::Reaction& r :
-       planar::reactions_per_joint(project.mechanism, state, project.beam_body)) {
-    if (project.mechanism.joints[static_cast<std::size_t>(r.joint)].name == joint) return r.force;
+       planar::reactions_per_joint(planar_of(project), state, project.beam_body)) {
+    if (planar_of(project).joints[static_cast<std::size_t>(r.joint)].name == joint) return r.force;
   }
   return Eigen::Vector2d::Zero();
 }
@@ -179,13 +180,13 @@ std::map<std::string, std::function<double()>> computed() {
       return largest_deviation("accelerations", t, &planar::State::a);
     };
   }
-  values["dof"] = [] { return 1.0 * rig().motions.front().freedom.by_rank; };
-  values["g"] = [] { return -test::rig().mechanism.gravity.y(); };
+  values["dof"] = [] { return 1.0 * rig().motions.front().closure->freedom.by_rank; };
+  values["g"] = [] { return -planar_of(test::rig()).gravity.y(); };
   values["d/w"] = [] { return -std::log(2.66 / 2.68750) / 0.7128; };
   values["J1"] = [] { return 2427 * 1.410 * 1.410; };
-  values["J2"] = [] { return test::rig().mechanism.bodies[1].inertia; };
+  values["J2"] = [] { return planar_of(test::rig()).bodies[1].inertia; };
   values["J4"] = [] { return 3097 * 1.314 * 1.314; };
-  values["J5"] = [] { return test::rig().mechanism.bodies[3].inertia; };
+  values["J5"] = [] { return planar_of(test::rig()).bodies[3].inertia; };
   values["J beam"] = [] { return rig().beam_mass.inertia.value(); };
   values["F3"] = [] { return published_chain().g[0].x() / 1e3; };
   values["g2 x"] = [] { return published_chain().g[1].x() / 1e3; };

@@ -19,11 +19,11 @@ const Verification& published() {
 }
 
 Eigen::Vector2d force_on_beam(const Project& project, const char* joint, double time) {
-  planar::InstantSolver solver(project.mechanism);
-  const planar::State state = solver.solve_from_sketch(time, planar::sketch_of(project.mechanism));
+  planar::InstantSolver solver(planar_of(project));
+  const planar::State state = solver.solve_from_sketch(time, planar::sketch_of(planar_of(project)));
   for (const planar::Reaction& r :
-       planar::reactions_per_joint(project.mechanism, state, project.beam_body)) {
-    if (project.mechanism.joints[static_cast<std::size_t>(r.joint)].name == joint) return r.force;
+       planar::reactions_per_joint(planar_of(project), state, project.beam_body)) {
+    if (planar_of(project).joints[static_cast<std::size_t>(r.joint)].name == joint) return r.force;
   }
   return Eigen::Vector2d::Zero();
 }
@@ -58,7 +58,7 @@ TEST_CASE("rigorous: 110.3 kN along x on the beam at B at t = 1.071 s") {
 TEST_CASE("rigorous: the vertical force at C depends on the branch of the lower rod") {
   // -2.3 kN with the lower rod as drawn, +0.8 kN flipped.
   Project flipped = test::rig();
-  flipped.mechanism.loops[1].sign = -1;
+  planar_of(flipped).loops[1].sign = -1;
   CHECK(force_on_beam(test::rig(), "C", 1.071).y() == Approx(-2.3e3).margin(50.0));
   CHECK(force_on_beam(flipped, "C", 1.071).y() == Approx(0.8e3).margin(50.0));
 }

@@ -88,12 +88,12 @@ TEST_CASE("a constant has one turning point and round-off has none") {
 
 TEST_CASE("interpolated cut forces of the rig equal the mechanism solved anew") {
   const Project& project = test::rig();
-  const planar::Motion motion = planar::solve_motion(project.mechanism);
+  const planar::Motion motion = planar::solve_motion(planar_of(project));
   const planar::BeamBody body = planar::beam_body_of(project.beam, project.beam_body);
-  planar::StateFinder finder(project.mechanism, motion);
+  planar::StateFinder finder(planar_of(project), motion);
   const LoadHistory loads(
       project.beam, {Time{}, si<Time>(motion.period), motion.states.size()}, [&](Time time) {
-        return planar::beam_loads_of(project.mechanism, finder.at(time.value()), body);
+        return planar::beam_loads_of(planar_of(project), finder.at(time.value()), body);
       });
   const StationHistory history(loads, {4.2 * metre});
   for (int i = 0; i < 200; ++i) {

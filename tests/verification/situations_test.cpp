@@ -16,8 +16,8 @@ Situation at_speed(const std::string& name, double cycles, double speed = 1.0) {
   Situation situation;
   situation.name = name;
   situation.cycles = cycles;
-  situation.changed = test::rig().mechanism;
-  test::exciter_of(*situation.changed).omega *= speed;
+  situation.changed = planar_of(test::rig());
+  test::exciter_of(std::get<planar::Mechanism>(*situation.changed)).omega *= speed;
   return situation;
 }
 
@@ -33,9 +33,11 @@ Situation change(const std::string& name, double cycles, std::vector<std::size_t
 Situation pushed_at_C() {
   Situation pushed = at_speed("pushed", 1e5);
   const double to_end = -mass_properties_of(test::rig().beam).centre.value();
-  pushed.changed->forces.push_back(
-      {"push", planar::PointForce{
-                   {test::rig().beam_body, {to_end, 0.0}}, 0.0, false, PolynomialDriver{{40e3}}}});
+  std::get<planar::Mechanism>(*pushed.changed)
+      .forces.push_back(
+          {"push",
+           planar::PointForce{
+               {test::rig().beam_body, {to_end, 0.0}}, 0.0, false, PolynomialDriver{{40e3}}}});
   return pushed;
 }
 

@@ -29,7 +29,7 @@ const StationEnvelope& envelope_at(const Verification& verification, const std::
 Project doubled() {
   Project project = test::rig();
   project.beam.density = 2.0 * project.beam.density;
-  for (Body& body : project.mechanism.bodies) {
+  for (Body& body : planar_of(project).bodies) {
     body.mass *= 2.0;
     body.inertia *= 2.0;
   }
@@ -95,11 +95,11 @@ TEST_CASE("the jump of N and V at a joint is the force of the joint there") {
 
 TEST_CASE("nothing is cut outside the beam, and the free ends carry no moment") {
   for (const char* station : {"0-", "6.2+"}) {
-    CHECK(envelope_at(rig(), station).N.largest.value == 0.0);
-    CHECK(envelope_at(rig(), station).M.largest.value == 0.0);
+    CHECK(envelope_at(rig(), station).of[cut_force::N].largest.value == 0.0);
+    CHECK(envelope_at(rig(), station).of[cut_force::M_y].largest.value == 0.0);
   }
-  CHECK(std::abs(envelope_at(rig(), "6.2-").M.largest.value) < 1e-6);
-  CHECK(std::abs(envelope_at(rig(), "0+").M.smallest.value) < 1e-6);
+  CHECK(std::abs(envelope_at(rig(), "6.2-").of[cut_force::M_y].largest.value) < 1e-6);
+  CHECK(std::abs(envelope_at(rig(), "0+").of[cut_force::M_y].smallest.value) < 1e-6);
 }
 
 TEST_CASE("a maximum inside a tapered segment is found") {
@@ -132,7 +132,7 @@ TEST_CASE("a maximum inside a tapered segment is found") {
 TEST_CASE("the mechanism seen in a mirror gives the same factors on the other fibre") {
   // World x and all angles reflected: +z and -z of the beam change places.
   Project mirror = test::rig();
-  planar::Mechanism& mechanism = mirror.mechanism;
+  planar::Mechanism& mechanism = planar_of(mirror);
   const auto flip = [](Eigen::Vector2d& v) { v.x() = -v.x(); };
   for (planar::Joint& joint : mechanism.joints) {
     if (auto* slider = std::get_if<planar::Slider>(&joint.kind)) flip(slider->guide.p);
@@ -177,7 +177,7 @@ TEST_CASE("rotary inertia of the sections changes the governing range by a tenth
   with.beam.rotary_inertia = true;
   with.strength.shear_lag = false;
   const MassProperties properties = mass_properties_of(with.beam);
-  with.mechanism.bodies[static_cast<std::size_t>(with.beam_body)].inertia =
+  planar_of(with).bodies[static_cast<std::size_t>(with.beam_body)].inertia =
       properties.inertia.value();
   const Verification verification = verify(with);
   CHECK(verification.motions.front().imbalance < 1e-12);
@@ -250,8 +250,8 @@ TEST_CASE("a web hole under shear is seen: four times the nominal shear at 45 de
 
 TEST_CASE("a beam that nothing loads is no verified beam") {
   Project project = test::rig();
-  project.mechanism.gravity.setZero();
-  for (Body& body : project.mechanism.bodies) body.mass = body.inertia = 0.0;
+  planar_of(project).gravity.setZero();
+  for (Body& body : planar_of(project).bodies) body.mass = body.inertia = 0.0;
   project.beam.density = si<Density>(1e-9);
   CHECK_THROWS_AS(verify(project), AnalysisError);
 }

@@ -32,22 +32,22 @@ struct BeamLoads {
   std::vector<LineLoad> segments;  ///< one per segment of the beam
 };
 
-/// Acceleration along the axis of a rigid beam, in beam axes: a(s) = at_start + gradient * s.
-struct AxisAcceleration {
-  Eigen::Vector3d at_start = Eigen::Vector3d::Zero();  ///< [m/s^2]
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< [1/s^2]
-  double alpha_y = 0.0;  ///< angular acceleration about y, for the rotary inertia [rad/s^2]
+/// Motion of a rigid beam at an instant, in beam axes.
+struct BeamMotion {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< of the axis point at s = 0 [m/s^2]
+  Eigen::Vector3d omega = Eigen::Vector3d::Zero();         ///< [rad/s]
+  Eigen::Vector3d alpha = Eigen::Vector3d::Zero();         ///< [rad/s^2]
 };
 
 /// Weight and inertia of the beam itself per length,
 ///
-///     q(s) = rho A(s) (g - a(s)),   m_y(s) = -rho I_y(s) alpha_y
+///     q(s) = rho A(s) (g - a(s)),   a(s) = a_0 + s (alpha x e_x + omega x (omega x e_x))
+///     m(s) = -(J alpha + omega x J omega),   J = rho [I_y + I_z, I_y, I_z; yz: -I_yz]
 ///
 /// gravity in beam axes [m/s^2]. Source: d'Alembert's principle for a rigid body.
 std::vector<LineLoad> weight_and_inertia(const TaperedBeam& beam,
                                          const std::vector<SegmentMass>& distribution,
-                                         const Eigen::Vector3d& gravity,
-                                         const AxisAcceleration& acceleration);
+                                         const Eigen::Vector3d& gravity, const BeamMotion& motion);
 
 /// What is left over when all loads are summed: force [N] and moment about s = 0 [N m].
 struct Imbalance {

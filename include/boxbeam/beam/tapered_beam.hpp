@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ struct TaperedBeam {
   std::vector<BeamHole> holes;
   std::vector<BeamPoint> points;
   Density density;
-  /// Whether the sections' own rotary inertia rho I_y counts, beside their mass on the axis.
+  /// Whether the sections' own rotary inertia counts, beside their mass on the axis.
   bool rotary_inertia = false;
 
   Length length() const { return segments.back().end(); }
@@ -83,8 +84,9 @@ std::vector<Hole> holes_at(const TaperedBeam& beam, Length s);
 /// Mass and rotary inertia per length of one segment as polynomials of the distance from its
 /// start: products of linear dimensions, hence exact at these degrees.
 struct SegmentMass {
-  Polynomial<2> mass;    ///< rho A [kg/m]
-  Polynomial<4> rotary;  ///< rho I_y [kg m]; zero where the beam does not count it
+  Polynomial<2> mass;  ///< rho A [kg/m]
+  /// rho I_y, rho I_z and rho I_yz [kg m]; zero where the beam does not count them.
+  Polynomial<4> rotary_y, rotary_z, rotary_yz;
 };
 
 std::vector<SegmentMass> mass_distribution_of(const TaperedBeam& beam);
@@ -94,6 +96,8 @@ struct MassProperties {
   Mass mass;
   Length centre;       ///< s of the centre of mass
   MassMoment inertia;  ///< about the centre, axis y
+  /// The whole tensor about the centre, beam axes [kg m^2].
+  Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
 };
 
 MassProperties mass_properties_of(const TaperedBeam& beam);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "boxbeam/beam/tapered_beam.hpp"
@@ -10,6 +11,8 @@
 #include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
+#include "boxbeam/mechanism/spatial/beam_loads.hpp"
+#include "boxbeam/mechanism/spatial/mechanism.hpp"
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
@@ -17,6 +20,9 @@
 #include "boxbeam/strength/pin.hpp"
 
 namespace boxbeam {
+
+/// What moves the beam, in the plane or in space.
+using AnyMechanism = std::variant<planar::Mechanism, spatial::Mechanism>;
 
 /// Where the loads on the beam come from.
 enum class Dynamics {
@@ -102,7 +108,7 @@ struct Situation {
   double cycles = 0.0;
   double load_factor = 1.0;      ///< on all its loads, for strength
   std::vector<std::string> set;  ///< what differs from the case, "drivers.exciter.frequency = ..."
-  std::optional<planar::Mechanism> changed;  ///< the mechanism with that; nothing: as the case is
+  std::optional<AnyMechanism> changed;  ///< the mechanism with that; nothing: as the case is
   /// Where not empty: the change between these situations (indices), one stress cycle from the
   /// highest to the lowest stress in any of them.
   std::vector<std::size_t> between;
@@ -154,11 +160,12 @@ struct Project {
   std::vector<std::string> assumptions;
   std::vector<std::string> overrides;
 
-  planar::Mechanism mechanism;        ///< as the case writes it, before any situation
+  AnyMechanism mechanism;             ///< as the case writes it, before any situation
   std::vector<Situation> situations;  ///< at least one; the first runs
   TaperedBeam beam;
   std::vector<HoleInput> hole_inputs;  ///< one per hole of the beam
   int beam_body = planar::ground;      ///< ground: the beam is no body, only the chain can load it
+  spatial::BeamPlacement placement;    ///< of the beam in its body; in space only
   Dynamics dynamics = Dynamics::rigorous;
   std::optional<planar::NewtonChain> chain;
   std::optional<EquivalentMassDemand> equivalent_mass;
@@ -173,8 +180,21 @@ struct Project {
   std::vector<GivenStress> given_stresses;
 };
 
+/// Whether the beam moves in space: all six cut forces count. In the plane these are N, V_z, M_y.
+bool in_space(const Project& project);
+
+/// The mechanism of a case that moves in the plane, or in space.
+const planar::Mechanism& planar_of(const Project& project);
+planar::Mechanism& planar_of(Project& project);
+const spatial::Mechanism& spatial_of(const Project& project);
+spatial::Mechanism& spatial_of(Project& project);
+
 /// The mechanism as it runs in a situation.
-const planar::Mechanism& mechanism_in(const Project& project, const Situation& situation);
+const planar::Mechanism& planar_in(const Project& project, const Situation& situation);
+const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation);
+
+/// The time that a case is looked at.
+const Duration& duration_of(const Project& project);
 
 /// Cycles of the situation that runs most often in the wanted life.
 double most_cycles_of(const Project& project);

@@ -17,11 +17,6 @@ struct PointStress {
   Stress von_mises() const;
 };
 
-/// Places of the cut forces in an influence.
-namespace cut_force {
-enum Index : std::size_t { N, V_y, V_z, T, M_y, M_z };
-}  // namespace cut_force
-
 /// Stress per cut force at one point; depends on the section (and its taper) only, SI: 1/m^2 for
 /// forces, 1/m^3 for moments.
 ///
@@ -30,8 +25,8 @@ enum Index : std::size_t { N, V_y, V_z, T, M_y, M_z };
 /// N and the moments are about the beam axis. A factor that is not known (the torsion of a general
 /// polygon) is NaN: it makes the stress NaN where that cut force is not zero.
 struct StressInfluence {
-  std::array<double, 6> normal{};
-  std::array<double, 6> shear{};
+  std::array<double, cut_force::count> normal{};
+  std::array<double, cut_force::count> shear{};
 };
 
 PointStress stress_at(const StressInfluence& influence, const CutForces& cut);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <deque>
+#include <variant>
 
 #include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/mechanism/spatial/motion.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/load_history.hpp"
 
@@ -18,7 +20,7 @@ struct SituationRun {
   SituationRun& operator=(const SituationRun&) = delete;
 
   const Situation* situation;
-  planar::Motion motion;
+  std::variant<planar::Motion, spatial::Motion> motion;
   LoadHistory loads;
   double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
 };
@@ -38,6 +40,9 @@ struct SituationHistory {
   const Situation* situation;
   StationHistory history;
 };
+
+/// The motion of a mechanism in the plane.
+const planar::Motion& planar_motion_of(const SituationRun& run);
 
 std::size_t index_of(const Project& project, const Situation& situation);
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,15 +29,24 @@ struct Envelope {
   Extreme smallest, largest;
 };
 
-/// Extremes of the cut forces at a station. SI: N, N, N m.
+/// A cut force that a case looks at, and what it is called there.
+struct CutForceName {
+  cut_force::Index which;
+  const char* name;
+};
+
+/// N, V and M (V_z and M_y) in the plane, all six in space.
+std::span<const CutForceName> cut_forces_looked_at(const Project& project);
+
+/// Extremes of the cut forces at a station [N, N m], by cut_force::Index; zero where not looked at.
 struct StationEnvelope {
   Station station;
-  Envelope N, V, M;
+  std::array<Envelope, cut_force::count> of;
 };
 
 /// Where and when a quantity has its extreme over the whole beam and all situations.
 struct CriticalInstant {
-  std::string quantity;  ///< "N", "V", "M", "stress"
+  std::string quantity;  ///< the name of a cut force, or "stress"
   Station station;
   Time time;
   double value = 0.0;         ///< SI: N, N m, Pa
@@ -70,19 +81,24 @@ struct DigitsLeft {
   Time time;
 };
 
-/// What is to be known of the motion in a situation.
-struct MotionSummary {
-  std::size_t situation = 0;  ///< index in the case
+/// What there is to know of a mechanism whose joints are equations to be solved.
+struct ClosureSummary {
   planar::DegreesOfFreedom freedom;
   std::vector<int> branch;            ///< sign per loop
   DigitsLeft digits;                  ///< meaningless where forces decide the motion
   std::vector<double> change_points;  ///< times at which two branches cross [s]
+  double largest_residual = 0.0;      ///< of the constraints, over all instants [m, rad]
+};
+
+/// What is to be known of the motion in a situation.
+struct MotionSummary {
+  std::size_t situation = 0;  ///< index in the case
   std::size_t instants = 0;
   Time begin;
   Time period;
-  bool closed = true;             ///< the motion repeats by itself after its period
-  double largest_residual = 0.0;  ///< of the constraints, over all instants [m, rad]
-  double imbalance = 0.0;         ///< of force and moment on the beam, relative to the largest load
+  bool closed = true;      ///< the motion repeats by itself after its period
+  double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
+  std::optional<ClosureSummary> closure;  ///< nothing for a chain, whose motion is explicit
 };
 
 /// The result of a verification.

@@ -39,13 +39,14 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
     if (load.on == beam.body) add(load.point, load.vector, load.moment);
   }
 
-  AxisAcceleration acceleration;
-  acceleration.gradient = {-omega * omega, 0.0, alpha};
-  acceleration.at_start =
-      in_beam_axes(state.a.segment<2>(i), angle) - beam.centre * acceleration.gradient;
-  acceleration.alpha_y = -alpha;
+  // y points into the plane: counter-clockwise is negative about it.
+  BeamMotion motion;
+  motion.omega.y() = -omega;
+  motion.alpha.y() = -alpha;
+  motion.acceleration = in_beam_axes(state.a.segment<2>(i), angle) -
+                        beam.centre * Eigen::Vector3d(-omega * omega, 0.0, alpha);
   loads.segments = weight_and_inertia(*beam.beam, beam.distribution,
-                                      in_beam_axes(mechanism.gravity, angle), acceleration);
+                                      in_beam_axes(mechanism.gravity, angle), motion);
   return loads;
 }
 

@@ -115,50 +115,26 @@ double size_of(const Mechanism& mechanism) {
   return size > 0.0 ? size : 1.0;
 }
 
-TimeSpan time_span_of(const Mechanism& mechanism) {
-  TimeSpan span;
-  std::vector<double> omegas;
-  double end = 0.0;
-  bool endless = false;
-  const auto take = [&](const Driver& driver, bool turning) {
-    const DriverTiming timing = timing_of(driver, turning);
-    omegas.insert(omegas.end(), timing.omegas.begin(), timing.omegas.end());
-    span.closed = span.closed && timing.repeats;
-    span.highest_omega = std::max(span.highest_omega, timing.highest_omega);
-    end = std::max(end, timing.end);
-    endless = endless || (!timing.repeats && timing.end <= 0.0);
-  };
+std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
+  std::vector<DriverUse> uses;
   for (const Joint& joint : mechanism.joints) {
     const auto* driven = std::get_if<Driven>(&joint.kind);
-    if (driven != nullptr) take(driven->driver, driven->coordinate == Coordinate::angle);
+    if (driven != nullptr) {
+      uses.push_back({&driven->driver, driven->coordinate == Coordinate::angle});
+    }
   }
   for (const AppliedForce& force : mechanism.forces) {
-    if (const auto* point = std::get_if<PointForce>(&force.kind)) take(point->size, false);
-    if (const auto* couple = std::get_if<Couple>(&force.kind)) take(couple->size, false);
+    if (const auto* point = std::get_if<PointForce>(&force.kind)) {
+      uses.push_back({&point->size, false});
+    } else if (const auto* couple = std::get_if<Couple>(&force.kind)) {
+      uses.push_back({&couple->size, false});
+    }
   }
-  span.begin = mechanism.duration.settle;
-  const std::optional<double> period = common_period_of(omegas);
-  if (mechanism.duration.length > 0.0) {
-    span.length = mechanism.duration.length;
-    // A duration that holds whole periods, on drivers that repeat, is a closed motion.
-    const double periods = period ? span.length / *period : 0.5;
-    span.closed = span.closed && std::abs(periods - std::round(periods)) < 1e-9 * periods;
-  } else if (span.closed && period) {
-    span.length = *period;
-  } else if (!span.closed && end > 0.0 && omegas.empty() && !endless) {
-    span.length = end - span.begin;
-  }
-  if (!(span.length > 0.0)) {
-    throw AnalysisError(
-        {"it is not known how long the motion lasts: drivers and forces have no common period "
-         "(within "
-         "1000 cycles of the fastest), or some repeat and others end; give [motion] duration",
-         "mechanism",
-         {},
-         {},
-         {}});
-  }
-  return span;
+  return uses;
+}
+
+TimeSpan time_span_of(const Mechanism& mechanism) {
+  return boxbeam::time_span_of(functions_of(mechanism), mechanism.duration);
 }
 
 }  // namespace boxbeam::planar

@@ -22,8 +22,8 @@ TEST_CASE("beam axes: x along the axis, z its left normal, y into the plane") {
 TEST_CASE("the loads on the rig's beam are in balance at every instant") {
   const Project& project = test::rig();
   const BeamBody body = beam_body_of(project.beam, project.beam_body);
-  for (const State& state : solve_motion(project.mechanism, 24).states) {
-    const BeamLoads loads = beam_loads_of(project.mechanism, state, body);
+  for (const State& state : solve_motion(planar_of(project), 24).states) {
+    const BeamLoads loads = beam_loads_of(planar_of(project), state, body);
     REQUIRE(loads.points.size() == 3);
     const Imbalance open = imbalance_of(project.beam, loads);
     double largest = 0.0;
@@ -38,8 +38,8 @@ TEST_CASE("the bending moments of the two ends meet at the pivot to 1e-10") {
   // with Simpson's rule on weight and inertia per length (exact for cubics).
   const Project& project = test::rig();
   const BeamBody body = beam_body_of(project.beam, project.beam_body);
-  for (const State& state : solve_motion(project.mechanism, 24).states) {
-    const BeamLoads loads = beam_loads_of(project.mechanism, state, body);
+  for (const State& state : solve_motion(planar_of(project), 24).states) {
+    const BeamLoads loads = beam_loads_of(planar_of(project), state, body);
     const double pivot = 3.2;
     const double from_below =
         cut_forces_of(project.beam, loads).at({si<Length>(pivot), Side::behind}).M_y.value();
@@ -68,7 +68,7 @@ TEST_CASE("the bending moments of the two ends meet at the pivot to 1e-10") {
 TEST_CASE("a joint stands exactly where the segments meet") {
   const Project& project = test::rig();
   const BeamBody body = beam_body_of(project.beam, project.beam_body);
-  const BeamLoads loads = beam_loads_of(project.mechanism, test::rig_state(0.1), body);
+  const BeamLoads loads = beam_loads_of(planar_of(project), test::rig_state(0.1), body);
   CHECK(loads.points[0].s == project.beam.segments[1].end());
   CHECK(cut_forces_of(project.beam, loads).pieces.size() == project.beam.segments.size());
 }

@@ -27,13 +27,13 @@ TEST_CASE("a mass driven along a line feels like itself") {
 TEST_CASE("the mass that is asked for is reached, and the lever ratio squared is its slope") {
   const Project& project = test::rig();
   const EquivalentMassDemand& demand = project.equivalent_mass.value();
-  const Motion motion = solve_motion(project.mechanism, 96);
-  const EquivalentMass mass = equivalent_mass_of(project.mechanism, motion, demand.joint, demand.on,
-                                                 demand.adjust, 20000.0);
+  const Motion motion = solve_motion(planar_of(project), 96);
+  const EquivalentMass mass = equivalent_mass_of(planar_of(project), motion, demand.joint,
+                                                 demand.on, demand.adjust, 20000.0);
   // Small swings of the lever: d(m_eq)/d(m_sledge) = (3.2 m / 3.0 m)^2 but for second order.
   CHECK(mass.per_mass == Approx(3.2 * 3.2 / 9.0).epsilon(1e-4));
 
-  Mechanism adjusted = project.mechanism;
+  Mechanism adjusted = planar_of(project);
   adjusted.bodies[static_cast<std::size_t>(demand.adjust)].mass = mass.needed;
   const EquivalentMass reached = equivalent_mass_of(
       adjusted, solve_motion(adjusted, 96), demand.joint, demand.on, demand.adjust, 20000.0);
@@ -42,10 +42,10 @@ TEST_CASE("the mass that is asked for is reached, and the lever ratio squared is
 
 TEST_CASE("a body without influence cannot be adjusted") {
   const Project& project = test::rig();
-  const Motion motion = solve_motion(project.mechanism, 16);
-  const int joint = joint_index(project.mechanism, "C");
-  const int lower_rod = body_index(project.mechanism, "lower_rod");
-  const int blade = body_index(project.mechanism, "blade");
-  CHECK_THROWS_AS(equivalent_mass_of(project.mechanism, motion, joint, lower_rod, blade, 1.0),
+  const Motion motion = solve_motion(planar_of(project), 16);
+  const int joint = joint_index(planar_of(project), "C");
+  const int lower_rod = body_index(planar_of(project), "lower_rod");
+  const int blade = body_index(planar_of(project), "blade");
+  CHECK_THROWS_AS(equivalent_mass_of(planar_of(project), motion, joint, lower_rod, blade, 1.0),
                   AnalysisError);
 }

@@ -21,7 +21,7 @@ constexpr double period = 1.0 / 0.7;
 }  // namespace
 
 TEST_CASE("positions of the rig by intersecting circles (hand formula)") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   for (int i = 0; i < 24; ++i) {
     const double time = period * i / 24.0;
     const State state = test::rig_state(time);
@@ -43,7 +43,7 @@ TEST_CASE("positions of the rig by intersecting circles (hand formula)") {
 }
 
 TEST_CASE("power of the driver is the rate of kinetic and potential energy, at 100 instants") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   const Motion motion = solve_motion(mechanism, 100);
   const int exciter = joint_index(mechanism, "exciter");
   double largest_power = 0.0;
@@ -71,7 +71,7 @@ TEST_CASE("power of the driver is the rate of kinetic and potential energy, at 1
 }
 
 TEST_CASE("velocities and accelerations are the time derivatives of the positions") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   InstantSolver solver(mechanism);
   const State here = test::rig_state(0.2);
   const double h = 1e-4;
@@ -82,7 +82,7 @@ TEST_CASE("velocities and accelerations are the time derivatives of the position
 }
 
 TEST_CASE("an instant does not depend on where it is solved from") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   const State direct = test::rig_state(1.071);
   const Motion motion = solve_motion(mechanism);
   StateFinder finder(mechanism, motion);
@@ -94,7 +94,7 @@ TEST_CASE("an instant does not depend on where it is solved from") {
 }
 
 TEST_CASE("a wrong sketch is no reason for a wrong branch") {
-  Mechanism mechanism = test::rig().mechanism;
+  Mechanism mechanism = planar_of(test::rig());
   mechanism.bodies[1].sketch.angle = 3.0;  // the upper rod drawn the other way round
   mechanism.bodies[3].sketch.angle = 3.1;  // and the lower one
   InstantSolver solver(mechanism);
@@ -103,7 +103,7 @@ TEST_CASE("a wrong sketch is no reason for a wrong branch") {
 }
 
 TEST_CASE("a mechanism that cannot be assembled is refused with time and residual") {
-  Mechanism mechanism = test::rig().mechanism;
+  Mechanism mechanism = planar_of(test::rig());
   test::exciter_of(mechanism).mean = 5.0;  // the blade out of reach
   InstantSolver solver(mechanism);
   try {
@@ -118,7 +118,7 @@ TEST_CASE("a mechanism that cannot be assembled is refused with time and residua
 TEST_CASE("a motion that reaches the end of its reach is refused, not continued") {
   // Rods of 0.5 m at a stroke of 1.302776 m just reach (the distance of O and A is then 3.5 m:
   // 0.5 + x = sqrt(3.5^2 - 3^2)); a little more does not.
-  Mechanism mechanism = test::rig().mechanism;
+  Mechanism mechanism = planar_of(test::rig());
   const double just = std::sqrt(3.5 * 3.5 - 9.0) - 0.5;
   HarmonicDriver& driver = test::exciter_of(mechanism);
   driver.amplitude = just + 1e-3;
@@ -126,13 +126,13 @@ TEST_CASE("a motion that reaches the end of its reach is refused, not continued"
 }
 
 TEST_CASE("more equations than coordinates, or fewer, are refused") {
-  Mechanism mechanism = test::rig().mechanism;
+  Mechanism mechanism = planar_of(test::rig());
   mechanism.joints.pop_back();
   CHECK_THROWS_AS(InstantSolver(mechanism), AnalysisError);
 }
 
 TEST_CASE("sharp peaks get more instants") {
-  Mechanism mechanism = test::rig().mechanism;
+  Mechanism mechanism = planar_of(test::rig());
   const std::size_t smooth = solve_motion(mechanism).states.size();
   HarmonicDriver& driver = test::exciter_of(mechanism);
   driver.amplitude = std::sqrt(3.5 * 3.5 - 9.0) - 0.5 - 2e-3;  // 2 mm from the end of the reach
@@ -157,7 +157,7 @@ TEST_CASE("a heavily damped free motion is found between its instants as at them
 }
 
 TEST_CASE("a time that holds more waves than can be resolved is refused, not aliased") {
-  Mechanism mechanism = test::rig().mechanism;
+  Mechanism mechanism = planar_of(test::rig());
   mechanism.duration.length = 24576.0 * period;
   try {
     solve_motion(mechanism);
@@ -180,7 +180,7 @@ TEST_CASE("a torsion spring that is wound up with every turn makes no closed mot
 }
 
 TEST_CASE("what repeats and what ends have no time in common without a duration") {
-  Mechanism mechanism = test::rig().mechanism;
+  Mechanism mechanism = planar_of(test::rig());
   mechanism.forces = {
       {"push", PointForce{{4, {0.0, 0.0}}, 0.0, false, StepDriver{0.0, 1.0, 0.0, 0.05}}}};
   CHECK_THROWS_AS(time_span_of(mechanism), AnalysisError);

@@ -47,11 +47,11 @@ TEST_CASE(
 
 TEST_CASE("the chain's loads on the beam are in balance, with a couple at the pivot") {
   const Project& project = published();
-  InstantSolver solver(project.mechanism);
-  const State state = solver.solve_from_sketch(1.071, sketch_of(project.mechanism));
+  InstantSolver solver(planar_of(project));
+  const State state = solver.solve_from_sketch(1.071, sketch_of(planar_of(project)));
   const BeamLoads loads =
       beam_loads_of(project.chain.value(), project.beam, mass_distribution_of(project.beam),
-                    project.mechanism.gravity, state);
+                    planar_of(project).gravity, state);
   const Imbalance open = imbalance_of(project.beam, loads);
   CHECK(open.force.norm() < 1e-8);
   CHECK(open.moment.norm() < 1e-8);

@@ -12,7 +12,7 @@ using namespace boxbeam;
 using namespace boxbeam::planar;
 
 TEST_CASE("Newton and Euler hold for every body of the rig, at 40 instants") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   const Motion motion = solve_motion(mechanism, 40);
   double worst = 0.0;
   double largest = 0.0;
@@ -41,7 +41,7 @@ TEST_CASE("Newton and Euler hold for every body of the rig, at 40 instants") {
 }
 
 TEST_CASE("every force has its opposite") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   const State state = test::rig_state(0.3);
   const std::vector<Reaction> reactions = reactions_of(mechanism, state);
   const int B = joint_index(mechanism, "B");
@@ -57,7 +57,7 @@ TEST_CASE("every force has its opposite") {
 }
 
 TEST_CASE("one reaction per joint stands on the beam where the beam is in the joint") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   const int beam = body_index(mechanism, "beam");
   const auto chosen = reactions_per_joint(mechanism, test::rig_state(0.0), beam);
   REQUIRE(chosen.size() == mechanism.joints.size());
@@ -96,7 +96,7 @@ TEST_CASE("a driven pendulum: reactions by hand") {
 }
 
 TEST_CASE("degrees of freedom: Gruebler and rank agree on the rig and differ where joints repeat") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   const State state = test::rig_state(0.0);
   const DegreesOfFreedom rig = degrees_of_freedom_of(mechanism, state.q);
   // 3 x 5 bodies - 2 x 5 pins - 2 x 2 sliders.
@@ -118,7 +118,7 @@ TEST_CASE("degrees of freedom: Gruebler and rank agree on the rig and differ whe
 }
 
 TEST_CASE("the rank does not depend on the unit of length") {
-  const Mechanism& mechanism = test::rig().mechanism;
+  const Mechanism& mechanism = planar_of(test::rig());
   const State state = test::rig_state(0.1);
   Mechanism scaled = mechanism;
   const double factor = 1e3;

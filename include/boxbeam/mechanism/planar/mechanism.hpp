@@ -9,6 +9,7 @@
 
 #include "boxbeam/mechanism/common/body.hpp"
 #include "boxbeam/mechanism/common/driver.hpp"
+#include "boxbeam/mechanism/common/time_span.hpp"
 
 /// Planar mechanisms of rigid bodies. World axes: x right, y up, angles counter-clockwise.
 /// Coordinates q: (x, y, angle) of each body's centre of mass, body after body.
@@ -200,12 +201,6 @@ struct Loop {
   int sign = 1;  ///< +1 or -1
 };
 
-/// The time that is looked at. All zero: one period of the drivers.
-struct Duration {
-  double settle = 0.0;  ///< time before, solved and left out [s]
-  double length = 0.0;  ///< [s]
-};
-
 struct Mechanism {
   std::vector<Body> bodies;
   std::vector<Joint> joints;  ///< drivers among them
@@ -236,16 +231,10 @@ Eigen::VectorXd start_velocity_of(const Mechanism& mechanism);
 /// ground; 1 where there is none. Changes with the unit of length as every length does.
 double size_of(const Mechanism& mechanism);
 
-/// How long the motion is looked at.
-struct TimeSpan {
-  double begin = 0.0;          ///< [s]
-  double length = 0.0;         ///< [s]
-  bool closed = true;          ///< the drivers repeat after `length`
-  double highest_omega = 0.0;  ///< of drivers and forces [rad/s]
-};
+/// The functions of time of all drivers and forces.
+std::vector<DriverUse> functions_of(const Mechanism& mechanism);
 
-/// From the mechanism's duration, or one common period of drivers and forces, or up to the end of
-/// the last step or table. Throws AnalysisError where none of these is known.
+/// How long the motion is looked at. Throws AnalysisError where it is not known.
 TimeSpan time_span_of(const Mechanism& mechanism);
 
 }  // namespace boxbeam::planar

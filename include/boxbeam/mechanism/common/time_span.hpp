@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "boxbeam/mechanism/common/driver.hpp"
+
+namespace boxbeam {
+
+/// The time that is looked at. All zero: one period of the drivers.
+struct Duration {
+  double settle = 0.0;  ///< time before, solved and left out [s]
+  double length = 0.0;  ///< [s]
+};
+
+/// How long the motion is looked at.
+struct TimeSpan {
+  double begin = 0.0;          ///< [s]
+  double length = 0.0;         ///< [s]
+  bool closed = true;          ///< the drivers repeat after `length`
+  double highest_omega = 0.0;  ///< of drivers and forces [rad/s]
+};
+
+/// A function of time that a mechanism follows.
+struct DriverUse {
+  const Driver* driver = nullptr;
+  bool turning = false;  ///< it moves an angle, whose whole turns are no difference
+};
+
+/// From the duration, or one common period of all functions, or up to the end of the last step or
+/// table. Throws AnalysisError where none of these is known.
+TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& duration);
+
+}  // namespace boxbeam

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "boxbeam/beam/beam_loads.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
+
+namespace boxbeam::spatial {
+
+/// Where the verified beam lies in its body.
+struct BeamPlacement {
+  int body = ground;
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();  ///< of the axis, body axes [m]
+  /// R_BS: columns are the beam's x (along the axis), y and z in body axes.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+};
+
+/// A place in beam axes, from the beam's start.
+Eigen::Vector3d in_beam(const BeamPlacement& placement, const Eigen::Vector3d& in_body);
+
+/// Gives the beam's body the mass properties of the beam; a body has no other mass.
+void give_mass(Body& body, const BeamPlacement& placement, const TaperedBeam& beam);
+
+/// The rigid body that is the verified beam.
+struct BeamBody {
+  BeamPlacement placement;
+  const TaperedBeam* beam = nullptr;
+  std::vector<SegmentMass> distribution;
+  std::vector<Length> places;  ///< of the beam: a load within round-off of one stands there
+};
+
+BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement);
+
+/// Loads on the beam at an instant: what its joints and the loads on it do, its line forces, and
+/// its own weight and inertia per length. What acts off the axis adds its moment.
+/// Precondition: line forces on the beam's body lie along its axis, between ends of segments.
+BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam);
+
+}  // namespace boxbeam::spatial

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "boxbeam/mechanism/common/driver.hpp"
+#include "boxbeam/mechanism/common/time_span.hpp"
+
+/// Rigid bodies in space that joints carry one from another, a tree that begins at the ground. SI
+/// units; world axes unless said otherwise.
+namespace boxbeam::spatial {
+
+/// Index of the fixed world.
+inline constexpr int ground = -1;
+
+/// A named point of a body, in the body's axes from its origin [m].
+struct BodyPoint {
+  std::string name;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+};
+
+/// A rigid body. Without mass it is a frame that only turns or shifts what it carries.
+struct Body {
+  std::string name;
+  double mass = 0.0;                                  ///< [kg]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< of mass, body axes [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre, body axes [kg m^2]
+  std::vector<BodyPoint> points;
+};
+
+enum class JointKind { fixed, revolute, prismatic };
+
+const char* to_text(JointKind kind);
+
+/// A joint carries a body from another one that comes before it, or from the ground:
+///
+///     R_WB = R_WP turned(q),  p_B = p_P + R_WP (at + axis q) - R_WB point
+///
+/// where q turns about the axis (revolute), shifts along it (prismatic) or is absent (fixed).
+struct Joint {
+  std::string name;
+  JointKind kind = JointKind::fixed;
+  int parent = ground;                                 ///< index of the body that carries
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< joint's point, axes of the parent [m]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     ///< the same, axes of the carried body [m]
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< R_PB where q is zero
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< unit vector, axes of the parent
+  Driver driver = PolynomialDriver{{0.0}};             ///< q over time [rad or m]
+};
+
+/// A place that moves with a body.
+struct Attachment {
+  int body = ground;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< in the body's axes [m]
+};
+
+enum class LoadKind { force, couple };
+
+/// A force or couple on a body. Place and direction may belong to other bodies: the ground's force
+/// on a wheel stands under the axle, while the wheel turns.
+struct AppliedLoad {
+  std::string name;
+  LoadKind kind = LoadKind::force;
+  int on = ground;    ///< the body that feels it
+  Attachment at;      ///< where; of a couple, where its moment enters
+  int axes = ground;  ///< the body in whose axes the direction is given
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector
+  Driver size = PolynomialDriver{{0.0}};                 ///< over time [N or N m]
+};
+
+/// A force per length on a straight stretch of a body, the same all along it.
+struct LineForce {
+  std::string name;
+  int on = ground;
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< axes of the body [m]
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+  int axes = ground;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector
+  Driver size = PolynomialDriver{{0.0}};                 ///< over time [N/m]
+};
+
+/// Joint i carries body i; parents come before the bodies that they carry.
+struct Mechanism {
+  std::vector<Body> bodies;
+  std::vector<Joint> joints;
+  std::vector<AppliedLoad> loads;
+  std::vector<LineForce> line_forces;
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
+  Duration duration;
+};
+
+/// Index of a body or joint by name, or -1.
+int body_index(const Mechanism& mechanism, std::string_view name);
+int joint_index(const Mechanism& mechanism, std::string_view name);
+
+/// How long the motion is looked at. Throws AnalysisError where it is not known.
+TimeSpan time_span_of(const Mechanism& mechanism);
+
+}  // namespace boxbeam::spatial

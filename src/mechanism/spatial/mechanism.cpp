@@ -1,0 +1,45 @@
+#include "boxbeam/mechanism/spatial/mechanism.hpp"
+
+#include <algorithm>
+
+namespace boxbeam::spatial {
+namespace {
+
+template <class Items>
+int index_by_name(const Items& items, std::string_view name) {
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+  return found == items.end() ? -1 : static_cast<int>(found - items.begin());
+}
+
+}  // namespace
+
+const char* to_text(JointKind kind) {
+  switch (kind) {
+    case JointKind::fixed: return "fixed";
+    case JointKind::revolute: return "revolute";
+    case JointKind::prismatic: return "prismatic";
+  }
+  return "";
+}
+
+int body_index(const Mechanism& mechanism, std::string_view name) {
+  return index_by_name(mechanism.bodies, name);
+}
+
+int joint_index(const Mechanism& mechanism, std::string_view name) {
+  return index_by_name(mechanism.joints, name);
+}
+
+TimeSpan time_span_of(const Mechanism& mechanism) {
+  std::vector<DriverUse> uses;
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.kind == JointKind::fixed) continue;
+    uses.push_back({&joint.driver, joint.kind == JointKind::revolute});
+  }
+  for (const AppliedLoad& load : mechanism.loads) uses.push_back({&load.size, false});
+  for (const LineForce& line : mechanism.line_forces) uses.push_back({&line.size, false});
+  return boxbeam::time_span_of(uses, mechanism.duration);
+}
+
+}  // namespace boxbeam::spatial

@@ -1,0 +1,123 @@
+#include "boxbeam/mechanism/spatial/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/core/error.hpp"
+
+namespace boxbeam::spatial {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr std::size_t fewest = 96;
+constexpr std::size_t most = 24576;
+
+/// The forces and moments of all joints at every instant and at the end, a column each; in the axes
+/// of the bodies that carry, in which a wheel's spin is not seen.
+struct Samples {
+  Eigen::MatrixXd values;
+  double fastest = 0.0;  ///< rate of turn of any body [rad/s]
+};
+
+Samples samples_of(const Chain& chain, const Motion& motion) {
+  const std::size_t joints = chain.mechanism().joints.size();
+  Samples samples;
+  samples.values.resize(static_cast<Eigen::Index>(6 * joints),
+                        static_cast<Eigen::Index>(motion.instants + 1));
+  State state;
+  std::vector<Wrench> wrenches;
+  for (std::size_t k = 0; k <= motion.instants; ++k) {
+    chain.at(time_of(motion, k), state);
+    chain.joint_wrenches(state, wrenches);
+    const auto column = static_cast<Eigen::Index>(k);
+    for (std::size_t i = 0; i < joints; ++i) {
+      const int parent = chain.mechanism().joints[i].parent;
+      const auto row = static_cast<Eigen::Index>(6 * i);
+      samples.values.col(column).segment<3>(row) = in_axes(state, parent, wrenches[i].force);
+      samples.values.col(column).segment<3>(row + 3) = in_axes(state, parent, wrenches[i].moment);
+      samples.fastest = std::max(samples.fastest, state.bodies[i].omega.norm());
+    }
+  }
+  return samples;
+}
+
+/// The largest distance of a value at an odd instant from the cubic through its even neighbours,
+/// relative to the value's range; and when.
+struct Misfit {
+  double value = 0.0;
+  double time = 0.0;
+};
+
+Misfit misfit_of(const Motion& motion, const Eigen::MatrixXd& values) {
+  Misfit misfit;
+  const auto count = static_cast<Eigen::Index>(motion.instants);
+  const Eigen::VectorXd range = values.rowwise().maxCoeff() - values.rowwise().minCoeff();
+  const Eigen::VectorXd size = values.rowwise().lpNorm<Eigen::Infinity>();
+  const double largest = size.maxCoeff();
+  // An open motion has no neighbours beyond its ends.
+  const auto column = [&](Eigen::Index k) {
+    return values.col(motion.closed ? (k + count) % count : k);
+  };
+  const Eigen::Index first = motion.closed ? 1 : 3;
+  const Eigen::Index last = motion.closed ? count - 1 : count - 3;
+  for (Eigen::Index k = first; k <= last; k += 2) {
+    const Eigen::VectorXd cubic =
+        (9.0 * (column(k - 1) + column(k + 1)) - (column(k - 3) + column(k + 3))) / 16.0;
+    const Eigen::VectorXd open = (column(k) - cubic).cwiseAbs();
+    for (Eigen::Index i = 0; i < open.size(); ++i) {
+      // What hardly changes beside its own size, or beside all others, is round-off.
+      if (range[i] <= 1e-9 * std::max(size[i], 1e-3 * largest)) continue;
+      if (open[i] / range[i] <= misfit.value) continue;
+      misfit = {open[i] / range[i], time_of(motion, static_cast<std::size_t>(k))};
+    }
+  }
+  return misfit;
+}
+
+}  // namespace
+
+double time_of(const Motion& motion, std::size_t instant) {
+  return motion.begin +
+         motion.period * static_cast<double>(instant) / static_cast<double>(motion.instants);
+}
+
+Motion motion_of(const Chain& chain) {
+  constexpr double enough = 0.01;
+  const TimeSpan span = time_span_of(chain.mechanism());
+  Motion motion{span.begin, span.length, span.closed, fewest};
+  const double waves = span.length * span.highest_omega / turn;
+  if (8.0 * waves > most) {
+    throw AnalysisError(
+        {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
+                     "load; up to {} can be resolved: give a shorter [motion] duration",
+                     span.length, waves, most / 8),
+         "mechanism",
+         {},
+         {},
+         {}});
+  }
+  while (static_cast<double>(motion.instants) < 8.0 * waves) motion.instants *= 2;
+  while (true) {
+    const Samples samples = samples_of(chain, motion);
+    const Misfit misfit = misfit_of(motion, samples.values);
+    const bool turns_seen =
+        static_cast<double>(motion.instants) >= 8.0 * motion.period * samples.fastest / turn;
+    if (misfit.value < enough && turns_seen) return motion;
+    if (2 * motion.instants > most) {
+      throw AnalysisError(
+          {fmt::format("joint forces change too fast to be resolved with {} instants in the time "
+                       "looked at; give a shorter [motion] duration, or smoother drivers and loads",
+                       motion.instants),
+           "mechanism",
+           misfit.time,
+           {},
+           {}});
+    }
+    motion.instants *= 2;
+  }
+}
+
+}  // namespace boxbeam::spatial
