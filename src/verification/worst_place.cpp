@@ -72,6 +72,32 @@ struct PlaceSpans {
   double equivalent = 0.0;  ///< largest, load factors applied
 };
 
+/// The largest value near the instants: of the parabola through each peak and its neighbours.
+/// Without it the largest sample would change from place to place, and what varies smoothly along a
+/// wall would have many small maxima.
+double peak_of(const std::vector<double>& values, bool closed) {
+  const std::size_t n = values.size();
+  double largest = values.front();
+  for (std::size_t i = 0; i < n; ++i) {
+    largest = std::max(largest, values[i]);
+    if (!closed && (i == 0 || i + 1 == n)) continue;
+    const double rise = values[i] - values[(i + n - 1) % n];
+    const double fall = values[i] - values[(i + 1) % n];
+    if (rise < 0.0 || fall < 0.0 || rise + fall == 0.0) continue;
+    const double step = rise - fall;
+    largest = std::max(largest, values[i] + step * step / (8.0 * (rise + fall)));
+  }
+  return largest;
+}
+
+Span span_of(std::vector<double> values, bool closed) {
+  Span span;
+  span.high = peak_of(values, closed);
+  for (double& value : values) value = -value;
+  span.low = -peak_of(values, closed);
+  return span;
+}
+
 PlaceSpans place_spans_at(const Project& project, const StressPoint& point,
                           const std::vector<SituationHistory>& histories,
                           const StressInfluence& influence) {
@@ -79,15 +105,19 @@ PlaceSpans place_spans_at(const Project& project, const StressPoint& point,
   PlaceSpans spans{std::vector<Span>(project.situations.size()),
                    std::vector<Span>(project.situations.size()), 0.0};
   for (const SituationHistory& at : histories) {
-    const std::size_t i = index_of(project, *at.situation);
-    double equivalent = 0.0;
+    std::vector<double> direct, shear, equivalent;
     for (const CutForces& cut : at.history.samples()) {
       const PointStress stress = stress_at(influence, cut);
-      spans.direct[i].add(factor * stress.normal.value());
-      spans.shear[i].add(stress.shear.value());
-      equivalent = std::max(equivalent, stress.von_mises().value());
+      direct.push_back(factor * stress.normal.value());
+      shear.push_back(stress.shear.value());
+      equivalent.push_back(stress.von_mises().value());
     }
-    spans.equivalent = std::max(spans.equivalent, at.situation->load_factor * equivalent);
+    const bool closed = at.history.closed();
+    const std::size_t i = index_of(project, *at.situation);
+    spans.direct[i] = span_of(std::move(direct), closed);
+    spans.shear[i] = span_of(std::move(shear), closed);
+    spans.equivalent =
+        std::max(spans.equivalent, at.situation->load_factor * peak_of(equivalent, closed));
   }
   return spans;
 }
