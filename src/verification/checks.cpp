@@ -10,6 +10,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
 namespace {
@@ -413,6 +414,19 @@ std::vector<CheckResult> check_beam(const Project& project, const std::deque<Sit
       const auto add = [&](std::optional<CheckResult> result) {
         if (result) results.push_back(std::move(*result));
       };
+      if (point.stretch) {
+        // Each criterion has a worst place of its own.
+        const auto worst_for = [&](Criterion criterion) {
+          return at_worst_on_stretch(project, point, histories, criterion);
+        };
+        for (const Criterion criterion :
+             {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {
+          add(check_fatigue(project, histories, worst_for(criterion), criterion));
+        }
+        add(check_range(project, histories, worst_for(Criterion::stress_range)));
+        add(check_yield(project, histories, worst_for(Criterion::yield)));
+        continue;
+      }
       const StressPoint worst = at_worst_edge(project, point, histories, Criterion::fatigue);
       for (const Criterion criterion :
            {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {
