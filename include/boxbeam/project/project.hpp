@@ -150,6 +150,20 @@ struct EquivalentMassDemand {
   Mass wanted;
 };
 
+/// A vector that the source of a case gives in closed form, to stand beside the computed one.
+struct HandFormula {
+  enum class Quantity { omega, alpha, position, velocity, acceleration };
+
+  std::string name;
+  Quantity quantity = Quantity::omega;
+  int body = spatial::ground;  ///< of omega and alpha
+  spatial::Attachment point;   ///< of the others
+  Time time;
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< evaluated, SI, world axes
+  std::vector<std::string> formula;                 ///< of the three components, as written
+  std::string note;
+};
+
 /// A case: everything a verification needs, validated. Behind it nothing is checked again.
 struct Project {
   std::string name;
@@ -178,6 +192,7 @@ struct Project {
   std::vector<RodInput> rods;
   std::optional<DeflectionInput> deflection;
   std::vector<GivenStress> given_stresses;
+  std::vector<HandFormula> hand_formulas;  ///< in space only
 };
 
 /// Whether the beam moves in space: all six cut forces count. In the plane these are N, V_z, M_y.
