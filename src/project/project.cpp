@@ -9,14 +9,15 @@
 namespace boxbeam {
 namespace {
 
-void read_case(TableReader table, Project& project) {
+/// Whether the case is one in space.
+bool read_case(TableReader table, Project& project) {
   project.name = table.text("name");
   project.title = table.text("title", project.name);
   project.assumptions = table.texts("assumptions", false);
   project.dynamics = table.choice("dynamics", {"rigorous", "newton-chain"}, 0) == 0
                          ? Dynamics::rigorous
                          : Dynamics::newton_chain;
-  table.choice("kind", {"planar"});
+  const bool space = table.choice("kind", {"planar", "spatial"}) == 1;
   table.finish();
   const bool plain = project.name.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
@@ -26,6 +27,7 @@ void read_case(TableReader table, Project& project) {
     table.problem("name", "the name of a case is also the name of its report folder",
                   "use letters, digits, \"-\" and \"_\"");
   }
+  return space;
 }
 
 /// Whether a joint pushes a body: with a force, not with a moment alone.
@@ -122,6 +124,86 @@ void check_dynamics(TableReader& root, const Project& project) {
   }
 }
 
+/// A mechanism in the plane and its beam. Returns the name of the beam's body.
+std::string read_in_plane(TableReader& root, const Node& tree, const readers::Sections& sections,
+                          TimeTables& tables, Project& project) {
+  TableReader beam = root.table("beam");
+  readers::read_beam(beam, sections, project);
+  const std::string beam_body = beam.text("body", "");
+  readers::MechanismDraft draft = readers::read_mechanism(root, beam_body, tables);
+  if (!beam_body.empty() || !root.has("beam")) {
+    // A missing table or unknown name has been noted; any body stands in, so that reading goes on.
+    project.beam_body = std::max(0, readers::body_of(beam, "body", draft.mechanism));
+  }
+  beam.finish();
+  if (root.problems().empty()) {
+    project.mechanism =
+        readers::place_at_centres(std::move(draft), project.beam, project.beam_body);
+    add_points_of_body(tree, root.problems(), project);
+  } else {
+    project.mechanism = std::move(draft.mechanism);
+  }
+  if (root.has("newton_chain")) {
+    project.chain = readers::read_newton_chain(root.table("newton_chain"), planar_of(project),
+                                               project.beam, project.beam_body);
+  }
+  if (root.has("equivalent_mass")) {
+    project.equivalent_mass =
+        read_equivalent_mass(root.table("equivalent_mass"), planar_of(project), project.beam_body);
+  }
+  return beam_body;
+}
+
+/// The beam's own points in space that lie on its axis, as places of interest.
+void add_points_on_axis(Project& project) {
+  const spatial::Body& body =
+      spatial_of(project).bodies[static_cast<std::size_t>(project.beam_body)];
+  const double length = project.beam.length().value();
+  for (const spatial::BodyPoint& point : body.points) {
+    const Eigen::Vector3d at = in_beam(project.placement, point.p);
+    const bool on_axis = at.tail<2>().norm() < 1e-9 * length;
+    if (!on_axis || at.x() < -1e-9 * length || at.x() > (1.0 + 1e-9) * length) continue;
+    project.beam.points.push_back(
+        {point.name, place_near(places_of(project.beam), si<Length>(at.x()))});
+  }
+}
+
+/// What belongs to mechanisms in the plane.
+void refuse_planar_parts(TableReader& root) {
+  for (const char* key :
+       {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
+    if (!root.has(key)) continue;
+    root.problem(key, fmt::format("\"{}\" is known for mechanisms in the plane only", key),
+                 "remove it from this case of kind = \"spatial\"");
+  }
+}
+
+/// The same in space.
+std::string read_in_space(TableReader& root, const Node&, const readers::Sections& sections,
+                          TimeTables& tables, Project& project) {
+  TableReader beam = root.table("beam");
+  readers::read_beam(beam, sections, project);
+  const std::string beam_body = beam.text("body", "");
+  spatial::Mechanism mechanism = readers::read_chain(root, beam_body, tables);
+  project.beam_body = std::max(0, readers::body_of(beam, "body", mechanism));
+  if (root.problems().empty()) {
+    project.placement = readers::read_placement(beam, mechanism, project.beam_body);
+  } else {
+    for (const char* key : {"start", "axis", "z"}) static_cast<void>(beam.has(key));
+  }
+  beam.finish();
+  refuse_planar_parts(root);
+  if (root.problems().empty()) {
+    readers::place_beam(root, project.beam, project.placement, mechanism);
+    project.hand_formulas = readers::read_hand_formulas(root, mechanism);
+  } else {
+    static_cast<void>(root.has("hand_formulas"));
+  }
+  project.mechanism = std::move(mechanism);
+  if (root.problems().empty()) add_points_on_axis(project);
+  return beam_body;
+}
+
 Project read(CaseDocument document, const std::vector<std::string>& overrides,
              std::optional<Dynamics> dynamics) {
   ProblemList problems(document);
@@ -135,34 +217,12 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
     problems.raise();
   }
   TableReader root(problems, document.root, "");
-  read_case(root.table("case"), project);
+  const bool space = read_case(root.table("case"), project);
   if (dynamics) project.dynamics = *dynamics;
 
   const readers::Sections sections = readers::read_sections(root.table("sections"));
-  TableReader beam = root.table("beam");
-  readers::read_beam(beam, sections, project);
-  const std::string beam_body = beam.text("body", "");
-  readers::MechanismDraft draft = readers::read_mechanism(root, beam_body, tables);
-  if (!beam_body.empty() || !root.has("beam")) {
-    // A missing table or unknown name has been noted; any body stands in, so that reading goes on.
-    project.beam_body = std::max(0, readers::body_of(beam, "body", draft.mechanism));
-  }
-  beam.finish();
-  if (problems.empty()) {
-    project.mechanism =
-        readers::place_at_centres(std::move(draft), project.beam, project.beam_body);
-    add_points_of_body(document.root, problems, project);
-  } else {
-    project.mechanism = std::move(draft.mechanism);
-  }
-  if (root.has("newton_chain")) {
-    project.chain = readers::read_newton_chain(root.table("newton_chain"), planar_of(project),
-                                               project.beam, project.beam_body);
-  }
-  if (root.has("equivalent_mass")) {
-    project.equivalent_mass =
-        read_equivalent_mass(root.table("equivalent_mass"), planar_of(project), project.beam_body);
-  }
+  const auto read_mechanism = space ? read_in_space : read_in_plane;
+  const std::string beam_body = read_mechanism(root, document.root, sections, tables, project);
   readers::read_situations(root, document.root, beam_body, tables, project);
   readers::read_demands(root, project);
   readers::read_neighbours(root, sections, project);

@@ -10,10 +10,11 @@ namespace {
 using planar::Attachment;
 using planar::Mechanism;
 
-/// A reference "body.point".
-Attachment attachment_in(TableReader& table, std::string_view key, const std::string& reference,
-                         const Mechanism& mechanism) {
-  Attachment attachment;
+/// A reference "body.point", to a body in the plane or in space.
+template <class Place, class AnyMechanism>
+Place attachment_in(TableReader& table, std::string_view key, const std::string& reference,
+                    const AnyMechanism& mechanism) {
+  Place attachment;
   const std::size_t dot = reference.rfind('.');
   if (dot == std::string::npos) {
     table.problem(key, fmt::format("\"{}\" is not a point of a body", reference),
@@ -28,9 +29,9 @@ Attachment attachment_in(TableReader& table, std::string_view key, const std::st
                   unknown_hint(body_name, names_of(mechanism.bodies)));
     return attachment;
   }
-  const Body& body = mechanism.bodies[static_cast<std::size_t>(attachment.body)];
+  const auto& body = mechanism.bodies[static_cast<std::size_t>(attachment.body)];
   const auto point = std::find_if(body.points.begin(), body.points.end(),
-                                  [&](const BodyPoint& p) { return p.name == point_name; });
+                                  [&](const auto& p) { return p.name == point_name; });
   if (point == body.points.end()) {
     table.problem(key, fmt::format("body \"{}\" has no point \"{}\"", body_name, point_name),
                   unknown_hint(point_name, names_of(body.points)));
@@ -49,7 +50,18 @@ Attachment ground_at(TableReader& table) {
 Attachment attachment_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
   const std::string reference = table.text(key);
   if (reference.empty()) return {};
-  return attachment_in(table, key, reference, mechanism);
+  return attachment_in<Attachment>(table, key, reference, mechanism);
+}
+
+spatial::Attachment point_named(TableReader& table, std::string_view key,
+                                const std::string& reference, const spatial::Mechanism& mechanism) {
+  return attachment_in<spatial::Attachment>(table, key, reference, mechanism);
+}
+
+spatial::Attachment attachment_of(TableReader& table, std::string_view key,
+                                  const spatial::Mechanism& mechanism) {
+  const std::string reference = table.text(key);
+  return reference.empty() ? spatial::Attachment{} : point_named(table, key, reference, mechanism);
 }
 
 std::vector<Attachment> attachments_of(TableReader& table, std::string_view key, std::size_t count,
@@ -61,7 +73,7 @@ std::vector<Attachment> attachments_of(TableReader& table, std::string_view key,
                   "each as \"body.point\", for example \"beam.B\"");
   }
   for (const std::string& reference : references) {
-    attachments.push_back(attachment_in(table, key, reference, mechanism));
+    attachments.push_back(attachment_in<Attachment>(table, key, reference, mechanism));
   }
   attachments.resize(count);
   return attachments;
@@ -71,7 +83,7 @@ Attachment place_of(TableReader& table, std::string_view key, const Mechanism& m
   const std::string reference = table.text(key);
   if (reference.empty()) return {};
   if (reference == "ground") return ground_at(table);
-  return attachment_in(table, key, reference, mechanism);
+  return attachment_in<Attachment>(table, key, reference, mechanism);
 }
 
 std::pair<Attachment, Attachment> ends_in(TableReader& table, const EndsKey& of,
@@ -89,7 +101,7 @@ std::pair<Attachment, Attachment> ends_in(TableReader& table, const EndsKey& of,
   int grounds = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     if (references[i] != "ground") {
-      ends[i] = attachment_in(table, of.key, references[i], mechanism);
+      ends[i] = attachment_in<Attachment>(table, of.key, references[i], mechanism);
     } else if (++grounds == 1 && of.ground_point) {
       ends[i] = ground_at(table);
     }

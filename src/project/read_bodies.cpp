@@ -5,9 +5,7 @@
 #include "readers.hpp"
 
 namespace boxbeam::readers {
-namespace {
 
-/// The mass properties of the beam have no place among its keys.
 void refuse_mass(TableReader& table) {
   for (const char* key : {"mass", "inertia", "uniform_rod", "centre"}) {
     const bool there = std::any_of(table.members().begin(), table.members().end(),
@@ -20,6 +18,8 @@ void refuse_mass(TableReader& table) {
                   "remove this line");
   }
 }
+
+namespace {
 
 void read_mass(TableReader& table, Body& body, Eigen::Vector2d& centre) {
   body.mass = table.not_negative("mass", wanted::mass);

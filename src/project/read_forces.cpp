@@ -13,22 +13,6 @@ using planar::Mechanism;
 constexpr FunctionOf force{wanted::force, "N", "force", "the force does not change"};
 constexpr FunctionOf moment{wanted::moment, "N m", "moment", "the couple does not change"};
 
-/// The constant "size", or the function of time "law".
-Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables) {
-  if (table.has("size") == table.has("law")) {
-    table.problem("", fmt::format("[{}] wants either \"size\" or \"law\"", table.name()),
-                  fmt::format("size = {} for a constant, law = {{ kind = \"harmonic\", ... }} for "
-                              "a function of time",
-                              of.value.example));
-    return PolynomialDriver{{0.0}};
-  }
-  if (table.has("size")) return PolynomialDriver{{table.quantity("size", of.value)}};
-  TableReader law = table.table("law");
-  const std::optional<Driver> function = read_function(law, of, tables);
-  if (function) law.finish();
-  return function.value_or(PolynomialDriver{{0.0}});
-}
-
 planar::Spring read_spring(TableReader& table, const Mechanism& mechanism) {
   planar::Spring spring;
   std::tie(spring.a, spring.b) = ends_in(table, {"connect", "a spring"}, mechanism);
@@ -91,6 +75,21 @@ planar::ForceKind read_kind(TableReader& table, std::size_t kind, const Mechanis
 }
 
 }  // namespace
+
+Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables) {
+  if (table.has("size") == table.has("law")) {
+    table.problem("", fmt::format("[{}] wants either \"size\" or \"law\"", table.name()),
+                  fmt::format("size = {} for a constant, law = {{ kind = \"harmonic\", ... }} for "
+                              "a function of time",
+                              of.value.example));
+    return PolynomialDriver{{0.0}};
+  }
+  if (table.has("size")) return PolynomialDriver{{table.quantity("size", of.value)}};
+  TableReader law = table.table("law");
+  const std::optional<Driver> function = read_function(law, of, tables);
+  if (function) law.finish();
+  return function.value_or(PolynomialDriver{{0.0}});
+}
 
 void read_forces(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
   TableReader forces = root.table("forces", false);

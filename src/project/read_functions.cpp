@@ -132,14 +132,15 @@ Driver read_table(TableReader& table, const FunctionOf& of, TimeTables& tables) 
 
 std::optional<Driver> read_function(TableReader& table, const FunctionOf& of, TimeTables& tables) {
   const std::size_t before = table.problems().size();
-  const std::size_t kind =
-      table.choice("kind", {"harmonic", "constant rate", "polynomial", "smooth step", "table"});
+  const std::size_t kind = table.choice(
+      "kind", {"harmonic", "constant rate", "polynomial", "smooth step", "table", "hold"});
   if (table.problems().size() != before) return std::nullopt;
   switch (kind) {
     case 0: return read_harmonic(table, of);
     case 1: return read_constant_rate(table, of);
     case 2: return read_polynomial(table, of);
     case 3: return read_step(table, of);
+    case 5: return PolynomialDriver{{table.quantity("value", of.value)}};
     default: return read_table(table, of, tables);
   }
 }

@@ -35,72 +35,23 @@ planar::Loop read_loop(const std::string& name, TableReader& table, const Mechan
   return loop;
 }
 
-void read_duration(TableReader& root, Duration& duration) {
-  if (!root.has("motion")) return;
-  TableReader table = root.table("motion");
-  duration.length = table.positive("duration", wanted::time);
-  duration.settle = table.not_negative("settle", wanted::time, 0.0);
-  table.finish();
-}
-
-constexpr const char* with_a_duration =
-    "or say how long to look at the motion: [motion] with duration = \"10 s\"";
-
-/// What drivers and forces say about the time to look at.
-struct Repetition {
-  std::vector<double> omegas;
-  std::string endless;  ///< a driver or force that neither repeats nor ends
-  std::string table;    ///< where it stands
-  double end = 0.0;
-  bool repeats = true;
-
-  void take(const Driver& driver, bool turning, const std::string& name, const char* of) {
-    const DriverTiming timing = timing_of(driver, turning);
-    omegas.insert(omegas.end(), timing.omegas.begin(), timing.omegas.end());
-    end = std::max(end, timing.end);
-    repeats = repeats && timing.repeats;
-    if (timing.repeats || timing.end > 0.0 || !endless.empty()) return;
-    endless = name;
-    table = of;
-  }
-};
-
-Repetition repetition_of(const Mechanism& mechanism) {
-  Repetition repetition;
+/// The functions of time of drivers and forces, with their names.
+std::vector<NamedFunction> named_functions_of(const Mechanism& mechanism) {
+  std::vector<NamedFunction> functions;
   for (const Joint& joint : mechanism.joints) {
     const auto* driven = std::get_if<planar::Driven>(&joint.kind);
     if (driven == nullptr) continue;
-    repetition.take(driven->driver, driven->coordinate == planar::Coordinate::angle, joint.name,
-                    "drivers");
+    functions.push_back(
+        {&driven->driver, driven->coordinate == planar::Coordinate::angle, joint.name, "drivers"});
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
     if (const auto* point = std::get_if<planar::PointForce>(&force.kind)) {
-      repetition.take(point->size, false, force.name, "forces");
+      functions.push_back({&point->size, false, force.name, "forces"});
     } else if (const auto* couple = std::get_if<planar::Couple>(&force.kind)) {
-      repetition.take(couple->size, false, force.name, "forces");
+      functions.push_back({&couple->size, false, force.name, "forces"});
     }
   }
-  return repetition;
-}
-
-/// Without a duration, the motion is looked at for a common period, or to the end of a step.
-void check_repetition(TableReader& root, const Mechanism& mechanism) {
-  const Repetition repetition = repetition_of(mechanism);
-  if (repetition.repeats && repetition.omegas.empty()) {
-    root.problem("drivers", "nothing drives the mechanism",
-                 fmt::format("write at least one [drivers.<name>], {}", with_a_duration));
-  } else if (repetition.repeats && !common_period_of(repetition.omegas)) {
-    root.problem(
-        "drivers", "the drivers and forces have no common period after which the motion repeats",
-        fmt::format("write frequencies of which a whole number of cycles takes the same time (0.7 "
-                    "Hz and 1.4 Hz), {}",
-                    with_a_duration));
-  } else if (!repetition.repeats && !(repetition.end > 0.0)) {
-    TableReader table = root.table(repetition.table);
-    table.problem(
-        repetition.endless, fmt::format("\"{}\" neither repeats nor ends", repetition.endless),
-        fmt::format("write a kind that does (harmonic, smooth step, table), {}", with_a_duration));
-  }
+  return functions;
 }
 
 /// Forces move what no joint or driver determines, but only over a duration that is given.
@@ -179,7 +130,10 @@ std::string unknown_hint(std::string_view name, const std::vector<std::string>& 
                       : fmt::format("did you mean \"{}\"?", near);
 }
 
-int body_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
+namespace {
+
+template <class AnyMechanism>
+int named_body(TableReader& table, std::string_view key, const AnyMechanism& mechanism) {
   const std::string name = table.text(key);
   if (name.empty()) return -1;
   const int index = body_index(mechanism, name);
@@ -188,6 +142,16 @@ int body_of(TableReader& table, std::string_view key, const Mechanism& mechanism
                   unknown_hint(name, names_of(mechanism.bodies)));
   }
   return index;
+}
+
+}  // namespace
+
+int body_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
+  return named_body(table, key, mechanism);
+}
+
+int body_of(TableReader& table, std::string_view key, const spatial::Mechanism& mechanism) {
+  return named_body(table, key, mechanism);
 }
 
 int joint_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
@@ -217,7 +181,7 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
   TableReader general = root.table("mechanism");
   mechanism.gravity = general.pair("gravity", wanted::acceleration);
   general.finish();
-  read_duration(root, mechanism.duration);
+  mechanism.duration = read_duration(root);
 
   read_bodies(root, beam_body, draft);
   read_joints(root, mechanism);
@@ -228,7 +192,7 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
     mechanism.loops.push_back(read_loop(name, table, mechanism));
   }
   if (root.problems().empty() && mechanism.duration.length == 0.0) {
-    check_repetition(root, mechanism);
+    check_repetition(root, named_functions_of(mechanism));
     // Of nothing that drives and too few equations, the one follows from the other.
     if (root.problems().empty()) check_count(root, mechanism);
   }

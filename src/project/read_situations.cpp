@@ -99,6 +99,29 @@ bool may_change(ProblemList& problems, const Change& change, const std::string& 
   return true;
 }
 
+/// The keys of functions of time. They mean something for their own kind only.
+constexpr std::array function_keys{
+    "mean",    "amplitude", "phase", "frequency",    "angular_frequency",
+    "further", "start",     "rate",  "coefficients", "from",
+    "to",      "begin",     "end",   "file",         "periodic",
+    "value"};
+
+/// Where a situation gives a function of time another kind, what the case says of the old kind
+/// falls away.
+void drop_old_kind(Node& root, const Change& change) {
+  if (change.parts.back() != "kind") return;
+  Node* table = &root;
+  for (std::size_t i = 0; i + 1 < change.parts.size(); ++i) {
+    const auto member = std::find_if(table->members.begin(), table->members.end(),
+                                     [&](const auto& m) { return m.key == change.parts[i]; });
+    if (member == table->members.end()) return;
+    table = &member->value;
+  }
+  std::erase_if(table->members, [](const Node::Member& member) {
+    return std::find(function_keys.begin(), function_keys.end(), member.key) != function_keys.end();
+  });
+}
+
 /// The mechanism as it runs in a situation: the case once more with other values.
 AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& situation,
                                const Project& project, const std::string& beam_body,
@@ -107,6 +130,10 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
   std::vector<Change> changes;
   collect(set.members(), {}, changes);
   Node changed = root;
+  for (const Change& change : changes) {
+    // Of forces, "from" and "to" are places; their functions of time stand in "law".
+    if (change.parts[0] == "drivers" || change.parts.size() > 3) drop_old_kind(changed, change);
+  }
   for (const Change& change : changes) {
     if (!may_change(problems, change, beam_body) || !is_there(problems, change, changes, root))
       continue;
@@ -118,6 +145,14 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
   }
   if (!problems.empty()) return project.mechanism;
   TableReader reader(problems, changed, "");
+  if (in_space(project)) {
+    spatial::Mechanism mechanism = read_chain(reader, beam_body, tables);
+    if (!problems.empty()) return project.mechanism;
+    spatial::BeamPlacement placement = project.placement;
+    placement.body = body_index(mechanism, beam_body);
+    place_beam(reader, project.beam, placement, mechanism);
+    return mechanism;
+  }
   MechanismDraft draft = read_mechanism(reader, beam_body, tables);
   if (!problems.empty()) return project.mechanism;
   return place_at_centres(std::move(draft), project.beam, project.beam_body);

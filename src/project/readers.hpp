@@ -40,6 +40,9 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
 /// Gives the beam body the beam's mass properties and moves every body's axes to its centre.
 planar::Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam, int beam_body);
 
+/// Notes keys of mass on the beam's body: its mass properties come from its sections.
+void refuse_mass(TableReader& table);
+
 /// [bodies]; where [beam] is missing or misspells its body, the body without a mass is meant.
 void read_bodies(TableReader& root, const std::string& beam_body, MechanismDraft& draft);
 
@@ -59,6 +62,46 @@ struct FunctionOf {
 /// A function of time: harmonic, constant rate, polynomial, smooth step or table. Nothing where its
 /// kind is not known and its other keys mean nothing.
 std::optional<Driver> read_function(TableReader& table, const FunctionOf& of, TimeTables& tables);
+
+/// [motion], how long to look.
+Duration read_duration(TableReader& root);
+
+/// A function of time with the name and the table that it has in the case.
+struct NamedFunction {
+  const Driver* driver = nullptr;
+  bool turning = false;  ///< it moves an angle
+  std::string name;
+  const char* table;  ///< "drivers"
+};
+
+/// Without a duration, the motion is looked at for a common period, or to the end of a step.
+void check_repetition(TableReader& root, const std::vector<NamedFunction>& functions);
+
+/// The constant "size" of a force, or its function of time "law".
+Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables);
+
+/// A mechanism in space as written; its beam has no mass before `place_beam`.
+spatial::Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables& tables);
+
+/// [forces] on the bodies of a mechanism in space.
+void read_chain_loads(TableReader& root, spatial::Mechanism& mechanism, TimeTables& tables);
+
+/// Where the beam lies in its body: "start", "axis" and "z" of [beam].
+spatial::BeamPlacement read_placement(TableReader& beam, const spatial::Mechanism& mechanism,
+                                      int body);
+
+/// Gives the beam's body its mass, and notes line forces that do not lie along whole segments.
+void place_beam(TableReader& root, const TaperedBeam& beam, const spatial::BeamPlacement& placement,
+                spatial::Mechanism& mechanism);
+
+/// [[hand_formulas]]: the user's own formulas, evaluated, to be printed beside the results.
+std::vector<HandFormula> read_hand_formulas(TableReader& root, const spatial::Mechanism& mechanism);
+
+/// A point of a body in space written "body.point", as the value of a key or in a list under it.
+spatial::Attachment point_named(TableReader& table, std::string_view key,
+                                const std::string& reference, const spatial::Mechanism& mechanism);
+spatial::Attachment attachment_of(TableReader& table, std::string_view key,
+                                  const spatial::Mechanism& mechanism);
 
 /// A point written "body.point".
 planar::Attachment attachment_of(TableReader& table, std::string_view key,
@@ -98,6 +141,7 @@ std::string unknown_hint(std::string_view name, const std::vector<std::string>& 
 
 /// Index of a body or joint named by the value of a key, a problem and -1 where there is none.
 int body_of(TableReader& table, std::string_view key, const planar::Mechanism& mechanism);
+int body_of(TableReader& table, std::string_view key, const spatial::Mechanism& mechanism);
 int joint_of(TableReader& table, std::string_view key, const planar::Mechanism& mechanism);
 
 /// A station given as a length along the beam, within it.

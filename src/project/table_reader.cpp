@@ -148,6 +148,120 @@ Eigen::Vector2d TableReader::pair(std::string_view key, const WantedDimension& w
   return pair_in(*node, fmt::format("\"{}\"", key), wanted);
 }
 
+Eigen::Vector3d TableReader::triple_in(const Node& node, const std::string& what,
+                                       const WantedDimension& wanted) {
+  if (node.kind != Node::Kind::array || node.items.size() != 3) {
+    problems_->add(node.place, fmt::format("{} wants three values, x, y and z", what),
+                   "write it as [\"0.5 m\", \"0 m\", \"0 m\"] with the units that belong there");
+    return Eigen::Vector3d::Constant(std::nan(""));
+  }
+  return {quantity_in(node.items[0], what + " x", wanted),
+          quantity_in(node.items[1], what + " y", wanted),
+          quantity_in(node.items[2], what + " z", wanted)};
+}
+
+Eigen::Vector3d TableReader::triple(std::string_view key, const WantedDimension& wanted,
+                                    std::optional<Eigen::Vector3d> fallback) {
+  const Node* node = take(key, !fallback, "[x, y, z] with units");
+  if (node == nullptr) return fallback.value_or(Eigen::Vector3d::Constant(std::nan("")));
+  return triple_in(*node, fmt::format("\"{}\"", key), wanted);
+}
+
+Eigen::Matrix3d TableReader::symmetric(std::string_view key, const WantedDimension& wanted) {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Constant(std::nan(""));
+  const Node* node = take(key, true, "[xx, yy, zz] with units");
+  if (node == nullptr) return matrix;
+  const std::string what = fmt::format("\"{}\"", key);
+  const bool rows = node->kind == Node::Kind::array && node->items.size() == 3 &&
+                    node->items[0].kind == Node::Kind::array;
+  if (!rows) return triple_in(*node, what, wanted).asDiagonal();
+  for (int i = 0; i < 3; ++i) {
+    matrix.row(i) = triple_in(node->items[static_cast<std::size_t>(i)],
+                              fmt::format("{}, row {},", what, i + 1), wanted);
+  }
+  const double size = matrix.cwiseAbs().maxCoeff();
+  if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) {
+    problem(key, fmt::format("{} is not symmetric", what),
+            "the same product stands above and below the diagonal: xy = yx");
+  }
+  return 0.5 * (matrix + matrix.transpose());
+}
+
+Eigen::Vector3d TableReader::direction_in(const Node& node, const std::string& what) {
+  const char* hint = "write \"x\", \"-z\" or three numbers, [0.6, 0, 0.8]";
+  if (node.kind == Node::Kind::text) {
+    const bool minus = node.text.starts_with('-');
+    const std::string letter = minus ? node.text.substr(1) : node.text;
+    for (int k = 0; k < 3; ++k) {
+      if (letter == std::string(1, "xyz"[k]))
+        return (minus ? -1.0 : 1.0) * Eigen::Vector3d::Unit(k);
+    }
+    problems_->add(node.place, fmt::format("{} cannot be \"{}\"", what, node.text), hint);
+    return Eigen::Vector3d::UnitX();
+  }
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  bool numbers = node.kind == Node::Kind::array && node.items.size() == 3;
+  for (int k = 0; k < 3 && numbers; ++k) {
+    const Node& item = node.items[static_cast<std::size_t>(k)];
+    numbers = item.kind == Node::Kind::number && std::abs(item.number) < largest_magnitude;
+    vector[k] = item.number;
+  }
+  if (!numbers || !(vector.norm() > smallest_positive)) {
+    problems_->add(node.place, fmt::format("{} is no direction", what), hint);
+    return Eigen::Vector3d::UnitX();
+  }
+  return vector.normalized();
+}
+
+Eigen::Vector3d TableReader::direction(std::string_view key,
+                                       std::optional<Eigen::Vector3d> fallback) {
+  const Node* node = take(key, !fallback, "\"x\", \"-z\" or three numbers");
+  if (node == nullptr) return fallback.value_or(Eigen::Vector3d::UnitX());
+  return direction_in(*node, fmt::format("\"{}\"", key));
+}
+
+std::vector<Eigen::Vector3d> TableReader::directions(std::string_view key, std::size_t count) {
+  std::vector<Eigen::Vector3d> directions;
+  const std::vector<Node>* items = list_of(key, "\"x\", \"y\", \"z\"");
+  if (items == nullptr) return directions;
+  if (items->size() != count) {
+    problem(key, fmt::format("\"{}\" wants {} directions", key, count),
+            "each \"x\", \"-y\" or three numbers");
+    return directions;
+  }
+  for (const Node& item : *items) {
+    directions.push_back(
+        direction_in(item, fmt::format("\"{}\", item {},", key, directions.size() + 1)));
+  }
+  return directions;
+}
+
+std::vector<std::pair<Eigen::Vector3d, double>> TableReader::turns(std::string_view key) {
+  std::vector<std::pair<Eigen::Vector3d, double>> turns;
+  const Node* node = take(key, false, "");
+  if (node == nullptr) return turns;
+  const std::string what = fmt::format("\"{}\"", key);
+  const auto is_turn = [](const Node& item) {
+    return item.kind == Node::Kind::array && item.items.size() == 2 &&
+           item.items[1].kind == Node::Kind::text;
+  };
+  const auto add = [&](const Node& item) {
+    const Eigen::Vector3d axis = direction_in(item.items[0], what + ", axis,");
+    turns.emplace_back(axis, quantity_in(item.items[1], what + ", angle,", wanted::angle));
+  };
+  const bool list = node->kind == Node::Kind::array &&
+                    std::all_of(node->items.begin(), node->items.end(), is_turn);
+  if (is_turn(*node)) {
+    add(*node);
+  } else if (list) {
+    for (const Node& item : node->items) add(item);
+  } else {
+    problem(key, fmt::format("{} wants turns about axes, one after the other", what),
+            fmt::format("write {} = [[\"x\", \"10 deg\"], [\"z\", \"5 deg\"]]", key));
+  }
+  return turns;
+}
+
 double TableReader::not_zero(std::string_view key, const WantedDimension& wanted) {
   const double value = quantity(key, wanted);
   if (std::abs(value) < smallest_positive) {

@@ -150,7 +150,7 @@ struct EquivalentMassDemand {
   Mass wanted;
 };
 
-/// A vector that the source of a case gives in closed form, to stand beside the computed one.
+/// A formula of the user's own, evaluated, to be printed beside what the program finds.
 struct HandFormula {
   enum class Quantity { omega, alpha, position, velocity, acceleration };
 
@@ -159,8 +159,8 @@ struct HandFormula {
   int body = spatial::ground;  ///< of omega and alpha
   spatial::Attachment point;   ///< of the others
   Time time;
-  Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< evaluated, SI, world axes
-  std::vector<std::string> formula;                 ///< of the three components, as written
+  std::vector<std::string> formula;                 ///< of x, y and z, as written
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< SI, world axes
   std::string note;
 };
 
@@ -192,7 +192,7 @@ struct Project {
   std::vector<RodInput> rods;
   std::optional<DeflectionInput> deflection;
   std::vector<GivenStress> given_stresses;
-  std::vector<HandFormula> hand_formulas;  ///< in space only
+  std::vector<HandFormula> hand_formulas;
 };
 
 /// Whether the beam moves in space: all six cut forces count. In the plane these are N, V_z, M_y.

@@ -42,6 +42,18 @@ class TableReader {
   std::vector<Eigen::Vector2d> pairs(std::string_view key, const WantedDimension& wanted);
   std::vector<std::vector<Eigen::Vector2d>> lists_of_pairs(std::string_view key,
                                                            const WantedDimension& wanted);
+  /// Three quantities, ["1 m", "2 m", "0 m"].
+  Eigen::Vector3d triple(std::string_view key, const WantedDimension& wanted,
+                         std::optional<Eigen::Vector3d> fallback = {});
+  /// A symmetric matrix: its diagonal, or three rows.
+  Eigen::Matrix3d symmetric(std::string_view key, const WantedDimension& wanted);
+  /// A direction, "x", "-y" or three numbers, as a unit vector.
+  Eigen::Vector3d direction(std::string_view key, std::optional<Eigen::Vector3d> fallback = {});
+  /// So many directions.
+  std::vector<Eigen::Vector3d> directions(std::string_view key, std::size_t count);
+  /// A list of turns one after the other, [["x", "10 deg"], ...], or one of them by itself: the
+  /// axes of each and the angle [rad]. Empty where the key is missing.
+  std::vector<std::pair<Eigen::Vector3d, double>> turns(std::string_view key);
   /// A quantity of either sign, but not zero.
   double not_zero(std::string_view key, const WantedDimension& wanted);
   std::vector<double> quantities(std::string_view key, const WantedDimension& wanted);
@@ -72,8 +84,10 @@ class TableReader {
   /// Takes every key as known.
   void accept_all();
 
-  /// Two quantities in a node of the user's own naming.
+  /// Two quantities in a node of the user's own naming, or three.
   Eigen::Vector2d pair_in(const Node& node, const std::string& what, const WantedDimension& wanted);
+  Eigen::Vector3d triple_in(const Node& node, const std::string& what,
+                            const WantedDimension& wanted);
 
   void problem(std::string_view key, std::string message, std::string hint = {});
   ProblemList& problems() { return *problems_; }
@@ -88,6 +102,7 @@ class TableReader {
   double bare_number(std::string_view key, std::optional<double> fallback, bool above_zero);
   const std::vector<Node>* list_of(std::string_view key, const char* example);
   double quantity_in(const Node& node, const std::string& what, const WantedDimension& wanted);
+  Eigen::Vector3d direction_in(const Node& node, const std::string& what);
 
   ProblemList* problems_;
   const Node* table_;

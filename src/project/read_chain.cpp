@@ -1,0 +1,388 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "boxbeam/mechanism/spatial/rotation.hpp"
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+using spatial::Body;
+using spatial::Joint;
+using spatial::JointKind;
+using spatial::Mechanism;
+
+constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not move"};
+constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move"};
+
+/// Notes an inertia that no distribution of mass has: principal moments are not below zero, and
+/// none is above the sum of the other two.
+void check_inertia(TableReader& table, const Eigen::Matrix3d& inertia) {
+  if (!inertia.allFinite()) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
+  const Eigen::Vector3d& moments = principal.eigenvalues();
+  const double slack = 1e-9 * moments.cwiseAbs().maxCoeff();
+  if (moments[0] >= -slack && moments[2] <= moments[0] + moments[1] + slack) return;
+  table.problem("inertia",
+                fmt::format("no body has these principal moments of inertia: {:.4g}, {:.4g} and "
+                            "{:.4g} kg m^2",
+                            moments[0], moments[1], moments[2]),
+                "each is zero or more, and at most the sum of the other two");
+}
+
+/// The centre and inertia of a thin rod between two points of the body.
+void read_rod(TableReader& table, Body& body) {
+  const std::size_t before = table.problems().size();
+  const std::vector<std::string> names = table.texts("uniform_rod", true);
+  if (table.problems().size() != before) return;
+  std::vector<Eigen::Vector3d> ends;
+  for (const std::string& name : names) {
+    for (const spatial::BodyPoint& point : body.points) {
+      if (point.name == name) ends.push_back(point.p);
+    }
+  }
+  if (names.size() != 2 || ends.size() != 2) {
+    table.problem("uniform_rod", "a rod lies between two points of its body",
+                  names.size() == 2
+                      ? "known: " + fmt::format("{}", fmt::join(names_of(body.points), ", "))
+                      : "write uniform_rod = [\"B\", \"C\"]");
+    return;
+  }
+  const Eigen::Vector3d along = ends[1] - ends[0];
+  body.centre = 0.5 * (ends[0] + ends[1]);
+  body.inertia = body.mass / 12.0 *
+                 (along.squaredNorm() * Eigen::Matrix3d::Identity() - along * along.transpose());
+}
+
+void read_mass(TableReader& table, Body& body) {
+  body.mass = table.not_negative("mass", wanted::mass, 0.0);
+  if (table.has("uniform_rod")) {
+    if (table.has("centre") || table.has("inertia")) {
+      table.problem("uniform_rod", "the rod gives centre and inertia",
+                    "remove \"centre\" and \"inertia\", or \"uniform_rod\"");
+      table.accept_all();
+    }
+    read_rod(table, body);
+    return;
+  }
+  body.centre = table.triple("centre", wanted::length, Eigen::Vector3d::Zero());
+  if (table.has("inertia")) {
+    body.inertia = table.symmetric("inertia", wanted::inertia);
+    check_inertia(table, body.inertia);
+    if (body.mass == 0.0 && body.inertia.allFinite() && !body.inertia.isZero(0.0)) {
+      table.problem("inertia", "a body with inertia has a mass", "write \"mass\"");
+    }
+  }
+}
+
+Body read_body(const std::string& name, TableReader& table, bool is_beam) {
+  Body body;
+  body.name = name;
+  if (name == "ground") {
+    table.problem("", "\"ground\" is the world and no body", "give the body another name");
+  }
+  TableReader points = table.table("points", false);
+  points.accept_all();
+  for (const Node::Member& member : points.members()) {
+    body.points.push_back(
+        {member.key,
+         points.triple_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
+  }
+  if (is_beam)
+    refuse_mass(table);
+  else
+    read_mass(table, body);
+  table.finish();
+  return body;
+}
+
+/// A joint as written, with the bodies that it connects.
+struct JointDraft {
+  Joint joint;
+  int carried = spatial::ground;
+};
+
+/// The carrying point and the carried one.
+void read_connection(TableReader& table, const Mechanism& mechanism, JointDraft& draft) {
+  const char* hint =
+      "write connect = [\"leg.C\", \"wheel.C\"], the carrying body first; it may be \"ground\", "
+      "whose point is at = [x, y, z]";
+  const std::size_t before = table.problems().size();
+  const std::vector<std::string> references = table.texts("connect", true);
+  if (table.problems().size() != before) return;
+  if (references.size() != 2 || references[1] == "ground") {
+    table.problem("connect", "a joint connects two points, and carries the second one's body",
+                  hint);
+    return;
+  }
+  if (references[0] == "ground") {
+    draft.joint.at = table.triple("at", wanted::length, Eigen::Vector3d::Zero());
+  } else {
+    const spatial::Attachment from = point_named(table, "connect", references[0], mechanism);
+    draft.joint.parent = from.body;
+    draft.joint.at = from.p;
+  }
+  const spatial::Attachment to = point_named(table, "connect", references[1], mechanism);
+  draft.carried = to.body;
+  draft.joint.point = to.p;
+  if (to.body >= 0 && to.body == draft.joint.parent) {
+    table.problem("connect", "a joint connects two different bodies", hint);
+  }
+}
+
+Eigen::Matrix3d turn_in(TableReader& table) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  for (const auto& [axis, by] : table.turns("turn")) {
+    turn = spatial::composed(turn, spatial::rotation_about(by * axis));
+  }
+  return turn;
+}
+
+/// Three revolutes one after the other through one point, with frames without mass between them.
+void add_spherical(TableReader& table, const std::string& name, const JointDraft& whole,
+                   Mechanism& mechanism, std::vector<JointDraft>& drafts) {
+  std::vector<Eigen::Vector3d> axes{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(),
+                                    Eigen::Vector3d::UnitX()};
+  if (table.has("axes")) axes = table.directions("axes", 3);
+  if (axes.size() != 3) return;
+  JointDraft draft = whole;
+  for (std::size_t k = 0; k < 3; ++k) {
+    draft.joint.name = fmt::format("{}.{}", name, k + 1);
+    draft.joint.kind = JointKind::revolute;
+    draft.joint.axis = axes[k];
+    if (k < 2) {
+      draft.joint.turn.setIdentity();
+      draft.joint.point.setZero();
+      draft.carried = static_cast<int>(mechanism.bodies.size());
+      mechanism.bodies.push_back(Body{draft.joint.name, 0.0, {0, 0, 0}, {}, {}});
+      mechanism.bodies.back().inertia.setZero();
+    } else {
+      draft.joint.turn = whole.joint.turn;
+      draft.joint.point = whole.joint.point;
+      draft.carried = whole.carried;
+    }
+    drafts.push_back(draft);
+    draft.joint.parent = draft.carried;
+    draft.joint.at.setZero();
+  }
+}
+
+std::vector<JointDraft> read_joints_of(TableReader& root, Mechanism& mechanism) {
+  std::vector<JointDraft> drafts;
+  for (auto& [name, table] : root.table("joints").named_tables()) {
+    JointDraft draft;
+    draft.joint.name = name;
+    const std::size_t before = table.problems().size();
+    const std::size_t kind = table.choice("kind", {"fixed", "revolute", "prismatic", "spherical"});
+    if (table.problems().size() != before) continue;
+    read_connection(table, mechanism, draft);
+    draft.joint.turn = turn_in(table);
+    if (kind == 3) {
+      add_spherical(table, name, draft, mechanism, drafts);
+    } else {
+      draft.joint.kind = static_cast<JointKind>(kind);
+      if (kind > 0) draft.joint.axis = table.direction("axis");
+      drafts.push_back(draft);
+    }
+    table.finish();
+  }
+  return drafts;
+}
+
+/// Puts every body behind the one that carries it, and its joint at its place. Notes bodies that no
+/// joint carries, that two carry, or that carry each other in a ring.
+void sort_tree(TableReader& root, const std::vector<JointDraft>& drafts, Mechanism& mechanism) {
+  const std::size_t count = mechanism.bodies.size();
+  std::vector<const JointDraft*> carrier(count, nullptr);
+  for (const JointDraft& draft : drafts) {
+    if (draft.carried < 0) continue;
+    const JointDraft*& of = carrier[static_cast<std::size_t>(draft.carried)];
+    if (of != nullptr) {
+      root.table("joints").problem(
+          draft.joint.name,
+          fmt::format("body \"{}\" is carried twice, by \"{}\" and by \"{}\"",
+                      mechanism.bodies[static_cast<std::size_t>(draft.carried)].name,
+                      of->joint.name, draft.joint.name),
+          "in space bodies form a tree: one joint carries each; closed loops are known in the "
+          "plane only");
+      return;
+    }
+    of = &draft;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (carrier[i] != nullptr) continue;
+    root.table("bodies").problem(
+        mechanism.bodies[i].name,
+        fmt::format("no joint carries body \"{}\"", mechanism.bodies[i].name),
+        "write a joint with connect = [\"ground\", ...] or [\"another body's point\", ...]");
+    return;
+  }
+  std::vector<int> place(count, -1);  // in the new order
+  Mechanism sorted = mechanism;
+  sorted.bodies.clear();
+  sorted.joints.clear();
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const int parent = carrier[i]->joint.parent;
+      if (place[i] >= 0 || (parent >= 0 && place[static_cast<std::size_t>(parent)] < 0)) continue;
+      place[i] = static_cast<int>(sorted.bodies.size());
+      sorted.bodies.push_back(mechanism.bodies[i]);
+      sorted.joints.push_back(carrier[i]->joint);
+      if (parent >= 0) sorted.joints.back().parent = place[static_cast<std::size_t>(parent)];
+      more = true;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (place[i] >= 0) continue;
+    root.table("joints").problem(
+        carrier[i]->joint.name,
+        fmt::format("body \"{}\" is carried by what it carries itself", mechanism.bodies[i].name),
+        "the tree begins at the ground: one joint has connect = [\"ground\", ...]");
+    return;
+  }
+  mechanism = std::move(sorted);
+}
+
+void read_joint_drivers(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
+  std::vector<bool> driven(mechanism.joints.size(), false);
+  for (auto& [name, table] : root.table("drivers", false).named_tables()) {
+    const std::size_t before = table.problems().size();
+    const std::string joint_name = table.text("joint");
+    if (table.problems().size() != before) continue;
+    const int index = joint_index(mechanism, joint_name);
+    if (index < 0) {
+      table.problem("joint", fmt::format("there is no joint \"{}\"", joint_name),
+                    unknown_hint(joint_name, names_of(mechanism.joints)));
+      continue;
+    }
+    const auto i = static_cast<std::size_t>(index);
+    Joint& joint = mechanism.joints[i];
+    if (joint.kind == JointKind::fixed || driven[i]) {
+      table.problem("joint",
+                    fmt::format("joint \"{}\" {}", joint_name,
+                                driven[i] ? "has a driver already" : "is fixed and cannot move"),
+                    "one driver for each revolute or prismatic joint");
+      continue;
+    }
+    driven[i] = true;
+    const bool turns = joint.kind == JointKind::revolute;
+    if (std::optional<Driver> function = read_function(table, turns ? angle : length, tables)) {
+      joint.driver = std::move(*function);
+      table.finish();
+    }
+  }
+  if (!root.problems().empty()) return;
+  for (std::size_t i = 0; i < driven.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (driven[i] || joint.kind == JointKind::fixed) continue;
+    root.table("joints").problem(
+        joint.name.substr(0, joint.name.find('.')),
+        fmt::format("nothing drives joint \"{}\"", joint.name),
+        fmt::format("write [drivers.<name>] with joint = \"{}\"; where it stands still, kind = "
+                    "\"hold\" with its value",
+                    joint.name));
+  }
+}
+
+std::vector<NamedFunction> named_functions_of(const Mechanism& mechanism) {
+  std::vector<NamedFunction> functions;
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.kind == JointKind::fixed) continue;
+    functions.push_back({&joint.driver, joint.kind == JointKind::revolute, joint.name, "joints"});
+  }
+  for (const spatial::AppliedLoad& load : mechanism.loads) {
+    functions.push_back({&load.size, false, load.name, "forces"});
+  }
+  for (const spatial::LineForce& line : mechanism.line_forces) {
+    functions.push_back({&line.size, false, line.name, "forces"});
+  }
+  return functions;
+}
+
+}  // namespace
+
+Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables& tables) {
+  Mechanism mechanism;
+  TableReader general = root.table("mechanism");
+  mechanism.gravity = general.triple("gravity", wanted::acceleration);
+  general.finish();
+  mechanism.duration = read_duration(root);
+  for (auto& [name, table] : root.table("bodies").named_tables()) {
+    mechanism.bodies.push_back(read_body(name, table, name == beam_body));
+  }
+  const std::size_t before = root.problems().size();
+  const std::vector<JointDraft> drafts = read_joints_of(root, mechanism);
+  // Without the tree, nothing else can be found in it.
+  if (root.problems().size() == before) sort_tree(root, drafts, mechanism);
+  if (mechanism.joints.size() != mechanism.bodies.size()) {
+    for (const char* key : {"drivers", "forces"}) {
+      if (root.has(key)) root.table(key).accept_all();
+    }
+    return mechanism;
+  }
+  read_joint_drivers(root, mechanism, tables);
+  read_chain_loads(root, mechanism, tables);
+  if (root.problems().empty() && mechanism.duration.length == 0.0) {
+    check_repetition(root, named_functions_of(mechanism));
+  }
+  return mechanism;
+}
+
+spatial::BeamPlacement read_placement(TableReader& beam, const Mechanism& mechanism, int body) {
+  spatial::BeamPlacement placement;
+  placement.body = body;
+  const std::string start = beam.text("start", "");
+  const Eigen::Vector3d axis = beam.direction("axis");
+  const Eigen::Vector3d z = beam.direction("z");
+  if (!beam.problems().empty() || body < 0) return placement;
+  const Body& of = mechanism.bodies[static_cast<std::size_t>(body)];
+  if (!start.empty()) {
+    const auto point = std::find_if(of.points.begin(), of.points.end(),
+                                    [&](const auto& p) { return p.name == start; });
+    if (point == of.points.end()) {
+      beam.problem("start", fmt::format("body \"{}\" has no point \"{}\"", of.name, start),
+                   unknown_hint(start, names_of(of.points)));
+      return placement;
+    }
+    placement.start = point->p;
+  }
+  if (std::abs(axis.dot(z)) > 1e-9) {
+    beam.problem("z", "the section's z stands square on the beam's axis",
+                 "choose a direction square to \"axis\"; both are in the axes of the beam's body");
+  }
+  placement.axes.col(0) = axis;
+  placement.axes.col(2) = (z - axis.dot(z) * axis).normalized();
+  placement.axes.col(1) = placement.axes.col(2).cross(placement.axes.col(0));
+  return placement;
+}
+
+void place_beam(TableReader& root, const TaperedBeam& beam, const spatial::BeamPlacement& placement,
+                Mechanism& mechanism) {
+  Body& body = mechanism.bodies[static_cast<std::size_t>(placement.body)];
+  give_mass(body, placement, beam);
+  const double whole = beam.length().value();
+  std::vector<Length> ends{Length{}};
+  for (const Segment& segment : beam.segments) ends.push_back(segment.end());
+  for (spatial::LineForce& line : mechanism.line_forces) {
+    if (line.on != placement.body) continue;
+    for (Eigen::Vector3d* place : {&line.from, &line.to}) {
+      const Eigen::Vector3d at = in_beam(placement, *place);
+      const bool at_end = std::any_of(ends.begin(), ends.end(), [&](Length end) {
+        return std::abs(at.x() - end.value()) < 1e-9 * whole;
+      });
+      if (at_end && at.tail<2>().norm() < 1e-9 * whole) continue;
+      root.table("forces").problem(
+          line.name,
+          fmt::format("line force \"{}\" reaches to s = {:.6g} m of the beam, {:.6g} m off its "
+                      "axis: it lies along the axis over whole segments",
+                      line.name, at.x(), at.tail<2>().norm()),
+          "end it where segments end, or split the segment there");
+      break;
+    }
+  }
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+using spatial::Mechanism;
+
+constexpr FunctionOf force{wanted::force, "N", "force", "the force does not change"};
+constexpr FunctionOf moment{wanted::moment, "N m", "moment", "the couple does not change"};
+constexpr FunctionOf line{wanted::stiffness, "N/m", "line force", "the line force does not change"};
+
+/// The body in whose axes a direction is given; the world where nothing is said.
+int axes_in(TableReader& table, const Mechanism& mechanism) {
+  if (!table.has("axes") || table.text("axes") == "world") return spatial::ground;
+  return body_of(table, "axes", mechanism);
+}
+
+void read_load(const std::string& name, TableReader& table, spatial::LoadKind kind,
+               Mechanism& mechanism, TimeTables& tables) {
+  spatial::AppliedLoad load;
+  load.name = name;
+  load.kind = kind;
+  load.at = attachment_of(table, "point", mechanism);
+  load.on = table.has("on") ? body_of(table, "on", mechanism) : load.at.body;
+  load.axes = axes_in(table, mechanism);
+  load.direction = table.direction("direction");
+  load.size = read_size(table, kind == spatial::LoadKind::couple ? moment : force, tables);
+  // A wrong name has been noted; nothing is then computed.
+  if (load.on >= 0) mechanism.loads.push_back(std::move(load));
+}
+
+void read_line(const std::string& name, TableReader& table, Mechanism& mechanism,
+               TimeTables& tables) {
+  spatial::LineForce load;
+  load.name = name;
+  const spatial::Attachment from = attachment_of(table, "from", mechanism);
+  const spatial::Attachment to = attachment_of(table, "to", mechanism);
+  load.on = from.body;
+  load.from = from.p;
+  load.to = to.p;
+  load.axes = axes_in(table, mechanism);
+  load.direction = table.direction("direction");
+  load.size = read_size(table, line, tables);
+  if (from.body < 0 || to.body < 0) return;
+  if (from.body != to.body || (from.p - to.p).norm() == 0.0) {
+    table.problem("to", "a line force lies between two points of one body",
+                  "write from = \"leg.B\" and to = \"leg.foot\"");
+  }
+  mechanism.line_forces.push_back(std::move(load));
+}
+
+}  // namespace
+
+void read_chain_loads(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
+  for (auto& [name, table] : root.table("forces", false).named_tables()) {
+    const std::size_t before = table.problems().size();
+    const std::size_t kind = table.choice("kind", {"force", "couple", "line force"});
+    if (table.problems().size() != before) continue;
+    if (kind == 2)
+      read_line(name, table, mechanism, tables);
+    else
+      read_load(name, table, kind == 1 ? spatial::LoadKind::couple : spatial::LoadKind::force,
+                mechanism, tables);
+    table.finish();
+  }
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+constexpr const char* with_a_duration =
+    "or say how long to look at the motion: [motion] with duration = \"10 s\"";
+
+}  // namespace
+
+Duration read_duration(TableReader& root) {
+  Duration duration;
+  if (!root.has("motion")) return duration;
+  TableReader table = root.table("motion");
+  duration.length = table.positive("duration", wanted::time);
+  duration.settle = table.not_negative("settle", wanted::time, 0.0);
+  table.finish();
+  return duration;
+}
+
+void check_repetition(TableReader& root, const std::vector<NamedFunction>& functions) {
+  std::vector<double> omegas;
+  const NamedFunction* endless = nullptr;  // neither repeats nor ends
+  double end = 0.0;
+  bool repeats = true;
+  for (const NamedFunction& function : functions) {
+    const DriverTiming timing = timing_of(*function.driver, function.turning);
+    omegas.insert(omegas.end(), timing.omegas.begin(), timing.omegas.end());
+    end = std::max(end, timing.end);
+    repeats = repeats && timing.repeats;
+    if (!timing.repeats && timing.end <= 0.0 && endless == nullptr) endless = &function;
+  }
+  if (repeats && omegas.empty()) {
+    root.problem("drivers", "nothing drives the mechanism",
+                 fmt::format("write at least one [drivers.<name>], {}", with_a_duration));
+  } else if (repeats && !common_period_of(omegas)) {
+    root.problem(
+        "drivers", "the drivers and forces have no common period after which the motion repeats",
+        fmt::format("write frequencies of which a whole number of cycles takes the same time (0.7 "
+                    "Hz and 1.4 Hz), {}",
+                    with_a_duration));
+  } else if (!repeats && !(end > 0.0)) {
+    TableReader table = root.table(endless->table);
+    table.problem(
+        endless->name, fmt::format("\"{}\" neither repeats nor ends", endless->name),
+        fmt::format("write a kind that does (harmonic, smooth step, table), {}", with_a_duration));
+  }
+}
+
+}  // namespace boxbeam::readers
