@@ -4,6 +4,8 @@
 
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/report/format.hpp"
+#include "chain_text.hpp"
+#include "function_text.hpp"
 #include "mechanism_text.hpp"
 #include "text_layout.hpp"
 
@@ -142,6 +144,19 @@ std::string situation_text(const Project& project, const Situation& situation) {
   return out;
 }
 
+std::string mechanism_inputs(const Project& project) {
+  if (in_space(project)) {
+    const spatial::Mechanism& mechanism = spatial_of(project);
+    const Eigen::Vector3d& g = mechanism.gravity;
+    return layout::entry("gravity", fmt::format("({}, {}, {}) m/s^2", plain(g.x()), plain(g.y()),
+                                                plain(g.z()))) +
+           chain_inputs(mechanism, project.placement);
+  }
+  const Eigen::Vector2d& g = planar_of(project).gravity;
+  return layout::entry("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y())) +
+         mechanism_text(planar_of(project));
+}
+
 }  // namespace
 
 std::string profile_text(const Profile& profile) {
@@ -150,14 +165,12 @@ std::string profile_text(const Profile& profile) {
 
 std::string inputs_text(const Project& project) {
   const FatigueInput& fatigue = project.fatigue;
-  const Eigen::Vector2d& g = planar_of(project).gravity;
   std::string out = beam_inputs(project.beam) + "\n" + hole_inputs(project);
   out += layout::entry(
       "density",
       fmt::format("{:.6g} kg/m^3{}", project.beam.density.value(),
                   project.beam.rotary_inertia ? ", rotary inertia of the sections counted" : ""));
-  out += layout::entry("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y()));
-  out += mechanism_text(planar_of(project));
+  out += mechanism_inputs(project);
   for (const InputFile& table : project.tables) {
     out += layout::entry("table", fmt::format("{}, sha256 {}", table.written, table.sha256));
   }
