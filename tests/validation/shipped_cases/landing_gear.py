@@ -24,7 +24,7 @@ CONTACT = (-OUT, 0.0, -LENGTH - TYRE)
 AXLE_MASS, WHEEL_MASS, WHEEL_INERTIA = 18.0, 62.0, (2.6, 1.5, 1.5)
 DRAG, GRAVITY = 250.0, (0.0, 0.0, -9.81)
 DENSITY, WALL, YIELD = 7850.0, 0.01, 355e6
-FLIGHTS, CATEGORY, CATEGORY_AT_FOOT, CATEGORY_OF_SHEAR = 20000, 100, 71, 80
+FLIGHTS, CATEGORY, CATEGORY_AT_FOOT, CATEGORY_OF_SHEAR = 20000, 100, 71, 100
 NAMES = ("N", "V_y", "V_z", "T", "M_y", "M_z")
 N, V_Y, V_Z, T, M_Y, M_Z = range(6)
 STATIONS = ((0.0, "+"), (LENGTH, "-"))
@@ -125,15 +125,17 @@ WHEEL_MOMENTS = [sum(WHEEL_INERTIA) / 2 - about for about in WHEEL_INERTIA]
 
 
 @lru_cache(maxsize=None)
-def leg_beyond(s):
+def leg_beyond(s, rotary):
+    """With or without what the mass beside the axis adds to the second moments."""
     mass = first = second = across_x = across_y = 0.0
     for x, w in GAUSS:
         at, weight = s + (LENGTH - s) * (1 + x) / 2, DENSITY * w * (LENGTH - s) / 2
         mass += weight * area(at)
         first += weight * area(at) * at
         second += weight * area(at) * at**2
-        across_x += weight * second_moment(width(at), height(at), WALL)
-        across_y += weight * second_moment(height(at), width(at), WALL)
+        if rotary:
+            across_x += weight * second_moment(width(at), height(at), WALL)
+            across_y += weight * second_moment(height(at), width(at), WALL)
     centre = first / mass if mass else s
     return Lump(mass, (0.0, 0.0, -centre), (across_x, across_y, second - first * centre))
 
@@ -163,6 +165,7 @@ class Situation:
         self.yaw = parts.get("yaw", polynomial(0.0, 0.05, 0.01))
         self.hinge, self.spin = parts["hinge"], parts.get("spin", REST)
         self.tyre = parts.get("tyre", lambda t: ())
+        self.rotary = parts.get("rotary", False)
         self.states = {}
 
     def at(self, t):
@@ -184,6 +187,7 @@ class State:
         self.wheel = self.leg * self.spin
         self.climb = Turn.about(0, (situation.alpha, 0.0, 0.0)).v
         self.path = situation.path(t)
+        self.rotary = situation.rotary
         to_leg = transposed(self.leg.v)
         to_climb = transposed(self.climb)
         hinge = add((0.0, self.path[2], 0.0), of(self.aircraft.dd, HINGE))
@@ -218,7 +222,7 @@ class State:
             forces.append(force)
             moment[:] = add(moment, cross(add(place, times(-1, at)), force))
 
-        for lump in (leg_beyond(s), AXLE):
+        for lump in (leg_beyond(s, self.rotary), AXLE):
             take(self.force_of(lump), lump.centre)
             moment[:] = add(moment, self.couple_of(lump))
         take(self.force_of(Lump(WHEEL_MASS, CENTRE, None)), CENTRE)
@@ -238,7 +242,7 @@ def instant():
     return Situation(duration=0.5, hinge=polynomial(0.4, 0.6, 0.15), spin=polynomial(0, -60, 4))
 
 
-def flight(side=8e3, brake=True):
+def flight(side=8e3, brake=True, rotary=False):
     """retraction.toml, in the order of a flight. Without a brake the ground's drag passes through
     the axle alone: no couple at the wheel."""
     quarter = math.pi / 2
@@ -249,10 +253,11 @@ def flight(side=8e3, brake=True):
                 ((side * pulse, 0.0, 45e3 * pulse), CONTACT))
 
     return {"landing": Situation(duration=0.2, alpha=0.0, path=polynomial(0.0, 75.0, 0.0),
-                                 yaw=REST, hinge=REST, tyre=tyre),
+                                 yaw=REST, hinge=REST, tyre=tyre, rotary=rotary),
             "retraction": Situation(duration=6.0, hinge=step(0.0, quarter, 6.0),
-                                    spin=polynomial(0.0, -60.0, 5.0)),
-            "extension": Situation(duration=6.0, hinge=step(quarter, 0.0, 6.0))}
+                                    spin=polynomial(0.0, -60.0, 5.0), rotary=rotary),
+            "extension": Situation(duration=6.0, hinge=step(quarter, 0.0, 6.0),
+                                   rotary=rotary)}
 
 
 # Shear lag.
@@ -335,16 +340,15 @@ class Leg:
         return cut[N] / A + cut[M_Y] * z / I_y - cut[M_Z] * y / I_z
 
     def points(self, s):
-        """Name, place and shear stress of the points; the shear of M and N is that of the taper."""
+        """Name, place and shear stress of the points of a section."""
         b, h = width(s) / 2, height(s) / 2
-        for y in (1, -1):
-            for z in (1, -1):
-                yield f"corner{y:+d}y{z:+d}z".replace("1", ""), y * b, z * h, None
-                yield (f"web-end{y:+d}y{z:+d}z".replace("1", ""), y * b, z * (h - WALL),
-                       self.web_end(s, y, z))
-        for sign, name in ((1, "+"), (-1, "-")):
-            yield f"fibre{name}y", sign * b, 0.0, self.fibre(s, sign, V_Z, M_Y)
-            yield f"fibre{name}z", 0.0, sign * h, self.fibre(s, sign, V_Y, M_Z)
+        for z, z_name in ((1, "+z"), (-1, "-z")):
+            for y, y_name in ((1, "+y"), (-1, "-y")):
+                yield f"corner{y_name}{z_name}", y * b, z * h, None
+                yield f"web-end{y_name}{z_name}", y * b, z * (h - WALL), self.web_end(s, y, z)
+            yield f"fibre{z_name}", 0.0, z * h, self.flange_shear(s, 0.0, z)
+        for y, y_name in ((1, "+y"), (-1, "-y")):
+            yield f"fibre{y_name}", y * b, 0.0, self.web_middle(s, y)
 
     @staticmethod
     @lru_cache(maxsize=None)
@@ -383,9 +387,14 @@ class Leg:
         return {N: plate / area(s), M_Y: plate * inside / 2 / second_moment(b, h, WALL),
                 M_Z: -plate * (b - WALL) / 2 / second_moment(h, b, WALL)}[k]
 
+    @staticmethod
+    def quarter(s, k):
+        """Both together."""
+        return Leg.half_flange(s, k) + Leg.half_web(s, k)
+
     def web_end(self, s, y, z):
-        """Flow up a web, from the middle of the flange (N, M_y) or of the web (M_z), where the
-        flow of these vanishes."""
+        """Up a web: from the middle of the flange for N and M_y, of the web for M_z, where their
+        flows vanish."""
         from_flange, from_web = self.gain(s, self.half_flange), self.gain(s, self.half_web)
         flow, face = self.torsion(s)
 
@@ -396,15 +405,34 @@ class Leg:
             return (up + y * flow * cut[T]) / WALL + y * face * cut[T]
         return shear
 
-    def fibre(self, s, sign, force, moment):
-        """The middle of a web, where only V_z and M_y leave a flow, or of a flange: V_y and M_z."""
-        factors = self.gain(s, lambda at, k: self.half_flange(at, k) + self.half_web(at, k))
+    def web_middle(self, s, y):
+        """Up a web, where only V_z and M_y leave a flow."""
+        factors = self.gain(s, self.quarter)
         flow, face = self.torsion(s)
-        sign = sign if force == V_Z else -sign
 
         def shear(cut):
-            own = factors[force] * cut[force] + factors[moment] * cut[moment]
-            return (own + sign * flow * cut[T]) / WALL + sign * face * cut[T]
+            up = factors[V_Z] * cut[V_Z] + factors[M_Y] * cut[M_Y]
+            return (up + y * flow * cut[T]) / WALL + y * face * cut[T]
+        return shear
+
+    def flange_shear(self, s, part, z):
+        """Along a flange, towards +y, at a part of half its width: what comes from the middle of
+        the web less what the strip between there and the middle of the flange takes."""
+        def strip(at, k):
+            y, sign = part * width(at) / 2, z if k == M_Y else 1
+            plate = y * WALL
+            return sign * {N: plate / area(at),
+                           M_Y: plate * (height(at) - WALL) / 2
+                           / second_moment(width(at), height(at), WALL),
+                           M_Z: -plate * y / 2 / second_moment(height(at), width(at), WALL)}[k]
+
+        comes, taken = self.gain(s, self.quarter), self.gain(s, strip)
+        flow, face = self.torsion(s)
+
+        def shear(cut):
+            along = comes[V_Y] * cut[V_Y] + comes[M_Z] * cut[M_Z]
+            along -= sum(factor * force for factor, force in zip(taken, cut))
+            return (along - z * flow * cut[T]) / WALL - z * face * cut[T]
         return shear
 
 
@@ -431,16 +459,17 @@ def extremes(situation, function):
 
 
 def turning_values(values):
-    """Without those between their neighbours, of a history that begins again."""
+    """Without those between their neighbours, of a history that begins again: from its highest
+    point."""
+    top, noise = values.index(max(values)), 1e-9 * max(map(abs, values))
     kept = []
-    for value in values:
-        if kept and abs(value - kept[-1]) <= 1e-9 * max(map(abs, values)):
+    for value in values[top:] + values[:top + 1]:
+        if kept and abs(value - kept[-1]) <= noise:
             continue
         if len(kept) > 1 and (kept[-1] - kept[-2]) * (value - kept[-1]) > 0:
             kept.pop()
         kept.append(value)
-    top = kept.index(max(kept))
-    return kept[top:] + kept[:top]
+    return kept[:-1] if abs(kept[-1] - kept[0]) <= noise else kept
 
 
 class Verified:
@@ -460,7 +489,7 @@ class Verified:
                 for value in extremes(situation, lambda t, x=situation: stress(x.cut(t, s)))]
 
     def factors(self, s, side):
-        """Of all checks of the points of a section."""
+        """Of the checks of a section: points, and yield of the flanges between the webs."""
         place = f"{s:g}{side}"
         category = CATEGORY_AT_FOOT if s == LENGTH else CATEGORY
         found = {}
@@ -468,19 +497,113 @@ class Verified:
             def direct(cut, y=y, z=z):
                 return self.leg.direct(s, y, z, cut)
 
-            def equivalent(cut, direct=direct, shear=shear):
-                return math.sqrt(direct(cut) ** 2 + 3 * (shear(cut) if shear else 0.0) ** 2)
-
-            found[f"yield/{place}/{name}"] = YIELD / max(self.history(s, equivalent))
-            channels = [(self.ranges(s, direct), direct_damage(category))]
+            history = self.history(s, direct)
+            found[f"yield/{place}/{name}"] = YIELD / self.equivalent(s, y, z, shear)
+            channels = [(rainflow(turning_values(history)), direct_damage(category))]
             found[f"fatigue/{place}/{name}"] = fatigue_factor(channels, FLIGHTS, 1.0)
             if shear is None:
+                found[f"stress-range/{place}/{name}"] = (1.5 * YIELD
+                                                         / (max(history) - min(history)))
                 continue
-            in_shear = (self.ranges(s, shear), shear_damage(CATEGORY_OF_SHEAR))
+            in_shear = (rainflow(turning_values(self.history(s, shear))),
+                        shear_damage(CATEGORY_OF_SHEAR))
             found[f"shear-fatigue/{place}/{name}"] = fatigue_factor([in_shear], FLIGHTS, 1.0)
             channels.append(in_shear)
             found[f"combined-fatigue/{place}/{name}"] = fatigue_factor(channels, FLIGHTS, 1.0)
+        for z, name in ((1, "top-flange"), (-1, "bottom-flange")):
+            found[f"yield/{place}/{name}"] = YIELD / self.worst_of_flange(s, z)
         return found
 
-    def ranges(self, s, stress):
-        return rainflow(turning_values(self.history(s, stress)))
+    def equivalent(self, s, y, z, shear):
+        """The largest, after von Mises."""
+        return max(self.history(s, lambda cut: math.sqrt(
+            self.leg.direct(s, y, z, cut) ** 2 + 3 * (shear(cut) if shear else 0.0) ** 2)))
+
+    def worst_of_flange(self, s, z):
+        def at(part):
+            return self.equivalent(s, part * width(s) / 2, z * height(s) / 2,
+                                   self.leg.flange_shear(s, part, z))
+
+        most = 1 - 2 * WALL / width(s)
+        parts = [most * k / 10 for k in range(-10, 11)]
+        best = max(range(21), key=lambda k: at(parts[k]))
+        low, high = parts[max(best - 1, 0)], parts[min(best + 1, 20)]
+        for _ in range(12):  # near a maximum, or towards an end
+            third = (high - low) / 3
+            low, high = (low + third, high) if at(low + third) < at(high - third) else (
+                low, high - third)
+        return at((low + high) / 2)
+
+
+# What is compared.
+
+def motion_rows(state, program):
+    """The wheel and the forces on the leg and on the axle, world axes."""
+    spin = total((1, product(state.wheel.d, transposed(state.wheel.v))))
+    change = total((1, product(state.wheel.dd, transposed(state.wheel.v))),
+                   (1, product(state.wheel.d, transposed(state.wheel.d))))
+    mine = {}
+    for name, skew, key in (("wheel, omega", spin, "omega"), ("wheel, alpha", change, "alpha")):
+        mine[name] = ((skew[2][1], skew[0][2], skew[1][0]), program["bodies"]["wheel"][key])
+    centre = program["points"]["C"]
+    for order, (key, aircraft, leg) in enumerate((
+            ("position", state.aircraft.v, state.leg.v),
+            ("velocity", state.aircraft.d, state.leg.d),
+            ("acceleration", state.aircraft.dd, state.leg.dd))):
+        place = add((0.0, state.path[order], 0.0), of(aircraft, HINGE), of(leg, CENTRE))
+        mine[f"C, {key}"] = place, centre[key]
+    for joint, s in (("hinge", 0.0), ("foot", LENGTH)):
+        cut, on = state.cut(s), program["joints"][joint]
+        assert on["on"] == "leg"
+        sign = 1 if joint == "foot" else -1  # by the part beyond, or against it
+        mine[f"{joint}, force"] = (of(state.leg.v, times(sign, (cut[V_Z], cut[V_Y], -cut[N]))),
+                                   on["force"])
+        mine[f"{joint}, moment"] = (of(state.leg.v, times(sign, (cut[M_Z], cut[M_Y], -cut[T]))),
+                                    on["moment"])
+    for name, (here, theirs) in mine.items():
+        here = of(state.climb, here)
+        for axis in range(3):
+            yield f"{name}, {'xyz'[axis]}", theirs[axis], here[axis]
+
+
+def groups(run, verified):
+    """Rows of program and own values, as report() in shipped_cases.py takes them. `run` and
+    `verified` call the program."""
+    for t in (0.0, 0.35):
+        state = instant().at(t)
+        program = run("motion", "sections/landing-gear/gear.toml", "--at", str(t))["states"][0]
+        yield (f"landing gear: wheel and joints at {t} s", list(motion_rows(state, program)),
+               1e-11, 1e3)
+    case = "sections/landing-gear/retraction.toml"
+    for name, rotary, lag, settings in (
+            ("as shipped", False, True, ()),
+            ("rotary inertia, no shear lag", True, False,
+             ("beam.rotary_inertia=true", "strength.shear_lag=false"))):
+        flown = Verified(flight(rotary=rotary), lag)
+        results = verified(case, *settings)
+        rows = []
+        for station in results["beam"]["stations"]:
+            s, side = station["s"], station["side"]
+            if (s, side) in ((0.0, "-"), (LENGTH, "+")):
+                continue
+            for which, force in enumerate(NAMES):
+                for end, theirs, here in zip(("least", "largest"), station[force],
+                                             flown.envelope(s, which)):
+                    rows.append((f"{force}, {end}, at {s:g}{side}", theirs, here))
+        yield f"landing gear, {name}: extremes of the cut forces", rows, 1e-9, 1e4
+        theirs = {check["id"]: check["safety_factor"] for check in results["checks"]}
+        factors = {}
+        for s, side in STATIONS:
+            factors.update(flown.factors(s, side))
+        for corner, allowed in ((True, 1e-9), (False, 1e-2)):
+            rows = [(check, theirs.get(check, math.inf), factor)
+                    for check, factor in factors.items() if ("/corner" in check) == corner]
+            yield (f"landing gear, {name}: factors of {'corners' if corner else 'other points'}",
+                   rows, allowed, None)
+        rows = []
+        for criterion in ("yield", "fatigue"):
+            check = results["governing"][criterion]
+            least = min((c for c in factors if c.startswith(criterion + "/")), key=factors.get)
+            assert check["id"] == least, (check["id"], least)
+            rows.append((least, check["safety_factor"], factors[least]))
+        yield f"landing gear, {name}: governing factors", rows, 5e-3, None

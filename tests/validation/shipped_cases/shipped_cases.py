@@ -20,6 +20,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 
+import landing_gear  # noqa: E402
 from hand_calculation import (GRAVITY, Beam, PeriodicSpline, bar_moment, circles,  # noqa: E402
                               cross, direct_damage, fatigue_factor, fixed, moving, rainflow,
                               shear_damage, turning_values)
@@ -417,6 +418,9 @@ def main():
         for group in groups(kind(root), str(program), root):
             good = report(*group) and good
     for group in friction_groups(str(program), root):
+        good = report(*group) and good
+    for group in landing_gear.groups(lambda *words: run(str(program), root, *words),
+                                     lambda *words: verified(str(program), root, *words)):
         good = report(*group) and good
     sys.exit(0 if good else 1)
 
