@@ -224,10 +224,10 @@ class Beam:
                 flow / (2 * self.web))
 
 
-def golden(function, low, high):
+def golden(function, low, high, tolerance=1e-9):
     """Where a function is smallest between two times."""
     ratio = (math.sqrt(5) - 1) / 2
-    while high - low > 1e-9 * abs(high):
+    while high - low > tolerance * max(abs(low), abs(high)):
         left, right = high - ratio * (high - low), low + ratio * (high - low)
         low, high = (low, right) if function(left) < function(right) else (left, high)
     return (low + high) / 2

@@ -453,7 +453,7 @@ def extremes(situation, function):
         if before * behind <= 0 or max(abs(before), abs(behind)) < noise:
             continue
         sign = 1 if before > 0 else -1
-        turn = golden(lambda t, k=sign: -k * function(t), at[i - 1], at[i + 1])
+        turn = golden(lambda t, k=sign: -k * function(t), at[i - 1], at[i + 1], 1e-6)
         found.append(sign * max(sign * values[i], sign * function(turn)))
     return found + [values[-1]]
 
@@ -515,24 +515,31 @@ class Verified:
         return found
 
     def equivalent(self, s, y, z, shear):
-        """The largest, after von Mises."""
-        return max(self.history(s, lambda cut: math.sqrt(
-            self.leg.direct(s, y, z, cut) ** 2 + 3 * (shear(cut) if shear else 0.0) ** 2)))
+        """The largest, after von Mises: one peak."""
+        def at(situation, t):
+            cut = situation.cut(t, s)
+            return math.hypot(self.leg.direct(s, y, z, cut),
+                              math.sqrt(3) * shear(cut) if shear else 0.0)
+
+        largest, situation, t = max(((at(situation, t), situation, t)
+                                     for situation in self.situations.values()
+                                     for t in instants_of(situation)), key=lambda found: found[0])
+        if t in (0.0, situation.duration):
+            return largest
+        step = situation.duration / 48
+        return at(situation, golden(lambda t: -at(situation, t), t - step, t + step, 1e-6))
 
     def worst_of_flange(self, s, z):
         def at(part):
             return self.equivalent(s, part * width(s) / 2, z * height(s) / 2,
                                    self.leg.flange_shear(s, part, z))
 
-        most = 1 - 2 * WALL / width(s)
-        parts = [most * k / 10 for k in range(-10, 11)]
-        best = max(range(21), key=lambda k: at(parts[k]))
-        low, high = parts[max(best - 1, 0)], parts[min(best + 1, 20)]
-        for _ in range(12):  # near a maximum, or towards an end
-            third = (high - low) / 3
-            low, high = (low + third, high) if at(low + third) < at(high - third) else (
-                low, high - third)
-        return at((low + high) / 2)
+        end = 1 - 2 * WALL / width(s)
+        grid = [end * k / 5 for k in range(-5, 6)]
+        best = max(range(11), key=lambda k: at(grid[k]))
+        if best in (0, 10):
+            return at(grid[best])
+        return at(golden(lambda part: -at(part), grid[best - 1], grid[best + 1], 1e-4))
 
 
 # What is compared.
