@@ -9,8 +9,9 @@ moments, int p p' dm; gyroscopic moments come out of d'Alembert's forces on its 
 are those of the free part below the cut. Leg axes x''' y''' z''': the leg goes along -z'''. Beam:
 x = -z''', y = y''', z = x'''. SI units.
 
-Shear stress: Bredt's torsion of thin walls, and what the force of the part of the section between
-two places of symmetry gains along the beam; good to some thousandths here, the rest to round-off.
+Shear stress: torsion by Bredt, with the torsion constant from finite differences, for the walls are
+a tenth of their box thick; and what the force of the part of the section between two places of
+symmetry gains along the beam.
 """
 import math
 from functools import lru_cache
@@ -111,6 +112,42 @@ def second_moment(b, h, t):
 GAUSS = [(-math.sqrt(5 + k * 2 * math.sqrt(10 / 7)) / 3, (322 - k * 13 * math.sqrt(70)) / 900)
          for k in (1, -1)]
 GAUSS += [(0.0, 128 / 225)] + [(-x, w) for x, w in GAUSS]
+
+
+def stress_function(b, h, step, source, inside):
+    """Prandtl's stress function in a quarter of a box: source on the wall, 0 outside, a constant in
+    the hollow; its integral, and its flux through a contour in the wall and the area in that."""
+    n, nx, ny = round(WALL / step), round(b / 2 / step), round(h / 2 / step)
+    u = [[inside if i <= nx - n and j <= ny - n else 0.0 for j in range(ny + 1)]
+         for i in range(nx + 1)]
+    wall = [(i, j) for i in range(nx) for j in range(ny) if i > nx - n or j > ny - n]
+    change = 1.0
+    while change > 1e-12 * (inside + source * WALL**2):
+        change = 0.0
+        for i, j in wall:  # over-relaxation; the axes of symmetry mirror
+            mean = (u[abs(i - 1)][j] + u[i + 1][j] + u[i][abs(j - 1)] + u[i][j + 1]
+                    + source * step**2) / 4
+            change = max(change, abs(mean - u[i][j]))
+            u[i][j] += 1.6 * (mean - u[i][j])
+    x, y = nx - n // 2, ny - n // 2
+    half = [0.5] + [1.0] * max(nx, ny)
+    flux = sum(half[j] * (u[x + 1][j] - u[x][j]) for j in range(y + 1))
+    flux += sum(half[i] * (u[i][y + 1] - u[i][y]) for i in range(x + 1))
+    integral = sum(half[i] * half[j] * u[i][j] for i in range(nx) for j in range(ny)) * step**2
+    return integral, flux, (x + 0.5) * (y + 0.5) * step**2
+
+
+@lru_cache(maxsize=None)
+def torsion_constant(b, h):
+    """2 int phi dA, the slope of phi around a contour being twice the area in it: no gap. The error
+    falls with step^(4/3) at the hollow's corners."""
+    def at(step):
+        integral, flux, enclosed = stress_function(b, h, step, 2.0, 0.0)
+        integral_1, flux_1, _ = stress_function(b, h, step, 0.0, 1.0)
+        return 8 * (integral - (2 * enclosed + flux) / flux_1 * integral_1)
+
+    coarse, fine = at(WALL / 10), at(WALL / 20)
+    return fine + (fine - coarse) / (2 ** (4 / 3) - 1)
 
 
 class Lump:
@@ -355,9 +392,8 @@ class Leg:
     def torsion(s):
         """Shear flow and what the outer face adds to its shear, per torque."""
         b, h = width(s) - WALL, height(s) - WALL
-        own = 2 * (b + h) * WALL**3 / 3
-        constant = own + 4 * (b * h) ** 2 * WALL / (2 * (b + h))
-        return (1 - own / constant) / (2 * b * h), WALL / constant
+        constant = torsion_constant(width(s), height(s))
+        return (1 - 2 * (b + h) * WALL**3 / 3 / constant) / (2 * b * h), WALL / constant
 
     @staticmethod
     def gain(s, share):
@@ -417,13 +453,15 @@ class Leg:
 
     def flange_shear(self, s, part, z):
         """Along a flange, towards +y, at a part of half its width: what comes from the middle of
-        the web less what the strip between there and the middle of the flange takes."""
+        the web less what the strip between there and the middle of the flange takes; its edge
+        moves in proportion to the mid-line."""
         def strip(at, k):
-            y, sign = part * width(at) / 2, z if k == M_Y else 1
+            y = part * width(s) / 2 * (width(at) - WALL) / (width(s) - WALL)
+            sign = z if k == M_Y else 1
             plate = y * WALL
             return sign * {N: plate / area(at),
-                           M_Y: plate * (height(at) - WALL) / 2
-                           / second_moment(width(at), height(at), WALL),
+                           M_Y: (plate * (height(at) - WALL) / 2
+                                 / second_moment(width(at), height(at), WALL)),
                            M_Z: -plate * y / 2 / second_moment(height(at), width(at), WALL)}[k]
 
         comes, taken = self.gain(s, self.quarter), self.gain(s, strip)
@@ -602,15 +640,14 @@ def groups(run, verified):
         factors = {}
         for s, side in STATIONS:
             factors.update(flown.factors(s, side))
-        for corner, allowed in ((True, 1e-9), (False, 1e-2)):
+        for corner, allowed in ((True, 1e-9), (False, 1e-4)):
             rows = [(check, theirs.get(check, math.inf), factor)
                     for check, factor in factors.items() if ("/corner" in check) == corner]
             yield (f"landing gear, {name}: factors of {'corners' if corner else 'other points'}",
                    rows, allowed, None)
+        theirs = {check["id"]: check["safety_factor"] for check in results["governing"].values()}
         rows = []
         for criterion in ("yield", "fatigue"):
-            check = results["governing"][criterion]
             least = min((c for c in factors if c.startswith(criterion + "/")), key=factors.get)
-            assert check["id"] == least, (check["id"], least)
-            rows.append((least, check["safety_factor"], factors[least]))
-        yield f"landing gear, {name}: governing factors", rows, 5e-3, None
+            rows.append((least, theirs.get(least, math.inf), factors[least]))
+        yield f"landing gear, {name}: governing factors", rows, 1e-4, None

@@ -6,7 +6,7 @@
 Every mechanism from its data as written below (the program alone reads the case files; the time
 tables are read by both): positions from circles and the law of cosines, forces body by body.
 Edge fibres and web ends of all beams and the hole of the press are calculated, with and without
-shear lag; other points are not.
+shear lag; other points are not. The landing gear, which moves in space: landing_gear.py.
 """
 import cmath
 import importlib.util
