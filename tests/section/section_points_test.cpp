@@ -287,12 +287,13 @@ TEST_CASE("the rounded corners of a rolled tube are stretches on the rounding") 
   const double from_corner = 0.012 * (1.0 - std::sqrt(0.5));
   CHECK(corner.y.value() == Approx(-0.1 + from_corner).epsilon(1e-12));
   CHECK(corner.z.value() == Approx(0.05 - from_corner).epsilon(1e-12));
-  // It begins where the flat of the web ends, with the same stress.
+  // It ends where the flat of the web does, with the same stress; counter-clockwise, so down into
+  // this web, whose own shear counts up.
   const auto end = point_on_stretch(field, stretch_of(stretches, "right web"), 1.0);
-  const auto begin = point_on_stretch(field, stretch_of(stretches, "corner -y +z"), 1.0);
-  CHECK(end.y.value() == Approx(begin.y.value()).epsilon(1e-12));
+  const auto last = point_on_stretch(field, stretch_of(stretches, "corner -y +z"), 1.0);
+  CHECK(end.y.value() == Approx(last.y.value()).epsilon(1e-12));
   for (std::size_t k = 0; k < cut_force::count; ++k) {
-    CHECK(begin.influence.shear[k] == Approx(end.influence.shear[k]).epsilon(1e-9).margin(1e-6));
+    CHECK(last.influence.shear[k] == Approx(-end.influence.shear[k]).epsilon(1e-9).margin(1e-6));
   }
   for (const SectionPoint& point : points_of(field, PointSet::in_space))
     CHECK_FALSE(point.name.starts_with("corner"));
