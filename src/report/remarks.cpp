@@ -157,11 +157,14 @@ void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closu
 void add_motion(const Project& project, const MotionSummary& motion,
                 std::vector<std::string>& remarks) {
   if (motion.closure) add_closure(planar_of(project), *motion.closure, remarks);
+  // Of a situation that only its sequence counts, the sequence says how it repeats.
+  const double cycles = project.situations[motion.situation].cycles;
+  if (cycles == 0.0) return;
   if (duration_of(project).length > 0.0) {
     remarks.push_back(
         fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "
                     "looked at, {}",
-                    most_cycles_of(project), text::seconds(motion.period.value())));
+                    cycles, text::seconds(motion.period.value())));
   }
   if (!motion.closed) {
     remarks.push_back(
@@ -242,11 +245,11 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
 
 std::string model_reason(const Project& project) {
   return fmt::format(
-      "{} loads on rigid bodies: a planar case has no elastic model; deformation raises the "
+      "{} loads on rigid bodies: a {} case has no elastic model; deformation raises the "
       "stresses when "
       "the drive comes near a natural frequency of the beam with its attached masses, which is not "
       "estimated",
-      to_text(project.dynamics));
+      to_text(project.dynamics), in_space(project) ? "spatial" : "planar");
 }
 
 }  // namespace boxbeam
