@@ -18,9 +18,11 @@
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/history_report.hpp"
 #include "boxbeam/report/json.hpp"
+#include "boxbeam/report/motion_text.hpp"
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/section_text.hpp"
 #include "boxbeam/report/text_report.hpp"
+#include "boxbeam/verification/chain_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "version.hpp"
@@ -51,6 +53,7 @@ struct MotionOptions {
   std::string case_file;
   std::vector<double> at;
   bool assemblies = false;
+  std::string axes;
   std::string json;
   std::vector<std::string> set;
 };
@@ -107,7 +110,7 @@ std::string write_reports(const Project& project, const Verification& verificati
 
 int run_verify(const VerifyOptions& options) {
   if (options.model == "flexible") {
-    throw InputError("a planar case is verified with rigid bodies; it has no flexible model",
+    throw InputError("a case is verified with rigid bodies; it has no flexible model",
                      "use --model auto or --model rigid");
   }
   const Project project =
@@ -135,15 +138,25 @@ int run_verify(const VerifyOptions& options) {
   return verification.verdict == Verdict::pass ? all_pass : check_fails;
 }
 
+/// The result of a command as JSON or as text, to where the user wants it.
+void put_result(const std::string& json_file, const std::string& json, const std::string& text) {
+  if (json_file == "-") {
+    put(json);
+    return;
+  }
+  if (!json_file.empty()) write_file(json_file, json);
+  put(text);
+}
+
 int run_assemblies(const Project& project, const MotionOptions& options) {
+  if (in_space(project)) {
+    throw InputError("a mechanism in space is a chain, which has one assembly only",
+                     "leave out --assemblies");
+  }
   const double time = options.at.empty() ? 0.0 : options.at.front();
   const std::vector<AssemblyResult> assemblies = assemblies_of(project, time);
-  if (options.json == "-") {
-    put(assemblies_json(assemblies, time));
-    return all_pass;
-  }
-  if (!options.json.empty()) write_file(options.json, assemblies_json(assemblies, time));
-  put(assemblies_text(project, assemblies, time));
+  put_result(options.json, assemblies_json(assemblies, time),
+             assemblies_text(project, assemblies, time));
   return all_pass;
 }
 
@@ -152,13 +165,17 @@ int run_motion(const MotionOptions& options) {
   // the chain can be moved as well.
   const Project project = read_project(options.case_file, options.set);
   if (options.assemblies) return run_assemblies(project, options);
-  const MotionResult motion = motion_of(project, options.at);
-  if (options.json == "-") {
-    put(motion_json(motion));
+  if (in_space(project)) {
+    const std::string axes = options.axes.empty() ? "world" : options.axes;
+    const ChainMotionResult motion = chain_motion_of(project, options.at, axes);
+    put_result(options.json, motion_json(motion), motion_text(project, motion));
     return all_pass;
   }
-  if (!options.json.empty()) write_file(options.json, motion_json(motion));
-  put(motion_text(project, motion));
+  if (!options.axes.empty()) {
+    throw InputError("the motion of a planar case is given in world axes only", "leave out --axes");
+  }
+  const MotionResult motion = motion_of(project, options.at);
+  put_result(options.json, motion_json(motion), motion_text(project, motion));
   return all_pass;
 }
 
@@ -368,6 +385,8 @@ int run(int argc, char** argv) {
       ->allow_extra_args(false);
   motion_command->add_flag("--assemblies", motion_options.assemblies,
                            "list all ways to assemble the mechanism at the first --at (default 0)");
+  motion_command->add_option("--axes", motion_options.axes,
+                             "in space: give vectors in the axes of this body (default: world)");
   motion_command->add_option(
       "--json", motion_options.json,
       "write the motion to this file; - for standard output instead of the tables");

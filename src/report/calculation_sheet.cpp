@@ -8,92 +8,17 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "stress_lines.hpp"
 
 namespace boxbeam {
 namespace {
 
-std::string line(const std::string& symbol, const std::string& text) {
-  return fmt::format("    {:<13}= {}\n", symbol, text);
-}
-
-std::string more(const std::string& text) { return fmt::format("    {:<13}= {}\n", "", text); }
-
-std::string after(const std::string& text) { return fmt::format("    {:<13}  {}\n", "", text); }
-
-/// A number behind a plus sign or a factor: negative ones in brackets.
-std::string term(const std::string& number) {
-  return number.starts_with('-') ? "(" + number + ")" : number;
-}
-
-std::string area(double m2) { return fmt::format("{:.5g} mm^2", m2 * 1e6); }
-std::string second_moment(double m4) { return fmt::format("{:.5e} mm^4", m4 * 1e12); }
-
-/// The normal stress of a point under given cut forces, written out.
-std::string normal_stress_lines(const std::string& symbol, const StressPoint& point,
-                                const CutForces& cut) {
-  const double N = cut.N.value();
-  const double M = cut.M_y.value();
-  const double axial = point.influence.normal[cut_force::N] * N;
-  const double bending = point.influence.normal[cut_force::M_y] * M;
-  std::string out;
-  if (!point.concentration) {
-    const bool central = std::abs(point.net.centroid_z.value()) < 1e-12;
-    const char* net = point.lag ? ",eff" : (point.net.area == point.gross.area ? "" : ",net");
-    if (point.net.I_yz.value() != 0.0) {
-      out += line(symbol, "N/A + M_y and N z_c, N y_c with I_y, I_z and I_yz at");
-      out += after(
-          fmt::format("(y, z) = ({}, {})", text::mm(point.y.value()), text::mm(point.z.value())));
-      return out + more(fmt::format("{} + {} = {}", text::MPa(axial), term(text::MPa(bending)),
-                                    text::MPa(axial + bending)));
-    }
-    out += line(symbol, central ? fmt::format("N/A{0} + M z/I_y{0}", net)
-                                : fmt::format("N/A{0} + (M - N z_c)(z - z_c)/I_y{0}", net));
-    out += more(fmt::format("{}/{} + {} x {}/{}", text::kN(N), area(point.net.area.value()),
-                            term(text::kNm(M)),
-                            term(text::mm((point.z - point.net.centroid_z).value())),
-                            second_moment(point.net.I_y.value())));
-  } else {
-    const EdgeConcentration& k = *point.concentration;
-    switch (k.hole_case) {
-      case HoleCase::in_plane_bending:
-        out +=
-            line(symbol,
-                 "K_g/3 (N/A + M z_0/I)(1 - 2 cos 2theta) + (M r/I_net)(sin theta - sin 3theta)");
-        out += after(
-            fmt::format("- 4/(1 - d/w) tau_0 sin 2theta, K_g = {}, d/w = {}, theta = {:.0f} deg",
-                        text::significant(k.factor), text::significant(k.diameter_to_width, 3),
-                        k.angle * 180.0 / std::numbers::pi));
-        break;
-      case HoleCase::membrane_tension:
-        out += line(symbol, fmt::format("K_g (N/A + M z_f/I), K_g = {} (d/w = {})",
-                                        text::significant(k.factor),
-                                        text::significant(k.diameter_to_width, 3)));
-        break;
-      case HoleCase::out_of_plane_bending:
-        out += line(symbol, fmt::format("K_t 6 M/[(w - d) h^2] + K_g N/A, K_g = {} (d/w = {})",
-                                        text::significant(k.factor),
-                                        text::significant(k.diameter_to_width, 3)));
-        break;
-      case HoleCase::published_exponential:
-        out += line(
-            symbol,
-            fmt::format(
-                "K_t (N/A_net + M z/I_net), K_t = 2.68750 exp(-0.7128 x {}) = {}, as published",
-                text::significant(k.diameter_to_width, 3), text::significant(k.factor)));
-        break;
-    }
-    out += more(fmt::format("with N = {}, M = {}, V = {}", text::kN(N), text::kNm(M),
-                            text::kN(cut.V_z.value())));
+std::string place_line(const Project& project, const Check& check, const CheckBasis& basis) {
+  if (in_space(project)) {
+    return fmt::format("    at s = {} m, {} (y = {}, z = {})\n", to_text(check.station),
+                       check.point, text::mm(basis.point.y.value()),
+                       text::mm(basis.point.z.value()));
   }
-  const double per_V = point.influence.normal[cut_force::V_z];
-  const double shear = per_V * cut.V_z.value();
-  std::string sum = fmt::format("{} + {}", text::MPa(axial), term(text::MPa(bending)));
-  if (per_V != 0.0) sum += " + " + term(text::MPa(shear));
-  out += more(fmt::format("{} = {}", sum, text::MPa(axial + bending + shear)));
-  return out;
-}
-
-std::string place_line(const Check& check, const CheckBasis& basis) {
   return fmt::format("    at s = {} m, {} (z = {}, section height {})\n", to_text(check.station),
                      check.point, text::mm(basis.point.z.value()),
                      text::mm(2.0 * basis.point.gross.z_top.value()));
@@ -107,28 +32,11 @@ std::string factor_line(const Check& check, const std::string& formula) {
                   text::percent(check.utilisation()), check.passes() ? "passes" : "FAILS"));
 }
 
-/// The shear stress of a point under given cut forces.
-std::string shear_stress_lines(const std::string& symbol, const StressPoint& point,
-                               const CutForces& cut) {
-  const double tau = stress_at(point.influence, cut).shear.value();
-  const double prismatic = stress_at(point.prismatic, cut).shear.value();
-  const std::string V = text::kN(cut.V_z.value());
-  if (point.on_throat) {
-    return line(symbol, fmt::format("q/a = {} in the throat, q = d/dx(M S/I_y) (V = {}, M = {})",
-                                    text::MPa(tau), V, text::kNm(cut.M_y.value())));
-  }
-  if (text::MPa(tau) == text::MPa(prismatic)) {
-    return line(symbol, fmt::format("V S/(I_y b) = {} (V = {})", text::MPa(tau), V));
-  }
-  return line(symbol, fmt::format("d/dx(M S/I_y)/b = {} in the taper; V S/(I_y b) = {} (V = {})",
-                                  text::MPa(tau), text::MPa(prismatic), V));
-}
-
 std::string yield_lines(const Project& project, const Check& check, const CheckBasis& basis) {
-  std::string out = place_line(check, basis);
+  std::string out = place_line(project, check, basis);
   out += line("t", text::seconds(check.time.value()) + ", where the equivalent stress is largest");
-  out += normal_stress_lines("sigma", basis.point, basis.cut_at_time);
-  out += shear_stress_lines("tau", basis.point, basis.cut_at_time);
+  out += normal_stress_lines("sigma", basis.point, basis.cut_at_time, in_space(project));
+  out += shear_stress_lines("tau", basis.point, basis.cut_at_time, in_space(project));
   const double load_factor = project.situations[basis.running].load_factor;
   out += line("sigma_v",
               fmt::format("{}sqrt(sigma^2 + 3 tau^2) = {}{}",
@@ -147,19 +55,24 @@ std::string yield_lines(const Project& project, const Check& check, const CheckB
 /// Both extremes of the stress that a fatigue check looks at.
 std::string extreme_lines(const Project& project, const Check& check, const CheckBasis& basis) {
   std::string out;
+  const bool space = in_space(project);
   const auto at = [&](const Extreme& extreme) {
     const std::string& name = project.situations[extreme.situation].name;
     return after(fmt::format("at t = {}{}", text::seconds(extreme.time.value()),
                              name.empty() ? "" : fmt::format(" ({})", name)));
   };
   if (check.criterion == Criterion::shear_fatigue) {
-    out += shear_stress_lines("tau_max", basis.point, basis.cut_at_highest) + at(basis.highest);
-    out += shear_stress_lines("tau_min", basis.point, basis.cut_at_lowest) + at(basis.lowest);
+    out +=
+        shear_stress_lines("tau_max", basis.point, basis.cut_at_highest, space) + at(basis.highest);
+    out +=
+        shear_stress_lines("tau_min", basis.point, basis.cut_at_lowest, space) + at(basis.lowest);
     return out + line("range", fmt::format("tau_max - tau_min = {}",
                                            text::MPa(basis.highest.value - basis.lowest.value)));
   }
-  out += normal_stress_lines("sigma_max", basis.point, basis.cut_at_highest) + at(basis.highest);
-  out += normal_stress_lines("sigma_min", basis.point, basis.cut_at_lowest) + at(basis.lowest);
+  out += normal_stress_lines("sigma_max", basis.point, basis.cut_at_highest, space) +
+         at(basis.highest);
+  out +=
+      normal_stress_lines("sigma_min", basis.point, basis.cut_at_lowest, space) + at(basis.lowest);
   const double factor = basis.point.detail->stress_factor;
   out += line("range", fmt::format("{}(sigma_max - sigma_min) = {}",
                                    factor == 1.0 ? "" : text::significant(factor, 4) + " ",
@@ -226,7 +139,7 @@ std::string spectrum_lines(const CheckBasis& basis) {
 
 std::string fatigue_lines(const Project& project, const Check& check, const CheckBasis& basis) {
   const FatigueInput& fatigue = project.fatigue;
-  std::string out = place_line(check, basis) + extreme_lines(project, check, basis);
+  std::string out = place_line(project, check, basis) + extreme_lines(project, check, basis);
   out += curve_lines(project, basis);
   const std::string gammas =
       fmt::format("gamma_Ff = {}, gamma_Mf = {}", text::significant(fatigue.demand.gamma_Ff, 3),
@@ -257,7 +170,7 @@ std::string fatigue_lines(const Project& project, const Check& check, const Chec
 }
 
 std::string range_lines(const Project& project, const Check& check, const CheckBasis& basis) {
-  return place_line(check, basis) +
+  return place_line(project, check, basis) +
          line("range",
               fmt::format("gamma_Ff (highest - lowest) = {} x ({} - {}) = {}",
                           text::significant(project.fatigue.demand.gamma_Ff, 3),
@@ -270,9 +183,9 @@ std::string range_lines(const Project& project, const Check& check, const CheckB
 }
 
 std::string throat_lines(const Project& project, const Check& check, const CheckBasis& basis) {
-  return place_line(check, basis) +
+  return place_line(project, check, basis) +
          line("t", text::seconds(check.time.value()) + ", where the shear flow is largest") +
-         shear_stress_lines("tau_par", basis.point, basis.cut_at_time) +
+         shear_stress_lines("tau_par", basis.point, basis.cut_at_time, in_space(project)) +
          line("limit", fmt::format("f_u/(sqrt(3) beta_w gamma_M2) = {}, beta_w = {}, gamma_M2 = {}",
                                    text::MPa(check.resisting.value()),
                                    text::significant(project.material.beta_w, 3),

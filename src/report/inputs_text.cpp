@@ -4,6 +4,8 @@
 
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/report/format.hpp"
+#include "chain_text.hpp"
+#include "function_text.hpp"
 #include "mechanism_text.hpp"
 #include "text_layout.hpp"
 
@@ -130,7 +132,9 @@ std::string situation_text(const Project& project, const Situation& situation) {
   if (!situation.between.empty()) {
     std::vector<std::string> names;
     for (const std::size_t i : situation.between) names.push_back(project.situations[i].name);
-    return out + fmt::format(", changing between {}", fmt::join(names, " and "));
+    return out + (situation.in_order
+                      ? fmt::format(", one after the other: {}", fmt::join(names, ", "))
+                      : fmt::format(", changing between {}", fmt::join(names, " and ")));
   }
   if (situation.load_factor != 1.0) {
     out += fmt::format(", load factor {} on its stresses for strength",
@@ -138,6 +142,19 @@ std::string situation_text(const Project& project, const Situation& situation) {
   }
   if (!situation.set.empty()) out += fmt::format("; {}", fmt::join(situation.set, "; "));
   return out;
+}
+
+std::string mechanism_inputs(const Project& project) {
+  if (in_space(project)) {
+    const spatial::Mechanism& mechanism = spatial_of(project);
+    const Eigen::Vector3d& g = mechanism.gravity;
+    return layout::entry("gravity", fmt::format("({}, {}, {}) m/s^2", plain(g.x()), plain(g.y()),
+                                                plain(g.z()))) +
+           chain_inputs(mechanism, project.placement);
+  }
+  const Eigen::Vector2d& g = planar_of(project).gravity;
+  return layout::entry("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y())) +
+         mechanism_text(planar_of(project));
 }
 
 }  // namespace
@@ -148,14 +165,12 @@ std::string profile_text(const Profile& profile) {
 
 std::string inputs_text(const Project& project) {
   const FatigueInput& fatigue = project.fatigue;
-  const Eigen::Vector2d& g = planar_of(project).gravity;
   std::string out = beam_inputs(project.beam) + "\n" + hole_inputs(project);
   out += layout::entry(
       "density",
       fmt::format("{:.6g} kg/m^3{}", project.beam.density.value(),
                   project.beam.rotary_inertia ? ", rotary inertia of the sections counted" : ""));
-  out += layout::entry("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y()));
-  out += mechanism_text(planar_of(project));
+  out += mechanism_inputs(project);
   for (const InputFile& table : project.tables) {
     out += layout::entry("table", fmt::format("{}, sha256 {}", table.written, table.sha256));
   }

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
+#include "beam_text.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "calculation_sheet.hpp"
+#include "chain_text.hpp"
 #include "inputs_text.hpp"
 #include "text_layout.hpp"
 #include "version.hpp"
@@ -132,97 +133,13 @@ std::string closure_text(const planar::Mechanism& mechanism, const ClosureSummar
 
 std::string mechanism_section(const Project& project, const Verification& verification) {
   std::string out = heading("Mechanism");
-  if (in_space(project)) return out;
+  if (in_space(project)) return out + chain_tables(spatial_of(project)) + "\n";
   out += closure_text(planar_of(project), *verification.motions.front().closure);
   Table table({"body", "mass [kg]", "J about centre [kg m^2]"});
   for (const Body& body : planar_of(project).bodies) {
     table.row({body.name, text::significant(body.mass, 5), text::significant(body.inertia, 5)});
   }
   return out + table.text() + "\n";
-}
-
-std::string loads_section(const Verification& verification) {
-  std::string out = heading("Loads on the beam at the critical instants");
-  out +=
-      "  Forces of the joints on the beam; world axes x right, y up; beam axes x along the axis,\n"
-      "  z its left normal. Weight and inertia act per length in between.\n\n";
-  Table table(
-      {"t [s]", "at", "s [m]", "F_x world", "F_y world", "F_x beam", "F_z beam", "couple M_y"});
-  for (const BeamLoadRow& row : verification.loads) {
-    table.row({fmt::format("{:.4f}", row.time.value()), row.name,
-               text::significant(row.s.value(), 4), text::kN(row.world.x()),
-               text::kN(row.world.y()), text::kN(row.force.x()), text::kN(row.force.z()),
-               std::abs(row.couple.value()) < 1e-6 ? "0" : text::kNm(row.couple.value())});
-  }
-  out += table.text();
-  double imbalance = 0.0;
-  for (const MotionSummary& motion : verification.motions) {
-    imbalance = std::max(imbalance, motion.imbalance);
-  }
-  out += fmt::format("\n  balance of all loads on the beam: {:.1e} of the largest force\n\n",
-                     imbalance);
-  return out;
-}
-
-std::string cut_force_section(const Project& project, const Verification& verification) {
-  std::string out = heading("Cut forces, smallest and largest over the period");
-  out += in_space(project)
-             ? "  N tension positive, V_y and V_z along +y and +z, T about +x, M_y > 0 puts +z in "
-               "tension, M_z > 0 -y;\n  - and + are the two sides of a jump.\n\n"
-             : "  N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two "
-               "sides of a jump.\n\n";
-  std::vector<std::string> titles{"s [m]"};
-  for (const auto& [which, name] : cut_forces_looked_at(project)) {
-    titles.push_back(fmt::format("{} min", name));
-    titles.push_back(fmt::format("{} max [{}]", name, which < cut_force::T ? "kN" : "kN m"));
-  }
-  Table table(titles);
-  const auto k = [](double x) { return std::abs(x) < 1e-6 ? "0" : text::significant(x * 1e-3); };
-  for (const StationEnvelope& station : verification.stations) {
-    std::vector<std::string> row{to_text(station.station)};
-    for (const auto& [which, name] : cut_forces_looked_at(project)) {
-      row.push_back(k(station.of[which].smallest.value));
-      row.push_back(k(station.of[which].largest.value));
-    }
-    table.row(row);
-  }
-  out += table.text() + "\n";
-  Table instants({"extreme of", "s [m]", "t [s]", "value"});
-  for (const CriticalInstant& instant : verification.critical_instants) {
-    const bool moment = instant.quantity.starts_with("M") || instant.quantity == "T";
-    const std::string value = moment                         ? text::kNm(instant.value)
-                              : instant.quantity == "stress" ? text::MPa(instant.value)
-                                                             : text::kN(instant.value);
-    instants.row({instant.quantity, to_text(instant.station),
-                  fmt::format("{:.6f}", instant.time.value()), value});
-  }
-  return out + instants.text() + "\n";
-}
-
-std::string section_section(const Verification& verification) {
-  std::vector<const StressPoint*> points;
-  for (const CheckResult& result : verification.checks) {
-    if (!result.basis) continue;
-    const StressPoint& point = result.basis->point;
-    const bool known = std::any_of(points.begin(), points.end(), [&](const StressPoint* other) {
-      return other->station == point.station;
-    });
-    if (!known) points.push_back(&point);
-  }
-  if (points.empty()) return "";
-  std::sort(points.begin(), points.end(), [](const StressPoint* a, const StressPoint* b) {
-    return std::pair(a->station.s, a->station.side) < std::pair(b->station.s, b->station.side);
-  });
-  Table table({"s [m]", "h [mm]", "A [mm^2]", "I_y [mm^4]", "W_y [mm^3]", "A_net [mm^2]",
-               "I_y,net [mm^4]"});
-  const auto e = [](double x) { return fmt::format("{:.4e}", x); };
-  for (const StressPoint* point : points) {
-    table.row({to_text(point->station), text::significant(2e3 * point->gross.z_top.value(), 4),
-               e(point->gross.area.value() * 1e6), e(point->gross.I_y.value() * 1e12),
-               e(point->gross.W_y.value() * 1e9), e(point->net.area.value() * 1e6),
-               e(point->net.I_y.value() * 1e12)});
-  }
-  return heading("Sections") + table.text() + "\n";
 }
 
 std::string sheets_section(const Project& project, const Verification& verification) {
@@ -334,9 +251,9 @@ std::string text_report(const Project& project, const Verification& verification
   out += layout::item("model: rigid; " + model_reason(project)) + "\n";
   out += heading("Inputs") + inputs_text(project) + "\n";
   out += mechanism_section(project, verification);
-  out += loads_section(verification);
+  out += loads_section(project, verification);
   out += cut_force_section(project, verification);
-  out += section_section(verification);
+  out += section_section(project, verification);
   out += sheets_section(project, verification);
   out += heading("Checks, worst first");
   out +=
@@ -359,76 +276,6 @@ std::string text_report(const Project& project, const Verification& verification
   out += codes_section(verification);
   out += chain_section(project, verification);
   out += equivalent_mass_section(project, verification);
-  return out;
-}
-
-std::string motion_text(const Project& project, const MotionResult& motion) {
-  std::string out = fmt::format(
-      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", project.title,
-      motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s", motion.freedom.gruebler,
-      motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s");
-  if (!motion.redundant.empty()) {
-    out += fmt::format(
-        "redundant: {} repeat each other; how they share their load is not determined "
-        "by rigid bodies\n",
-        fmt::join(motion.redundant, ", "));
-  }
-  for (const double time : motion.change_points) {
-    out += fmt::format(
-        "change point at t = {:.6g} s: two branches cross, the smooth one is followed\n", time);
-  }
-  const auto f = [](double x) { return fmt::format("{:.6g}", x == 0.0 ? 0.0 : x); };  // no "-0"
-  for (const InstantResult& state : motion.states) {
-    out += fmt::format("\nt = {:.6g} s   branch", state.time);
-    for (const auto& [loop, sign] : state.branch)
-      out += fmt::format(" {} {}", loop, sign > 0 ? "+" : "-");
-    out += fmt::format("   joints closed to {:.1e}", state.residual);
-    if (state.condition > 0.0) {
-      out += fmt::format(", condition {:.3g}, {:.0f} digits of velocities left", state.condition,
-                         std::floor(state.digits));
-    }
-    out += "\n";
-    Table bodies({"body", "x [m]", "y [m]", "angle [rad]", "vx [m/s]", "vy [m/s]", "omega [rad/s]",
-                  "ax [m/s^2]", "ay [m/s^2]", "alpha [rad/s^2]"});
-    for (const BodyMotion& body : state.bodies) {
-      std::vector<std::string> row{body.name};
-      for (const Eigen::Vector3d* values : {&body.position, &body.velocity, &body.acceleration}) {
-        for (const double value : *values) row.push_back(f(std::abs(value) < 1e-14 ? 0.0 : value));
-      }
-      bodies.row(row);
-    }
-    Table joints({"reaction of", "on", "Fx [N]", "Fy [N]", "moment [N m]"});
-    for (const JointReaction& reaction : state.reactions) {
-      const auto unique = [&](double value) { return reaction.unique ? f(value) : "not unique"; };
-      joints.row({reaction.joint, reaction.on, unique(reaction.force.x()),
-                  unique(reaction.force.y()), unique(reaction.moment)});
-    }
-    out += bodies.text() + "\n" + joints.text();
-  }
-  return out;
-}
-
-std::string assemblies_text(const Project& project, const std::vector<AssemblyResult>& assemblies,
-                            double time) {
-  std::string out =
-      fmt::format("{}: {} {} found at t = {:.6g} s\n", project.title, assemblies.size(),
-                  assemblies.size() == 1 ? "assembly" : "assemblies", time);
-  for (std::size_t i = 0; i < assemblies.size(); ++i) {
-    out += fmt::format("\nassembly {}", i + 1);
-    bool wanted = !assemblies[i].branch.empty();
-    for (std::size_t k = 0; k < assemblies[i].branch.size(); ++k) {
-      const auto& [loop, sign] = assemblies[i].branch[k];
-      out += fmt::format("   loop {} {}", loop, sign > 0 ? "+" : (sign < 0 ? "-" : "0"));
-      wanted = wanted && sign == planar_of(project).loops[k].sign;
-    }
-    out += wanted ? "   (the one the case asks for)\n" : "\n";
-    Table bodies({"body", "x [m]", "y [m]", "angle [deg]"});
-    for (const auto& [name, at] : assemblies[i].bodies) {
-      const auto f = [](double x) { return fmt::format("{:.6g}", std::abs(x) < 1e-10 ? 0.0 : x); };
-      bodies.row({name, f(at.x()), f(at.y()), f(at.z() * 180.0 / std::numbers::pi)});
-    }
-    out += bodies.text();
-  }
   return out;
 }
 

@@ -1,10 +1,7 @@
 #include "boxbeam/verification/figures.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "boxbeam/mechanism/planar/constraints.hpp"
 
 namespace boxbeam {
 namespace {
@@ -30,17 +27,17 @@ std::vector<Station> drawn_stations(const CutForceDiagram& diagram) {
 
 }  // namespace
 
-CutForceLine cut_force_line(const LoadHistory& loads, Time time, const std::string& why) {
-  const CutForceDiagram diagram = loads.diagram_at(time);
-  CutForceLine line{time, why, drawn_stations(diagram), {}};
+CutForceLine cut_force_line(const SituationRun& run, Time time, const std::string& why) {
+  const CutForceDiagram diagram = run.loads.diagram_at(time);
+  CutForceLine line{time, why, run.situation->name, drawn_stations(diagram), {}};
   for (const Station& station : line.stations) line.values.push_back(diagram.at(station));
   return line;
 }
 
 std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
   const std::vector<Station> stations = drawn_stations(runs.front().loads.diagram(0));
-  std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}},
-                                  {Time{}, "largest", stations, {}}};
+  std::vector<CutForceLine> lines{{Time{}, "smallest", "", stations, {}},
+                                  {Time{}, "largest", "", stations, {}}};
   for (const Station& station : stations) {
     CutForces low = runs.front().loads.diagram(0).at(station);
     CutForces high = low;
@@ -59,87 +56,22 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
   return lines;
 }
 
-std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads, Time time,
-                                   double angle) {
-  std::vector<BeamLoadRow> rows;
-  for (const PointLoad& load : loads.points) {
-    BeamLoadRow row;
-    row.time = time;
-    row.s = load.s;
-    for (const BeamPoint& point : project.beam.points) {
-      if (point.s == load.s) row.name = point.name;
+LoadsOverTime loads_over_time(const Project& project, const std::deque<SituationRun>& runs,
+                              const Station& station) {
+  LoadsOverTime figure{station, {}};
+  for (const SituationRun& run : runs) {
+    LoadsOverTime::Line& line = figure.lines.emplace_back();
+    line.situation = index_of(project, *run.situation);
+    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+      line.times.push_back(run.loads.time_of(i));
+      line.values.push_back(run.loads.diagram(i).at(station));
     }
-    row.force = load.force;
-    row.couple = si<Moment>(load.moment.y());
-    row.world = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(load.force.x(), load.force.z());
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-PostureFigure posture_figure(const Project& project, const planar::Mechanism& mechanism,
-                             const planar::State& state, const std::string& why) {
-  const auto place = [&](const planar::Attachment& at) { return planar::position_of(at, state.q); };
-  PostureFigure figure;
-  figure.time = si<Time>(state.time);
-  figure.why = why;
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const int body = static_cast<int>(i);
-    PostureFigure::Line line;
-    for (const BodyPoint& point : mechanism.bodies[i].points) {
-      line.points.push_back(place({body, point.p}));
-    }
-    if (body == project.beam_body) {
-      const double centre = mass_properties_of(project.beam).centre.value();
-      const double length = project.beam.length().value();
-      line.strokes.push_back(
-          {place({body, {-centre, 0.0}}), place({body, {length - centre, 0.0}})});
-      for (const BodyPoint& point : mechanism.bodies[i].points) {
-        if (std::abs(point.p.y()) < 1e-9 * length) continue;
-        line.strokes.push_back({place({body, {point.p.x(), 0.0}}), place({body, point.p})});
-      }
-    }
-    figure.bodies.push_back(std::move(line));
-  }
-  for (const planar::Joint& joint : mechanism.joints) {
-    const auto [a, b] = planar::ends_of(joint);
-    const auto* driven = std::get_if<planar::Driven>(&joint.kind);
-    const bool between = std::holds_alternative<planar::Distance>(joint.kind) ||
-                         (driven != nullptr && driven->coordinate == planar::Coordinate::length);
-    if (between) figure.rods.push_back({place(a), place(b)});
-    if (between || std::holds_alternative<planar::Pin>(joint.kind)) {
-      for (const planar::Attachment& end : {a, b}) {
-        if (end.body == planar::ground) figure.grounds.push_back(end.p);
-      }
-    }
-    const auto add_guide = [&](const auto& slide) {
-      const double direction =
-          slide.direction +
-          (slide.guide.body == planar::ground ? 0.0 : state.q[3 * slide.guide.body + 2]);
-      figure.guides.push_back(
-          {place(slide.point), Eigen::Vector2d(std::cos(direction), std::sin(direction))});
-    };
-    if (const auto* slider = std::get_if<planar::Slider>(&joint.kind)) add_guide(*slider);
-    if (const auto* slot = std::get_if<planar::PinInSlot>(&joint.kind)) add_guide(*slot);
+    if (!run.loads.closed()) continue;
+    // What repeats is at its end where it began.
+    line.times.push_back(run.loads.begin() + run.loads.period());
+    line.values.push_back(line.values.front());
   }
   return figure;
-}
-
-void place_loads(const Project& project, const planar::State& state,
-                 std::vector<BeamLoadRow>& rows) {
-  const double centre = mass_properties_of(project.beam).centre.value();
-  for (BeamLoadRow& row : rows) {
-    if (project.beam_body != planar::ground) {
-      row.place = planar::position_of({project.beam_body, {row.s.value() - centre, 0.0}}, state.q);
-      continue;
-    }
-    for (std::size_t i = 0; i < planar_of(project).bodies.size(); ++i) {
-      for (const BodyPoint& point : planar_of(project).bodies[i].points) {
-        if (point.name != row.name) continue;
-        row.place = planar::position_of({static_cast<int>(i), point.p}, state.q);
-      }
-    }
-  }
 }
 
 SnFigure sn_figure(const Project& project, const CheckResult& governing) {

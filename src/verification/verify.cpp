@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/verification/deflection.hpp"
 
 namespace boxbeam {
@@ -135,12 +135,6 @@ std::vector<ShownInstant> instants_to_show(const Verification& verification) {
   return shown;
 }
 
-double beam_angle(const Project& project, const planar::State& state) {
-  const int body =
-      project.beam_body != planar::ground ? project.beam_body : project.chain->axis_body;
-  return state.q[3 * body + 2];
-}
-
 ChainComparison compare_chain(const Project& project, const planar::State& state) {
   const planar::NewtonChain& chain = *project.chain;
   ChainComparison comparison;
@@ -157,42 +151,64 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   if (project.beam_body == planar::ground) return comparison;
   const auto body = planar::beam_body_of(project.beam, project.beam_body);
   const BeamLoads rigorous = planar::beam_loads_of(planar_of(project), state, body);
-  for (const BeamLoadRow& row :
-       load_rows(project, rigorous, comparison.time, beam_angle(project, state))) {
-    if (row.s == chain.first_station) comparison.rigorous_first += row.world;
-    if (row.s == chain.second_station) comparison.rigorous_second += row.world;
+  for (const BeamLoadRow& row : load_rows(project, rigorous, state)) {
+    if (row.s == chain.first_station) comparison.rigorous_first += row.world.head<2>();
+    if (row.s == chain.second_station) comparison.rigorous_second += row.world.head<2>();
   }
   return comparison;
+}
+
+/// The mechanism as it stands at a time of a situation, with the loads on the beam.
+PostureFigure posture_at(const Project& project, const SituationRun& run, Time time,
+                         const std::string& why) {
+  const BeamLoads loads = run.loads.loads_at(time);
+  PostureFigure posture;
+  if (in_space(project)) {
+    const spatial::Mechanism& mechanism = spatial_in(project, *run.situation);
+    const spatial::State state = spatial::Chain(mechanism).at(time.value());
+    posture = posture_figure(project, mechanism, state, why);
+    posture.loads = load_rows(project, mechanism, loads, state);
+  } else {
+    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
+    planar::StateFinder finder(mechanism, planar_motion_of(run));
+    const planar::State state = finder.at(time.value());
+    posture = posture_figure(project, mechanism, state, why);
+    posture.loads = load_rows(project, loads, state);
+  }
+  for (BeamLoadRow& row : posture.loads) {
+    row.time = time;
+    row.situation = index_of(project, *run.situation);
+  }
+  return posture;
+}
+
+/// The station of the worst check that rests on cut forces.
+const Station* governing_station_of(const Verification& verification) {
+  for (const CheckResult& result : verification.checks) {
+    if (result.basis) return &result.check.station;
+  }
+  return nullptr;
 }
 
 /// What the report shows of the instants that decide.
 void describe_instants(const Project& project, const std::deque<SituationRun>& runs,
                        Verification& result) {
   result.envelope = envelope_lines(runs);
-  if (in_space(project)) {
-    for (const auto& [index, time, why] : instants_to_show(result)) {
-      const SituationRun& run = run_of(runs, project.situations[index]);
-      result.lines.push_back(cut_force_line(run.loads, time, why));
-    }
-    return;
-  }
-  const SituationRun& first = runs.front();
-  result.postures.push_back(posture_figure(project, planar_in(project, *first.situation),
-                                           planar_motion_of(first).states.front(), "beginning"));
+  result.postures.push_back(
+      posture_at(project, runs.front(), runs.front().loads.begin(), "beginning"));
   for (const auto& [index, time, why] : instants_to_show(result)) {
     const Situation& situation = project.situations[index];
     const SituationRun& run = run_of(runs, situation);
-    planar::StateFinder finder(planar_in(project, situation), planar_motion_of(run));
-    const planar::State state = finder.at(time.value());
     const std::string label =
         situation.name.empty() ? why : fmt::format("{} ({})", why, situation.name);
-    result.lines.push_back(cut_force_line(run.loads, time, label));
-    auto rows = load_rows(project, run.loads.loads_at(time), time, beam_angle(project, state));
-    place_loads(project, state, rows);
-    for (BeamLoadRow& row : rows) row.situation = index;
+    result.lines.push_back(cut_force_line(run, time, label));
+    result.postures.push_back(posture_at(project, run, time, label));
+    const std::vector<BeamLoadRow>& rows = result.postures.back().loads;
     result.loads.insert(result.loads.end(), rows.begin(), rows.end());
-    result.postures.push_back(posture_figure(project, planar_in(project, situation), state, label));
-    result.postures.back().loads = rows;
+  }
+  const Station* governing = governing_station_of(result);
+  if (in_space(project) && governing != nullptr) {
+    result.loads_over_time = loads_over_time(project, runs, *governing);
   }
   if (project.chain) {
     const auto largest_M =

@@ -87,7 +87,7 @@ TEST_CASE("the jump of N and V at a joint is the force of the joint there") {
         }
         CHECK((left.N - right.N).value() == Approx(row.force.x()).margin(1e-6));
         CHECK((left.V_z - right.V_z).value() == Approx(row.force.z()).margin(1e-6));
-        CHECK((left.M_y - right.M_y).value() == Approx(row.couple.value()).margin(1e-6));
+        CHECK((left.M_y - right.M_y).value() == Approx(row.moment.y()).margin(1e-6));
       }
     }
   }

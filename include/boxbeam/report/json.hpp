@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/chain_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 
@@ -14,6 +15,10 @@ std::string results_json(const Project& project, const Verification& verificatio
 
 /// The motion document, "boxbeam.motion/1", kind planar.
 std::string motion_json(const MotionResult& motion);
+
+/// The same of kind spatial: vectors of three in the axes that "axes" names; hand formulas of the
+/// case in world axes.
+std::string motion_json(const ChainMotionResult& motion);
 
 /// The assemblies at an instant, "boxbeam.assemblies/1".
 std::string assemblies_json(const std::vector<AssemblyResult>& assemblies, double time);

@@ -8,7 +8,7 @@
 namespace boxbeam {
 
 /// Draws the figures of a verification into a folder by gnuplot: cut-forces.svg, mechanism.svg,
-/// stress.svg (computed stresses only) and sn.svg. The scripts stay in its folder "plots", with
+/// loads.svg (in space only), stress.svg (computed stresses only) and sn.svg. The scripts stay in its folder "plots", with
 /// their data inside, so that a figure can be restyled: `gnuplot plots/cut-forces.gp`.
 /// Returns the names of what was written, relative to the folder. Throws OutputError where gnuplot
 /// is missing (naming the package) or fails.

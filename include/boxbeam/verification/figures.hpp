@@ -1,12 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <deque>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -17,39 +15,21 @@ namespace boxbeam {
 /// Cut forces along the beam at one instant, two points at every jump.
 struct CutForceLine {
   Time time;
-  std::string why;  ///< "largest M", ...
+  std::string why;        ///< "largest M", ...
+  std::string situation;  ///< its name, "" where the case has only one
   std::vector<Station> stations;
   std::vector<CutForces> values;
 };
 
-/// A joint's load on the beam at a critical instant.
-struct BeamLoadRow {
-  Time time;
-  std::size_t situation = 0;  ///< index in the case
-  std::string name;
-  Length s;
-  Eigen::Vector2d world = Eigen::Vector2d::Zero();  ///< force, world axes [N]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< beam axes [N]
-  Moment couple;                                    ///< about y
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< where it acts, world [m]
-};
-
-/// The positions of all bodies' points at an instant, for the drawing.
-struct PostureFigure {
-  Time time;
-  std::string why;
-  struct Stroke {
-    Eigen::Vector2d from, to;  ///< [m]
-  };
+/// The cut forces of one station over the time of every situation that runs.
+struct LoadsOverTime {
   struct Line {
-    std::vector<Eigen::Vector2d> points;  ///< of the body [m]
-    std::vector<Stroke> strokes;          ///< the beam: its axis, with spurs to what stands off it
+    std::size_t situation = 0;  ///< index in the case
+    std::vector<Time> times;
+    std::vector<CutForces> values;
   };
-  std::vector<Line> bodies;
-  std::vector<Stroke> rods;              ///< rods without mass and driven lengths
-  std::vector<Stroke> guides;            ///< of sliders: a point and its line's unit vector
-  std::vector<Eigen::Vector2d> grounds;  ///< bearings on the ground
-  std::vector<BeamLoadRow> loads;
+  Station station;
+  std::vector<Line> lines;
 };
 
 /// The governing fatigue strength line and working point, for the S-N diagram.
@@ -66,21 +46,13 @@ struct SnFigure {
   double required = 1.0;
 };
 
-CutForceLine cut_force_line(const LoadHistory& loads, Time time, const std::string& why);
+CutForceLine cut_force_line(const SituationRun& run, Time time, const std::string& why);
 
 /// Smallest and largest N, V and M along the beam over the instants of all situations.
 std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs);
 
-/// The joints' loads on the beam; `angle` is the beam's in the world [rad].
-std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads, Time time,
-                                   double angle);
-
-PostureFigure posture_figure(const Project& project, const planar::Mechanism& mechanism,
-                             const planar::State& state, const std::string& why);
-
-/// Finds where loads act in a state: on the beam's axis, or at the body point of their name.
-void place_loads(const Project& project, const planar::State& state,
-                 std::vector<BeamLoadRow>& rows);
+LoadsOverTime loads_over_time(const Project& project, const std::deque<SituationRun>& runs,
+                              const Station& station);
 
 SnFigure sn_figure(const Project& project, const CheckResult& governing);
 

@@ -16,6 +16,7 @@
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/neighbours.hpp"
+#include "boxbeam/verification/posture.hpp"
 
 namespace boxbeam {
 
@@ -110,7 +111,8 @@ struct Verification {
   std::vector<CutForceLine> lines;     ///< at the critical instants
   std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
   std::vector<BeamLoadRow> loads;
-  std::vector<PostureFigure> postures;
+  std::vector<PostureFigure> postures;  ///< the first at the beginning, then the critical ones
+  std::optional<LoadsOverTime> loads_over_time;  ///< at the governing station, in space
   MassProperties beam_mass;
   std::vector<MotionSummary> motions;  ///< at least one; the first situation runs
   std::optional<planar::EquivalentMass> equivalent_mass;

@@ -78,4 +78,16 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
   return loads;
 }
 
+std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, int beam_body) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (static_cast<int>(i) == beam_body || joint.parent == beam_body) names.push_back(joint.name);
+  }
+  for (const AppliedLoad& load : mechanism.loads) {
+    if (load.on == beam_body) names.push_back(load.name);
+  }
+  return names;
+}
+
 }  // namespace boxbeam::spatial

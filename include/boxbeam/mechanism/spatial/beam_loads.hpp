@@ -37,4 +37,7 @@ BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement);
 /// Precondition: line forces on the beam's body lie along its axis, between ends of segments.
 BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam);
 
+/// The joints and loads behind its point loads, in their order.
+std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, int beam_body);
+
 }  // namespace boxbeam::spatial

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/project/project.hpp"
+
+namespace boxbeam {
+
+/// How a body turns, and what its inertia puts on the mechanism about its centre of mass.
+struct ChainBody {
+  std::string name;
+  Eigen::Matrix3d rotation;           ///< columns: the body's axes
+  Eigen::Vector3d omega, alpha;       ///< [rad/s], [rad/s^2]
+  Eigen::Vector3d inertia_force;      ///< [N]
+  Eigen::Vector3d inertia_moment;     ///< [N m]
+  Eigen::Vector3d gyroscopic_moment;  ///< the part of it that spatial::InertiaLoad names [N m]
+};
+
+/// A named place: "A" where all points of that name are one place, else "body.A".
+struct ChainPoint {
+  std::string name;
+  Eigen::Vector3d position, velocity, acceleration;  ///< from the origin of the world
+};
+
+/// What a joint does to a body, about the joint's point.
+struct ChainJoint {
+  std::string name;
+  std::string on;          ///< the beam's body where it is in the joint, else the carried body
+  Eigen::Vector3d force;   ///< [N]
+  Eigen::Vector3d moment;  ///< [N m]
+  /// Force or moment of the drive on the carried body along the joint's axis, so that times the
+  /// rate of its coordinate it is the power [N, N m]; nothing for a fixed joint.
+  std::optional<double> drive;
+};
+
+struct ChainInstant {
+  double time = 0.0;  ///< [s]
+  std::vector<ChainBody> bodies;
+  std::vector<ChainPoint> points;
+  std::vector<ChainJoint> joints;
+};
+
+/// A hand formula of the case beside what the program computes, world axes.
+struct HandComparison {
+  HandFormula formula;
+  std::string of;  ///< the body, or the point
+  Eigen::Vector3d computed;
+};
+
+/// The motion of a mechanism in space alone.
+struct ChainMotionResult {
+  std::string axes;        ///< "world", or the body in whose axes the vectors are given
+  std::size_t driven = 0;  ///< joints that move
+  std::vector<ChainInstant> states;
+  std::vector<HandComparison> hand_formulas;
+};
+
+/// The mechanism of a case in space at the given times [s], or at twelve instants of its span where
+/// none is given; vectors in the axes of a body, or "world". Throws InputError where there is no
+/// such body, AnalysisError where it is not known how long to look.
+ChainMotionResult chain_motion_of(const Project& project, std::vector<double> times,
+                                  const std::string& axes);
+
+/// "omega", "acceleration", ...
+const char* to_text(HandFormula::Quantity quantity);
+
+}  // namespace boxbeam

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/project/project.hpp"
+
+namespace boxbeam {
+
+/// What one joint or load does to the beam at a critical instant.
+struct BeamLoadRow {
+  Time time;
+  std::size_t situation = 0;  ///< index in the case
+  std::string name;           ///< in the plane of the beam's point, in space of the joint or load
+  Length s;
+  Eigen::Vector3d world = Eigen::Vector3d::Zero();   ///< force, world axes [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< beam axes [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axis point at s, beam axes [N m]
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();   ///< where it acts, as in the posture [m]
+};
+
+/// The places of all bodies' points at an instant, for the drawing; world axes. In the plane z is
+/// zero. In space the origin is the joint that carries the beam's body, for the world's may be far
+/// away, and only what the carrying body carries is shown.
+struct PostureFigure {
+  Time time;
+  std::string why;
+  struct Stroke {
+    Eigen::Vector3d from, to;  ///< [m]
+  };
+  struct Line {
+    bool beam = false;
+    std::vector<Eigen::Vector3d> points;  ///< of the body [m]
+    std::vector<Stroke> strokes;          ///< beam: its axis, with spurs to what stands off it;
+                                          ///< in space also from a body's joint to its points
+  };
+  std::vector<Line> bodies;
+  std::vector<Stroke> rods;              ///< rods without mass and driven lengths
+  std::vector<Stroke> guides;            ///< of sliders, axes of joints: a point and a unit vector
+  std::vector<Eigen::Vector3d> grounds;  ///< bearings on the ground
+  std::vector<BeamLoadRow> loads;
+};
+
+/// The bodies, rods, guides and bearings without loads.
+PostureFigure posture_figure(const Project& project, const planar::Mechanism& mechanism,
+                             const planar::State& state, const std::string& why);
+PostureFigure posture_figure(const Project& project, const spatial::Mechanism& mechanism,
+                             const spatial::State& state, const std::string& why);
+
+/// What the joints and loads do to the beam, and where in that state.
+std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads,
+                                   const planar::State& state);
+std::vector<BeamLoadRow> load_rows(const Project& project, const spatial::Mechanism& mechanism,
+                                   const BeamLoads& loads, const spatial::State& state);
+
+}  // namespace boxbeam

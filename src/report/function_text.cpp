@@ -1,0 +1,86 @@
+#include "function_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace boxbeam {
+namespace {
+
+/// Units of a value and of its derivatives by time.
+struct ValueUnit {
+  const char* text;
+
+  std::string per_time(std::size_t power) const {
+    if (power == 0) return text;
+    return power == 1 ? fmt::format("{}/s", text) : fmt::format("{}/s^{}", text, power);
+  }
+};
+
+/// A function of time as a formula, or in words.
+struct FunctionText {
+  ValueUnit unit;
+
+  std::string wave(double amplitude, double omega, double phase) const {
+    return fmt::format("{} {} sin({} rad/s t + {} rad)", plain(amplitude), unit.text, plain(omega),
+                       plain(phase));
+  }
+
+  std::string operator()(const HarmonicDriver& driver) const {
+    std::string text = fmt::format("{} {} + {}", plain(driver.mean), unit.text,
+                                   wave(driver.amplitude, driver.omega, driver.phase));
+    for (const Harmonic& more : driver.further) {
+      text += " + " + wave(more.amplitude, more.omega, more.phase);
+    }
+    return text;
+  }
+
+  std::string operator()(const RateDriver& driver) const {
+    return fmt::format("{} {} + {} {} t", plain(driver.start), unit.text, plain(driver.rate),
+                       unit.per_time(1));
+  }
+
+  std::string operator()(const PolynomialDriver& driver) const {
+    std::string text;
+    for (std::size_t i = 0; i < driver.c.size(); ++i) {
+      if (i > 0) text += " + ";
+      text += fmt::format("{} {}", plain(driver.c[i]), unit.per_time(i));
+      if (i > 0) text += i == 1 ? " t" : fmt::format(" t^{}", i);
+    }
+    return text;
+  }
+
+  std::string operator()(const StepDriver& driver) const {
+    return fmt::format("smooth step from {0} {2} to {1} {2}, from t = {3} s to {4} s",
+                       plain(driver.from), plain(driver.to), unit.text, plain(driver.begin),
+                       plain(driver.end));
+  }
+
+  std::string operator()(const TableDriver& driver) const {
+    const CubicSpline& spline = driver.spline;
+    double low = spline.at(spline.first_x()).value;
+    double high = low;
+    for (const double time : spline.points()) {
+      low = std::min(low, spline.at(time).value);
+      high = std::max(high, spline.at(time).value);
+    }
+    return fmt::format(
+        "cubic spline through {} points of a table from t = {} s to {} s, values "
+        "{} to {} {}{}",
+        spline.points().size(), plain(spline.first_x()), plain(spline.last_x()), plain(low),
+        plain(high), unit.text, spline.ends() == SplineEnds::periodic ? ", periodic" : "");
+  }
+};
+
+}  // namespace
+
+std::string plain(double value) { return fmt::format("{:.6g}", value + 0.0); }
+
+std::string degrees(double angle) { return plain(angle * 180.0 / std::numbers::pi) + " deg"; }
+
+std::string function_text(const Driver& driver, const char* unit) {
+  return std::visit(FunctionText{{unit}}, driver);
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,82 @@
+#include "plot_script.hpp"
+
+#include <fmt/format.h>
+
+#include <gnuplot-iostream.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/format.hpp"
+
+namespace boxbeam::plot {
+namespace {
+
+std::FILE* opened(const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr)
+    throw OutputError(fmt::format("{} cannot be written: {}", path, std::strerror(errno)));
+  return file;
+}
+
+}  // namespace
+
+struct Script::Pipe {
+  Gnuplot gp;  // closes its file
+
+  template <class Rows>
+  void block(const std::string& name, const Rows& rows) {
+    gp << "$" << name << " << e\n";
+    gp.send1d(rows);
+  }
+};
+
+Script::Script(const std::string& path)
+    : pipe_(std::unique_ptr<Pipe>(new Pipe{Gnuplot(opened(path))})) {}
+Script::~Script() = default;
+
+std::ostream& Script::out() { return pipe_->gp; }
+
+void Script::begin(const std::string& name, int width, int height) {
+  out() << std::setprecision(9) << "# Redraw with: gnuplot " << name << ".gp\n"
+        << "set terminal svg size " << width << "," << height
+        << " dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'\n"
+        << "set output '" << name << ".svg'\n"
+        << "set encoding utf8\n"
+        << "set border 3 lc rgb '#505050'\n"
+        << "set tics out nomirror\n"
+        << "set grid lc rgb '#e2e2e2' lw 0.7 lt 1\n"
+        << "set key noenhanced samplen 2.5 spacing 1.2\n";
+}
+
+void Script::block(const std::string& name, const std::vector<Row2>& rows) {
+  pipe_->block(name, rows);
+}
+void Script::block(const std::string& name, const std::vector<Row3>& rows) {
+  pipe_->block(name, rows);
+}
+void Script::block(const std::string& name, const std::vector<Row4>& rows) {
+  pipe_->block(name, rows);
+}
+
+const char* colour(std::size_t i) {
+  static constexpr const char* colours[] = {"#1f5fa8", "#c8551b", "#3f8f4f",
+                                            "#7a4fa0", "#8a6d1d", "#4a4a4a"};
+  return colours[i % std::size(colours)];
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text)
+    out += c == '\'' ? std::string("''") : (c == '\n' ? " " : std::string(1, c));
+  return out + "'";
+}
+
+std::string time_label(Time time, const std::string& situation) {
+  return fmt::format("t = {}{}", text::seconds(time.value()),
+                     situation.empty() ? "" : ", " + situation);
+}
+
+}  // namespace boxbeam::plot
