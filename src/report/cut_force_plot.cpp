@@ -157,27 +157,40 @@ void cut_forces(Script& gp, const Project& project, const Verification& verifica
 }
 
 void cut_forces_in_space(Script& gp, const Project& project, const Verification& verification) {
-  gp.begin("cut-forces", 1240, 1060);
-  gp << "set multiplot layout 4,2 columnsfirst margins 0.075,0.985,0.12,0.95 spacing 0.085,0.03 "
-        "title "
-     << quoted("Cut forces along the beam: " + project.name) << " noenhanced\n"
+  std::vector<LegendEntry> legend{{"envelope", "lw 10 lc rgb '#e0e0e0'"}};
+  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
+    const CutForceLine& line = verification.lines[k];
+    legend.push_back({fmt::format("{}, {}", time_label(line.time), line.why),
+                      fmt::format("lw 1.8 lc rgb '{}'", colour(k))});
+  }
+  constexpr int width = 1240;
+  const auto rows = static_cast<int>(rows_of_legend(legend, width));
+  const int height = 1010 + 20 * rows;
+  gp.begin("cut-forces", width, height);
+  gp << "set multiplot layout 4,2 columnsfirst margins 0.07,0.985," << (75.0 + 20.0 * rows) / height
+     << ",0.95 spacing 0.08,0.03 title " << quoted("Cut forces along the beam: " + project.name)
+     << " noenhanced\n"
      << "set xrange [" << -0.02 * project.beam.length().value() << ":"
-     << 1.02 * project.beam.length().value() << "]\n"
-     << "set format x ''\nunset key\n";
-  // Left what acts in the plane x-z, right what acts in x-y, and the torque.
-  draw_outline(gp, project, outline_in_z(project.beam), "");
-  draw_panel(gp, verification, cut_force::N, "N", "N [kN]");
-  draw_panel(gp, verification, cut_force::V_z, "V_z", "V_z [kN]");
-  const char* with_axis = "set format x '%g'\nset xlabel 's [m], from the start of the beam'\n";
-  gp << with_axis;
-  draw_panel(gp, verification, cut_force::M_y, "M_y", "M_y [kN m], + tension at +z");
-  gp << "set format x ''\nunset xlabel\nset key at screen 0.5,0.055 center center horizontal "
-        "maxcols 5\n";
-  draw_outline(gp, project, outline_in_y(project.beam), legend_of(verification));
-  draw_panel(gp, verification, cut_force::T, "T", "T [kN m]");
-  draw_panel(gp, verification, cut_force::V_y, "V_y", "V_y [kN]");
-  gp << with_axis;
-  draw_panel(gp, verification, cut_force::M_z, "M_z", "M_z [kN m], + tension at -y");
+     << 1.02 * project.beam.length().value() << "]\nunset key\n";
+  draw_legend(gp, legend, width, height, 18);
+  const auto names = cut_forces_looked_at(project);
+  // A column for each plane of the beam: its border, then what acts in that plane.
+  const auto column = [&](const Outline& border, std::initializer_list<cut_force::Index> forces) {
+    gp << "set format x ''\nunset xlabel\n";
+    draw_outline(gp, project, border, "");
+    for (const cut_force::Index which : forces) {
+      const auto name = std::find_if(names.begin(), names.end(),
+                                     [&](const CutForceName& of) { return of.which == which; });
+      std::string title = axis_title(*name);
+      if (which == cut_force::M_y) title += ", + tension at +z";
+      if (which == cut_force::M_z) title += ", + tension at -y";
+      if (which == *(forces.end() - 1))
+        gp << "set format x '%g'\nset xlabel 's [m], from the start of the beam'\n";
+      draw_panel(gp, verification, which, name->name, title);
+    }
+  };
+  column(outline_in_z(project.beam), {cut_force::N, cut_force::V_z, cut_force::M_y});
+  column(outline_in_y(project.beam), {cut_force::T, cut_force::V_y, cut_force::M_z});
   gp << "unset multiplot\n";
 }
 

@@ -60,7 +60,7 @@ std::string draw_bodies(Script& gp, const PostureFigure& posture, const View& vi
 }
 
 void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
-                double metres_per_newton) {
+                double metres_per_newton, bool with_size) {
   constexpr const char* ink = "#202020";
   int number = 0;
   double longest = 0.0;
@@ -76,10 +76,10 @@ void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
         row.name.empty() ? fmt::format("s = {} m", text::significant(row.s.value(), 3)) : row.name;
     gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to " << place.x()
        << "," << place.y() << " lw 2 lc rgb '" << ink << "' front\n";
-    gp << "set label " << number << " " << quoted(name + "  " + text::kN(row.world.norm()))
-       << " at " << tail.x() << "," << tail.y()
-       << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9") << " tc rgb '" << ink
-       << "' front noenhanced\n";
+    gp << "set label " << number << " "
+       << quoted(with_size ? name + "  " + text::kN(row.world.norm()) : name) << " at " << tail.x()
+       << "," << tail.y() << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9")
+       << " tc rgb '" << ink << "' front noenhanced\n";
   }
 }
 
@@ -96,16 +96,6 @@ Extent extent_of(const std::vector<PostureFigure>& postures) {
     for (const Eigen::Vector3d& place : posture.grounds) take(place);
   }
   return extent;
-}
-
-double largest_force_of(const std::vector<PostureFigure>& postures) {
-  double largest = 0.0;
-  for (std::size_t k = 1; k < postures.size(); ++k) {
-    for (const BeamLoadRow& row : postures[k].loads) {
-      largest = std::max(largest, row.world.norm());
-    }
-  }
-  return largest;
 }
 
 }  // namespace boxbeam::plot

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -109,9 +110,14 @@ std::string contributions(const std::array<double, cut_force::count>& influence,
                           const CutForces& cut) {
   std::vector<std::string> by, stresses;
   double sum = 0.0;
+  double largest = 0.0;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const double value = value_of(cut, static_cast<cut_force::Index>(k));
-    if (influence[k] == 0.0 || value == 0.0) continue;
+    largest = std::max(largest, std::abs(influence[k] * value));
+  }
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    const double value = value_of(cut, static_cast<cut_force::Index>(k));
+    if (std::abs(influence[k] * value) <= 1e-9 * largest) continue;  // round-off
     by.push_back(fmt::format("{} = {}", names[k], cut_force_text(cut, k)));
     const std::string stress = text::MPa(influence[k] * value);
     stresses.push_back(stresses.empty() ? stress : term(stress));
