@@ -124,7 +124,7 @@ void draw_panel(Script& gp, const Verification& verification, cut_force::Index w
           return std::abs(std::get<1>(a)) < std::abs(std::get<1>(b));
         });
     const double y = std::get<1>(*extreme);
-    if (crowded(*extreme)) continue;
+    if (crowded(*extreme) || std::abs(y) < 1e-9 * (top - bottom)) continue;
     labelled.push_back(*extreme);
     gp << "set label " << ++label_number << " '" << text::significant(y) << "' at "
        << std::get<0>(*extreme) << "," << y << " offset "

@@ -78,8 +78,15 @@ void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
        << "," << place.y() << " lw 2 lc rgb '" << ink << "' front\n";
     gp << "set label " << number << " "
        << quoted(with_size ? name + "  " + text::kN(row.world.norm()) : name) << " at " << tail.x()
-       << "," << tail.y() << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9")
-       << " tc rgb '" << ink << "' front noenhanced\n";
+       << "," << tail.y();
+    if (with_size) {
+      gp << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9");
+    } else {
+      // Beyond the tail, where the arrow itself is not in the way.
+      const Eigen::Vector2d back = -force.normalized();
+      gp << " center offset " << 3.2 * back.x() << "," << 0.9 * back.y();
+    }
+    gp << " tc rgb '" << ink << "' front noenhanced\n";
   }
 }
 

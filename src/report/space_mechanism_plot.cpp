@@ -24,9 +24,9 @@ void mechanism_in_space(Script& gp, const Project&, const Verification& verifica
   const double half = 0.5 * largest_size + 1.2 * reach;
   const Eigen::Vector3d middle = 0.5 * (extent.low + extent.high);
 
-  const double height = 60.0 + 400.0 * static_cast<double>(rows);
+  const double height = 75.0 + 400.0 * static_cast<double>(rows);
   gp.begin("mechanism", 1120, static_cast<int>(height));
-  gp << "set multiplot layout " << rows << ",3 margins 0.06,0.985," << 45.0 / height << ","
+  gp << "set multiplot layout " << rows << ",3 margins 0.068,0.985," << 62.0 / height << ","
      << 1.0 - 85.0 / height << " spacing 0.065," << 88.0 / height << " title "
      << quoted(
             "Bodies from the beam's joint on at the critical instants; forces on the beam, the "
