@@ -158,30 +158,57 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
   return place_at_centres(std::move(draft), project.beam, project.beam_body);
 }
 
-/// The situations between which one changes, which are read before.
-std::vector<std::size_t> read_between(TableReader& table,
-                                      const std::vector<Situation>& situations) {
-  std::vector<std::size_t> between;
+/// The situations of which one is made, which are read before; `key` is "between" or "sequence".
+std::vector<std::size_t> read_parts(TableReader& table, const char* key,
+                                    const std::vector<Situation>& situations) {
+  std::vector<std::size_t> parts;
   std::vector<std::string> running;
   for (const Situation& other : situations) {
     if (other.between.empty()) running.push_back(other.name);
   }
-  for (const std::string& name : table.texts("between", true)) {
+  for (const std::string& name : table.texts(key, true)) {
     const auto found = std::find_if(
         situations.begin(), situations.end(),
         [&](const Situation& other) { return other.name == name && other.between.empty(); });
     if (found == situations.end()) {
-      table.problem("between", fmt::format("no situation above is \"{}\"", name),
+      table.problem(key, fmt::format("no situation above is \"{}\"", name),
                     unknown_hint(name, running));
       continue;
     }
-    between.push_back(static_cast<std::size_t>(found - situations.begin()));
+    parts.push_back(static_cast<std::size_t>(found - situations.begin()));
   }
-  if (table.problems().empty() && between.empty()) {
-    table.problem("between", "a change between no situations",
-                  "write for example between = [\"standstill\", \"normal running\"]");
+  if (table.problems().empty() && parts.empty()) {
+    table.problem(key, fmt::format("\"{}\" names no situation", key),
+                  fmt::format("write for example {} = [\"standstill\", \"normal running\"]", key));
   }
-  return between;
+  return parts;
+}
+
+/// A situation made of others: a change between them, or one after the other.
+void read_made_of(TableReader& table, const std::vector<Situation>& others, Situation& situation) {
+  situation.in_order = table.has("sequence");
+  const char* key = situation.in_order ? "sequence" : "between";
+  if (situation.in_order && table.has("between")) {
+    table.problem("between", "a situation is either a change between others or their sequence",
+                  "write one of \"between\" and \"sequence\"");
+    return;
+  }
+  situation.between = read_parts(table, key, others);
+  if (situation.cycles == 0.0 && table.problems().empty()) {
+    table.problem(key,
+                  fmt::format("{} counts for fatigue only, and this one never happens",
+                              situation.in_order ? "a sequence of situations"
+                                                 : "a change between situations"),
+                  "write how often: cycles = 5000");
+  }
+  if (table.has("set") || table.has("load_factor")) {
+    table.problem(key,
+                  fmt::format("{} has no loads of its own", situation.in_order
+                                                                ? "a sequence of situations"
+                                                                : "a change between situations"),
+                  "write \"set\" and \"load_factor\" in the situations that it is made of");
+    if (table.has("set")) table.table("set").accept_all();
+  }
 }
 
 }  // namespace
@@ -191,7 +218,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
   std::vector<TableReader> listed = root.tables("situations");
   TableReader fatigue = root.table("fatigue", false);
   if (listed.empty()) {
-    project.situations.push_back({"", fatigue.number("cycles"), 1.0, {}, {}, {}});
+    project.situations.push_back({"", fatigue.number("cycles"), 1.0, {}, {}, {}, false});
     return;
   }
   if (fatigue.has("cycles")) {
@@ -207,19 +234,8 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
                     "give every situation a name of its own");
     }
     situation.cycles = table.has("cycles") ? table.number("cycles") : 0.0;
-    if (table.has("between")) {
-      situation.between = read_between(table, project.situations);
-      if (situation.cycles == 0.0 && table.problems().empty()) {
-        table.problem("between",
-                      "a change between situations counts for fatigue only, and this "
-                      "one never happens",
-                      "write how often: cycles = 5000");
-      }
-      if (table.has("set") || table.has("load_factor")) {
-        table.problem("between", "a change between situations has no loads of its own",
-                      "write \"set\" and \"load_factor\" in the situations that it connects");
-        if (table.has("set")) table.table("set").accept_all();
-      }
+    if (table.has("between") || table.has("sequence")) {
+      read_made_of(table, project.situations, situation);
     } else {
       situation.load_factor = table.number("load_factor", 1.0);
       if (table.has("set")) {

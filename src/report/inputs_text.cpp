@@ -132,7 +132,9 @@ std::string situation_text(const Project& project, const Situation& situation) {
   if (!situation.between.empty()) {
     std::vector<std::string> names;
     for (const std::size_t i : situation.between) names.push_back(project.situations[i].name);
-    return out + fmt::format(", changing between {}", fmt::join(names, " and "));
+    return out + (situation.in_order
+                      ? fmt::format(", one after the other: {}", fmt::join(names, ", "))
+                      : fmt::format(", changing between {}", fmt::join(names, " and ")));
   }
   if (situation.load_factor != 1.0) {
     out += fmt::format(", load factor {} on its stresses for strength",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "boxbeam/section/level_shear.hpp"
 #include "boxbeam/section/section_properties.hpp"
@@ -112,12 +113,19 @@ SectionPoint fibre(const StressField& field, const std::string& name, bool inner
   return wall_point(field, name, place, 0.0, z.value(), 0.0, plate);
 }
 
-/// A place on a web. `seam`: whether it is its end, where the flange is welded on.
+/// The outer face of a wall of a box or rectangular tube: y of a web, z of a flange.
+double outer_face_of(const Wall& wall) {
+  const bool outwards = wall.part == WallPart::left_web || wall.part == WallPart::top_flange;
+  return wall.start[is_web(wall) ? 0 : 1] + (outwards ? 0.5 : -0.5) * wall.thickness;
+}
+
+/// A place on a web, at its mid-line, in space on its outer face. `seam`: whether it is its end,
+/// where the flange is welded on.
 SectionPoint web_point(const StressField& field, const std::string& name, WallPart web, double z,
-                       bool seam) {
+                       bool seam, PointSet set = PointSet::in_plane) {
   const WallPlace place = nearest(field.flow->at.graph, web, false, z);
   const Wall& wall = field.flow->at.graph.walls[place.wall];
-  const double y = wall.start.x();
+  const double y = set == PointSet::in_space ? outer_face_of(wall) : wall.start.x();
   SectionPoint point =
       wall_point(field, name, place, y, z, 0.0, wall_at(field.section, si<Length>(z)));
   if (const auto* box = std::get_if<Box>(&field.section.outer); box != nullptr && seam) {
@@ -158,11 +166,13 @@ void add_tube_points(const StressField& field, bool inner, std::vector<SectionPo
 }
 
 /// Corners, both webs and the flanges beside them, of a box or rectangular tube.
-void add_box_points(const StressField& field, bool inner, std::vector<SectionPoint>& points) {
+void add_box_points(const StressField& field, bool inner, PointSet set,
+                    std::vector<SectionPoint>& points) {
   const Profile& profile = inner ? *field.section.inner : field.section.outer;
   const WallGraph& graph = field.flow->at.graph;
   const Extent extent = extent_of(profile);
   const std::string before = inner ? "inner " : "";
+  const bool space = set == PointSet::in_space;
   const Length middle = properties_of(field.section, field.holes).centroid_z;
   for (const double side : {1.0, -1.0}) {
     const WallPart web = side > 0.0 ? WallPart::left_web : WallPart::right_web;
@@ -176,19 +186,23 @@ void add_box_points(const StressField& field, bool inner, std::vector<SectionPoi
       // Both faces that meet in an outer corner are free of shear.
       points.push_back(point_at(field, fmt::format("{}corner {}", before, at), face, outer.value(),
                                 wall_at(profile, outer)));
-      const Wall& at_web = graph.walls[nearest(graph, web, inner, clear.value()).wall];
-      const double y = at_web.start.x() - side * 0.5 * at_web.thickness;
-      points.push_back(wall_point(field, fmt::format("{}flange end {}", before, at),
-                                  nearest(graph, flange, inner, y), y, outer.value(), 0.0,
-                                  wall_at(profile, outer)));
+      if (!space) {
+        const Wall& at_web = graph.walls[nearest(graph, web, inner, clear.value()).wall];
+        const double y = at_web.start.x() - side * 0.5 * at_web.thickness;
+        points.push_back(wall_point(field, fmt::format("{}flange end {}", before, at),
+                                    nearest(graph, flange, inner, y), y, outer.value(), 0.0,
+                                    wall_at(profile, outer)));
+      }
       if (!inner) {
-        points.push_back(web_point(field, "web end " + at, web, clear.value(), true));
+        points.push_back(web_point(field, "web end " + at, web, clear.value(), true, set));
       }
     }
     const WallPlace half = nearest(graph, web, inner, 0.0);
-    points.push_back(wall_point(field, fmt::format("{}fibre {}", before, y_name), half, face, 0.0,
-                                0.0, wall_at(profile, Length{})));
-    if (inner || !in_hole(field, middle)) {
+    if (!space || graph.walls[half.wall].solid) {
+      points.push_back(wall_point(field, fmt::format("{}fibre {}", before, y_name), half, face, 0.0,
+                                  0.0, wall_at(profile, Length{})));
+    }
+    if (!space && (inner || !in_hole(field, middle))) {
       points.push_back(wall_point(field, fmt::format("{}neutral axis {}", before, y_name),
                                   nearest(graph, web, inner, middle.value()), face, middle.value(),
                                   0.0, wall_at(profile, middle)));
@@ -296,11 +310,27 @@ void add_plate_points(const StressField& field, PointSet set, std::vector<Sectio
   }
 }
 
+/// The middles of the top and the bottom; in space not where a hole is, nor of round tubes, whose
+/// wall is looked at all around.
+void add_fibres(const StressField& field, bool inner, PointSet set,
+                std::vector<SectionPoint>& points) {
+  const Profile& profile = inner ? *field.section.inner : field.section.outer;
+  const std::string name = inner ? "inner fibre " : "fibre ";
+  for (const double up : {1.0, -1.0}) {
+    if (set == PointSet::in_space) {
+      if (!has_webs(profile)) continue;
+      const WallPart flange = up > 0.0 ? WallPart::top_flange : WallPart::bottom_flange;
+      const WallGraph& graph = field.flow->at.graph;
+      if (!graph.walls[nearest(graph, flange, inner, 0.0).wall].solid) continue;
+    }
+    points.push_back(fibre(field, name + signed_axis(up, 'z'), inner, up));
+  }
+}
+
 void add_hollow_points(const StressField& field, PointSet set, std::vector<SectionPoint>& points) {
   const Profile& outer = field.section.outer;
   const Length middle = si<Length>(field.sums.z / field.sums.area);
-  points.push_back(fibre(field, "fibre +z", false, 1.0));
-  points.push_back(fibre(field, "fibre -z", false, -1.0));
+  add_fibres(field, false, set, points);
   if (has_webs(outer) && set == PointSet::in_plane) {
     points.push_back(
         web_point(field, "web end +z", WallPart::left_web, clear_top_of(outer).value(), true));
@@ -313,19 +343,88 @@ void add_hollow_points(const StressField& field, PointSet set, std::vector<Secti
       points.push_back(std::move(point));
     }
   } else if (has_webs(outer)) {
-    add_box_points(field, false, points);
-  } else {
+    add_box_points(field, false, set, points);
+  } else if (set == PointSet::all) {
     add_tube_points(field, false, points);
   }
   add_stiffener_points(field, points);
   if (!field.section.inner) return;
-  points.push_back(fibre(field, "inner fibre +z", true, 1.0));
-  points.push_back(fibre(field, "inner fibre -z", true, -1.0));
+  add_fibres(field, true, set, points);
   if (set == PointSet::in_plane) return;
   if (has_webs(*field.section.inner))
-    add_box_points(field, true, points);
-  else
+    add_box_points(field, true, set, points);
+  else if (set == PointSet::all)
     add_tube_points(field, true, points);
+}
+
+/// The set with which a section shows all that its shape asks for.
+PointSet fitting(PointSet set, const Section& section) {
+  return set == PointSet::in_plane && !is_symmetric_about_z(section) ? PointSet::all : set;
+}
+
+/// The walls of a path that a level crosses, on both faces; of a wall along it the middle.
+std::vector<SectionPoint> path_points_at(const StressField& field, const std::string& name,
+                                         double level) {
+  std::vector<SectionPoint> points;
+  const WallGraph& graph = field.flow->at.graph;
+  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+    const Wall& wall = graph.walls[i];
+    const double low = std::min(wall.start.y(), wall.end.y()) - 0.5 * wall.thickness;
+    const double high = std::max(wall.start.y(), wall.end.y()) + 0.5 * wall.thickness;
+    if (level < low || level > high) continue;
+    const double rise = wall.end.y() - wall.start.y();
+    const bool flat = std::abs(rise) < wall.thickness;
+    const double fraction = flat ? 0.5 : std::clamp((level - wall.start.y()) / rise, 0.0, 1.0);
+    const Eigen::Vector2d at = point_on(wall, fraction);
+    for (const double face : {1.0, -1.0}) {
+      points.push_back(wall_point(
+          field, fmt::format("{} wall {} {}", name, i + 1, face > 0.0 ? "right" : "left"),
+          {i, fraction}, at.x(), level, face, si<Length>(wall.thickness)));
+    }
+  }
+  return points;
+}
+
+/// The places of a level on both sides of a section, for loads in space.
+std::vector<SectionPoint> points_at_level_in_space(const StressField& field,
+                                                   const std::string& name, Length z) {
+  const Profile& outer = field.section.outer;
+  const std::string left = name + " +y", right = name + " -y";
+  if (const auto* tube = std::get_if<RoundTube>(&outer)) {
+    const double middle = 0.5 * (tube->diameter - tube->wall).value();
+    const double radius = 0.5 * tube->diameter.value();
+    const double angle = std::asin(std::clamp(z.value() / middle, -1.0, 1.0));
+    const double y = std::sqrt(std::max(0.0, radius * radius - z.value() * z.value()));
+    const WallGraph& graph = field.flow->at.graph;
+    const Length plate = wall_at(field.section, z);
+    return {wall_point(field, left, on_round(graph, false, angle), y, z.value(), 0.0, plate),
+            wall_point(field, right, on_round(graph, false, std::numbers::pi - angle), -y,
+                       z.value(), 0.0, plate)};
+  }
+  if (has_webs(outer)) {
+    if (z >= clear_bottom_of(outer) && z <= clear_top_of(outer)) {
+      const PointSet set = PointSet::in_space;
+      return {web_point(field, left, WallPart::left_web, z.value(), false, set),
+              web_point(field, right, WallPart::right_web, z.value(), false, set)};
+    }
+    std::vector<SectionPoint> points;
+    const Extent extent = extent_of(outer);
+    for (const auto& [at, y] :
+         {std::pair{name, Length{}}, {left, extent.y_high}, {right, extent.y_low}}) {
+      SectionPoint point = point_on_flange(field, at, y, z.value() > 0.0 ? 1.0 : -1.0);
+      point.z = z;
+      const StressInfluence there = normal_influence(field.sums, y.value(), z.value());
+      point.influence.normal = point.prismatic.normal = there.normal;
+      points.push_back(std::move(point));
+    }
+    return points;
+  }
+  if (std::holds_alternative<Plate>(outer)) {
+    const double y = extent_of(outer).y_high.value();
+    return {plate_point(field, left, y, z.value()), plate_point(field, right, -y, z.value())};
+  }
+  if (std::holds_alternative<ThinWalled>(outer)) return path_points_at(field, name, z.value());
+  return {level_point(field, name, 0.0, z.value())};
 }
 
 }  // namespace
@@ -340,13 +439,13 @@ StressField stress_field_of(const Section& section, const std::vector<Hole>& hol
 
 std::vector<SectionPoint> points_of(const StressField& field, PointSet set) {
   const Profile& outer = field.section.outer;
-  if (!is_symmetric_about_z(field.section)) set = PointSet::all;
+  set = fitting(set, field.section);
   std::vector<SectionPoint> points;
   if (std::holds_alternative<Plate>(outer))
     add_plate_points(field, set, points);
   else if (std::holds_alternative<Polygon>(outer))
     add_polygon_points(field, points);
-  else if (std::holds_alternative<ThinWalled>(outer))
+  else if (std::holds_alternative<ThinWalled>(outer) && set != PointSet::in_space)
     add_path_points(field, points);
   else
     add_hollow_points(field, set, points);
@@ -356,8 +455,9 @@ std::vector<SectionPoint> points_of(const StressField& field, PointSet set) {
 std::vector<SectionPoint> points_at_level(const StressField& field, const std::string& name,
                                           Length z, PointSet set) {
   if (in_hole(field, z)) return {};
+  if (set == PointSet::in_space) return points_at_level_in_space(field, name, z);
   const Profile& outer = field.section.outer;
-  if (!is_symmetric_about_z(field.section)) set = PointSet::all;
+  set = fitting(set, field.section);
   if (const auto* tube = std::get_if<RoundTube>(&outer)) {
     const double radius = 0.5 * (tube->diameter - tube->wall).value();
     const double angle = std::asin(std::clamp(z.value() / radius, -1.0, 1.0));
@@ -394,6 +494,128 @@ std::vector<SectionPoint> points_at_level(const StressField& field, const std::s
     }
   }
   return {point};
+}
+
+SectionPoint point_on_flange(const StressField& field, const std::string& name, Length y,
+                             double up) {
+  const Profile& outer = field.section.outer;
+  const WallGraph& graph = field.flow->at.graph;
+  const auto inner_face = [&](WallPart web, double side) {
+    const Wall& wall = graph.walls[nearest(graph, web, false, 0.0).wall];
+    return wall.start.x() - side * 0.5 * wall.thickness;
+  };
+  const double between = std::clamp(y.value(), inner_face(WallPart::right_web, -1.0),
+                                    inner_face(WallPart::left_web, 1.0));
+  const WallPart flange = up > 0.0 ? WallPart::top_flange : WallPart::bottom_flange;
+  const Extent extent = extent_of(outer);
+  const Length z = up > 0.0 ? extent.z_high : extent.z_low;
+  return wall_point(field, name, nearest(graph, flange, false, between), y.value(), z.value(), 0.0,
+                    wall_at(field.section, z));
+}
+
+namespace {
+
+const char* name_of(WallPart part) {
+  switch (part) {
+    case WallPart::top_flange: return "top flange";
+    case WallPart::bottom_flange: return "bottom flange";
+    case WallPart::left_web: return "left web";
+    case WallPart::right_web: return "right web";
+    default: return "wall";
+  }
+}
+
+/// The fractions of a wall of a box or tube that lie between the inner faces of its neighbours;
+/// nothing where the wall is no such plate, a hole, or the edge of a flange beyond a web.
+std::optional<std::pair<double, double>> clear_part_of(const WallGraph& graph, const Wall& wall) {
+  const bool web = is_web(wall);
+  if (!web && wall.part != WallPart::top_flange && wall.part != WallPart::bottom_flange) return {};
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  const Eigen::Index along = web ? 1 : 0;
+  for (const Wall& other : graph.walls) {
+    if (other.inner != wall.inner) continue;
+    const double face = other.start[along];
+    const double half = 0.5 * other.thickness;
+    if (other.part == (web ? WallPart::bottom_flange : WallPart::right_web)) low = face + half;
+    if (other.part == (web ? WallPart::top_flange : WallPart::left_web)) high = face - half;
+  }
+  const double start = wall.start[along], length = wall.end[along] - start;
+  const double from = std::max(0.0, (low - start) / length);
+  const double to = std::min(1.0, (high - start) / length);
+  if (!wall.solid || to - from < 1e-9) return {};
+  return std::pair{from, to};
+}
+
+}  // namespace
+
+std::vector<WallStretch> wall_stretches_of(const StressField& field) {
+  std::vector<WallStretch> stretches;
+  if (!field.flow) return stretches;
+  const WallGraph& graph = field.flow->at.graph;
+  for (const bool inner : {false, true}) {
+    if (inner && !field.section.inner) continue;
+    const Profile& profile = inner ? *field.section.inner : field.section.outer;
+    const std::string before = inner ? "inner " : "";
+    if (std::holds_alternative<RoundTube>(profile)) {
+      WallStretch around;
+      around.name = before + "wall";
+      around.round = true;
+      around.inner = inner;
+      around.plate = inner ? wall_at(profile, Length{}) : wall_at(field.section, Length{});
+      stretches.push_back(around);
+      continue;
+    }
+    const bool path = std::holds_alternative<ThinWalled>(profile);
+    int parts[6] = {};
+    for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+      const Wall& wall = graph.walls[i];
+      if (wall.inner != inner) continue;
+      WallStretch stretch;
+      stretch.inner = inner;
+      stretch.wall = i;
+      if (path) {
+        stretch.plate = si<Length>(wall.thickness);
+        for (const double face : {1.0, -1.0}) {
+          stretch.face = face;
+          stretch.name = fmt::format("{}wall {} {}", before, i + 1, face > 0.0 ? "right" : "left");
+          stretches.push_back(stretch);
+        }
+        continue;
+      }
+      const auto clear = clear_part_of(graph, wall);
+      if (!clear) continue;
+      std::tie(stretch.from, stretch.to) = *clear;
+      const int number = ++parts[static_cast<std::size_t>(wall.part)];
+      stretch.name = before + name_of(wall.part) + (number > 1 ? fmt::format(" {}", number) : "");
+      const Length z =
+          si<Length>(is_web(wall) ? 0.5 * (wall.start.y() + wall.end.y()) : outer_face_of(wall));
+      stretch.plate = inner ? wall_at(profile, z) : wall_at(field.section, z);
+      stretches.push_back(stretch);
+    }
+  }
+  return stretches;
+}
+
+SectionPoint point_on_stretch(const StressField& field, const WallStretch& stretch, double part) {
+  const WallGraph& graph = field.flow->at.graph;
+  if (stretch.round) {
+    const Profile& profile = stretch.inner ? *field.section.inner : field.section.outer;
+    const double radius = 0.5 * std::get<RoundTube>(profile).diameter.value();
+    const double angle = 2.0 * std::numbers::pi * part;
+    return wall_point(field, stretch.name, on_round(graph, stretch.inner, angle),
+                      radius * std::cos(angle), radius * std::sin(angle), 0.0, stretch.plate);
+  }
+  const Wall& wall = graph.walls[stretch.wall];
+  const double fraction = stretch.from + part * (stretch.to - stretch.from);
+  Eigen::Vector2d at = point_on(wall, fraction);
+  if (stretch.face == 0.0) {
+    at[is_web(wall) ? 0 : 1] = outer_face_of(wall);
+  } else {
+    const Eigen::Vector2d along = direction_on(wall, fraction);
+    at -= stretch.face * 0.5 * wall.thickness * Eigen::Vector2d(-along.y(), along.x());
+  }
+  return wall_point(field, stretch.name, {stretch.wall, fraction}, at.x(), at.y(), stretch.face,
+                    stretch.plate);
 }
 
 std::optional<std::string> unknown_shear_of(const Section& section) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "boxbeam/section/outline.hpp"
+#include <optional>
 
 namespace boxbeam {
 namespace {
@@ -47,35 +46,63 @@ SectionProperties properties_of(const AreaSums& sums, const Extent& extent) {
   return result;
 }
 
-/// Takes the middle of a flange out, over the depth between two levels.
-void narrow(Outline& outline, double right, double left, double low, double high, double part) {
-  const double middle = 0.5 * (left + right);
-  const double half = 0.5 * (1.0 - part) * (left - right);
-  add_rectangle(outline, middle - half, middle + half, low, high, -1.0);
+/// The clear space inside a box or tube, between webs and between flanges.
+struct Inside {
+  double right, left, bottom, top;
+};
+
+/// A strip along a plate, between two places across the section.
+struct Strip {
+  double low = 0.0, high = 0.0;
+
+  bool contains(double place) const { return place > low && place < high; }
+  bool empty() const { return low >= high; }
+};
+
+/// The middle of a plate that is left out where only a part of it counts.
+Strip idle_strip(double low, double high, double part) {
+  const double middle = 0.5 * (low + high);
+  const double half = 0.5 * (1.0 - part) * (high - low);
+  return {middle - half, middle + half};
 }
 
-/// The box whose stiffeners in the strips left out are gone.
-Box without_idle_stiffeners(const Box& box, double flange_part) {
-  Box bare = box;
-  const double right = (box.right_web - 0.5 * box.width).value();
-  const double left = (0.5 * box.width - box.left_web).value();
-  std::erase_if(bare.stiffeners, [&](const Stiffener& bar) {
-    const bool on_flange =
-        bar.plate == BoxPlate::top_flange || bar.plate == BoxPlate::bottom_flange;
-    return on_flange && std::abs(bar.place.value() - 0.5 * (left + right)) <
-                            0.5 * (1.0 - flange_part) * (left - right);
-  });
-  return bare;
+/// The strips of flanges and webs that are left out.
+struct IdleStrips {
+  Strip flanges, webs;
+};
+
+/// The profile without the stiffeners that stand in the strips.
+Profile without_idle_stiffeners(Profile profile, const IdleStrips& idle) {
+  if (auto* box = std::get_if<Box>(&profile)) {
+    std::erase_if(box->stiffeners, [&](const Stiffener& bar) {
+      const bool on_flange =
+          bar.plate == BoxPlate::top_flange || bar.plate == BoxPlate::bottom_flange;
+      return (on_flange ? idle.flanges : idle.webs).contains(bar.place.value());
+    });
+  }
+  return profile;
 }
 
-/// The holes that do not stand in the strips of the flanges that are left out.
-std::vector<Hole> without_idle_holes(std::vector<Hole> holes, double clear_width,
-                                     double flange_part) {
+/// The holes whose centres do not lie in the strips.
+std::vector<Hole> without_idle_holes(std::vector<Hole> holes, const IdleStrips& idle) {
   std::erase_if(holes, [&](const Hole& hole) {
-    return hole.walls == HoleWalls::flanges &&
-           hole.position.value() < 0.5 * (1.0 - flange_part) * clear_width;
+    const bool in_flange = hole.walls == HoleWalls::flanges;
+    return (in_flange ? idle.flanges : idle.webs).contains(hole.position.value());
   });
   return holes;
+}
+
+std::optional<Inside> inside_of(const Profile& profile) {
+  const double bottom = clear_bottom_of(profile).value(), top = clear_top_of(profile).value();
+  if (const auto* box = std::get_if<Box>(&profile)) {
+    return Inside{(box->right_web - 0.5 * box->width).value(),
+                  (0.5 * box->width - box->left_web).value(), bottom, top};
+  }
+  if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
+    const double left = (0.5 * tube->width - tube->wall).value();
+    return Inside{-left, left, bottom, top};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -87,28 +114,40 @@ SectionProperties properties_of(const Section& section, const std::vector<Hole>&
 SectionProperties properties_of(const Section& section) { return properties_of(section, {}); }
 
 SectionProperties properties_of(const Section& section, const std::vector<Hole>& holes,
-                                double flange_part) {
+                                double flange_part, double web_part) {
   assert(flange_part > 0.0 && flange_part <= 1.0);
-  if (const auto* box = std::get_if<Box>(&section.outer)) {
-    const double right = (box->right_web - 0.5 * box->width).value();
-    const double left = (0.5 * box->width - box->left_web).value();
-    Outline outline = outline_of(Section{without_idle_stiffeners(*box, flange_part), section.inner},
-                                 without_idle_holes(holes, left - right, flange_part));
-    const double half = 0.5 * box->height.value();
-    narrow(outline, right, left, clear_top_of(*box).value(), half, flange_part);
-    narrow(outline, right, left, -half, clear_bottom_of(*box).value(), flange_part);
-    return properties_of(sums_of(outline), extent_of(section.outer));
+  assert(web_part > 0.0 && web_part <= 1.0);
+  const auto inside = inside_of(section.outer);
+  if (!inside) return properties_of(section, holes);
+  const IdleStrips idle{idle_strip(inside->right, inside->left, flange_part),
+                        idle_strip(inside->bottom, inside->top, web_part)};
+  Outline outline = outline_of(Section{without_idle_stiffeners(section.outer, idle), section.inner},
+                               without_idle_holes(holes, idle));
+  const Extent extent = extent_of(section.outer);
+  const auto take_out = [&](double y_low, double y_high, double z_low, double z_high) {
+    add_rectangle(outline, y_low, y_high, z_low, z_high, -1.0);
+  };
+  if (!idle.flanges.empty()) {
+    take_out(idle.flanges.low, idle.flanges.high, inside->top, extent.z_high.value());
+    take_out(idle.flanges.low, idle.flanges.high, extent.z_low.value(), inside->bottom);
   }
-  if (const auto* tube = std::get_if<RectangularTube>(&section.outer)) {
-    const double left = (0.5 * tube->width - tube->wall).value();
-    Outline outline = outline_of(section, without_idle_holes(holes, 2.0 * left, flange_part));
-    const double half = 0.5 * tube->height.value();
-    const double inside = clear_top_of(*tube).value();
-    narrow(outline, -left, left, inside, half, flange_part);
-    narrow(outline, -left, left, -half, -inside, flange_part);
-    return properties_of(sums_of(outline), extent_of(section.outer));
+  if (!idle.webs.empty()) {
+    take_out(inside->left, extent.y_high.value(), idle.webs.low, idle.webs.high);
+    take_out(extent.y_low.value(), inside->right, idle.webs.low, idle.webs.high);
   }
-  return properties_of(section, holes);
+  return properties_of(sums_of(outline), extent);
+}
+
+AreaSums sums_of(const SectionProperties& of) {
+  const double A = of.area.value();
+  const double y = of.centroid_y.value();
+  const double z = of.centroid_z.value();
+  return {A,
+          A * y,
+          A * z,
+          of.I_z.value() + A * y * y,
+          of.I_y.value() + A * z * z,
+          of.I_yz.value() + A * y * z};
 }
 
 SectionModulus first_moment_beyond(const Section& section, const std::vector<Hole>& holes, Length z,

@@ -1,6 +1,7 @@
 #include "boxbeam/strength/hole_concentration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -36,16 +37,42 @@ Length plate_width_of(const Section& section, const std::vector<Hole>& holes, co
 
 namespace {
 
+/// The stresses around a hole in its wall, u along the wall across the beam.
+struct AroundHole {
+  double radius = 0.0;
+  double a = 0.0;          ///< d/w
+  StressInfluence middle;  ///< at the centre, gross: normal stress and shear along u
+  std::array<double, cut_force::count> gradient{};  ///< of the normal stress along u
+};
+
+/// An edge by its distance along u from the centre.
+template <class Place>
+std::vector<HoleEdge> edges_around(const AroundHole& hole, const Place& place) {
+  const double membrane = membrane_concentration(hole.a) / (1.0 - hole.a) / 3.0;
+  constexpr int steps = 120;
+  std::vector<HoleEdge> edges;
+  for (int k = 0; k < steps; ++k) {
+    const double theta = 2.0 * std::numbers::pi * k / steps;
+    const double along = membrane * (1.0 - 2.0 * std::cos(2.0 * theta));
+    const double gradient = std::sin(theta) - std::sin(3.0 * theta);
+    HoleEdge edge;
+    place(edge, hole.radius * std::sin(theta));
+    edge.angle = theta;
+    for (std::size_t force = 0; force < cut_force::count; ++force) {
+      edge.influence.normal[force] =
+          along * hole.middle.normal[force] -
+          4.0 / (1.0 - hole.a) * std::sin(2.0 * theta) * hole.middle.shear[force];
+      edge.influence.normal[force] += gradient * hole.radius * hole.gradient[force];
+    }
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
 std::vector<HoleEdge> edges_in_web(const Section& section, const std::vector<Hole>& holes,
                                    const Taper& taper, const Hole& hole, double a) {
   const AreaSums gross = sums_of(outline_of(section, {}));
   const AreaSums net = sums_of(outline_of(section, holes));
-  const double membrane = membrane_concentration(a) / (1.0 - a) / 3.0;
-  const double radius = 0.5 * hole.diameter.value();
-  const double z = hole.position.value();
-  const StressInfluence middle = normal_influence(gross, 0.0, z);
-  const double gradient_per_N = normal_stress_plane(gross)(2, 0);
-  const double gradient_per_M = normal_stress_plane(net)(2, 1);
   // Of two unlike webs the one with the larger shear.
   const std::vector<SectionPoint> webs =
       points_at_level(stress_field_of(section, {}, taper), "", hole.position, PointSet::in_plane);
@@ -54,24 +81,19 @@ std::vector<HoleEdge> edges_in_web(const Section& section, const std::vector<Hol
         return std::abs(one.influence.shear[cut_force::V_z]) <
                std::abs(other.influence.shear[cut_force::V_z]);
       })->influence;
-  constexpr int steps = 120;
-  std::vector<HoleEdge> edges;
-  for (int k = 0; k < steps; ++k) {
-    const double theta = 2.0 * std::numbers::pi * k / steps;
-    const double along = membrane * (1.0 - 2.0 * std::cos(2.0 * theta));
-    const double gradient = std::sin(theta) - std::sin(3.0 * theta);
-    HoleEdge edge;
-    edge.z = si<Length>(z + radius * std::sin(theta));
-    edge.angle = theta;
-    for (const std::size_t force : {cut_force::N, cut_force::V_z, cut_force::M_y}) {
-      edge.influence.normal[force] = along * middle.normal[force] -
-                                     4.0 / (1.0 - a) * std::sin(2.0 * theta) * shear.shear[force];
-    }
-    edge.influence.normal[cut_force::N] += gradient * radius * gradient_per_N;
-    edge.influence.normal[cut_force::M_y] += gradient * radius * gradient_per_M;
-    edges.push_back(edge);
+  const StressInfluence middle = normal_influence(gross, 0.0, hole.position.value());
+  AroundHole around;
+  around.radius = 0.5 * hole.diameter.value();
+  around.a = a;
+  for (const std::size_t force : {cut_force::N, cut_force::V_z, cut_force::M_y}) {
+    around.middle.normal[force] = middle.normal[force];
+    around.middle.shear[force] = shear.shear[force];
   }
-  return edges;
+  around.gradient[cut_force::N] = normal_stress_plane(gross)(2, 0);
+  around.gradient[cut_force::M_y] = normal_stress_plane(net)(2, 1);
+  return edges_around(around, [&](HoleEdge& edge, double along) {
+    edge.z = si<Length>(hole.position.value() + along);
+  });
 }
 
 /// At both faces of a plate that lies flat, of which holes take a part of the width.
@@ -120,6 +142,58 @@ std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Ho
     for (double& normal : edge.influence.normal) normal *= factor;
   }
   return edges;
+}
+
+std::vector<HoleInWall> holes_in_walls_of(const Section& section, const std::vector<Hole>& holes,
+                                          const Taper& taper, const Hole& hole) {
+  const bool webs = hole.walls == HoleWalls::webs;
+  const HoleCase hole_case = webs ? HoleCase::in_plane_bending : HoleCase::membrane_tension;
+  const StressField gross = stress_field_of(section, {}, taper);
+  const Eigen::Matrix3d gross_plane = normal_stress_plane(gross.sums);
+  const Eigen::Matrix3d net_plane = normal_stress_plane(sums_of(outline_of(section, holes)));
+  std::vector<HoleInWall> walls;
+  const auto add = [&](const std::string& side, const SectionPoint& centre) {
+    const Eigen::Index along = webs ? 2 : 1;
+    AroundHole around;
+    around.radius = 0.5 * hole.diameter.value();
+    around.a = hole.diameter / plate_width_of(section, holes, hole, hole_case);
+    around.middle = centre.influence;
+    around.gradient[cut_force::N] = gross_plane(along, 0);
+    around.gradient[cut_force::M_y] = net_plane(along, 1);
+    around.gradient[cut_force::M_z] = net_plane(along, 2);
+    walls.push_back({side, edges_around(around, [&](HoleEdge& edge, double offset) {
+                       edge.y = centre.y;
+                       edge.z = centre.z;
+                       (webs ? edge.z : edge.y) += si<Length>(offset);
+                     })});
+  };
+  if (webs) {
+    const auto sides = points_at_level(gross, "", hole.position, PointSet::in_space);
+    add("+y", sides.at(0));
+    add("-y", sides.at(1));
+    return walls;
+  }
+  const bool pair = hole.position.value() != 0.0;
+  for (const double up : {1.0, -1.0}) {
+    const std::string z_name = up > 0.0 ? "+z" : "-z";
+    add(z_name + (pair ? " +y" : ""), point_on_flange(gross, "", hole.position, up));
+    if (pair) add(z_name + " -y", point_on_flange(gross, "", -hole.position, up));
+  }
+  return walls;
+}
+
+std::optional<std::string> unknown_hole_stress_of(const Section& section, HoleCase hole_case) {
+  if (hole_case == HoleCase::published_exponential) {
+    return "the published concentration is one of bending in a plane: give \"in-plane bending\", "
+           "or a detail for the net section";
+  }
+  if (std::holds_alternative<Box>(section.outer) ||
+      std::holds_alternative<RectangularTube>(section.outer)) {
+    return std::nullopt;
+  }
+  return "the concentration of a hole through a solid section under torque, and under forces and "
+         "moments out of its plane, is not known: give a detail for the net section, or make the "
+         "section a box or tube";
 }
 
 }  // namespace boxbeam

@@ -10,6 +10,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
 namespace {
@@ -86,14 +87,23 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
   return result;
 }
 
-/// The turning points of a stress in every situation that runs; by the situation's index.
-using Turns = std::vector<std::vector<TurningPoint>>;
+/// The turning points of a stress in a situation, and with what it begins and ends.
+struct SituationTurns {
+  std::vector<TurningPoint> turns;
+  double begin = 0.0, end = 0.0;
+};
+
+/// Of every situation that runs, by its index.
+using Turns = std::vector<SituationTurns>;
 
 Turns turns_of(const Project& project, const std::vector<SituationHistory>& histories,
                const CutForceFunction& stress) {
   Turns turns(project.situations.size());
   for (const SituationHistory& at : histories) {
-    turns[index_of(project, *at.situation)] = at.history.turning_points(stress);
+    const std::vector<CutForces>& samples = at.history.samples();
+    turns[index_of(project, *at.situation)] = {
+        at.history.turning_points(stress), stress(samples.front()),
+        stress(at.history.closed() ? samples.front() : samples.back())};
   }
   return turns;
 }
@@ -103,11 +113,11 @@ std::pair<Extreme, Extreme> extremes_in(const Project& project, std::size_t situ
                                         const Turns& turns) {
   std::vector<std::size_t> among = project.situations[situation].between;
   if (among.empty()) among = {situation};
-  const TurningPoint& first = turns[among.front()].front();
+  const TurningPoint& first = turns[among.front()].turns.front();
   Extreme highest{first.time, first.value, among.front()};
   Extreme lowest = highest;
   for (const std::size_t i : among) {
-    for (const TurningPoint& turn : turns[i]) {
+    for (const TurningPoint& turn : turns[i].turns) {
       if (turn.value > highest.value) highest = {turn.time, turn.value, i};
       if (turn.value < lowest.value) lowest = {turn.time, turn.value, i};
     }
@@ -129,15 +139,23 @@ std::vector<SpectrumRow> spectrum_of(const Project& project, const Turns& turns,
   for (std::size_t i = 0; i < project.situations.size(); ++i) {
     const Situation& situation = project.situations[i];
     if (situation.cycles == 0.0) continue;
-    if (!situation.between.empty()) {
+    if (!situation.between.empty() && !situation.in_order) {
       const auto [highest, lowest] = extremes_in(project, i, turns);
       add(situation, {{si<Stress>(highest.value - lowest.value),
                        si<Stress>(0.5 * (highest.value + lowest.value)), 1.0}});
       continue;
     }
     std::vector<Stress> stresses;
-    stresses.reserve(turns[i].size());
-    for (const TurningPoint& turn : turns[i]) stresses.push_back(si<Stress>(turn.value));
+    const auto take = [&](double value) { stresses.push_back(si<Stress>(value)); };
+    if (!situation.in_order) {
+      for (const TurningPoint& turn : turns[i].turns) take(turn.value);
+    }
+    for (const std::size_t part : situation.between) {
+      // Where one situation follows another, an end may be a turning point as well.
+      take(turns[part].begin);
+      for (const TurningPoint& turn : turns[part].turns) take(turn.value);
+      take(turns[part].end);
+    }
     add(situation, count_periodic_cycles(stresses));
   }
   return spectrum;
@@ -396,6 +414,19 @@ std::vector<CheckResult> check_beam(const Project& project, const std::deque<Sit
       const auto add = [&](std::optional<CheckResult> result) {
         if (result) results.push_back(std::move(*result));
       };
+      if (point.stretch) {
+        // Each criterion has a worst place of its own.
+        const auto worst_for = [&](Criterion criterion) {
+          return at_worst_on_stretch(project, point, histories, criterion);
+        };
+        for (const Criterion criterion :
+             {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {
+          add(check_fatigue(project, histories, worst_for(criterion), criterion));
+        }
+        add(check_range(project, histories, worst_for(Criterion::stress_range)));
+        add(check_yield(project, histories, worst_for(Criterion::yield)));
+        continue;
+      }
       const StressPoint worst = at_worst_edge(project, point, histories, Criterion::fatigue);
       for (const Criterion criterion :
            {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {

@@ -19,14 +19,19 @@ namespace {
 /// Below this part of its largest stress a plate's compression has no class.
 constexpr double negligible = 0.01;
 
-/// A web of a box or tube between its flanges.
+/// A plate of a box or tube between its neighbours, seen as a web: what bends it in its plane.
 struct Web {
   std::string name;
-  double y = 0.0;  ///< of its middle [m]
-  Length low, high, thickness;
+  SectionPlace low, high;  ///< ends of its clear width, on its mid-line
+  Length thickness;
+  bool flange = false;
 
-  Length depth() const { return high - low; }
+  Length depth() const { return flange ? high.y - low.y : high.z - low.z; }
 };
+
+Web upright(const std::string& name, double y, Length low, Length high, Length thickness) {
+  return {name, {si<Length>(y), low}, {si<Length>(y), high}, thickness};
+}
 
 std::vector<Web> webs_of(const Profile& profile) {
   const Length low = clear_bottom_of(profile);
@@ -34,14 +39,37 @@ std::vector<Web> webs_of(const Profile& profile) {
   if (const auto* box = std::get_if<Box>(&profile)) {
     const double left = (0.5 * box->width - 0.5 * box->left_web).value();
     const double right = (0.5 * box->right_web - 0.5 * box->width).value();
-    if (box->left_web == box->right_web) return {{"web", left, low, high, box->left_web}};
-    return {{"left web", left, low, high, box->left_web},
-            {"right web", right, low, high, box->right_web}};
+    if (box->left_web == box->right_web) return {upright("web", left, low, high, box->left_web)};
+    return {upright("left web", left, low, high, box->left_web),
+            upright("right web", right, low, high, box->right_web)};
   }
   if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
-    return {{"web", 0.5 * (tube->width - tube->wall).value(), low, high, tube->wall}};
+    const double left = 0.5 * (tube->width - tube->wall).value();
+    return {upright("web", left, low, high, tube->wall)};
   }
   return {};
+}
+
+/// All four plates: under M_z and N the webs are stressed unlike, and the flanges are the webs of
+/// V_y.
+std::vector<Web> plates_of(const Profile& profile) {
+  Box box;
+  if (const auto* of = std::get_if<Box>(&profile))
+    box = *of;
+  else if (const auto* tube = std::get_if<RectangularTube>(&profile))
+    box = symmetric_box(tube->width, tube->height, tube->wall, tube->wall);
+  else
+    return {};
+  const Length low = clear_bottom_of(profile), high = clear_top_of(profile);
+  const Length left = 0.5 * box.width - box.left_web, right = box.right_web - 0.5 * box.width;
+  const Length top = 0.5 * (box.height - box.top_flange);
+  const Length bottom = 0.5 * (box.bottom_flange - box.height);
+  const double left_middle = 0.5 * (box.width - box.left_web).value();
+  const double right_middle = 0.5 * (box.right_web - box.width).value();
+  return {upright("left web", left_middle, low, high, box.left_web),
+          upright("right web", right_middle, low, high, box.right_web),
+          {"top flange", {right, top}, {left, top}, box.top_flange, true},
+          {"bottom flange", {right, bottom}, {left, bottom}, box.bottom_flange, true}};
 }
 
 /// The stress distribution over a web with the lowest limit of class 3.
@@ -108,7 +136,7 @@ std::string class_4_text(double ratio, double limit, const std::string& effectiv
 void look_at_class(const Project& project, const std::string& segment, const Profile& profile,
                    const AreaSums& sums, const std::vector<SituationHistory>& histories,
                    GateList& gates) {
-  const std::vector<Web> webs = webs_of(profile);
+  const std::vector<Web> webs = in_space(project) ? plates_of(profile) : webs_of(profile);
   for (const SlenderPlate& plate : slender_plates_of(profile, project.material)) {
     gates.add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
               plate.ratio / plate.limit);
@@ -117,9 +145,13 @@ void look_at_class(const Project& project, const std::string& segment, const Pro
     const auto yield = yield_strength_of(project.material, web.thickness);
     if (!yield) continue;
     const double epsilon = epsilon_of(*yield);
-    const WorstStress worst = worst_over(histories, normal_influence(sums, web.y, web.low.value()),
-                                         normal_influence(sums, web.y, web.high.value()), epsilon);
+    const auto at = [&](const SectionPlace& end) {
+      return normal_influence(sums, end.y.value(), end.z.value());
+    };
     const double ratio = web.depth() / web.thickness;
+    // A flange counts as evenly compressed, on the safe side, see slender_plates_of.
+    const WorstStress worst =
+        web.flange ? WorstStress{} : worst_over(histories, at(web.low), at(web.high), epsilon);
     if (worst.compressed && ratio > worst.limit) {
       const auto effective =
           internal_effective_width(web.depth(), web.thickness, worst.psi, epsilon);
@@ -139,21 +171,21 @@ void look_at_class(const Project& project, const std::string& segment, const Pro
     if (need.check_needed()) {
       gates.add("shear buckling",
                 {segment, web.name,
-                 fmt::format("h_w/t_w = {:.3g} is above 72 eps/eta = {:.3g}: the web may buckle in "
+                 fmt::format("h_w/t_w = {:.3g} is above 72 eps/eta = {:.3g}: the {} may buckle in "
                              "shear, and its resistance is that of EN 1993-1-5, clause 5 (5.1(2))",
-                             need.ratio, need.limit),
+                             need.ratio, need.limit, web.flange ? "flange" : "web"),
                  true},
                 need.ratio / need.limit);
     }
   }
 }
 
-void look_at_shear_lag(const std::string& segment, const std::optional<ShearLag>& lag,
-                       GateList& gates) {
+void look_at_shear_lag(const std::string& segment, const std::string& plate,
+                       const std::optional<ShearLag>& lag, GateList& gates) {
   if (!lag) return;
   gates.add(
       "shear lag",
-      {segment, "flange",
+      {segment, plate,
        fmt::format("b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: shear "
                    "lag counts; with kappa = {:.3g} a part beta = {:.3g} of the width works, "
                    "and the normal stresses are those of the section so reduced (EN "
@@ -191,7 +223,9 @@ std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun
     const AreaSums sums = sums_of(outline_of(section, {}));
     look_at_class(project, segment, section.outer, sums, histories, gates);
     if (section.inner) look_at_class(project, segment, *section.inner, sums, histories, gates);
-    look_at_shear_lag(segment, shear_lag_at(zones, section, station.s), gates);
+    const ShearLags lags = shear_lags_at(zones, section, station.s);
+    look_at_shear_lag(segment, "flange", lags.flanges, gates);
+    look_at_shear_lag(segment, "web as flange of M_z", lags.webs, gates);
   }
   look_at_yield(checks, gates);
   return gates.gates();

@@ -63,7 +63,7 @@ TaperedBeam tapered() {
 }
 
 struct AreaAndInertia {
-  double A, I;
+  double A, I_y, I_z;
 };
 
 /// Hand formulas for the sections of `tapered`.
@@ -73,7 +73,8 @@ AreaAndInertia section_by_hand(double s) {
   const double h = s < 2 ? 0.6 + 0.4 * x : 1.0 - 0.7 * x;
   const double t = s < 2 ? 0.05 : 0.05 - 0.03 * x;
   const double v = w - 2 * t, g = h - 2 * t;
-  return {w * h - v * g, (w * h * h * h - v * g * g * g) / 12};
+  return {w * h - v * g, (w * h * h * h - v * g * g * g) / 12,
+          (h * w * w * w - g * v * v * v) / 12};
 }
 
 }  // namespace
@@ -189,10 +190,10 @@ TEST_CASE(
   };
   for (int run = 0; run < 20; ++run) {
     const Vector3d gravity = vector(10);
-    const double alpha_y = 3 * any(random);
-    const double omega_y = 2 * any(random);
-    const BeamMotion motion{vector(5), {0.0, omega_y, 0.0}, {0.0, alpha_y, 0.0}};
-    const Vector3d gradient(-omega_y * omega_y, 0.0, -alpha_y);
+    const BeamMotion motion{vector(5), vector(2), vector(3)};
+    const Vector3d o = motion.omega, a = motion.alpha;
+    const Vector3d gradient(-o.y() * o.y() - o.z() * o.z(), a.z() + o.x() * o.y(),
+                            -a.y() + o.x() * o.z());
     std::vector<PointLoad> points;
     for (int i = 0; i < 5; ++i) {
       points.push_back({m(2.5 * (1 + any(random))), vector(1e5), vector(1e4)});
@@ -220,7 +221,12 @@ TEST_CASE(
           const Vector3d q = rho * section.A * (gravity - motion.acceleration - at * gradient);
           sum.force += weight * q;
           sum.moment += weight * Vector3d(at - s, 0, 0).cross(q);
-          sum.moment.y() -= weight * rho * section.I * alpha_y;
+          // Euler's equations with I_x = I_y + I_z of the section.
+          const double I_x = section.I_y + section.I_z;
+          sum.moment -= weight * rho *
+                        Vector3d(I_x * a.x() + (section.I_z - section.I_y) * o.y() * o.z(),
+                                 section.I_y * a.y() + (I_x - section.I_z) * o.z() * o.x(),
+                                 section.I_z * a.z() + (section.I_y - I_x) * o.x() * o.y());
         }
       }
       return sum;

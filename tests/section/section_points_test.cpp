@@ -166,3 +166,113 @@ TEST_CASE("unsymmetric bending: an angle's stress is in balance with N, M_y, M_z
   CHECK(M_y == Approx(2e3).epsilon(1e-3));
   CHECK(M_z == Approx(-7e2).epsilon(1e-3));
 }
+
+namespace {
+
+const WallStretch& stretch_of(const std::vector<WallStretch>& stretches, const std::string& name) {
+  for (const WallStretch& stretch : stretches) {
+    if (stretch.name == name) return stretch;
+  }
+  throw std::runtime_error("no stretch " + name);
+}
+
+void check_same(const SectionPoint& one, const SectionPoint& other) {
+  CHECK(one.y.value() == Approx(other.y.value()).epsilon(1e-12).margin(1e-15));
+  CHECK(one.z.value() == Approx(other.z.value()).epsilon(1e-12).margin(1e-15));
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    const double normal = other.influence.normal[k], shear = other.influence.shear[k];
+    CHECK(one.influence.normal[k] == Approx(normal).epsilon(1e-9).margin(1e-6));
+    CHECK(one.influence.shear[k] == Approx(shear).epsilon(1e-9).margin(1e-6));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("in space a box has corners, faces and seams, and stretches of wall between them") {
+  const auto names = names_of(box, PointSet::in_space);
+  const std::set<std::string> all(names.begin(), names.end());
+  CHECK(all == std::set<std::string>{"fibre +y", "fibre -y", "fibre +z", "fibre -z", "corner +y +z",
+                                     "corner +y -z", "corner -y +z", "corner -y -z",
+                                     "web end +y +z", "web end +y -z", "web end -y +z",
+                                     "web end -y -z"});
+  const StressField field = stress_field_of(box, {}, {});
+  const auto stretches = wall_stretches_of(field);
+  REQUIRE(stretches.size() == 4);
+  // The ends and middles of the stretches are the places of the plane's set.
+  const auto at = [&](const std::string& name, double part) {
+    return point_on_stretch(field, stretch_of(stretches, name), part);
+  };
+  check_same(at("left web", 0.5), point_of(field, PointSet::all, "neutral axis +y"));
+  check_same(at("right web", 0.5), point_of(field, PointSet::all, "neutral axis -y"));
+  check_same(at("top flange", 1.0), point_of(field, PointSet::all, "flange end +y +z"));
+  check_same(at("bottom flange", 0.0), point_of(field, PointSet::all, "flange end -y -z"));
+  check_same(at("top flange", 0.5), point_of(field, PointSet::in_space, "fibre +z"));
+  check_same(at("left web", 1.0), point_of(field, PointSet::in_space, "web end +y +z"));
+}
+
+TEST_CASE("stretches leave holes out, and a face in a hole is no place") {
+  const Hole port{"port", mm(100), HoleWalls::webs, mm(20)};
+  const StressField field = stress_field_of(box, {port}, {});
+  const auto stretches = wall_stretches_of(field);
+  CHECK(stretches.size() == 6);
+  const auto below = point_on_stretch(field, stretch_of(stretches, "left web"), 1.0);
+  const auto above = point_on_stretch(field, stretch_of(stretches, "left web 2"), 0.0);
+  CHECK(below.z.value() == Approx(-0.03).epsilon(1e-12));
+  CHECK(above.z.value() == Approx(0.07).epsilon(1e-12));
+  for (const SectionPoint& point : points_of(field, PointSet::in_space)) {
+    CHECK(point.name != "fibre +y");
+    CHECK(point.name != "fibre -y");
+  }
+}
+
+TEST_CASE("the stretch of a round tube goes all around, that of a path along both faces") {
+  const Section round{RoundTube{mm(140), mm(8)}, {}};
+  const StressField field = stress_field_of(round, {}, {});
+  CHECK(points_of(field, PointSet::in_space).empty());
+  const auto stretches = wall_stretches_of(field);
+  REQUIRE(stretches.size() == 1);
+  CHECK(stretches[0].round);
+  for (const int degrees : {0, 45, 90, 225, 315}) {
+    CAPTURE(degrees);
+    check_same(point_on_stretch(field, stretches[0], degrees / 360.0),
+               point_of(field, PointSet::all, "wall at " + std::to_string(degrees) + " deg"));
+  }
+  test::RandomSections random(3);
+  const StressField path = stress_field_of({random.path(), {}}, {}, {});
+  CHECK(points_of(path, PointSet::in_space).empty());
+  const auto walls = wall_stretches_of(path);
+  CHECK(walls.size() == 2 * path.flow->at.graph.walls.size());
+  check_same(point_on_stretch(path, stretch_of(walls, "wall 1 right"), 0.5),
+             point_of(path, PointSet::all, "wall 1 middle right"));
+  check_same(point_on_stretch(path, stretch_of(walls, "wall 2 left"), 1.0),
+             point_of(path, PointSet::all, "wall 2 end left"));
+}
+
+TEST_CASE("a level in space is looked at on both sides, where the outer faces are") {
+  const StressField field = stress_field_of(box, {}, {});
+  const auto web = points_at_level(field, "P", mm(100), PointSet::in_space);
+  REQUIRE(web.size() == 2);
+  CHECK(web[0].name == "P +y");
+  CHECK(web[0].y.value() == Approx(0.2).epsilon(1e-12));
+  CHECK(web[1].y.value() == Approx(-0.2).epsilon(1e-12));
+  const auto flange = points_at_level(field, "P", mm(290), PointSet::in_space);
+  REQUIRE(flange.size() == 3);
+  CHECK(flange[0].y.value() == 0.0);
+  for (const SectionPoint& point : flange) CHECK(point.z.value() == Approx(0.29).epsilon(1e-12));
+  const double I_z = (0.6 * std::pow(0.4, 3) - 0.5 * std::pow(0.3, 3)) / 12;
+  CHECK(flange[1].influence.normal[cut_force::M_z] == Approx(-0.2 / I_z).epsilon(1e-12));
+  const StressField tube = stress_field_of({RoundTube{mm(100), mm(10)}, {}}, {}, {});
+  const auto round = points_at_level(tube, "P", mm(30), PointSet::in_space);
+  REQUIRE(round.size() == 2);
+  CHECK(round[0].y.value() == Approx(0.04).epsilon(1e-12));
+  CHECK(round[1].y.value() == Approx(-0.04).epsilon(1e-12));
+  // Every factor of a path is known.
+  const ThinWalled channel{{{mm(50), mm(0)}, {mm(0), mm(0)}, {mm(0), mm(100)}, {mm(50), mm(100)}},
+                           {{0, 1, mm(5)}, {1, 2, mm(5)}, {2, 3, mm(5)}}};
+  const StressField open = stress_field_of({channel, {}}, {}, {});
+  const auto crossed = points_at_level(open, "P", mm(40), PointSet::in_space);
+  REQUIRE(crossed.size() == 2);
+  for (const SectionPoint& point : crossed) {
+    for (const double factor : point.influence.shear) CHECK(std::isfinite(factor));
+  }
+}

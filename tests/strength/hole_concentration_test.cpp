@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "catch.hpp"
 
@@ -175,4 +176,101 @@ TEST_CASE(
   // From d/w = 0.3 on the factor is not known.
   const Hole wide{"port", 0.07 * metre, HoleWalls::flanges, Length{}};
   CHECK(hole_edges_of(flat, {wide}, {}, wide, HoleCase::out_of_plane_bending).empty());
+}
+
+TEST_CASE("a web hole under all six cut forces: Kirsch with each web's own stress and shear") {
+  const Hole hole = web_hole(0.01, 0.0);
+  const auto walls = holes_in_walls_of(box, {hole}, {}, hole);
+  REQUIRE(walls.size() == 2);
+  CHECK(walls[0].side == "+y");
+  CHECK(walls[1].side == "-y");
+  const double a = 0.01 / 0.5;
+  const double K_g = membrane_concentration(a) / (1 - a);
+  const double I_z = (0.6 * std::pow(0.4, 3) - 0.5 * std::pow(0.3, 3)) / 12;
+  const double V_z = 8.625e-3 / (4.075e-3 * 0.1);
+  // Bredt: T/(2 A_m t), and less than 25 % of it more on the outer face of walls so thick.
+  const double T = 1 / (2 * 0.35 * 0.55 * 0.05);
+  for (const std::size_t k : {0, 1}) {
+    const double side = k == 0 ? 1.0 : -1.0;
+    const StressInfluence top = at_angle(walls[k].edges, 90.0).influence;
+    CAPTURE(side);
+    CHECK(at_angle(walls[k].edges, 90.0).y.value() == Approx(side * 0.2).epsilon(1e-12));
+    CHECK(top.normal[cut_force::N] == Approx(K_g / 0.09).epsilon(1e-12));
+    CHECK(top.normal[cut_force::M_z] == Approx(-side * K_g * 0.2 / I_z).epsilon(1e-12));
+    const StressInfluence at_45 = at_angle(walls[k].edges, 135.0).influence;
+    CHECK(at_45.normal[cut_force::V_z] == Approx(4.0 / 0.98 * V_z).epsilon(1e-9));
+    // At mid-height V_y leaves the webs free of shear; the torque runs up on the left, down on the
+    // right.
+    CHECK(std::abs(at_45.normal[cut_force::V_y]) < 1e-9 * V_z);
+    CHECK(side * at_45.normal[cut_force::T] > 4.0 / 0.98 * T);
+    CHECK(side * at_45.normal[cut_force::T] < 1.3 * 4.0 / 0.98 * T);
+  }
+  // N, V_z and M_y as in the plane.
+  const auto plane = hole_edges_of(box, {hole}, {}, hole, HoleCase::in_plane_bending);
+  for (std::size_t i = 0; i < plane.size(); ++i) {
+    for (const std::size_t force : {cut_force::N, cut_force::V_z, cut_force::M_y}) {
+      CHECK(walls[0].edges[i].influence.normal[force] ==
+            Approx(plane[i].influence.normal[force]).epsilon(1e-9).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a hole in a flange is a hole in the web of the box turned by 90 degrees") {
+  // Turned, y becomes z and z becomes -y: the left web of the one is the top flange of the other,
+  // and along it +z is -y.
+  const Section upright{symmetric_box(m(0.16), m(0.24), m(0.008), m(0.006)), {}};
+  const Section turned{symmetric_box(m(0.24), m(0.16), m(0.006), m(0.008)), {}};
+  const Hole in_web = web_hole(0.05, 0.0), in_flange = flange_hole(0.05, 0.0);
+  const auto webs = holes_in_walls_of(upright, {in_web}, {}, in_web);
+  const auto flanges = holes_in_walls_of(turned, {in_flange}, {}, in_flange);
+  REQUIRE(flanges.size() == 2);
+  CHECK(flanges[0].side == "+z");
+  for (const std::size_t wall : {0, 1}) {
+    for (std::size_t i = 0; i < webs[wall].edges.size(); ++i) {
+      const auto& web = webs[wall].edges[i].influence.normal;
+      // theta counts from +x towards +y in the flange: the other way round.
+      const auto& mirrored = flanges[wall].edges[(120 - i) % 120].influence.normal;
+      const auto same = [](double value) { return Approx(value).epsilon(1e-9).margin(1e-6); };
+      CHECK(mirrored[cut_force::N] == same(web[cut_force::N]));
+      // The walls' own torsion counts the corners to the flanges: of order (t/b)^3.
+      CHECK(mirrored[cut_force::T] == same(web[cut_force::T]).epsilon(1e-4));
+      // V_z becomes -V_y, M_y puts +z in tension and then -y, as M_z does; M_z puts -y in tension
+      // and then -z, as -M_y does.
+      CHECK(mirrored[cut_force::V_y] == same(-web[cut_force::V_z]));
+      CHECK(mirrored[cut_force::V_z] == same(web[cut_force::V_y]));
+      CHECK(mirrored[cut_force::M_z] == same(web[cut_force::M_y]));
+      CHECK(mirrored[cut_force::M_y] == same(-web[cut_force::M_z]));
+    }
+  }
+}
+
+TEST_CASE("two holes in a flange are looked at in each of four places") {
+  const Hole hole = flange_hole(0.04, 0.08);
+  const auto walls = holes_in_walls_of(box, {hole}, {}, hole);
+  REQUIRE(walls.size() == 4);
+  const double a = 0.04 / 0.15;
+  const double K_g = membrane_concentration(a) / (1 - a);
+  const double I_z = (0.6 * std::pow(0.4, 3) - 0.5 * std::pow(0.3, 3)) / 12;
+  for (const auto& [k, side, y, z] : {std::tuple{0, "+z +y", 0.08, 0.3},
+                                      {1, "+z -y", -0.08, 0.3},
+                                      {2, "-z +y", 0.08, -0.3},
+                                      {3, "-z -y", -0.08, -0.3}}) {
+    const HoleInWall& wall = walls[static_cast<std::size_t>(k)];
+    CHECK(wall.side == side);
+    // The mean of both edges is K_g times the stress at the centre; the gradient drops out.
+    const auto& one = at_angle(wall.edges, 90.0).influence.normal;
+    const auto& other = at_angle(wall.edges, 270.0).influence.normal;
+    CHECK(0.5 * (one[cut_force::M_z] + other[cut_force::M_z]) ==
+          Approx(-K_g * y / I_z).epsilon(1e-12));
+    CHECK(0.5 * (one[cut_force::M_y] + other[cut_force::M_y]) ==
+          Approx(K_g * z / 4.075e-3).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("holes in space are known in boxes and rectangular tubes, by their own cases") {
+  const Section solid{Plate{m(0.05), m(0.2)}, {}};
+  CHECK_FALSE(unknown_hole_stress_of(box, HoleCase::in_plane_bending));
+  CHECK(unknown_hole_stress_of(box, HoleCase::published_exponential));
+  CHECK(unknown_hole_stress_of(solid, HoleCase::in_plane_bending));
+  CHECK(unknown_hole_stress_of(solid, HoleCase::out_of_plane_bending));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "boxbeam/verification/verify.hpp"
+#include "boxbeam/verification/worst_place.hpp"
 #include "catch.hpp"
 #include "support/rig.hpp"
 

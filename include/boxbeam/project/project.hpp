@@ -109,9 +109,11 @@ struct Situation {
   double load_factor = 1.0;      ///< on all its loads, for strength
   std::vector<std::string> set;  ///< what differs from the case, "drivers.exciter.frequency = ..."
   std::optional<AnyMechanism> changed;  ///< the mechanism with that; nothing: as the case is
-  /// Where not empty: the change between these situations (indices), one stress cycle from the
-  /// highest to the lowest stress in any of them.
+  /// Where not empty: made of these situations (indices). Either the change between them, one
+  /// stress cycle from the highest to the lowest stress in any of them, or one after the other, in
+  /// order, counted as one history that repeats.
   std::vector<std::size_t> between;
+  bool in_order = false;
 };
 
 /// A pin of the mechanism and the plates it bears on.

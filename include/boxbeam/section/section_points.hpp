@@ -37,7 +37,8 @@ struct SectionPoint {
 /// Which places of a section are looked at.
 enum class PointSet {
   in_plane,  ///< those that can govern under N, V_z and M_y in a section symmetric about z
-  all
+  all,       ///< those that can govern under N, V_z and M_y in any section
+  in_space   ///< those that can govern under all six cut forces, beside the stretches of the walls
 };
 
 /// The named places of a section. In plane: "fibre +z", "fibre -z", of boxes and rectangular tubes
@@ -45,7 +46,12 @@ enum class PointSet {
 /// profile. All: besides them corners, webs on both sides and flanges beside them ("web end +y
 /// +z"), faces of the webs ("fibre +y"), every 45 degrees of a round tube, ends, middle and neutral
 /// axis of every wall of a path on both faces, every corner of a polygon. Sections that are not
-/// symmetric about z always give all. A place in a hole is left out.
+/// symmetric about z always give all in the plane. A place in a hole is left out.
+///
+/// In space: of boxes and rectangular tubes the corners, the middles of the four faces and the ends
+/// of the webs on their outer faces ("corner +y +z", "fibre +y", "web end +y -z"), edges of
+/// stiffeners, of plates and polygons all; between them, and all of round tubes and paths, see
+/// wall_stretches_of.
 ///
 /// The shear of a wall is q/t, on the outer face of a cell or, in an open wall, on the face named,
 /// with t/I_T per torque. Solid sections have a mean over a level,
@@ -58,9 +64,34 @@ enum class PointSet {
 std::vector<SectionPoint> points_of(const StressField& field, PointSet set);
 
 /// The material at a level: of a web, wall to wall (both webs where they may differ), in a flange
-/// the mean over its width. Nothing where the level lies in a hole.
+/// the mean over its width. Nothing where the level lies in a hole. In space: both sides, on the
+/// outer face, of a flange its middle and its edges, of a path every wall on both faces.
 std::vector<SectionPoint> points_at_level(const StressField& field, const std::string& name,
                                           Length z, PointSet set);
+
+/// A place on the outer face of a flange of a box or rectangular tube; `up` is +1 for the top, -1
+/// for the bottom. Shear as in the wall between the webs.
+SectionPoint point_on_flange(const StressField& field, const std::string& name, Length y,
+                             double up);
+
+/// A stretch of wall along which the stress varies smoothly: where on it a stress is worst depends
+/// on the loads, in biaxial bending of a round tube at any angle.
+struct WallStretch {
+  std::string name;      ///< "left web", "top flange 2" beside a hole, "wall", "wall 3 right"
+  bool round = false;    ///< all around a round tube, from +y towards +z
+  bool inner = false;    ///< of the section's inner profile
+  std::size_t wall = 0;  ///< straight: of the flow's walls
+  double from = 0.0, to = 1.0;  ///< fractions of the wall between which it is clear of others
+  double face = 0.0;            ///< 1 the right face, -1 the left one; 0 the outer one of a cell
+  Length plate;                 ///< thickness that decides the yield strength
+};
+
+/// The walls between the corners of boxes and tubes, on their outer faces, round tubes all around,
+/// every wall of a path on both faces; nothing of solids. Holes are left out.
+std::vector<WallStretch> wall_stretches_of(const StressField& field);
+
+/// The place at a part of a stretch, 0 to 1.
+SectionPoint point_on_stretch(const StressField& field, const WallStretch& stretch, double part);
 
 /// Why the shear of V_y or T is not known in a section, or nothing.
 std::optional<std::string> unknown_shear_of(const Section& section);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boxbeam/section/outline.hpp"
 #include "boxbeam/section/section.hpp"
 
 namespace boxbeam {
@@ -27,11 +28,16 @@ SectionProperties properties_of(const Section& section, const std::vector<Hole>&
 
 /// Effective properties for shear lag: of each internal flange of the outer profile only the part
 /// `flange_part` of its clear width counts, half of it beside each web; a strip in its middle is
-/// left out, with it the stiffeners there. For normal stress only.
-/// Valid for boxes and rectangular tubes; other profiles are taken whole. Precondition: 0 <
-/// flange_part <= 1. Source: EN 1993-1-5:2006, 3.2 (effective^s width, recalled, not confirmed).
+/// left out, with it the stiffeners there. Of the webs, which are the flanges of bending about z,
+/// likewise the part `web_part` of their clear depth. For normal stress only.
+/// Valid for boxes and rectangular tubes; other profiles are taken whole. Precondition: both parts
+/// above 0 and at most 1. Source: EN 1993-1-5:2006, 3.2 (effective^s width, recalled, not
+/// confirmed).
 SectionProperties properties_of(const Section& section, const std::vector<Hole>& holes,
-                                double flange_part);
+                                double flange_part, double web_part = 1.0);
+
+/// The area integrals of a section known by its properties.
+AreaSums sums_of(const SectionProperties& of);
 
 /// First moment of the net area beyond level z about the centroid, for V S / (I b) [m^3].
 ///

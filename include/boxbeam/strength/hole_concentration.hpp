@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "boxbeam/section/section_points.hpp"
@@ -25,7 +27,7 @@ Length plate_width_of(const Section& section, const std::vector<Hole>& holes, co
 
 /// A place on the edge of a hole and the local stress along the edge there.
 struct HoleEdge {
-  Length z;                   ///< level of the place
+  Length y, z;                ///< of the place; y in space only
   double angle = 0.0;         ///< seen from the hole's centre, from +x towards +z [rad]; webs only
   StressInfluence influence;  ///< stress per cut force, concentration included
 };
@@ -50,8 +52,33 @@ struct HoleEdge {
 /// of Elasticity, article 35; gradient: Airy function of kappa z^3/6 with the same boundary
 /// conditions; the factor 2 also in Roark's Formulas, table 17.1 (conservative by 0 to 4 % for d/w
 /// up to 0.7).
-/// Bending in the plane of motion: M_z, V_y and T are not counted.
+/// Bending in the plane of motion: M_z, V_y and T are not counted, see holes_in_walls_of.
 std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Hole>& holes,
                                     const Taper& taper, const Hole& hole, HoleCase hole_case);
+
+/// A hole in one of the walls that it goes through.
+struct HoleInWall {
+  std::string side;  ///< "+y", "-z", of two holes in a flange "+z +y"
+  std::vector<HoleEdge> edges;
+};
+
+/// Places around the edges of a hole in each wall, under all six cut forces. Both in webs and in
+/// flanges the superposition of hole_edges_of with u along the wall (z in webs, y in flanges),
+/// theta from +x towards +u, sigma_0 the stress of the gross section at the hole's centre on the
+/// wall's outer face, tau_0 that of the wall's shear flow there:
+///
+///     sigma = K_g/3 sigma_0 (1 - 2 cos 2 theta) + r dsigma/du (sin theta - sin 3 theta)
+///             - 4/(1-a) tau_0 sin 2 theta
+///     sigma_0 = N/A + M_y z/I_y - M_z y/I_z,  tau_0 of V_y, V_z, T
+///
+/// dsigma/du of the moments is of the net section. The stress at the outer face is taken for the
+/// whole wall, and what varies over its thickness, bending out of its plane, with K_g, which is
+/// more than its own factor: on the safe side. Valid for boxes and rectangular tubes, see
+/// unknown_hole_stress_of. Source: as hole_edges_of.
+std::vector<HoleInWall> holes_in_walls_of(const Section& section, const std::vector<Hole>& holes,
+                                          const Taper& taper, const Hole& hole);
+
+/// Why the stress at a hole's edge is not known under all six cut forces, or nothing.
+std::optional<std::string> unknown_hole_stress_of(const Section& section, HoleCase hole_case);
 
 }  // namespace boxbeam

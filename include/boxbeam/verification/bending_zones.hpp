@@ -5,13 +5,18 @@
 #include <vector>
 
 #include "boxbeam/section/section.hpp"
+#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/shear_lag.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
 
-/// A stretch of the beam between two places of zero moment, at the instant when the bending moment
-/// is largest.
+/// The axis about which the beam bends: y in the plane of a planar motion; z only in space, where
+/// the webs are flanges.
+enum class BendingAxis { y, z };
+
+/// A stretch of the beam between two places of zero moment about one axis, at the instant when that
+/// moment is largest.
 struct BendingZone {
   Length from, to;
   /// Length between zero moments, for shear lag; twice the stretch where the moment is largest at
@@ -19,10 +24,11 @@ struct BendingZone {
   /// the stretch is a little shorter than it would be without, on the safe side.
   Length effective_length;
   BendingRegion region = BendingRegion::sagging;  ///< hogging where a force makes a peak inside
+  BendingAxis axis = BendingAxis::y;
 };
 
-/// The stretches of the beam, in order; none where it is never bent, or the case leaves shear lag
-/// out.
+/// The stretches of the beam, in order, of M_y and behind them, in space, of M_z; none where it is
+/// never bent, or the case leaves shear lag out.
 /// Source: EN 1993-1-5:2006, 3.2.1, figure 3.1 (lengths between zero moments).
 std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs);
@@ -36,9 +42,27 @@ struct ShearLag {
   double flange_part = 1.0;  ///< of the clear width, see properties_of
 };
 
-/// Shear lag of a box or rectangular tube at a place; nothing where it does not count (b_0 below
-/// L_e/50, other profiles, no bending). Source: EN 1993-1-5:2006, 3.1, 3.2.1.
+/// Shear lag of a box or rectangular tube at a place, of its flanges (bending about y) or its webs
+/// (about z); nothing where it does not count (b_0 below L_e/50, other profiles, no bending).
+/// Source: EN 1993-1-5:2006, 3.1, 3.2.1.
 std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, const Section& section,
-                                     Length s);
+                                     Length s, BendingAxis axis = BendingAxis::y);
+
+/// Shear lag of both bendings at a place. One effective section serves both: what is idle in the
+/// flanges under M_y and what is idle in the webs under M_z is left out of it together. Each plate
+/// is the web of the other bending and would there be whole, and either reduction alone lowers both
+/// moments of inertia: normal stresses of N, M_y and M_z come out at least as large as by either.
+/// Source: EN 1993-1-5:2006, 3.1, 3.2.1 (one bending); the combination is ours, on the safe side.
+struct ShearLags {
+  std::optional<ShearLag> flanges, webs;
+
+  bool count() const { return flanges || webs; }
+};
+
+ShearLags shear_lags_at(const std::vector<BendingZone>& zones, const Section& section, Length s);
+
+/// The section that shear lag and holes leave for normal stress.
+SectionProperties effective_properties_of(const Section& section, const std::vector<Hole>& holes,
+                                          const ShearLags& lags);
 
 }  // namespace boxbeam

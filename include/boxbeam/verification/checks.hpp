@@ -7,6 +7,7 @@
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/stress_points.hpp"
+#include "boxbeam/verification/verified_stations.hpp"
 
 namespace boxbeam {
 

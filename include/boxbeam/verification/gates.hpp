@@ -21,8 +21,9 @@ struct Gate {
 /// Section class with the stress that is there (EN 1993-1-1, table 5.2; class 4 with its effective
 /// width, EN 1993-1-5, 4.4), need of a shear buckling check (EN 1993-1-5, 5.1(2)), shear lag (EN
 /// 1993-1-5, 3.1; reduces the stresses' flanges, does not block), stress above yield. Each plate of
-/// a segment once, where it is worst. A plate counts as compressed in an instant where its
-/// compression is more than 1 % of its largest stress.
+/// a segment once, where it is worst. In space both webs under their own stress of N, M_y and M_z,
+/// the flanges as in the plane evenly compressed, all four plates in shear (V_y, T). A plate counts
+/// as compressed in an instant where its compression is more than 1 % of its largest stress.
 std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
                            const std::vector<Station>& stations,
                            const std::vector<CheckResult>& checks);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +23,12 @@ struct EdgeConcentration {
   double angle = 0.0;   ///< of the place on the edge, from +x towards +z [rad]
 };
 
+/// A stretch of wall in its section, for loads in space.
+struct StressStretch {
+  std::shared_ptr<const StressField> field;
+  WallStretch wall;
+};
+
 /// A point of the beam whose stress is verified: all that its stress takes beside the cut forces.
 struct StressPoint {
   Station station;
@@ -37,31 +43,26 @@ struct StressPoint {
   Stress yield_strength;
   std::optional<EdgeConcentration> concentration;
   std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found
+  std::optional<StressStretch> stretch;  ///< of a wall: the places along it, in space
   /// What resists ranges of direct and of shear stress; none where that is not looked at.
   const BeamDetail* detail = nullptr;
   bool compression_reduced = false;  ///< whether compression counts 60 % of direct stress, 7.2.1
   const Detail* shear_detail = nullptr;
-  bool yield = true;       ///< whether the equivalent stress is looked at
-  bool on_throat = false;  ///< the throat of a seam: only its shear stress has a meaning
-  std::optional<ShearLag> lag;
+  bool yield = true;                ///< whether the equivalent stress is looked at
+  bool on_throat = false;           ///< the throat of a seam: only its shear stress has a meaning
+  std::optional<ShearLag> lag;      ///< of the flanges
+  std::optional<ShearLag> web_lag;  ///< of the webs as flanges of M_z, in space
 };
 
+/// The stress of a place in a point's section, its normal stress with what shear lag leaves.
+StressInfluence influence_in(const StressPoint& point, const SectionPoint& place);
+
 /// Extreme fibres, ends of the webs, neutral axis, fibres of an inner profile, hole edges and the
-/// web beside them, throats of seams, and the user's own points in the section at a station.
+/// web beside them, throats of seams, and the user's own points in the section at a station. In
+/// space corners, faces, seams on both webs, and the stretches of wall between.
+/// Throws AnalysisError where in space the stress of a shape or of a hole is not known.
 std::vector<StressPoint> stress_points_at(const Project& project,
                                           const std::vector<BendingZone>& zones,
                                           const Station& station);
-
-/// A point on a hole's edge moved to the place with the largest stress (yield), or where the cycles
-/// of all situations and changes leave the smallest factor (fatigue), at the instants of all
-/// motions; any other point as it is.
-StressPoint at_worst_edge(const Project& project, const StressPoint& point,
-                          const std::vector<SituationHistory>& histories, Criterion criterion);
-
-/// The stations to verify: both sides of every jump of load or section, other places once, and the
-/// ends of the details' stretches, and places inside segments where a stress, stress range or cut
-/// force has a maximum along the beam.
-std::vector<Station> stations_to_verify(const Project& project,
-                                        const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam
