@@ -151,9 +151,13 @@ std::string spatial_normal_lines(const std::string& symbol, const StressPoint& p
 
 std::string spatial_shear_lines(const std::string& symbol, const StressPoint& point,
                                 const CutForces& cut) {
-  return line(symbol, point.on_throat
-                          ? "q/a in the throat, q = V_z S_y/I_y + V_y S_z/I_z + q_T of the torque"
-                          : "V_z S_y/(I_y t) + V_y S_z/(I_z t) + torsion") +
+  const auto& shear = point.influence.shear;
+  const bool tapers =
+      shear[cut_force::N] != 0.0 || shear[cut_force::M_y] != 0.0 || shear[cut_force::M_z] != 0.0;
+  const std::string formula =
+      point.on_throat ? "q/a in the throat, q = V_z S_y/I_y + V_y S_z/I_z + q_T of the torque"
+                      : "V_z S_y/(I_y t) + V_y S_z/(I_z t) + torsion";
+  return line(symbol, formula + (tapers ? "; N, M_y, M_z: d/dx of the section" : "")) +
          contributions(point.influence.shear, cut);
 }
 

@@ -29,7 +29,8 @@ const auto& named(const Things& things, const std::string& name) {
 
 std::vector<std::string> point_names_of(const Project& project) {
   std::vector<std::string> names;
-  for (const ChainPoint& point : chain_motion_of(project, {0.0}, "world").states.front().points) {
+  const ChainMotionResult motion = chain_motion_of(project, {0.0}, "world");
+  for (const ChainPoint& point : motion.states.front().points) {
     names.push_back(point.name);
   }
   return names;
