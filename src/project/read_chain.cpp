@@ -151,21 +151,19 @@ void add_spherical(TableReader& table, const std::string& name, const JointDraft
   for (std::size_t k = 0; k < 3; ++k) {
     draft.joint.name = fmt::format("{}.{}", name, k + 1);
     draft.joint.kind = JointKind::revolute;
-    draft.joint.axis = axes[k];
+    draft.joint.axis = draft.joint.turn * axes[k];
     if (k < 2) {
-      draft.joint.turn.setIdentity();
       draft.joint.point.setZero();
       draft.carried = static_cast<int>(mechanism.bodies.size());
-      mechanism.bodies.push_back(Body{draft.joint.name, 0.0, {0, 0, 0}, {}, {}});
-      mechanism.bodies.back().inertia.setZero();
+      mechanism.bodies.emplace_back().name = draft.joint.name;
     } else {
-      draft.joint.turn = whole.joint.turn;
       draft.joint.point = whole.joint.point;
       draft.carried = whole.carried;
     }
     drafts.push_back(draft);
     draft.joint.parent = draft.carried;
     draft.joint.at.setZero();
+    draft.joint.turn.setIdentity();
   }
 }
 
@@ -183,7 +181,8 @@ std::vector<JointDraft> read_joints_of(TableReader& root, Mechanism& mechanism) 
       add_spherical(table, name, draft, mechanism, drafts);
     } else {
       draft.joint.kind = static_cast<JointKind>(kind);
-      if (kind > 0) draft.joint.axis = table.direction("axis");
+      // Written in the axes of the carried body where it stands at zero.
+      if (kind > 0) draft.joint.axis = draft.joint.turn * table.direction("axis");
       drafts.push_back(draft);
     }
     table.finish();

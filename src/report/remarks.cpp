@@ -157,13 +157,14 @@ void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closu
 void add_motion(const Project& project, const MotionSummary& motion,
                 std::vector<std::string>& remarks) {
   if (motion.closure) add_closure(planar_of(project), *motion.closure, remarks);
-  // What only others repeat, or strength alone, has no cycles of its own.
-  if (project.situations[motion.situation].cycles == 0.0) return;
+  // Of a situation that only its sequence counts, the sequence says how it repeats.
+  const double cycles = project.situations[motion.situation].cycles;
+  if (cycles == 0.0) return;
   if (duration_of(project).length > 0.0) {
     remarks.push_back(
         fmt::format("one of the {:.6g} cycles of the fatigue demand is the whole time "
                     "looked at, {}",
-                    most_cycles_of(project), text::seconds(motion.period.value())));
+                    cycles, text::seconds(motion.period.value())));
   }
   if (!motion.closed) {
     remarks.push_back(
