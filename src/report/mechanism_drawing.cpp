@@ -65,11 +65,19 @@ void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
   int number = 0;
   double longest = 0.0;
   for (const BeamLoadRow& row : posture.loads) longest = std::max(longest, row.world.norm());
+  const auto seen = [&](const Eigen::Vector3d& v) {
+    return Eigen::Vector2d(v[view.across], v[view.up]);
+  };
+  std::vector<std::pair<const BeamLoadRow*, Eigen::Vector2d>> tails;
   for (const BeamLoadRow& row : posture.loads) {
-    const Eigen::Vector2d force(row.world[view.across], row.world[view.up]);
-    if (force.norm() < 0.05 * longest && force.norm() < 0.3 * row.world.norm()) continue;
-    const Eigen::Vector2d place(row.place[view.across], row.place[view.up]);
-    const Eigen::Vector2d tail = place - metres_per_newton * force;
+    const double length = seen(row.world).norm();
+    if (length < 0.05 * longest && length < 0.3 * row.world.norm()) continue;
+    tails.emplace_back(&row, seen(row.place) - metres_per_newton * seen(row.world));
+  }
+  for (const auto& [load, tail] : tails) {
+    const BeamLoadRow& row = *load;
+    const Eigen::Vector2d force = seen(row.world);
+    const Eigen::Vector2d place = seen(row.place);
     const bool from_left = force.x() > 0.0;
     ++number;
     const std::string name =
@@ -82,9 +90,16 @@ void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
     if (with_size) {
       gp << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9");
     } else {
-      // Beyond the tail, where the arrow itself is not in the way.
+      // Beyond the tail, where the arrow itself is not in the way; beside another name apart from
+      // it.
       const Eigen::Vector2d back = -force.normalized();
-      gp << " center offset " << 3.2 * back.x() << "," << 0.9 * back.y();
+      const char* side = " center";
+      for (const auto& [other, other_tail] : tails) {
+        const Eigen::Vector2d apart = (tail - other_tail) / (metres_per_newton * longest);
+        if (other == &row || std::abs(apart.x()) > 0.8 || std::abs(apart.y()) > 0.6) continue;
+        side = apart.x() < 0.0 || (apart.x() == 0.0 && &row < other) ? " right" : " left";
+      }
+      gp << side << " offset " << 3.2 * back.x() << "," << 0.9 * back.y();
     }
     gp << " tc rgb '" << ink << "' front noenhanced\n";
   }
