@@ -225,7 +225,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   const std::string beam_body = read_mechanism(root, document.root, sections, tables, project);
   readers::read_situations(root, document.root, beam_body, tables, project);
   readers::read_demands(root, project);
-  readers::read_neighbours(root, sections, project);
+  if (!space) readers::read_neighbours(root, sections, project);
   readers::check_net_sections(root, project);
   check_rounding(root, project);
   check_dynamics(root, project);

@@ -115,14 +115,19 @@ std::string cut_force_section(const Project& project, const Verification& verifi
     table.row(row);
   }
   out += table.text() + "\n";
-  Table instants({"extreme of", "s [m]", "t [s]", "value"});
+  const bool several = in_space(project) && project.situations.size() > 1;
+  Table instants(
+      several ? std::vector<std::string>{"extreme of", "s [m]", "t [s]", "value", "situation"}
+              : std::vector<std::string>{"extreme of", "s [m]", "t [s]", "value"});
   for (const CriticalInstant& instant : verification.critical_instants) {
     const bool moment = instant.quantity.starts_with("M") || instant.quantity == "T";
     const std::string value = moment                         ? text::kNm(instant.value)
                               : instant.quantity == "stress" ? text::MPa(instant.value)
                                                              : text::kN(instant.value);
-    instants.row({instant.quantity, to_text(instant.station),
-                  fmt::format("{:.6f}", instant.time.value()), value});
+    std::vector<std::string> row{instant.quantity, to_text(instant.station),
+                                 fmt::format("{:.6f}", instant.time.value()), value};
+    if (several) row.push_back(project.situations[instant.situation].name);
+    instants.row(std::move(row));
   }
   return out + instants.text() + "\n";
 }

@@ -114,18 +114,20 @@ std::string hand_formula_text(const HandComparison& hand) {
   std::string out = fmt::format("\n{}: {} of {} at t = {:.6g} s\n", formula.name,
                                 to_text(formula.quantity), hand.of, formula.time.value());
   Table table({"", fmt::format("formula [{}]", unit_of(formula.quantity)), "computed", "difference",
-               "of its length", "as the case writes it"});
+               "over the length"});
   const double size = std::max(formula.value.norm(), hand.computed.norm());
+  std::string written;
   for (int i = 0; i < 3; ++i) {
     const double open = formula.value[i] - hand.computed[i];
     const auto component = static_cast<std::size_t>(i);
-    table.row({std::string(1, "xyz"[component]), number(formula.value[i], size),
-               number(hand.computed[i], size), fmt::format("{:.1e}", open == 0.0 ? 0.0 : open),
-               fmt::format("{:.1e}", size > 0.0 ? std::abs(open) / size : 0.0),
-               formula.formula[component]});
+    const std::string axis(1, "xyz"[component]);
+    table.row({axis, number(formula.value[i], size), number(hand.computed[i], size),
+               fmt::format("{:.3g}", open == 0.0 ? 0.0 : open),
+               fmt::format("{:.1e}", size > 0.0 ? std::abs(open) / size : 0.0)});
+    written += layout::entry(axis, "= " + formula.formula[component]);
   }
-  out += table.text();
-  if (!formula.note.empty()) out += layout::paragraph(formula.note);
+  out += table.text() + written;
+  if (!formula.note.empty()) out += layout::entry("note", formula.note);
   return out;
 }
 
@@ -147,6 +149,9 @@ std::string motion_text(const Project& project, const ChainMotionResult& motion)
   }
   if (motion.hand_formulas.empty()) return out;
   out += "\n" + layout::heading("Hand formulas of the case, world axes");
+  out += layout::paragraph(
+      "The difference is the formula's value minus the computed one, then over the vector's "
+      "length.");
   for (const HandComparison& hand : motion.hand_formulas) out += hand_formula_text(hand);
   return out;
 }

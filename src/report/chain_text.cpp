@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "boxbeam/mechanism/spatial/rotation.hpp"
 #include "boxbeam/report/format.hpp"
 #include "function_text.hpp"
 #include "text_layout.hpp"
@@ -29,7 +30,7 @@ std::string body_name(const Mechanism& mechanism, int body) {
 std::string direction_text(const Eigen::Vector3d& direction) {
   for (int k = 0; k < 3; ++k) {
     const double along = direction[k];
-    if (std::abs(std::abs(along) - 1.0) > 1e-12) continue;
+    if (std::abs(std::abs(along) - 1.0) > 1e-9) continue;
     return fmt::format("{}{}", along < 0.0 ? "-" : "", "xyz"[k]);
   }
   return triple(direction);
@@ -49,14 +50,24 @@ std::string place_text(const Mechanism& mechanism, const spatial::Attachment& at
   return fmt::format("{} at {} m", body.name, triple(at.p));
 }
 
+/// "0.1 rad about x".
+std::string turn_text(const Eigen::Matrix3d& R) {
+  const Eigen::Vector3d turn = spatial::turn_of(R);
+  const double angle = turn.norm();
+  if (angle < 1e-12) return "-";
+  return fmt::format("{} rad about {}", plain(angle), direction_text(turn / angle));
+}
+
 std::string joints_table(const Mechanism& mechanism) {
-  layout::Table table({"joint", "kind", "carries", "on", "at [m]", "axis, of the carrying body"});
+  layout::Table table(
+      {"joint", "kind", "carries", "on", "at [m]", "axis, of the carried body", "turned at zero"});
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const spatial::Joint& joint = mechanism.joints[i];
     const bool fixed = joint.kind == spatial::JointKind::fixed;
     table.row({joint.name, spatial::to_text(joint.kind), mechanism.bodies[i].name,
                body_name(mechanism, joint.parent), triple(joint.at),
-               fixed ? "-" : direction_text(joint.axis)});
+               fixed ? "-" : direction_text(joint.turn.transpose() * joint.axis),
+               turn_text(joint.turn)});
   }
   return table.text();
 }

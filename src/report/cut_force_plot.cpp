@@ -48,9 +48,19 @@ Outline outline_in_y(const TaperedBeam& beam) {
 std::string legend_of(const Verification& verification) {
   std::string legend = ", NaN with filledcurves fc rgb '#e9e9e9' title 'envelope'";
   for (std::size_t k = 0; k < verification.lines.size(); ++k) {
-    legend += fmt::format(
-        ", NaN with lines lw 1.8 lc rgb '{}' title {}", colour(k),
-        quoted(time_label(verification.lines[k].time, verification.lines[k].situation)));
+    legend += fmt::format(", NaN with lines lw 1.8 lc rgb '{}' title {}", colour(k),
+                          quoted(time_label(verification.lines[k].time)));
+  }
+  return legend;
+}
+
+/// The same below all panels, which says also why an instant is shown.
+std::vector<LegendEntry> legend_below(const Verification& verification) {
+  std::vector<LegendEntry> legend{{"envelope", "lw 10 lc rgb '#e0e0e0'"}};
+  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
+    const CutForceLine& line = verification.lines[k];
+    legend.push_back({fmt::format("{}, {}", time_label(line.time), line.why),
+                      fmt::format("lw 1.8 lc rgb '{}'", colour(k))});
   }
   return legend;
 }
@@ -105,6 +115,11 @@ void draw_panel(Script& gp, const Verification& verification, cut_force::Index w
       "plot $band_{} using 1:2:3 with filledcurves fc rgb '#e9e9e9', "
       "0 with lines lc rgb '#505050' lw 1",
       symbol);
+  struct Named {
+    Row2 at;
+    const char* colour;
+  };
+  std::vector<Named> extremes;
   int label_number = 0;
   std::vector<Row2> labelled;
   // Whether a value already stands so near that two labels would overlap.
@@ -119,19 +134,25 @@ void draw_panel(Script& gp, const Verification& verification, cut_force::Index w
     const std::vector<Row2> rows = rows_of(line);
     gp.block(fmt::format("{}{}", symbol, k), rows);
     plot += fmt::format(", ${}{} using 1:2 with lines lw 1.8 lc rgb '{}'", symbol, k, colour(k));
-    const auto extreme =
-        std::max_element(rows.begin(), rows.end(), [](const Row2& a, const Row2& b) {
-          return std::abs(std::get<1>(a)) < std::abs(std::get<1>(b));
-        });
-    const double y = std::get<1>(*extreme);
-    if (crowded(*extreme)) continue;
-    labelled.push_back(*extreme);
-    gp << "set label " << ++label_number << " '" << text::significant(y) << "' at "
-       << std::get<0>(*extreme) << "," << y << " offset "
-       << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? "-1" : "0.5") << ","
-       << (y > 0 ? 0.6 : -0.6)
-       << (std::get<0>(*extreme) > 0.8 * std::get<0>(rows.back()) ? " right" : " left")
-       << " tc rgb '" << colour(k) << "' front\n";
+    extremes.push_back({*std::max_element(rows.begin(), rows.end(),
+                                          [](const Row2& one, const Row2& other) {
+                                            return std::abs(std::get<1>(one)) <
+                                                   std::abs(std::get<1>(other));
+                                          }),
+                        colour(k)});
+  }
+  // Where there is no room for all, the largest are named.
+  std::stable_sort(extremes.begin(), extremes.end(), [](const Named& one, const Named& other) {
+    return std::abs(std::get<1>(one.at)) > std::abs(std::get<1>(other.at));
+  });
+  for (const Named& extreme : extremes) {
+    const auto [x, y] = extreme.at;
+    if (crowded(extreme.at) || std::abs(y) < 1e-9 * (top - bottom)) continue;
+    labelled.push_back(extreme.at);
+    const bool at_end = x > 0.8 * std::get<0>(low.back());
+    gp << "set label " << ++label_number << " '" << text::significant(y) << "' at " << x << "," << y
+       << " offset " << (at_end ? "-1" : "0.5") << "," << (y > 0 ? 0.6 : -0.6)
+       << (at_end ? " right" : " left") << " tc rgb '" << extreme.colour << "' front\n";
   }
   gp << "set ylabel '" << label << "'\nset yrange [" << bottom - room << ":" << top + room << "]\n"
      << plot << "\nunset label\n";
@@ -140,15 +161,26 @@ void draw_panel(Script& gp, const Verification& verification, cut_force::Index w
 }  // namespace
 
 void cut_forces(Script& gp, const Project& project, const Verification& verification) {
-  gp.begin("cut-forces", 860, 980);
-  gp << "set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title "
-     << quoted("Cut forces along the beam: " + project.name) << " noenhanced\n"
+  // The legend stands beside the beam, where no curve is; that of several situations is too wide.
+  const bool below = project.situations.size() > 1;
+  constexpr int width = 860;
+  const std::vector<LegendEntry> legend = legend_below(verification);
+  const int room = below ? 20 * static_cast<int>(rows_of_legend(legend, width)) + 8 : 0;
+  const int height = 980 + room;
+  gp.begin("cut-forces", width, height);
+  gp << "set multiplot layout 4,1 margins 0.11,0.97," << (58.8 + room) / height
+     << ",0.95 spacing 0,0.035 title " << quoted("Cut forces along the beam: " + project.name)
+     << " noenhanced\n"
      << "set xrange [" << -0.02 * project.beam.length().value() << ":"
      << 1.02 * project.beam.length().value() << "]\n"
      << "set format x ''\n";
-  // The one legend of the figure stands here, where no curve is.
-  gp << "set key top right horizontal\n";
-  draw_outline(gp, project, outline_in_z(project.beam), legend_of(verification));
+  if (below) {
+    draw_legend(gp, legend, width, height, 18);
+    gp << "unset key\n";
+  } else {
+    gp << "set key top right horizontal\n";
+  }
+  draw_outline(gp, project, outline_in_z(project.beam), below ? "" : legend_of(verification));
   draw_panel(gp, verification, cut_force::N, "N", "N [kN]");
   draw_panel(gp, verification, cut_force::V_z, "V", "V [kN]");
   gp << "set format x '%g'\nset xlabel 's [m], from the start of the beam'\n";
@@ -157,27 +189,35 @@ void cut_forces(Script& gp, const Project& project, const Verification& verifica
 }
 
 void cut_forces_in_space(Script& gp, const Project& project, const Verification& verification) {
-  gp.begin("cut-forces", 1240, 1060);
-  gp << "set multiplot layout 4,2 columnsfirst margins 0.075,0.985,0.12,0.95 spacing 0.085,0.03 "
-        "title "
-     << quoted("Cut forces along the beam: " + project.name) << " noenhanced\n"
+  const std::vector<LegendEntry> legend = legend_below(verification);
+  constexpr int width = 1240;
+  const auto rows = static_cast<int>(rows_of_legend(legend, width));
+  const int height = 1010 + 20 * rows;
+  gp.begin("cut-forces", width, height);
+  gp << "set multiplot layout 4,2 columnsfirst margins 0.07,0.985," << (75.0 + 20.0 * rows) / height
+     << ",0.95 spacing 0.08,0.03 title " << quoted("Cut forces along the beam: " + project.name)
+     << " noenhanced\n"
      << "set xrange [" << -0.02 * project.beam.length().value() << ":"
-     << 1.02 * project.beam.length().value() << "]\n"
-     << "set format x ''\nunset key\n";
-  // Left what acts in the plane x-z, right what acts in x-y, and the torque.
-  draw_outline(gp, project, outline_in_z(project.beam), "");
-  draw_panel(gp, verification, cut_force::N, "N", "N [kN]");
-  draw_panel(gp, verification, cut_force::V_z, "V_z", "V_z [kN]");
-  const char* with_axis = "set format x '%g'\nset xlabel 's [m], from the start of the beam'\n";
-  gp << with_axis;
-  draw_panel(gp, verification, cut_force::M_y, "M_y", "M_y [kN m], + tension at +z");
-  gp << "set format x ''\nunset xlabel\nset key at screen 0.5,0.055 center center horizontal "
-        "maxcols 5\n";
-  draw_outline(gp, project, outline_in_y(project.beam), legend_of(verification));
-  draw_panel(gp, verification, cut_force::T, "T", "T [kN m]");
-  draw_panel(gp, verification, cut_force::V_y, "V_y", "V_y [kN]");
-  gp << with_axis;
-  draw_panel(gp, verification, cut_force::M_z, "M_z", "M_z [kN m], + tension at -y");
+     << 1.02 * project.beam.length().value() << "]\nunset key\n";
+  draw_legend(gp, legend, width, height, 18);
+  const auto names = cut_forces_looked_at(project);
+  // A column for each plane of the beam: its border, then what acts in that plane.
+  const auto column = [&](const Outline& border, std::initializer_list<cut_force::Index> forces) {
+    gp << "set format x ''\nunset xlabel\n";
+    draw_outline(gp, project, border, "");
+    for (const cut_force::Index which : forces) {
+      const auto name = std::find_if(names.begin(), names.end(),
+                                     [&](const CutForceName& of) { return of.which == which; });
+      std::string title = axis_title(*name);
+      if (which == cut_force::M_y) title += ", + tension at +z";
+      if (which == cut_force::M_z) title += ", + tension at -y";
+      if (which == *(forces.end() - 1))
+        gp << "set format x '%g'\nset xlabel 's [m], from the start of the beam'\n";
+      draw_panel(gp, verification, which, name->name, title);
+    }
+  };
+  column(outline_in_z(project.beam), {cut_force::N, cut_force::V_z, cut_force::M_y});
+  column(outline_in_y(project.beam), {cut_force::T, cut_force::V_y, cut_force::M_z});
   gp << "unset multiplot\n";
 }
 

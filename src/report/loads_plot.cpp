@@ -23,8 +23,10 @@ bool of_one_span(const LoadsOverTime& figure) {
 void loads_over_time(Script& gp, const Project& project, const Verification& verification) {
   const LoadsOverTime& figure = *verification.loads_over_time;
   const bool seconds = of_one_span(figure);
-  gp.begin("loads", 1000, 860);
-  gp << "set multiplot layout 3,2 columnsfirst margins 0.085,0.98,0.11,0.92 spacing 0.095,0.035 "
+  constexpr int width = 1000;
+  constexpr int height = 860;
+  gp.begin("loads", width, height);
+  gp << "set multiplot layout 3,2 columnsfirst margins 0.085,0.98,0.12,0.93 spacing 0.095,0.035 "
         "title "
      << quoted(fmt::format("Cut forces at s = {} m over time: {}", to_text(figure.station),
                            project.name))
@@ -35,6 +37,14 @@ void loads_over_time(Script& gp, const Project& project, const Verification& ver
        << figure.lines.front().times.back().value() << "]\n";
   } else {
     gp << "set xrange [0:1]\n";
+  }
+  std::vector<LegendEntry> legend;
+  for (std::size_t k = 0; k < figure.lines.size(); ++k) {
+    const LoadsOverTime::Line& line = figure.lines[k];
+    const double length = (line.times.back() - line.times.front()).value();
+    const std::string& situation = project.situations[line.situation].name;
+    legend.push_back({seconds ? situation : fmt::format("{}, {:.4g} s", situation, length),
+                      fmt::format("lw 1.8 lc rgb '{}'", colour(k))});
   }
   // Left what bends in the plane x-z, right what bends in x-y, with the torque.
   static constexpr cut_force::Index order[] = {cut_force::N, cut_force::V_z, cut_force::M_y,
@@ -57,24 +67,18 @@ void loads_over_time(Script& gp, const Project& project, const Verification& ver
       }
       const std::string data = fmt::format("{}{}", name->name, k);
       gp.block(data, rows);
-      const std::string& situation = project.situations[line.situation].name;
-      const std::string title =
-          seconds ? situation : fmt::format("{} ({:.4g} s)", situation, length);
-      plot += fmt::format(", ${} using 1:2 with lines lw 1.8 lc rgb '{}' title {}", data, colour(k),
-                          quoted(title));
+      plot += fmt::format(", ${} using 1:2 with lines lw 1.8 lc rgb '{}'", data, colour(k));
     }
     const bool lowest = p % 3 == 2;
     gp << "set format x '" << (lowest ? "%g" : "") << "'\n";
     if (lowest)
-      gp << "set xlabel '" << (seconds ? "t [s]" : "time over the span of the situation") << "'\n";
+      gp << "set xlabel '" << (seconds ? "t [s]" : "time, as part of each situation") << "'\n";
     else
       gp << "unset xlabel\n";
-    gp << "set ylabel '" << name->name << (which < cut_force::T ? " [kN]" : " [kN m]") << "'\n";
+    gp << "set ylabel '" << axis_title(*name) << "'\n";
     // One legend for all panels, below them.
-    if (p + 1 == std::size(order) && figure.lines.size() > 1) {
-      gp << "set key at screen 0.5,0.035 center center horizontal maxrows 1\n";
-    }
-    gp << plot << "\n";
+    if (p == 0 && legend.size() > 1) draw_legend(gp, legend, width, height, 18);
+    gp << plot << "\nunset label\nunset arrow\n";
   }
   gp << "unset multiplot\n";
 }

@@ -60,26 +60,48 @@ std::string draw_bodies(Script& gp, const PostureFigure& posture, const View& vi
 }
 
 void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
-                double metres_per_newton) {
+                double metres_per_newton, bool with_size) {
   constexpr const char* ink = "#202020";
   int number = 0;
   double longest = 0.0;
   for (const BeamLoadRow& row : posture.loads) longest = std::max(longest, row.world.norm());
+  const auto seen = [&](const Eigen::Vector3d& v) {
+    return Eigen::Vector2d(v[view.across], v[view.up]);
+  };
+  std::vector<std::pair<const BeamLoadRow*, Eigen::Vector2d>> tails;
   for (const BeamLoadRow& row : posture.loads) {
-    const Eigen::Vector2d force(row.world[view.across], row.world[view.up]);
-    if (force.norm() < 0.05 * longest && force.norm() < 0.3 * row.world.norm()) continue;
-    const Eigen::Vector2d place(row.place[view.across], row.place[view.up]);
-    const Eigen::Vector2d tail = place - metres_per_newton * force;
+    const double length = seen(row.world).norm();
+    if (length < 0.05 * longest && length < 0.3 * row.world.norm()) continue;
+    tails.emplace_back(&row, seen(row.place) - metres_per_newton * seen(row.world));
+  }
+  for (const auto& [load, tail] : tails) {
+    const BeamLoadRow& row = *load;
+    const Eigen::Vector2d force = seen(row.world);
+    const Eigen::Vector2d place = seen(row.place);
     const bool from_left = force.x() > 0.0;
     ++number;
     const std::string name =
         row.name.empty() ? fmt::format("s = {} m", text::significant(row.s.value(), 3)) : row.name;
     gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to " << place.x()
        << "," << place.y() << " lw 2 lc rgb '" << ink << "' front\n";
-    gp << "set label " << number << " " << quoted(name + "  " + text::kN(row.world.norm()))
-       << " at " << tail.x() << "," << tail.y()
-       << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9") << " tc rgb '" << ink
-       << "' front noenhanced\n";
+    gp << "set label " << number << " "
+       << quoted(with_size ? name + "  " + text::kN(row.world.norm()) : name) << " at " << tail.x()
+       << "," << tail.y();
+    if (with_size) {
+      gp << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9");
+    } else {
+      // Beyond the tail, where the arrow itself is not in the way; beside another name apart from
+      // it.
+      const Eigen::Vector2d back = -force.normalized();
+      const char* side = " center";
+      for (const auto& [other, other_tail] : tails) {
+        const Eigen::Vector2d apart = (tail - other_tail) / (metres_per_newton * longest);
+        if (other == &row || std::abs(apart.x()) > 0.8 || std::abs(apart.y()) > 0.6) continue;
+        side = apart.x() < 0.0 || (apart.x() == 0.0 && &row < other) ? " right" : " left";
+      }
+      gp << side << " offset " << 3.2 * back.x() << "," << 0.9 * back.y();
+    }
+    gp << " tc rgb '" << ink << "' front noenhanced\n";
   }
 }
 
@@ -96,16 +118,6 @@ Extent extent_of(const std::vector<PostureFigure>& postures) {
     for (const Eigen::Vector3d& place : posture.grounds) take(place);
   }
   return extent;
-}
-
-double largest_force_of(const std::vector<PostureFigure>& postures) {
-  double largest = 0.0;
-  for (std::size_t k = 1; k < postures.size(); ++k) {
-    for (const BeamLoadRow& row : postures[k].loads) {
-      largest = std::max(largest, row.world.norm());
-    }
-  }
-  return largest;
 }
 
 }  // namespace boxbeam::plot

@@ -22,10 +22,10 @@ struct Ink {
 /// commands.
 std::string draw_bodies(Script& gp, const PostureFigure& posture, const View& view, const Ink& ink);
 
-/// The loads of a posture as arrows that end where they act, with their sizes; those that the view
-/// sees from their tip are left out.
+/// The loads of a posture as arrows that end where they act, with their names, and with their sizes
+/// where asked for; those that the view sees from their tip are left out.
 void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
-                double metres_per_newton);
+                double metres_per_newton, bool with_size);
 
 /// The corners of all postures [m].
 struct Extent {
@@ -34,8 +34,5 @@ struct Extent {
 };
 
 Extent extent_of(const std::vector<PostureFigure>& postures);
-
-/// Of the critical instants, which alone show loads [N].
-double largest_force_of(const std::vector<PostureFigure>& postures);
 
 }  // namespace boxbeam::plot

@@ -9,6 +9,12 @@ void mechanism(Script& gp, const Project&, const Verification& verification) {
   const std::size_t panels = verification.postures.size() - 1;
   const Extent extent = extent_of(verification.postures);
   const Eigen::Vector3d size = extent.high - extent.low;
+  double largest_force = 0.0;
+  for (std::size_t k = 1; k <= panels; ++k) {
+    for (const BeamLoadRow& row : verification.postures[k].loads) {
+      largest_force = std::max(largest_force, row.world.norm());
+    }
+  }
   const double reach = 0.16 * size.maxCoeff();  // the longest arrow
   // Tall mechanisms stand side by side, wide ones below each other.
   const bool tall = size.y() > size.x();
@@ -33,8 +39,7 @@ void mechanism(Script& gp, const Project&, const Verification& verification) {
                                           {fmt::format("rest{}", k), "#c4c4c4", 0.5 * reach});
     const std::string bodies =
         draw_bodies(gp, posture, View{}, {fmt::format("at{}", k), colour(k - 1), 0.5 * reach});
-    draw_loads(gp, posture, View{},
-               reach / std::max(largest_force_of(verification.postures), 1e-9));
+    draw_loads(gp, posture, View{}, reach / std::max(largest_force, 1e-9), true);
     gp << "set title \"" << time_label(posture.time) << "\\n"
        << posture.why << "\"\n"
        << "plot " << ghost << ", " << bodies << "\nunset label\nunset arrow\n";

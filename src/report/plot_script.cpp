@@ -4,6 +4,7 @@
 
 #include <gnuplot-iostream.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -65,6 +66,48 @@ const char* colour(std::size_t i) {
   static constexpr const char* colours[] = {"#1f5fa8", "#c8551b", "#3f8f4f",
                                             "#7a4fa0", "#8a6d1d", "#4a4a4a"};
   return colours[i % std::size(colours)];
+}
+
+namespace {
+
+/// Entries that stand beside each other, and the width of one [pixel].
+std::pair<std::size_t, int> columns_of(const std::vector<LegendEntry>& entries, int width) {
+  std::size_t longest = 1;
+  for (const LegendEntry& entry : entries) longest = std::max(longest, entry.title.size());
+  const int one = 62 + static_cast<int>(8 * longest);
+  const auto fit = static_cast<std::size_t>(std::max(1, (width - 40) / one));
+  return {std::min(fit, entries.size()), one};
+}
+
+}  // namespace
+
+void draw_legend(Script& gp, const std::vector<LegendEntry>& entries, int width, int height,
+                 int above) {
+  constexpr int row_height = 20;
+  const auto [columns, one] = columns_of(entries, width);
+  const std::size_t rows = rows_of_legend(entries, width);
+  const double left = 0.5 * (width - one * static_cast<int>(columns));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double x = left + one * static_cast<double>(i % columns);
+    const double y = above + row_height * static_cast<double>(rows - 1 - i / columns);
+    gp << "set arrow " << 500 + i << " from screen " << x / width << "," << y / height
+       << " to screen " << (x + 34.0) / width << "," << y / height << " nohead " << entries[i].style
+       << "\nset label " << 500 + i << " " << quoted(entries[i].title) << " at screen "
+       << (x + 42.0) / width << "," << y / height << " left noenhanced\n";
+  }
+}
+
+std::size_t rows_of_legend(const std::vector<LegendEntry>& entries, int width) {
+  const std::size_t columns = columns_of(entries, width).first;
+  return (entries.size() + columns - 1) / columns;
+}
+
+std::string axis_title(const CutForceName& name) {
+  std::string symbol = name.name;
+  const std::size_t index = symbol.find('_');
+  if (index != std::string::npos)
+    symbol = symbol.substr(0, index) + "_{" + symbol.substr(index + 1) + "}";
+  return symbol + (name.which < cut_force::T ? "  [kN]" : "  [kN m]");
 }
 
 std::string quoted(const std::string& text) {

@@ -47,6 +47,24 @@ class Script {
 
 const char* colour(std::size_t i);
 
+/// A line of a legend.
+struct LegendEntry {
+  std::string title;
+  std::string style;  ///< of the stroke before it: "lw 1.8 lc rgb '...'"
+};
+
+/// Draws a legend over the whole width of a figure, its last row so many pixels above the lower
+/// border: with the next plot, as labels and arrows from number 500. gnuplot's own legend knows
+/// only the width of one panel.
+void draw_legend(Script& gp, const std::vector<LegendEntry>& entries, int width, int height,
+                 int above);
+
+/// Rows that the legend will take.
+std::size_t rows_of_legend(const std::vector<LegendEntry>& entries, int width);
+
+/// The unit of a cut force, and its symbol with its index below.
+std::string axis_title(const CutForceName& name);
+
 /// A user's text inside a gnuplot string in single quotes.
 std::string quoted(const std::string& text);
 

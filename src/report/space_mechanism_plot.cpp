@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "boxbeam/report/format.hpp"
 #include "mechanism_drawing.hpp"
 
 namespace boxbeam::plot {
@@ -19,21 +20,29 @@ void mechanism_in_space(Script& gp, const Project&, const Verification& verifica
   const std::size_t rows = verification.postures.size() - 1;
   const Extent extent = extent_of(verification.postures);
   const double largest_size = (extent.high - extent.low).maxCoeff();
-  const double reach = 0.25 * largest_size;  // the longest arrow
-  const double half = 0.5 * largest_size + 1.3 * reach;
+  const double reach = 0.3 * largest_size;  // the longest arrow
+  const double half = 0.5 * largest_size + 1.2 * reach;
   const Eigen::Vector3d middle = 0.5 * (extent.low + extent.high);
-  const double metres_per_newton = reach / std::max(largest_force_of(verification.postures), 1e-9);
 
-  const double height = 60.0 + 400.0 * static_cast<double>(rows);
+  const double height = 75.0 + 400.0 * static_cast<double>(rows);
   gp.begin("mechanism", 1120, static_cast<int>(height));
-  gp << "set multiplot layout " << rows << ",3 margins 0.06,0.985," << 45.0 / height << ","
+  gp << "set multiplot layout " << rows << ",3 margins 0.068,0.985," << 62.0 / height << ","
      << 1.0 - 85.0 / height << " spacing 0.065," << 88.0 / height << " title "
-     << quoted("Mechanism at its critical instants, forces on the beam; grey: " +
-               time_label(verification.postures.front().time))
+     << quoted(
+            "Bodies from the beam's joint on at the critical instants; forces on the beam, the "
+            "longest arrow of each row its largest; grey: " +
+            time_label(verification.postures.front().time, verification.postures.front().situation))
      << " noenhanced\n"
      << "set size ratio -1\nunset key\nset xtics autofreq\n";
   for (std::size_t k = 1; k <= rows; ++k) {
     const PostureFigure& posture = verification.postures[k];
+    double largest_force = 1e-9;
+    std::string sizes;
+    for (const BeamLoadRow& row : posture.loads) {
+      largest_force = std::max(largest_force, row.world.norm());
+      sizes +=
+          fmt::format("{}{} {}", sizes.empty() ? "" : ", ", row.name, text::kN(row.world.norm()));
+    }
     for (const Sheet& sheet : sheets) {
       const View& view = sheet.view;
       const std::string name = fmt::format("{}_{}{}", k, view.across, view.up);
@@ -41,7 +50,7 @@ void mechanism_in_space(Script& gp, const Project&, const Verification& verifica
                                             {"rest" + name, "#c4c4c4", 0.4 * reach});
       const std::string bodies =
           draw_bodies(gp, posture, view, {"at" + name, colour(k - 1), 0.4 * reach});
-      draw_loads(gp, posture, view, metres_per_newton);
+      draw_loads(gp, posture, view, reach / largest_force, false);
       const bool first = &sheet == &sheets[0];
       gp << "set xlabel '" << sheet.across << "' offset 0,0.4\nset ylabel '" << sheet.up
          << "' offset 0.8,0\n"
@@ -49,7 +58,7 @@ void mechanism_in_space(Script& gp, const Project&, const Verification& verifica
          << "]\nset yrange [" << middle[view.up] - half << ":" << middle[view.up] + half << "]\n";
       if (first) {
         gp << "set label 1000 "
-           << quoted(fmt::format("{}   {}", time_label(posture.time), posture.why))
+           << quoted(fmt::format("{}   {}   {}", time_label(posture.time), posture.why, sizes))
            << " at graph 0,1.13 left noenhanced\n";
       }
       gp << "set title 'seen " << sheet.name << "' offset 0,-0.6\n"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -109,9 +110,14 @@ std::string contributions(const std::array<double, cut_force::count>& influence,
                           const CutForces& cut) {
   std::vector<std::string> by, stresses;
   double sum = 0.0;
+  double largest = 0.0;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const double value = value_of(cut, static_cast<cut_force::Index>(k));
-    if (influence[k] == 0.0 || value == 0.0) continue;
+    largest = std::max(largest, std::abs(influence[k] * value));
+  }
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    const double value = value_of(cut, static_cast<cut_force::Index>(k));
+    if (std::abs(influence[k] * value) <= 1e-9 * largest) continue;  // round-off
     by.push_back(fmt::format("{} = {}", names[k], cut_force_text(cut, k)));
     const std::string stress = text::MPa(influence[k] * value);
     stresses.push_back(stresses.empty() ? stress : term(stress));
@@ -145,9 +151,13 @@ std::string spatial_normal_lines(const std::string& symbol, const StressPoint& p
 
 std::string spatial_shear_lines(const std::string& symbol, const StressPoint& point,
                                 const CutForces& cut) {
-  return line(symbol, point.on_throat
-                          ? "q/a in the throat, q = V_z S_y/I_y + V_y S_z/I_z + q_T of the torque"
-                          : "V_z S_y/(I_y t) + V_y S_z/(I_z t) + torsion") +
+  const auto& shear = point.influence.shear;
+  const bool tapers =
+      shear[cut_force::N] != 0.0 || shear[cut_force::M_y] != 0.0 || shear[cut_force::M_z] != 0.0;
+  const std::string formula =
+      point.on_throat ? "q/a in the throat, q = V_z S_y/I_y + V_y S_z/I_z + q_T of the torque"
+                      : "V_z S_y/(I_y t) + V_y S_z/(I_z t) + torsion";
+  return line(symbol, formula + (tapers ? "; N, M_y, M_z: d/dx of the section" : "")) +
          contributions(point.influence.shear, cut);
 }
 

@@ -56,12 +56,14 @@ void stress(Script& gp, const Project& project, const Verification& verification
     // Near the frame a label grows inwards.
     const auto side = [&](double time) {
       const double share = (time - instants.front()) / (instants.back() - instants.front());
-      return share < 0.15 ? " left" : (share > 0.85 ? " right" : " center");
+      return share < 0.15   ? " left offset 0.6,"
+             : share > 0.85 ? " right offset -0.6,"
+                            : " center offset 0,";
     };
     for (const Row2& extreme : extremes) {
       gp << "set label '" << text::significant(std::get<1>(extreme)) << " MPa at "
          << text::seconds(std::get<0>(extreme)) << "' at " << std::get<0>(extreme) << ","
-         << std::get<1>(extreme) << side(std::get<0>(extreme)) << " offset 0,"
+         << std::get<1>(extreme) << side(std::get<0>(extreme))
          << (std::get<1>(extreme) > 0 ? 0.9 : -0.9) << " tc rgb '" << colour(0) << "' front\n";
     }
   }

@@ -165,6 +165,11 @@ void add_tube_points(const StressField& field, bool inner, std::vector<SectionPo
   }
 }
 
+bool is_rounded(const Profile& profile) {
+  const auto* tube = std::get_if<RectangularTube>(&profile);
+  return tube != nullptr && tube->outer_radius.value() > 0.0;
+}
+
 /// Corners, both webs and the flanges beside them, of a box or rectangular tube.
 void add_box_points(const StressField& field, bool inner, PointSet set,
                     std::vector<SectionPoint>& points) {
@@ -184,8 +189,10 @@ void add_box_points(const StressField& field, bool inner, PointSet set,
       const Length clear = up > 0.0 ? clear_top_of(profile) : clear_bottom_of(profile);
       const std::string at = fmt::format("{} {}", y_name, signed_axis(up, 'z'));
       // Both faces that meet in an outer corner are free of shear.
-      points.push_back(point_at(field, fmt::format("{}corner {}", before, at), face, outer.value(),
-                                wall_at(profile, outer)));
+      if (!space || !is_rounded(profile)) {
+        points.push_back(point_at(field, fmt::format("{}corner {}", before, at), face,
+                                  outer.value(), wall_at(profile, outer)));
+      }
       if (!space) {
         const Wall& at_web = graph.walls[nearest(graph, web, inner, clear.value()).wall];
         const double y = at_web.start.x() - side * 0.5 * at_web.thickness;
@@ -582,6 +589,13 @@ std::vector<WallStretch> wall_stretches_of(const StressField& field) {
         }
         continue;
       }
+      if (wall.part == WallPart::corner) {
+        stretch.name = fmt::format("{}corner {} {}", before, signed_axis(wall.centre.x(), 'y'),
+                                   signed_axis(wall.centre.y(), 'z'));
+        stretch.plate = wall_at(profile, Length{});
+        stretches.push_back(stretch);
+        continue;
+      }
       const auto clear = clear_part_of(graph, wall);
       if (!clear) continue;
       std::tie(stretch.from, stretch.to) = *clear;
@@ -608,7 +622,17 @@ SectionPoint point_on_stretch(const StressField& field, const WallStretch& stret
   const Wall& wall = graph.walls[stretch.wall];
   const double fraction = stretch.from + part * (stretch.to - stretch.from);
   Eigen::Vector2d at = point_on(wall, fraction);
-  if (stretch.face == 0.0) {
+  if (wall.part == WallPart::corner) {
+    // On the rounding itself, whose centre is not that of the mid-line where its radius is small.
+    const auto& tube =
+        std::get<RectangularTube>(stretch.inner ? *field.section.inner : field.section.outer);
+    const double radius = tube.outer_radius.value(), angle = wall.angle + fraction * wall.sweep;
+    const Eigen::Vector2d reach(0.5 * tube.width.value() - radius,
+                                0.5 * tube.height.value() - radius);
+    at = Eigen::Vector2d(std::copysign(reach.x(), wall.centre.x()),
+                         std::copysign(reach.y(), wall.centre.y())) +
+         radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  } else if (stretch.face == 0.0) {
     at[is_web(wall) ? 0 : 1] = outer_face_of(wall);
   } else {
     const Eigen::Vector2d along = direction_on(wall, fraction);

@@ -29,15 +29,15 @@ std::vector<Station> drawn_stations(const CutForceDiagram& diagram) {
 
 CutForceLine cut_force_line(const SituationRun& run, Time time, const std::string& why) {
   const CutForceDiagram diagram = run.loads.diagram_at(time);
-  CutForceLine line{time, why, run.situation->name, drawn_stations(diagram), {}};
+  CutForceLine line{time, why, drawn_stations(diagram), {}};
   for (const Station& station : line.stations) line.values.push_back(diagram.at(station));
   return line;
 }
 
 std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
   const std::vector<Station> stations = drawn_stations(runs.front().loads.diagram(0));
-  std::vector<CutForceLine> lines{{Time{}, "smallest", "", stations, {}},
-                                  {Time{}, "largest", "", stations, {}}};
+  std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}},
+                                  {Time{}, "largest", stations, {}}};
   for (const Station& station : stations) {
     CutForces low = runs.front().loads.diagram(0).at(station);
     CutForces high = low;

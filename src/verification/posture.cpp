@@ -160,49 +160,46 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
   figure.grounds.push_back(Eigen::Vector3d::Zero());
 
   std::vector<bool> shown(mechanism.bodies.size(), false);
-  const auto is_shown = [&](int body) {
-    return body == root.parent ||
-           (body != spatial::ground && shown[static_cast<std::size_t>(body)]);
-  };
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const spatial::Joint& joint = mechanism.joints[i];
-    shown[i] = is_shown(joint.parent);
-    if (!is_shown(static_cast<int>(i))) continue;
+    shown[i] = joint.parent == root.parent ||
+               (joint.parent != spatial::ground && shown[static_cast<std::size_t>(joint.parent)]);
+    if (!shown[i]) continue;
     const int body = static_cast<int>(i);
     const auto place = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
       return spatial::position_of(state, {body, p}) - origin;
     };
     PostureFigure::Line line;
     line.beam = body == beam;
-    for (const spatial::BodyPoint& point : mechanism.bodies[i].points) {
-      line.points.push_back(place(point.p));
-    }
+    const auto add_point = [&](const Eigen::Vector3d& p) {
+      const bool known = std::any_of(line.points.begin(), line.points.end(), [&](const auto& of) {
+        return (of - place(p)).norm() < 1e-9 * project.beam.length().value();
+      });
+      if (!known) line.points.push_back(place(p));
+    };
+    add_point(joint.point);
+    for (const spatial::BodyPoint& point : mechanism.bodies[i].points) add_point(point.p);
     for (const spatial::Joint& carried : mechanism.joints) {
-      if (carried.parent == body) line.points.push_back(place(carried.at));
+      if (carried.parent == body) add_point(carried.at);
     }
     if (line.beam) {
       const auto on_axis = [&](double s) {
         return place(project.placement.start + s * project.placement.axes.col(0));
       };
       const double length = project.beam.length().value();
+      const Eigen::Vector3d axis = (on_axis(length) - on_axis(0.0)) / length;
       line.strokes.push_back({on_axis(0.0), on_axis(length)});
-      line.points.push_back(place(joint.point));
       for (const Eigen::Vector3d& point : line.points) {
-        const Eigen::Vector3d axis = (on_axis(length) - on_axis(0.0)) / length;
         const double s = std::clamp(axis.dot(point - on_axis(0.0)), 0.0, length);
-        if ((point - on_axis(s)).norm() > 1e-9 * length) {
-          line.strokes.push_back({on_axis(s), point});
-        }
+        if ((point - on_axis(s)).norm() < 1e-9 * length) continue;
+        line.strokes.push_back({on_axis(s), point});
       }
-    } else if (body != root.parent) {
-      line.points.push_back(place(joint.point));
-      for (const Eigen::Vector3d& point : line.points) {
-        if (!point.isApprox(line.points.back()))
-          line.strokes.push_back({line.points.back(), point});
+    } else {
+      for (std::size_t k = 1; k < line.points.size(); ++k) {
+        line.strokes.push_back({line.points.front(), line.points[k]});
       }
     }
-    // Of what carries the beam's carrier nothing is shown, so neither is its joint.
-    if (joint.kind != spatial::JointKind::fixed && body != root.parent) {
+    if (joint.kind != spatial::JointKind::fixed) {
       figure.guides.push_back(
           {place_of(joint, state) - origin, spatial::in_world(state, joint.parent, joint.axis)});
     }

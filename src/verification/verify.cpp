@@ -88,9 +88,9 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
 }
 
 /// Whether an extreme is the upper or the lower one of its quantity, and what to call it; "" where
-/// it is nothing beside the other.
+/// it is smaller than a share of the other, `nothing`.
 std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
-                            const CriticalInstant& instant) {
+                            const CriticalInstant& instant, double nothing) {
   double highest = instant.value;
   double size = 0.0;
   for (const CriticalInstant& other : instants) {
@@ -98,7 +98,7 @@ std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
     highest = std::max(highest, other.value);
     size = std::max(size, std::abs(other.value));
   }
-  if (std::abs(instant.value) < 1e-6 * size) return "";
+  if (std::abs(instant.value) < nothing * size) return "";
   const bool upper = instant.value == highest;
   if (upper) return (instant.value > 0.0 ? "largest " : "least negative ") + instant.quantity;
   return (instant.value > 0.0 ? "smallest " : "most negative ") + instant.quantity;
@@ -111,11 +111,14 @@ struct ShownInstant {
   std::string why;
 };
 
-std::vector<ShownInstant> instants_to_show(const Verification& verification) {
+std::vector<ShownInstant> instants_to_show(const Project& project,
+                                           const Verification& verification) {
+  // In space two moments and several situations compete for the place.
+  const double nothing = in_space(project) ? 1e-2 : 1e-6;
   std::vector<ShownInstant> shown;
   for (const CriticalInstant& instant : verification.critical_instants) {
     if (!instant.quantity.starts_with("M") && instant.quantity != "stress") continue;
-    const std::string why = name_of_extreme(verification.critical_instants, instant);
+    const std::string why = name_of_extreme(verification.critical_instants, instant, nothing);
     if (why.empty()) continue;
     const auto motion =
         std::find_if(verification.motions.begin(), verification.motions.end(),
@@ -175,6 +178,7 @@ PostureFigure posture_at(const Project& project, const SituationRun& run, Time t
     posture = posture_figure(project, mechanism, state, why);
     posture.loads = load_rows(project, loads, state);
   }
+  posture.situation = run.situation->name;
   for (BeamLoadRow& row : posture.loads) {
     row.time = time;
     row.situation = index_of(project, *run.situation);
@@ -196,7 +200,7 @@ void describe_instants(const Project& project, const std::deque<SituationRun>& r
   result.envelope = envelope_lines(runs);
   result.postures.push_back(
       posture_at(project, runs.front(), runs.front().loads.begin(), "beginning"));
-  for (const auto& [index, time, why] : instants_to_show(result)) {
+  for (const auto& [index, time, why] : instants_to_show(project, result)) {
     const Situation& situation = project.situations[index];
     const SituationRun& run = run_of(runs, situation);
     const std::string label =

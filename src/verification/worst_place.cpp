@@ -65,7 +65,8 @@ double largest_range_of(const std::vector<Cycle>& cycles) {
   return largest;
 }
 
-/// The stresses of a place over the instants of each situation that runs, by index.
+/// The stresses of a place that a criterion looks at, over the instants of each situation that
+/// runs, by index.
 struct PlaceSpans {
   std::vector<Span> direct;  ///< as the detail counts it
   std::vector<Span> shear;
@@ -100,7 +101,10 @@ Span span_of(std::vector<double> values, bool closed) {
 
 PlaceSpans place_spans_at(const Project& project, const StressPoint& point,
                           const std::vector<SituationHistory>& histories,
-                          const StressInfluence& influence) {
+                          const StressInfluence& influence, Criterion criterion) {
+  const bool yield = criterion == Criterion::yield;
+  const bool normal = !yield && criterion != Criterion::shear_fatigue;
+  const bool along = !yield && criterion != Criterion::fatigue;
   const double factor = point.detail != nullptr ? point.detail->stress_factor : 1.0;
   PlaceSpans spans{std::vector<Span>(project.situations.size()),
                    std::vector<Span>(project.situations.size()), 0.0};
@@ -108,14 +112,15 @@ PlaceSpans place_spans_at(const Project& project, const StressPoint& point,
     std::vector<double> direct, shear, equivalent;
     for (const CutForces& cut : at.history.samples()) {
       const PointStress stress = stress_at(influence, cut);
-      direct.push_back(factor * stress.normal.value());
-      shear.push_back(stress.shear.value());
-      equivalent.push_back(stress.von_mises().value());
+      if (normal) direct.push_back(factor * stress.normal.value());
+      if (along) shear.push_back(stress.shear.value());
+      if (yield) equivalent.push_back(stress.von_mises().value());
     }
     const bool closed = at.history.closed();
     const std::size_t i = index_of(project, *at.situation);
-    spans.direct[i] = span_of(std::move(direct), closed);
-    spans.shear[i] = span_of(std::move(shear), closed);
+    if (normal) spans.direct[i] = span_of(std::move(direct), closed);
+    if (along) spans.shear[i] = span_of(std::move(shear), closed);
+    if (!yield) continue;
     spans.equivalent =
         std::max(spans.equivalent, at.situation->load_factor * peak_of(equivalent, closed));
   }
@@ -173,8 +178,8 @@ StressPoint at_worst_on_stretch(const Project& project, const StressPoint& point
   const WallStretch& wall = point.stretch->wall;
   const auto severity = [&](double part) {
     const StressInfluence influence = influence_in(point, point_on_stretch(field, wall, part));
-    return severity_of(project, point, place_spans_at(project, point, histories, influence),
-                       criterion);
+    return severity_of(project, point,
+                       place_spans_at(project, point, histories, influence, criterion), criterion);
   };
   // Between two places of the grid of a round tube a fibre has at most 0.4 % more.
   constexpr double enough = 0.98;
@@ -185,8 +190,8 @@ StressPoint at_worst_on_stretch(const Project& project, const StressPoint& point
   const auto largest = std::max_element(values.begin(), values.end());
   Extremum worst{part_of(static_cast<int>(largest - values.begin())), *largest};
   const double at_least = enough * worst.value;
-  // One more bracket on each side: of a round tube they are neighbours, of a straight wall its ends
-  // may have a maximum beside them.
+  // The first and the last place of a round tube are neighbours; beside the end of a straight wall
+  // there may be a maximum.
   for (int k = 0; k <= steps; ++k) {
     const auto index = static_cast<std::size_t>(k);
     const bool first = k == 0, last = k == steps;

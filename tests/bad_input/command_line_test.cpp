@@ -102,6 +102,15 @@ TEST_CASE("a wrong option or value of one is refused", "[bad_input]") {
   }
 }
 
+TEST_CASE("what only the other kind of case has is refused", "[bad_input]") {
+  const std::string gear = test::project_file("sections/landing-gear/gear.toml");
+  refused({"motion", gear, "--axes", "wheeel"},
+          {"there is no body \"wheeel\" for --axes", "did you mean wheel?"});
+  refused({"motion", gear, "--axes", "moon"}, {"no body \"moon\"", "one of world, climb"});
+  refused({"motion", gear, "--assemblies"}, {"one assembly", "leave out --assemblies"});
+  refused({"motion", rig, "--axes", "beam"}, {"world axes only", "leave out --axes"});
+}
+
 TEST_CASE("a wrong override is refused as in the file", "[bad_input]") {
   const auto refused_set = [](const std::string& text, Words said) {
     INFO(text);

@@ -16,17 +16,19 @@ using namespace boxbeam::spatial;
 
 enum class Drivers { harmonic, polynomial };
 enum class Work { motion, forces };
+/// Where the bodies' origins lie: at their joints, as usual, or anywhere.
+enum class Origins { at_joints, anywhere };
 
 /// Bodies in a row, each with mass and a whole inertia tensor, on revolute joints about arbitrary
 /// axes.
-Mechanism row_of(std::int64_t bodies, Drivers drivers) {
+Mechanism row_of(std::int64_t bodies, Drivers drivers, Origins origins) {
   test::Chance chance(7);
   Mechanism row;
   row.gravity = {0.0, 0.0, -9.81};
   for (int i = 0; i < bodies; ++i) {
     row.bodies.push_back({"", 3.0, chance.vector(0.3), chance.inertia(3.0, 0.4), {}});
     Joint joint{"", JointKind::revolute, i - 1, chance.vector(), {}, chance.rotation()};
-    joint.point = chance.vector(0.2);
+    if (origins == Origins::anywhere) joint.point = chance.vector(0.2);
     joint.axis = chance.direction();
     if (drivers == Drivers::harmonic) {
       joint.driver = HarmonicDriver{chance.any(), chance.any(), 2.0, chance.any(), {}};
@@ -38,8 +40,9 @@ Mechanism row_of(std::int64_t bodies, Drivers drivers) {
   return row;
 }
 
-void chain(benchmark::State& bench, Drivers drivers, Work work) {
-  const Mechanism mechanism = row_of(bench.range(0), drivers);
+void chain(benchmark::State& bench, Drivers drivers, Work work,
+           Origins origins = Origins::at_joints) {
+  const Mechanism mechanism = row_of(bench.range(0), drivers, origins);
   const Chain chain(mechanism);
   State state;
   std::vector<Wrench> wrenches;
@@ -71,4 +74,7 @@ BENCHMARK_CAPTURE(chain, polynomial, Drivers::polynomial, Work::forces)
     ->Apply(sizes);
 BENCHMARK_CAPTURE(chain, motion, Drivers::polynomial, Work::motion)
     ->Name("chain/motion")
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(chain, shifted, Drivers::polynomial, Work::forces, Origins::anywhere)
+    ->Name("chain/shifted")
     ->Apply(sizes);

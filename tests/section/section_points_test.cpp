@@ -276,3 +276,25 @@ TEST_CASE("a level in space is looked at on both sides, where the outer faces ar
     for (const double factor : point.influence.shear) CHECK(std::isfinite(factor));
   }
 }
+
+TEST_CASE("the rounded corners of a rolled tube are stretches on the rounding") {
+  // 200 x 100 x 8, radii 12 and 8: the outermost fibre at 45 degrees lies on the rounding.
+  const Section rolled{RectangularTube{mm(200), mm(100), mm(8), mm(12), mm(8)}, {}};
+  const StressField field = stress_field_of(rolled, {}, {});
+  const auto stretches = wall_stretches_of(field);
+  CHECK(stretches.size() == 8);
+  const auto corner = point_on_stretch(field, stretch_of(stretches, "corner -y +z"), 0.5);
+  const double from_corner = 0.012 * (1.0 - std::sqrt(0.5));
+  CHECK(corner.y.value() == Approx(-0.1 + from_corner).epsilon(1e-12));
+  CHECK(corner.z.value() == Approx(0.05 - from_corner).epsilon(1e-12));
+  // It ends where the flat of the web does, with the same stress; counter-clockwise, so down into
+  // this web, whose own shear counts up.
+  const auto end = point_on_stretch(field, stretch_of(stretches, "right web"), 1.0);
+  const auto last = point_on_stretch(field, stretch_of(stretches, "corner -y +z"), 1.0);
+  CHECK(end.y.value() == Approx(last.y.value()).epsilon(1e-12));
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    CHECK(last.influence.shear[k] == Approx(-end.influence.shear[k]).epsilon(1e-9).margin(1e-6));
+  }
+  for (const SectionPoint& point : points_of(field, PointSet::in_space))
+    CHECK_FALSE(point.name.starts_with("corner"));
+}

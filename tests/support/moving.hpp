@@ -47,7 +47,7 @@ inline Moving<Vector> along(const Vector& axis, const Moving<Real>& q) {
 
 template <class Value>
 Moving<Value> fixed(const Value& value) {
-  return {value, value - value, value - value};
+  return {value, Real(0) * value, Real(0) * value};
 }
 
 /// Rotation about a unit axis, I + sin q K + (1 - cos q) K^2.

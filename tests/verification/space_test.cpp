@@ -343,3 +343,28 @@ TEST_CASE("what is not known of a shape in space stops with a reason and its seg
   published.hole_inputs.push_back({HoleCase::published_exponential, {}});
   CHECK_THROWS_AS(checks_of(published), AnalysisError);
 }
+
+TEST_CASE("in space every fibre has direct stress to be verified; seams have their own detail") {
+  Project project = test::cantilever(box_lines, two_loads());
+  BeamDetail seam = project.fatigue.beam;
+  seam.from = {};
+  seam.to = project.beam.length();
+  seam.on = DetailPlace::seams;
+  project.fatigue.details.push_back(seam);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const auto zones = bending_zones_of(project, runs);
+  int seams = 0;
+  for (const StressPoint& point : stress_points_at(project, zones, {Length{}, Side::behind})) {
+    CAPTURE(point.name);
+    if (point.on_throat) continue;
+    const bool at_seam = point.name.starts_with("web end");
+    seams += at_seam ? 1 : 0;
+    CHECK(point.yield);
+    CHECK(point.detail == (at_seam ? &project.fatigue.details.front() : &project.fatigue.beam));
+    for (std::size_t k = 0; k < cut_force::count; ++k) {
+      CHECK(std::isfinite(point.influence.normal[k]));
+      CHECK(std::isfinite(point.influence.shear[k]));
+    }
+  }
+  CHECK(seams == 4);
+}

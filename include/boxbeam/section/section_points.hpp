@@ -86,8 +86,9 @@ struct WallStretch {
   Length plate;                 ///< thickness that decides the yield strength
 };
 
-/// The walls between the corners of boxes and tubes, on their outer faces, round tubes all around,
-/// every wall of a path on both faces; nothing of solids. Holes are left out.
+/// The walls between the corners of boxes and tubes, on their outer faces, the rounded corners of
+/// rolled tubes, round tubes all around, every wall of a path on both faces; nothing of solids.
+/// Holes are left out.
 std::vector<WallStretch> wall_stretches_of(const StressField& field);
 
 /// The place at a part of a stretch, 0 to 1.

@@ -15,8 +15,7 @@ namespace boxbeam {
 /// Cut forces along the beam at one instant, two points at every jump.
 struct CutForceLine {
   Time time;
-  std::string why;        ///< "largest M", ...
-  std::string situation;  ///< its name, "" where the case has only one
+  std::string why;  ///< "largest M", in a case of several situations with its name
   std::vector<Station> stations;
   std::vector<CutForces> values;
 };

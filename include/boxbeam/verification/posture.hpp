@@ -24,10 +24,11 @@ struct BeamLoadRow {
 
 /// The places of all bodies' points at an instant, for the drawing; world axes. In the plane z is
 /// zero. In space the origin is the joint that carries the beam's body, for the world's may be far
-/// away, and only what the carrying body carries is shown.
+/// away, and only the bodies that the same body carries are shown, and what they carry.
 struct PostureFigure {
   Time time;
-  std::string why;
+  std::string why;        ///< "largest M", with the situation
+  std::string situation;  ///< its name, "" where the case has only one
   struct Stroke {
     Eigen::Vector3d from, to;  ///< [m]
   };

@@ -10,7 +10,8 @@ namespace {
 const BodyMotion& world() {
   static const BodyMotion at_rest{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
                                   Eigen::Vector3d::Zero(),     Eigen::Vector3d::Zero(),
-                                  Eigen::Vector3d::Zero(),     Eigen::Vector3d::Zero()};
+                                  Eigen::Vector3d::Zero(),     Eigen::Vector3d::Zero(),
+                                  Eigen::Vector3d::Zero()};
   return at_rest;
 }
 
@@ -18,13 +19,18 @@ const BodyMotion& motion_of(const State& state, int body) {
   return body == ground ? world() : state.bodies[static_cast<std::size_t>(body)];
 }
 
-/// Acceleration of a point fixed to a body, r from its origin in world axes.
-Eigen::Vector3d acceleration_at(const BodyMotion& body, const Eigen::Vector3d& r) {
-  return body.acceleration + body.alpha.cross(r) + body.omega.cross(body.omega.cross(r));
+/// What a body's turning adds to the motion of its origin at a point, r from there in world axes.
+struct Turning {
+  Eigen::Vector3d velocity, acceleration;
+};
+
+inline Turning turning_at(const BodyMotion& body, const Eigen::Vector3d& r) {
+  const Eigen::Vector3d velocity = body.omega.cross(r);
+  return {velocity, body.alpha.cross(r) + body.omega.cross(velocity)};
 }
 
 /// Rate of change of the angular momentum about the centre of mass, world axes.
-Eigen::Vector3d spin_change(const Body& body, const BodyMotion& motion) {
+inline Eigen::Vector3d spin_change(const Body& body, const BodyMotion& motion) {
   const Eigen::Vector3d omega = motion.R_WB.transpose() * motion.omega;
   const Eigen::Vector3d alpha = motion.R_WB.transpose() * motion.alpha;
   return motion.R_WB * (body.inertia * alpha + omega.cross(body.inertia * omega));
@@ -35,7 +41,17 @@ Eigen::Vector3d spin_change(const Body& body, const BodyMotion& motion) {
 Chain::Chain(const Mechanism& mechanism) : mechanism_(&mechanism) {
   assert(mechanism.joints.size() == mechanism.bodies.size());
   for (const Joint& joint : mechanism.joints) {
-    Link link{joint.turn, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
+    assert(joint.parent < static_cast<int>(links_.size()));
+    Link link{joint.turn,
+              Eigen::Matrix3d::Zero(),
+              Eigen::Matrix3d::Zero(),
+              joint.at,
+              joint.axis,
+              joint.point,
+              &joint.driver,
+              joint.kind,
+              joint.parent,
+              !joint.point.isZero(0.0)};
     if (joint.kind == JointKind::revolute) {
       // Rodrigues: a a^T + cos q (I - a a^T) + sin q [a]x, about the axis in the parent's axes.
       const Eigen::Matrix3d along = joint.axis * joint.axis.transpose();
@@ -47,6 +63,8 @@ Chain::Chain(const Mechanism& mechanism) : mechanism_(&mechanism) {
     }
     links_.push_back(link);
   }
+  for ([[maybe_unused]] const AppliedLoad& load : mechanism.loads) assert(load.on != ground);
+  for ([[maybe_unused]] const LineForce& line : mechanism.line_forces) assert(line.on != ground);
 }
 
 State Chain::at(double time) const {
@@ -59,20 +77,23 @@ void Chain::at(double time, State& state) const {
   state.time = time;
   state.bodies.resize(links_.size());
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Joint& joint = mechanism_->joints[i];
     const Link& link = links_[i];
-    const BodyMotion& parent = motion_of(state, joint.parent);
+    const BodyMotion& parent = motion_of(state, link.parent);
     BodyMotion& body = state.bodies[i];
     DriverState q;
-    if (joint.kind != JointKind::fixed) q = driver_at(joint.driver, time);
+    if (link.kind != JointKind::fixed) q = driver_at(*link.driver, time);
 
-    const Eigen::Vector3d axis = parent.R_WB * joint.axis;
-    Eigen::Vector3d arm = parent.R_WB * joint.at;
-    Eigen::Vector3d slide_velocity = Eigen::Vector3d::Zero();
-    Eigen::Vector3d slide_acceleration = Eigen::Vector3d::Zero();
+    const Eigen::Vector3d axis = parent.R_WB * link.axis;
+    Eigen::Vector3d arm = parent.R_WB * link.at;
+    if (link.kind == JointKind::prismatic) arm += q.value * axis;
+    const Turning carried = turning_at(parent, arm);
+    body.joint = parent.position + arm;
+    body.position = body.joint;
+    body.velocity = parent.velocity + carried.velocity;
+    body.acceleration = parent.acceleration + carried.acceleration;
     body.omega = parent.omega;
     body.alpha = parent.alpha;
-    if (joint.kind == JointKind::revolute) {
+    if (link.kind == JointKind::revolute) {
       body.R_WB = parent.R_WB * (link.fixed + std::cos(q.value) * link.along_cosine +
                                  std::sin(q.value) * link.along_sine);
       const Eigen::Vector3d u = q.rate * axis;
@@ -80,19 +101,19 @@ void Chain::at(double time, State& state) const {
       body.alpha += q.acceleration * axis + parent.omega.cross(u);
     } else {
       body.R_WB = parent.R_WB * link.fixed;
-      if (joint.kind == JointKind::prismatic) {
-        arm += q.value * axis;
-        slide_velocity = q.rate * axis;
-        slide_acceleration = q.acceleration * axis + 2.0 * q.rate * parent.omega.cross(axis);
+      if (link.kind == JointKind::prismatic) {
+        const Eigen::Vector3d slide = q.rate * axis;
+        body.velocity += slide;
+        body.acceleration += q.acceleration * axis + 2.0 * parent.omega.cross(slide);
       }
     }
-    // From the parent's origin to the joint, and from there to the body's own origin.
-    const Eigen::Vector3d back = -(body.R_WB * joint.point);
-    body.position = parent.position + arm + back;
-    body.velocity =
-        parent.velocity + parent.omega.cross(arm) + slide_velocity + body.omega.cross(back);
-    body.acceleration = acceleration_at(parent, arm) + slide_acceleration + body.alpha.cross(back) +
-                        body.omega.cross(body.omega.cross(back));
+    // From the joint to the body's own origin.
+    if (!link.shifted) continue;
+    const Eigen::Vector3d back = -(body.R_WB * link.point);
+    const Turning own = turning_at(body, back);
+    body.position += back;
+    body.velocity += own.velocity;
+    body.acceleration += own.acceleration;
   }
 }
 
@@ -102,20 +123,13 @@ std::vector<Wrench> Chain::joint_wrenches(const State& state) const {
   return joints;
 }
 
+// Cost of a body: about 240 additions and multiplications for its motion and 200 for its forces, on
+// 0.8 kB, beside a sine and a cosine: 20 ns at the peak of SSE2, twice that in single numbers, for
+// vectors of three do not fill pairs.
 void Chain::joint_wrenches(const State& state, std::vector<Wrench>& joints) const {
   const Mechanism& mechanism = *mechanism_;
-  // First what the joints must give each body alone, about its origin.
-  joints.resize(links_.size());
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Body& body = mechanism.bodies[i];
-    const BodyMotion& motion = state.bodies[i];
-    Wrench& needed = joints[i];
-    needed = {};
-    if (body.mass == 0.0) continue;
-    const Eigen::Vector3d centre = motion.R_WB * body.centre;
-    needed.force = body.mass * (acceleration_at(motion, centre) - mechanism.gravity);
-    needed.moment = spin_change(body, motion) + centre.cross(needed.force);
-  }
+  // First what the loads leave to the joints, about the origin of the body that feels them.
+  joints.assign(links_.size(), Wrench{});
   for (const AppliedLoad& load : mechanism.loads) {
     const Eigen::Vector3d vector =
         driver_at(load.size, state.time).value * in_world(state, load.axes, load.direction);
@@ -137,18 +151,26 @@ void Chain::joint_wrenches(const State& state, std::vector<Wrench>& joints) cons
     needed.force -= force;
     needed.moment -= (motion.R_WB * (0.5 * (line.from + line.to))).cross(force);
   }
-  // Then inwards: each joint gives its body's need and passes on what the joints beyond take.
+  // Then inwards: each joint gives also what its body's motion needs, and passes on what the joints
+  // beyond take.
   for (std::size_t i = links_.size(); i-- > 0;) {
-    const Joint& joint = mechanism.joints[i];
+    const Body& body = mechanism.bodies[i];
+    const BodyMotion& motion = state.bodies[i];
     Wrench& wrench = joints[i];
-    const Eigen::Vector3d arm = state.bodies[i].R_WB * joint.point;
-    wrench.moment -= arm.cross(wrench.force);
-    if (joint.parent == ground) continue;
-    Wrench& parent = joints[static_cast<std::size_t>(joint.parent)];
-    const Eigen::Vector3d from_parent =
-        state.bodies[i].position + arm - motion_of(state, joint.parent).position;
-    parent.force += wrench.force;
-    parent.moment += wrench.moment + from_parent.cross(wrench.force);
+    if (body.mass != 0.0) {
+      const Eigen::Vector3d centre = motion.R_WB * body.centre;
+      const Eigen::Vector3d acceleration =
+          motion.acceleration + turning_at(motion, centre).acceleration;
+      const Eigen::Vector3d force = body.mass * (acceleration - mechanism.gravity);
+      wrench.force += force;
+      wrench.moment += spin_change(body, motion) + centre.cross(force);
+    }
+    if (links_[i].shifted) wrench.moment -= (motion.joint - motion.position).cross(wrench.force);
+    if (links_[i].parent == ground) continue;
+    const auto carrier = static_cast<std::size_t>(links_[i].parent);
+    const Eigen::Vector3d arm = motion.joint - state.bodies[carrier].position;
+    joints[carrier].force += wrench.force;
+    joints[carrier].moment += wrench.moment + arm.cross(wrench.force);
   }
 }
 
@@ -164,7 +186,7 @@ Eigen::Vector3d velocity_of(const State& state, const Attachment& at) {
 
 Eigen::Vector3d acceleration_of(const State& state, const Attachment& at) {
   const BodyMotion& body = motion_of(state, at.body);
-  return acceleration_at(body, body.R_WB * at.p);
+  return body.acceleration + turning_at(body, body.R_WB * at.p).acceleration;
 }
 
 Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& vector) {
@@ -182,7 +204,8 @@ InertiaLoad inertia_of(const Mechanism& mechanism, const State& state, std::size
   const Eigen::Vector3d carrier = motion_of(state, mechanism.joints[body].parent).omega;
   const Eigen::Vector3d own = motion.omega - carrier;
   InertiaLoad load;
-  load.force = -of.mass * acceleration_at(motion, motion.R_WB * of.centre);
+  load.force =
+      -of.mass * (motion.acceleration + turning_at(motion, motion.R_WB * of.centre).acceleration);
   load.moment = -spin_change(of, motion);
   load.gyroscopic = -(inertia * carrier.cross(own) + carrier.cross(inertia * own) +
                       own.cross(inertia * carrier) + own.cross(inertia * own));

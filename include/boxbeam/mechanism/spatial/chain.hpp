@@ -12,6 +12,7 @@ struct BodyMotion {
   Eigen::Matrix3d R_WB;  ///< columns: the body's axes in the world
   Eigen::Vector3d omega, alpha;
   Eigen::Vector3d position, velocity, acceleration;
+  Eigen::Vector3d joint;  ///< place of the body's own point of the joint that carries it [m]
 };
 
 struct State {
@@ -60,9 +61,15 @@ class Chain {
   void joint_wrenches(const State& state, std::vector<Wrench>& joints) const;
 
  private:
-  /// Constants of a joint: turned(q) = fixed + cos q along_cosine + sin q along_sine.
+  /// What is needed of a joint at every instant, side by side:
+  /// turned(q) = fixed + cos q along_cosine + sin q along_sine.
   struct Link {
     Eigen::Matrix3d fixed, along_cosine, along_sine;
+    Eigen::Vector3d at, axis, point;
+    const Driver* driver;
+    JointKind kind;
+    int parent;
+    bool shifted;  ///< the body's origin lies elsewhere than the joint
   };
 
   const Mechanism* mechanism_;
