@@ -44,8 +44,9 @@ struct FunctionText {
   std::string operator()(const PolynomialDriver& driver) const {
     std::string text;
     for (std::size_t i = 0; i < driver.c.size(); ++i) {
-      if (i > 0) text += " + ";
-      text += fmt::format("{} {}", plain(driver.c[i]), unit.per_time(i));
+      if (i > 0) text += driver.c[i] < 0.0 ? " - " : " + ";
+      text += fmt::format("{} {}", plain(i > 0 ? std::abs(driver.c[i]) : driver.c[i]),
+                          unit.per_time(i));
       if (i > 0) text += i == 1 ? " t" : fmt::format(" t^{}", i);
     }
     return text;

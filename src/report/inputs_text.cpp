@@ -125,10 +125,20 @@ std::string detail_text(const BeamDetail& of, const std::string& where) {
   return out;
 }
 
+/// How often a situation happens.
+std::string count_text(const Project& project, const Situation& situation) {
+  if (situation.cycles > 0.0) return text::cycles(situation.cycles) + " cycles";
+  const auto index = static_cast<std::size_t>(&situation - project.situations.data());
+  const bool part = std::any_of(
+      project.situations.begin(), project.situations.end(), [&](const Situation& other) {
+        return std::find(other.between.begin(), other.between.end(), index) != other.between.end();
+      });
+  return part ? "as part of others" : "strength only";
+}
+
 std::string situation_text(const Project& project, const Situation& situation) {
   if (situation.name.empty()) return text::cycles(situation.cycles);
-  std::string out = situation.name + ": ";
-  out += situation.cycles > 0.0 ? text::cycles(situation.cycles) + " cycles" : "strength only";
+  std::string out = situation.name + ": " + count_text(project, situation);
   if (!situation.between.empty()) {
     std::vector<std::string> names;
     for (const std::size_t i : situation.between) names.push_back(project.situations[i].name);

@@ -144,7 +144,7 @@ TEST_CASE("situations that cannot be are refused at their place") {
                 "this one never happens", "cycles = 5000");
   check_refused(
       run + "[[situations]]\nname = \"stop\"\ncycles = 5\nload_factor = 1.2\nbetween = [\"run\"]\n",
-      "between", "no loads of its own", "in the situations that it connects");
+      "between", "no loads of its own", "in the situations that it is made of");
   // A change between changes is none.
   const std::string change = "[[situations]]\nname = \"stop\"\ncycles = 5\nbetween = [\"run\"]\n";
   check_refused(run + change +

@@ -199,7 +199,9 @@ TEST_CASE("the committed reports are those of the committed cases") {
       {test::project_file("sections/slider-crank-press/press.toml"), "reports/slider-crank-press"},
       {test::project_file("sections/four-bar-rocker/rocker.toml"), "reports/four-bar-rocker"},
       {test::project_file("sections/scissor-lift/lift.toml"), "reports/scissor-lift"},
-      {test::project_file("sections/pump-jack/beam.toml"), "reports/pump-jack"}};
+      {test::project_file("sections/pump-jack/beam.toml"), "reports/pump-jack"},
+      {test::project_file("sections/landing-gear/retraction.toml"),
+       "reports/landing-gear-retraction"}};
   for (const auto& [case_file, folder] : committed_runs) {
     CAPTURE(case_file);
     const Json now = results(case_file);

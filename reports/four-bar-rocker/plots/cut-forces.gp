@@ -6,10 +6,11 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title 'Cut forces along the beam: four-bar-rocker' noenhanced
+set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: four-bar-rocker' noenhanced
 set xrange [-6.000000000e-02:3.060000000e+00]
 set format x ''
-$outline << e
+set key top right horizontal
+$outline_z << e
 0.000000000e+00 1.500000000e+02
 1.200000000e+00 2.400000000e+02
 1.200000000e+00 2.400000000e+02
@@ -29,8 +30,7 @@ set label 2 'B' at 1.200000000e+00,3.000000000e+02 center noenhanced
 set arrow 2 from 1.200000000e+00,2.760000000e+02 to 1.200000000e+00,-2.760000000e+02 nohead lc rgb '#909090' dt 3
 set label 3 'D' at 3.000000000e+00,3.000000000e+02 center noenhanced
 set arrow 3 from 3.000000000e+00,2.760000000e+02 to 3.000000000e+00,-2.760000000e+02 nohead lc rgb '#909090' dt 3
-set key top right horizontal
-plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.5232 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0979 s'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.5232 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0979 s'
 unset key
 unset label
 unset arrow
@@ -143,7 +143,6 @@ $N0 << e
 3.000000000e+00 -4.376435115e+00
 3.000000000e+00 0.000000000e+00
 e
-set label 1 '-14.64' at 0.000000000e+00,-1.464165999e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $N1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.515105890e+01
@@ -198,6 +197,7 @@ $N1 << e
 3.000000000e+00 -4.404069518e+00
 3.000000000e+00 0.000000000e+00
 e
+set label 1 '-15.15' at 0.000000000e+00,-1.515105890e+01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'N [kN]'
 set yrange [-1.854958331e+01:2.829597454e+00]
 plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
@@ -310,7 +310,6 @@ $V0 << e
 3.000000000e+00 9.287428967e+00
 3.000000000e+00 0.000000000e+00
 e
-set label 1 '-16.97' at 1.200000000e+00,-1.696510010e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $V1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 2.186019743e+01
@@ -365,7 +364,8 @@ $V1 << e
 3.000000000e+00 -1.245219888e+01
 3.000000000e+00 0.000000000e+00
 e
-set label 2 '22.70' at 1.200000000e+00,2.270188583e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 1 '22.70' at 1.200000000e+00,2.270188583e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 2 '-16.97' at 1.200000000e+00,-1.696510010e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 set ylabel 'V [kN]'
 set yrange [-2.410339609e+01:2.984009753e+01]
 plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
@@ -480,7 +480,6 @@ $M0 << e
 3.000000000e+00 -1.485388889e+00
 3.000000000e+00 0.000000000e+00
 e
-set label 1 '-19.83' at 1.200000000e+00,-1.983490560e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $M1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -535,7 +534,8 @@ $M1 << e
 3.000000000e+00 1.994976833e+00
 3.000000000e+00 0.000000000e+00
 e
-set label 2 '26.58' at 1.200000000e+00,2.657790328e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 1 '26.58' at 1.200000000e+00,2.657790328e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 2 '-19.83' at 1.200000000e+00,-1.983490560e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 set ylabel 'M [kN m], on the tension side'
 set yrange [-2.818737549e+01:3.493000247e+01]
 plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'

@@ -115,7 +115,7 @@ $x0 << e
 1.098181407e+00 -2.151754311e+01
 e
 set label '14.88 MPa at 0.5219 s' at 5.219186936e-01,1.487721095e+01 center offset 0,9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-21.52 MPa at 1.0982 s' at 1.098181407e+00,-2.151754311e+01 right offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
+set label '-21.52 MPa at 1.0982 s' at 1.098181407e+00,-2.151754311e+01 right offset -0.6,-9.000000000e-01 tc rgb '#1f5fa8' front
 $h1 << e
 0.000000000e+00 -1.695806261e+01
 1.157407407e-02 -1.678191262e+01

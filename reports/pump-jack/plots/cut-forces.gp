@@ -6,10 +6,11 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title 'Cut forces along the beam: pump-jack' noenhanced
+set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: pump-jack' noenhanced
 set xrange [-1.120000000e-01:5.712000000e+00]
 set format x ''
-$outline << e
+set key top right horizontal
+$outline_z << e
 0.000000000e+00 2.250000000e+02
 2.100000000e+00 4.000000000e+02
 2.100000000e+00 4.000000000e+02
@@ -37,8 +38,7 @@ set label 2 'S' at 2.500000000e+00,5.000000000e+02 center noenhanced
 set arrow 2 from 2.500000000e+00,4.600000000e+02 to 2.500000000e+00,-4.600000000e+02 nohead lc rgb '#909090' dt 3
 set label 3 'H' at 5.600000000e+00,5.000000000e+02 center noenhanced
 set arrow 3 from 5.600000000e+00,4.600000000e+02 to 5.600000000e+00,-4.600000000e+02 nohead lc rgb '#909090' dt 3
-set key top right horizontal
-plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 2.7077 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 4.7839 s'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 2.7077 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 4.7839 s'
 unset key
 unset label
 unset arrow
@@ -301,7 +301,6 @@ $N0 << e
 5.600000000e+00 1.529365539e+00
 5.600000000e+00 0.000000000e+00
 e
-set label 1 '-22.07' at 2.500000000e+00,-2.207026815e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $N1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.251039015e+00
@@ -431,6 +430,7 @@ $N1 << e
 5.600000000e+00 1.466828079e+00
 5.600000000e+00 0.000000000e+00
 e
+set label 1 '-22.07' at 2.500000000e+00,-2.207026815e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 set label 2 '8.251' at 0.000000000e+00,8.251039015e+00 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'N [kN]'
 set yrange [-4.143650211e+01:7.353786435e+01]
@@ -694,7 +694,6 @@ $V0 << e
 5.600000000e+00 -3.658148983e+01
 5.600000000e+00 0.000000000e+00
 e
-set label 1 '56.31' at 2.500000000e+00,5.630968763e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 $V1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.136714374e+02
@@ -824,7 +823,8 @@ $V1 << e
 5.600000000e+00 -8.313534944e+01
 5.600000000e+00 0.000000000e+00
 e
-set label 2 '119.6' at 2.500000000e+00,1.196265220e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 1 '119.6' at 2.500000000e+00,1.196265220e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 2 '56.31' at 2.500000000e+00,5.630968763e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 set ylabel 'V [kN]'
 set yrange [-1.280514997e+02:1.573934370e+02]
 plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
@@ -1089,7 +1089,6 @@ $M0 << e
 5.600000000e+00 9.205638656e+00
 5.600000000e+00 0.000000000e+00
 e
-set label 1 '132.9' at 2.500000000e+00,1.328867832e+02 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 $M1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1219,7 +1218,8 @@ $M1 << e
 5.600000000e+00 2.318343378e+01
 5.600000000e+00 0.000000000e+00
 e
-set label 2 '291.2' at 2.500000000e+00,2.911609080e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 1 '291.2' at 2.500000000e+00,2.911609080e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
+set label 2 '132.9' at 2.500000000e+00,1.328867832e+02 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 set ylabel 'M [kN m], on the tension side'
 set yrange [-5.240488061e+01:3.435431062e+02]
 plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'

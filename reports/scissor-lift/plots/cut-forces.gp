@@ -6,10 +6,11 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title 'Cut forces along the beam: scissor-lift' noenhanced
+set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: scissor-lift' noenhanced
 set xrange [-4.800000000e-02:2.448000000e+00]
 set format x ''
-$outline << e
+set key top right horizontal
+$outline_z << e
 0.000000000e+00 5.000000000e+01
 9.000000000e-01 8.500000000e+01
 9.000000000e-01 8.500000000e+01
@@ -35,8 +36,7 @@ set label 3 'M' at 1.200000000e+00,1.062500000e+02 center noenhanced
 set arrow 3 from 1.200000000e+00,9.775000000e+01 to 1.200000000e+00,-9.775000000e+01 nohead lc rgb '#909090' dt 3
 set label 4 'C' at 2.400000000e+00,1.062500000e+02 center noenhanced
 set arrow 4 from 2.400000000e+00,9.775000000e+01 to 2.400000000e+00,-9.775000000e+01 nohead lc rgb '#909090' dt 3
-set key top right horizontal
-plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 10.9327 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 36.0099 s'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 10.9327 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 36.0099 s'
 unset key
 unset label
 unset arrow
@@ -299,7 +299,6 @@ $N0 << e
 2.400000000e+00 -2.554831655e+00
 2.400000000e+00 0.000000000e+00
 e
-set label 1 '11.94' at 1.050000000e+00,1.193523552e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 $N1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.412961304e+00
@@ -429,6 +428,7 @@ $N1 << e
 2.400000000e+00 -1.491165247e+00
 2.400000000e+00 0.000000000e+00
 e
+set label 1 '11.94' at 1.050000000e+00,1.193523552e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 set label 2 '-3.603' at 1.050000000e+00,-3.602876824e+00 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'N [kN]'
 set yrange [-1.639718793e+01:1.626717798e+01]
@@ -692,7 +692,6 @@ $V0 << e
 2.400000000e+00 -8.594018907e+00
 2.400000000e+00 0.000000000e+00
 e
-set label 1 '-19.95' at 1.050000000e+00,-1.995253600e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $V1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.985283791e+00
@@ -822,6 +821,7 @@ $V1 << e
 2.400000000e+00 -1.714663614e+00
 2.400000000e+00 0.000000000e+00
 e
+set label 1 '-19.95' at 1.050000000e+00,-1.995253600e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 set label 2 '-4.142' at 1.050000000e+00,-4.142060066e+00 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'V [kN]'
 set yrange [-2.550578855e+01:1.642569536e+01]
@@ -1087,7 +1087,6 @@ $M0 << e
 2.400000000e+00 1.182343112e-14
 2.400000000e+00 0.000000000e+00
 e
-set label 1 '13.44' at 1.050000000e+00,1.344440363e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 $M1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1217,6 +1216,7 @@ $M1 << e
 2.400000000e+00 -1.136868377e-15
 2.400000000e+00 0.000000000e+00
 e
+set label 1 '13.44' at 1.050000000e+00,1.344440363e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 set label 2 '2.788' at 1.050000000e+00,2.787768914e+00 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'M [kN m], on the tension side'
 set yrange [-2.419990461e+00:1.586438191e+01]

@@ -1,15 +1,26 @@
 # Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
+set terminal svg size 860,1088 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
 set output 'cut-forces.svg'
 set encoding utf8
 set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-detailed' noenhanced
+set multiplot layout 4,1 margins 0.11,0.97,1.533088235e-01,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-detailed' noenhanced
 set xrange [-1.240000000e-01:6.324000000e+00]
 set format x ''
-$outline << e
+set arrow 500 from screen 2.267441860e-01,9.007352941e-02 to screen 2.662790698e-01,9.007352941e-02 nohead lw 10 lc rgb '#e0e0e0'
+set label 500 'envelope' at screen 2.755813953e-01,9.007352941e-02 left noenhanced
+set arrow 501 from screen 2.267441860e-01,7.169117647e-02 to screen 2.662790698e-01,7.169117647e-02 nohead lw 1.8 lc rgb '#1f5fa8'
+set label 501 't = 0.3571 s, most negative stress (normal running)' at screen 2.755813953e-01,7.169117647e-02 left noenhanced
+set arrow 502 from screen 2.267441860e-01,5.330882353e-02 to screen 2.662790698e-01,5.330882353e-02 nohead lw 1.8 lc rgb '#c8551b'
+set label 502 't = 1.0714 s, largest stress (normal running)' at screen 2.755813953e-01,5.330882353e-02 left noenhanced
+set arrow 503 from screen 2.267441860e-01,3.492647059e-02 to screen 2.662790698e-01,3.492647059e-02 nohead lw 1.8 lc rgb '#3f8f4f'
+set label 503 't = 0.3571 s, most negative M (over-stroke)' at screen 2.755813953e-01,3.492647059e-02 left noenhanced
+set arrow 504 from screen 2.267441860e-01,1.654411765e-02 to screen 2.662790698e-01,1.654411765e-02 nohead lw 1.8 lc rgb '#7a4fa0'
+set label 504 't = 1.0714 s, largest M (over-stroke)' at screen 2.755813953e-01,1.654411765e-02 left noenhanced
+unset key
+$outline_z << e
 0.000000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
@@ -45,8 +56,7 @@ set label 2 'O' at 3.200000000e+00,6.250000000e+02 center noenhanced
 set arrow 2 from 3.200000000e+00,5.750000000e+02 to 3.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
 set label 3 'B' at 6.200000000e+00,6.250000000e+02 center noenhanced
 set arrow 3 from 6.200000000e+00,5.750000000e+02 to 6.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set key top right horizontal
-plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3571 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0714 s', NaN with lines lw 1.8 lc rgb '#3f8f4f' title 't = 0.3571 s', NaN with lines lw 1.8 lc rgb '#7a4fa0' title 't = 1.0714 s'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle
 unset key
 unset label
 unset arrow
@@ -359,7 +369,6 @@ $N0 << e
 6.200000000e+00 -1.223525933e+01
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-36.05' at 3.200000000e+00,-3.605497851e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $N1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.032728766e+01
@@ -514,7 +523,6 @@ $N1 << e
 6.200000000e+00 -7.487208678e+00
 6.200000000e+00 0.000000000e+00
 e
-set label 2 '34.89' at 3.200000000e+00,3.489297224e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
 $N2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.695253675e+00
@@ -823,6 +831,8 @@ $N3 << e
 6.200000000e+00 -9.824617266e+00
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '-41.90' at 3.200000000e+00,-4.190184023e+01 offset 0.5,-6.000000000e-01 left tc rgb '#3f8f4f' front
+set label 2 '39.48' at 3.200000000e+00,3.947787690e+01 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
 set ylabel 'N [kN]'
 set yrange [-5.655018932e+01:5.412622598e+01]
 plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $N2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $N3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
@@ -1135,7 +1145,6 @@ $V0 << e
 6.200000000e+00 1.110023206e+02
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '111.0' at 6.200000000e+00,1.110023206e+02 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
 $V1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.605113696e+01
@@ -1290,7 +1299,6 @@ $V1 << e
 6.200000000e+00 -1.100591198e+02
 6.200000000e+00 0.000000000e+00
 e
-set label 2 '-110.1' at 6.200000000e+00,-1.100591198e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
 $V2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.164942482e+02
@@ -1599,6 +1607,8 @@ $V3 << e
 6.200000000e+00 -1.314871211e+02
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '133.4' at 6.200000000e+00,1.334444950e+02 offset -1,6.000000000e-01 right tc rgb '#3f8f4f' front
+set label 2 '-131.5' at 6.200000000e+00,-1.314871211e+02 offset -1,-6.000000000e-01 right tc rgb '#7a4fa0' front
 set ylabel 'V [kN]'
 set yrange [-1.791748119e+02:1.811321859e+02]
 plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $V3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
@@ -1913,7 +1923,6 @@ $M0 << e
 6.200000000e+00 1.164153218e-13
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-319.7' at 3.200000000e+00,-3.196811092e+02 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $M1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -2068,7 +2077,6 @@ $M1 << e
 6.200000000e+00 -7.275957614e-14
 6.200000000e+00 0.000000000e+00
 e
-set label 2 '316.9' at 3.200000000e+00,3.168906846e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
 $M2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -2377,6 +2385,8 @@ $M3 << e
 6.200000000e+00 1.455191523e-13
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '-384.3' at 3.200000000e+00,-3.843055802e+02 offset 0.5,-6.000000000e-01 left tc rgb '#3f8f4f' front
+set label 2 '378.5' at 3.200000000e+00,3.785150787e+02 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
 set ylabel 'M [kN m], on the tension side'
 set yrange [-5.216132988e+02:5.158227973e+02]
 plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $M3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'

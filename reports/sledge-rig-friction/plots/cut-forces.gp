@@ -6,10 +6,11 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-friction' noenhanced
+set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-friction' noenhanced
 set xrange [-1.240000000e-01:6.324000000e+00]
 set format x ''
-$outline << e
+set key top right horizontal
+$outline_z << e
 0.000000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
@@ -45,8 +46,7 @@ set label 2 'O' at 3.200000000e+00,6.250000000e+02 center noenhanced
 set arrow 2 from 3.200000000e+00,5.750000000e+02 to 3.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
 set label 3 'B' at 6.200000000e+00,6.250000000e+02 center noenhanced
 set arrow 3 from 6.200000000e+00,5.750000000e+02 to 6.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set key top right horizontal
-plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3685 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0830 s'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3685 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0830 s'
 unset key
 unset label
 unset arrow
@@ -359,7 +359,6 @@ $N0 << e
 6.200000000e+00 -1.321926446e+01
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-37.04' at 3.200000000e+00,-3.703803149e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $N1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.119165955e+01
@@ -514,6 +513,7 @@ $N1 << e
 6.200000000e+00 -8.068179801e+00
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '-37.04' at 3.200000000e+00,-3.703803149e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 set label 2 '35.76' at 3.200000000e+00,3.575886896e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'N [kN]'
 set yrange [-5.014737510e+01:4.886620157e+01]
@@ -827,7 +827,6 @@ $V0 << e
 6.200000000e+00 1.205810689e+02
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '120.6' at 6.200000000e+00,1.205810689e+02 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
 $V1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.048557291e+02
@@ -982,6 +981,7 @@ $V1 << e
 6.200000000e+00 -1.194408074e+02
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '120.6' at 6.200000000e+00,1.205810689e+02 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
 set label 2 '-119.4' at 6.200000000e+00,-1.194408074e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
 set ylabel 'V [kN]'
 set yrange [-1.626444666e+02:1.637849975e+02]
@@ -1297,7 +1297,6 @@ $M0 << e
 6.200000000e+00 -7.275957614e-14
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-348.4' at 3.200000000e+00,-3.484344803e+02 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $M1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1452,6 +1451,7 @@ $M1 << e
 6.200000000e+00 4.365574569e-14
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '-348.4' at 3.200000000e+00,-3.484344803e+02 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 set label 2 '345.1' at 3.200000000e+00,3.450529801e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'M [kN m], on the tension side'
 set yrange [-4.732612729e+02:4.698784021e+02]

@@ -6,10 +6,11 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-published' noenhanced
+set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-published' noenhanced
 set xrange [-1.240000000e-01:6.324000000e+00]
 set format x ''
-$outline << e
+set key top right horizontal
+$outline_z << e
 0.000000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
@@ -45,8 +46,7 @@ set label 2 'O' at 3.200000000e+00,6.250000000e+02 center noenhanced
 set arrow 2 from 3.200000000e+00,5.750000000e+02 to 3.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
 set label 3 'B' at 6.200000000e+00,6.250000000e+02 center noenhanced
 set arrow 3 from 6.200000000e+00,5.750000000e+02 to 6.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set key top right horizontal
-plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3573 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0720 s'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3573 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0720 s'
 unset key
 unset label
 unset arrow
@@ -359,7 +359,6 @@ $N0 << e
 6.200000000e+00 -8.079485340e+00
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '32.65' at 3.200000000e+00,3.264502026e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 $N1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.072449714e+00
@@ -514,6 +513,7 @@ $N1 << e
 6.200000000e+00 -8.072449714e+00
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '32.65' at 3.200000000e+00,3.264502026e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 set ylabel 'N [kN]'
 set yrange [-4.351716498e+01:4.426298073e+01]
 plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
@@ -826,7 +826,6 @@ $V0 << e
 6.200000000e+00 1.024029645e+02
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '102.4' at 6.200000000e+00,1.024029645e+02 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
 $V1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.581833310e+01
@@ -981,6 +980,7 @@ $V1 << e
 6.200000000e+00 -1.023832034e+02
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '102.4' at 6.200000000e+00,1.024029645e+02 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
 set label 2 '-102.4' at 6.200000000e+00,-1.023832034e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
 set ylabel 'V [kN]'
 set yrange [-1.392447137e+02:1.392644747e+02]
@@ -1296,7 +1296,6 @@ $M0 << e
 6.200000000e+00 3.492459655e-13
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-304.4' at 3.200000000e+00,-3.044058718e+02 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $M1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1451,6 +1450,7 @@ $M1 << e
 6.200000000e+00 -1.600710675e-13
 6.200000000e+00 0.000000000e+00
 e
+set label 1 '-304.4' at 3.200000000e+00,-3.044058718e+02 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 set label 2 '304.3' at 3.200000000e+00,3.043490295e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
 set ylabel 'M [kN m], on the tension side'
 set yrange [-4.139817541e+02:4.139249118e+02]

@@ -6,10 +6,11 @@ set border 3 lc rgb '#505050'
 set tics out nomirror
 set grid lc rgb '#e2e2e2' lw 0.7 lt 1
 set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,0.06,0.95 spacing 0,0.035 title 'Cut forces along the beam: slider-crank-press' noenhanced
+set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: slider-crank-press' noenhanced
 set xrange [-3.200000000e-02:1.632000000e+00]
 set format x ''
-$outline << e
+set key top right horizontal
+$outline_z << e
 0.000000000e+00 2.100000000e+02
 2.500000000e-01 2.100000000e+02
 2.500000000e-01 2.100000000e+02
@@ -31,8 +32,7 @@ set label 1 'A' at 0.000000000e+00,2.625000000e+02 center noenhanced
 set arrow 1 from 0.000000000e+00,2.415000000e+02 to 0.000000000e+00,-2.415000000e+02 nohead lc rgb '#909090' dt 3
 set label 2 'P' at 1.600000000e+00,2.625000000e+02 center noenhanced
 set arrow 2 from 1.600000000e+00,2.415000000e+02 to 1.600000000e+00,-2.415000000e+02 nohead lc rgb '#909090' dt 3
-set key top right horizontal
-plot $outline using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3321 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 0.5525 s', NaN with lines lw 1.8 lc rgb '#3f8f4f' title 't = 0.6470 s', NaN with lines lw 1.8 lc rgb '#7a4fa0' title 't = 0.8679 s'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3321 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 0.5525 s', NaN with lines lw 1.8 lc rgb '#3f8f4f' title 't = 0.6470 s', NaN with lines lw 1.8 lc rgb '#7a4fa0' title 't = 0.8679 s'
 unset key
 unset label
 unset arrow
@@ -195,7 +195,6 @@ $N0 << e
 1.600000000e+00 2.548598435e+01
 1.600000000e+00 0.000000000e+00
 e
-set label 1 '30.28' at 0.000000000e+00,3.027841933e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
 $N1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.557162765e+02
@@ -275,7 +274,6 @@ $N1 << e
 1.600000000e+00 -9.630990388e+02
 1.600000000e+00 0.000000000e+00
 e
-set label 2 '-963.1' at 1.600000000e+00,-9.630990388e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
 $N2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 4.683916639e+01
@@ -434,6 +432,8 @@ $N3 << e
 1.600000000e+00 2.547189957e+01
 1.600000000e+00 0.000000000e+00
 e
+set label 1 '-963.1' at 1.600000000e+00,-9.630990388e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
+set label 2 '46.84' at 0.000000000e+00,4.683916639e+01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
 set ylabel 'N [kN]'
 set yrange [-1.143475710e+03:2.282484608e+02]
 plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $N2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $N3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
@@ -596,7 +596,6 @@ $V0 << e
 1.600000000e+00 7.234306880e-01
 1.600000000e+00 0.000000000e+00
 e
-set label 1 '-1.222' at 0.000000000e+00,-1.221758022e+00 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $V1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -3.431815799e-01
@@ -676,7 +675,6 @@ $V1 << e
 1.600000000e+00 2.185842771e-01
 1.600000000e+00 0.000000000e+00
 e
-set label 2 '-0.3432' at 0.000000000e+00,-3.431815799e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
 $V2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 3.399883819e-01
@@ -756,7 +754,6 @@ $V2 << e
 1.600000000e+00 -2.165620609e-01
 1.600000000e+00 0.000000000e+00
 e
-set label 3 '0.3400' at 0.000000000e+00,3.399883819e-01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
 $V3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.221758021e+00
@@ -836,7 +833,10 @@ $V3 << e
 1.600000000e+00 -7.234306890e-01
 1.600000000e+00 0.000000000e+00
 e
-set label 4 '1.222' at 0.000000000e+00,1.221758021e+00 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
+set label 1 '-1.222' at 0.000000000e+00,-1.221758022e+00 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
+set label 2 '1.222' at 0.000000000e+00,1.221758021e+00 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
+set label 3 '-0.3432' at 0.000000000e+00,-3.431815799e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
+set label 4 '0.3400' at 0.000000000e+00,3.399883819e-01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
 set ylabel 'V [kN]'
 set yrange [-1.662233089e+00:1.662233089e+00]
 plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $V3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
@@ -1001,7 +1001,6 @@ $M0 << e
 1.600000000e+00 -2.842170943e-16
 1.600000000e+00 0.000000000e+00
 e
-set label 1 '-0.3916' at 7.083333333e-01,-3.915523752e-01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
 $M1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1081,7 +1080,6 @@ $M1 << e
 1.600000000e+00 4.654054919e-15
 1.600000000e+00 0.000000000e+00
 e
-set label 2 '-0.1128' at 7.083333333e-01,-1.128123413e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
 $M2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1161,7 +1159,6 @@ $M2 << e
 1.600000000e+00 -1.008970685e-15
 1.600000000e+00 0.000000000e+00
 e
-set label 3 '0.1118' at 7.083333333e-01,1.117647989e-01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
 $M3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1241,7 +1238,10 @@ $M3 << e
 1.600000000e+00 4.263256415e-16
 1.600000000e+00 0.000000000e+00
 e
-set label 4 '0.3916' at 7.083333333e-01,3.915523752e-01 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
+set label 1 '0.3916' at 7.083333333e-01,3.915523752e-01 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
+set label 2 '-0.3916' at 7.083333333e-01,-3.915523752e-01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
+set label 3 '-0.1128' at 7.083333333e-01,-1.128123413e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
+set label 4 '0.1118' at 7.083333333e-01,1.117647989e-01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
 set ylabel 'M [kN m], on the tension side'
 set yrange [-5.324855945e-01:5.324855945e-01]
 plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $M3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
