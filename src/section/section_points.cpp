@@ -6,93 +6,17 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
 
 #include "boxbeam/section/level_shear.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/torsion.hpp"
+#include "wall_places.hpp"
 
 namespace boxbeam {
+
+using namespace wall_places;
+
 namespace {
-
-/// A place on a wall.
-struct WallPlace {
-  std::size_t wall = 0;
-  double fraction = 0.0;
-};
-
-bool is_web(const Wall& wall) {
-  return wall.part == WallPart::left_web || wall.part == WallPart::right_web;
-}
-
-bool has_webs(const Profile& profile) {
-  return std::holds_alternative<Box>(profile) || std::holds_alternative<RectangularTube>(profile);
-}
-
-void set_shear(StressInfluence& influence, const CutFactors& factors) {
-  for (std::size_t k = 0; k < influence.shear.size(); ++k) {
-    influence.shear[k] = factors[static_cast<Eigen::Index>(k)];
-  }
-}
-
-/// Shear stress on a face of a wall: 1 the right, -1 the left, 0 the outer one of a cell.
-CutFactors wall_shear(const ShearFlow& flow, const WallPlace& place, double face) {
-  const CutFactors q = flow_at(flow, place.wall, place.fraction);
-  if (face == 0.0) face = q[cut_force::T] < 0.0 ? -1.0 : 1.0;
-  return q / flow.at.graph.walls[place.wall].thickness + face * face_shear_of(flow, place.wall);
-}
-
-SectionPoint point_at(const StressField& field, const std::string& name, double y, double z,
-                      Length plate) {
-  SectionPoint point;
-  point.name = name;
-  point.y = si<Length>(y);
-  point.z = si<Length>(z);
-  point.plate = plate;
-  point.influence = point.prismatic = normal_influence(field.sums, y, z);
-  return point;
-}
-
-/// Shear from the wall, normal stress at (y, z), which may be the face of the wall.
-SectionPoint wall_point(const StressField& field, const std::string& name, const WallPlace& place,
-                        double y, double z, double face, Length plate) {
-  SectionPoint point = point_at(field, name, y, z, plate);
-  set_shear(point.influence, wall_shear(*field.flow, place, face));
-  set_shear(point.prismatic, wall_shear(*field.prismatic, place, face));
-  return point;
-}
-
-/// The place on walls of a part, of material if there is any, nearest to a coordinate along them: z
-/// on webs, y on flanges. Walls run along their axis in ascending order.
-WallPlace nearest(const WallGraph& graph, WallPart part, bool inner, double along) {
-  WallPlace best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
-    const Wall& wall = graph.walls[i];
-    if (wall.part != part || wall.inner != inner) continue;
-    const Eigen::Index axis = is_web(wall) ? 1 : 0;
-    const double low = wall.start[axis], high = wall.end[axis];
-    const double at = std::clamp(along, low, high);
-    // At the edge of a hole the material beside it is meant.
-    const double distance = std::abs(along - at) + (wall.solid ? 0.0 : 1e-9 * (high - low));
-    if (distance >= least) continue;
-    least = distance;
-    best = {i, (at - low) / (high - low)};
-  }
-  return best;
-}
-
-/// The place of a round tube at an angle from +y towards +z.
-WallPlace on_round(const WallGraph& graph, bool inner, double angle) {
-  const double turn = 2.0 * std::numbers::pi;
-  const double positive = angle - turn * std::floor(angle / turn);
-  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
-    const Wall& wall = graph.walls[i];
-    const double fraction = (positive - wall.angle) / wall.sweep;
-    if (wall.inner == inner && fraction >= 0.0 && fraction <= 1.0) return {i, fraction};
-  }
-  return {};
-}
 
 bool in_hole(const StressField& field, Length z) {
   return width_at(field.section, field.holes, z).value() <= 0.0 &&
@@ -111,12 +35,6 @@ SectionPoint fibre(const StressField& field, const std::string& name, bool inner
           : on_round(graph, inner, sign * 0.5 * std::numbers::pi);
   const Length plate = inner ? wall_at(profile, z) : wall_at(field.section, z);
   return wall_point(field, name, place, 0.0, z.value(), 0.0, plate);
-}
-
-/// The outer face of a wall of a box or rectangular tube: y of a web, z of a flange.
-double outer_face_of(const Wall& wall) {
-  const bool outwards = wall.part == WallPart::left_web || wall.part == WallPart::top_flange;
-  return wall.start[is_web(wall) ? 0 : 1] + (outwards ? 0.5 : -0.5) * wall.thickness;
 }
 
 /// A place on a web, at its mid-line, in space on its outer face. `seam`: whether it is its end,
@@ -145,10 +63,6 @@ SectionPoint level_point(const StressField& field, const std::string& name, doub
   set_shear(point.influence, level_shear_of(field.section, field.holes, field.taper, z));
   set_shear(point.prismatic, level_shear_of(field.section, field.holes, {}, z));
   return point;
-}
-
-std::string signed_axis(double sign, char axis) {
-  return fmt::format("{}{}", sign > 0.0 ? '+' : '-', axis);
 }
 
 void add_tube_points(const StressField& field, bool inner, std::vector<SectionPoint>& points) {
@@ -518,128 +432,6 @@ SectionPoint point_on_flange(const StressField& field, const std::string& name, 
   const Length z = up > 0.0 ? extent.z_high : extent.z_low;
   return wall_point(field, name, nearest(graph, flange, false, between), y.value(), z.value(), 0.0,
                     wall_at(field.section, z));
-}
-
-namespace {
-
-const char* name_of(WallPart part) {
-  switch (part) {
-    case WallPart::top_flange: return "top flange";
-    case WallPart::bottom_flange: return "bottom flange";
-    case WallPart::left_web: return "left web";
-    case WallPart::right_web: return "right web";
-    default: return "wall";
-  }
-}
-
-/// The fractions of a wall of a box or tube that lie between the inner faces of its neighbours;
-/// nothing where the wall is no such plate, a hole, or the edge of a flange beyond a web.
-std::optional<std::pair<double, double>> clear_part_of(const WallGraph& graph, const Wall& wall) {
-  const bool web = is_web(wall);
-  if (!web && wall.part != WallPart::top_flange && wall.part != WallPart::bottom_flange) return {};
-  double low = -std::numeric_limits<double>::infinity(), high = -low;
-  const Eigen::Index along = web ? 1 : 0;
-  for (const Wall& other : graph.walls) {
-    if (other.inner != wall.inner) continue;
-    const double face = other.start[along];
-    const double half = 0.5 * other.thickness;
-    if (other.part == (web ? WallPart::bottom_flange : WallPart::right_web)) low = face + half;
-    if (other.part == (web ? WallPart::top_flange : WallPart::left_web)) high = face - half;
-  }
-  const double start = wall.start[along], length = wall.end[along] - start;
-  const double from = std::max(0.0, (low - start) / length);
-  const double to = std::min(1.0, (high - start) / length);
-  if (!wall.solid || to - from < 1e-9) return {};
-  return std::pair{from, to};
-}
-
-}  // namespace
-
-std::vector<WallStretch> wall_stretches_of(const StressField& field) {
-  std::vector<WallStretch> stretches;
-  if (!field.flow) return stretches;
-  const WallGraph& graph = field.flow->at.graph;
-  for (const bool inner : {false, true}) {
-    if (inner && !field.section.inner) continue;
-    const Profile& profile = inner ? *field.section.inner : field.section.outer;
-    const std::string before = inner ? "inner " : "";
-    if (std::holds_alternative<RoundTube>(profile)) {
-      WallStretch around;
-      around.name = before + "wall";
-      around.round = true;
-      around.inner = inner;
-      around.plate = inner ? wall_at(profile, Length{}) : wall_at(field.section, Length{});
-      stretches.push_back(around);
-      continue;
-    }
-    const bool path = std::holds_alternative<ThinWalled>(profile);
-    int parts[6] = {};
-    for (std::size_t i = 0; i < graph.walls.size(); ++i) {
-      const Wall& wall = graph.walls[i];
-      if (wall.inner != inner) continue;
-      WallStretch stretch;
-      stretch.inner = inner;
-      stretch.wall = i;
-      if (path) {
-        stretch.plate = si<Length>(wall.thickness);
-        for (const double face : {1.0, -1.0}) {
-          stretch.face = face;
-          stretch.name = fmt::format("{}wall {} {}", before, i + 1, face > 0.0 ? "right" : "left");
-          stretches.push_back(stretch);
-        }
-        continue;
-      }
-      if (wall.part == WallPart::corner) {
-        stretch.name = fmt::format("{}corner {} {}", before, signed_axis(wall.centre.x(), 'y'),
-                                   signed_axis(wall.centre.y(), 'z'));
-        stretch.plate = wall_at(profile, Length{});
-        stretches.push_back(stretch);
-        continue;
-      }
-      const auto clear = clear_part_of(graph, wall);
-      if (!clear) continue;
-      std::tie(stretch.from, stretch.to) = *clear;
-      const int number = ++parts[static_cast<std::size_t>(wall.part)];
-      stretch.name = before + name_of(wall.part) + (number > 1 ? fmt::format(" {}", number) : "");
-      const Length z =
-          si<Length>(is_web(wall) ? 0.5 * (wall.start.y() + wall.end.y()) : outer_face_of(wall));
-      stretch.plate = inner ? wall_at(profile, z) : wall_at(field.section, z);
-      stretches.push_back(stretch);
-    }
-  }
-  return stretches;
-}
-
-SectionPoint point_on_stretch(const StressField& field, const WallStretch& stretch, double part) {
-  const WallGraph& graph = field.flow->at.graph;
-  if (stretch.round) {
-    const Profile& profile = stretch.inner ? *field.section.inner : field.section.outer;
-    const double radius = 0.5 * std::get<RoundTube>(profile).diameter.value();
-    const double angle = 2.0 * std::numbers::pi * part;
-    return wall_point(field, stretch.name, on_round(graph, stretch.inner, angle),
-                      radius * std::cos(angle), radius * std::sin(angle), 0.0, stretch.plate);
-  }
-  const Wall& wall = graph.walls[stretch.wall];
-  const double fraction = stretch.from + part * (stretch.to - stretch.from);
-  Eigen::Vector2d at = point_on(wall, fraction);
-  if (wall.part == WallPart::corner) {
-    // On the rounding itself, whose centre is not that of the mid-line where its radius is small.
-    const auto& tube =
-        std::get<RectangularTube>(stretch.inner ? *field.section.inner : field.section.outer);
-    const double radius = tube.outer_radius.value(), angle = wall.angle + fraction * wall.sweep;
-    const Eigen::Vector2d reach(0.5 * tube.width.value() - radius,
-                                0.5 * tube.height.value() - radius);
-    at = Eigen::Vector2d(std::copysign(reach.x(), wall.centre.x()),
-                         std::copysign(reach.y(), wall.centre.y())) +
-         radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-  } else if (stretch.face == 0.0) {
-    at[is_web(wall) ? 0 : 1] = outer_face_of(wall);
-  } else {
-    const Eigen::Vector2d along = direction_on(wall, fraction);
-    at -= stretch.face * 0.5 * wall.thickness * Eigen::Vector2d(-along.y(), along.x());
-  }
-  return wall_point(field, stretch.name, {stretch.wall, fraction}, at.x(), at.y(), stretch.face,
-                    stretch.plate);
 }
 
 std::optional<std::string> unknown_shear_of(const Section& section) {

@@ -1,6 +1,7 @@
 // Stress at named places: hand formulas, one sign of each cut force.
 
 #include "boxbeam/section/section_points.hpp"
+#include "boxbeam/section/wall_stretches.hpp"
 
 #include <algorithm>
 #include <cmath>

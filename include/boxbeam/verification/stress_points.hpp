@@ -8,6 +8,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/section/section_points.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/wall_stretches.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
