@@ -129,7 +129,7 @@ std::string read_in_plane(TableReader& root, const Node& tree, const readers::Se
                           TimeTables& tables, Project& project) {
   TableReader beam = root.table("beam");
   readers::read_beam(beam, sections, project);
-  const std::string beam_body = beam.text("body", "");
+  std::string beam_body = beam.text("body", "");
   readers::MechanismDraft draft = readers::read_mechanism(root, beam_body, tables);
   if (!beam_body.empty() || !root.has("beam")) {
     // A missing table or unknown name has been noted; any body stands in, so that reading goes on.
@@ -183,7 +183,7 @@ std::string read_in_space(TableReader& root, const Node&, const readers::Section
                           TimeTables& tables, Project& project) {
   TableReader beam = root.table("beam");
   readers::read_beam(beam, sections, project);
-  const std::string beam_body = beam.text("body", "");
+  std::string beam_body = beam.text("body", "");
   spatial::Mechanism mechanism = readers::read_chain(root, beam_body, tables);
   project.beam_body = std::max(0, readers::body_of(beam, "body", mechanism));
   if (root.problems().empty()) {
@@ -197,7 +197,7 @@ std::string read_in_space(TableReader& root, const Node&, const readers::Section
     readers::place_beam(root, project.beam, project.placement, mechanism);
     project.hand_formulas = readers::read_hand_formulas(root, mechanism);
   } else {
-    static_cast<void>(root.has("hand_formulas"));
+    for (const char* key : {"hand_formulas", "hand_symbols"}) static_cast<void>(root.has(key));
   }
   project.mechanism = std::move(mechanism);
   if (root.problems().empty()) add_points_on_axis(project);
@@ -266,6 +266,14 @@ const planar::Mechanism& planar_in(const Project& project, const Situation& situ
 
 const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation) {
   return std::get<spatial::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
+}
+
+spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism) {
+  spatial::BeamPlacement placement = project.placement;
+  const spatial::Mechanism& base = spatial_of(project);
+  placement.body =
+      body_index(mechanism, base.bodies[static_cast<std::size_t>(placement.body)].name);
+  return placement;
 }
 
 const Duration& duration_of(const Project& project) {

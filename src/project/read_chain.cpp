@@ -51,6 +51,10 @@ void read_rod(TableReader& table, Body& body) {
     return;
   }
   const Eigen::Vector3d along = ends[1] - ends[0];
+  if (along.norm() == 0.0) {
+    table.problem("uniform_rod", "the rod has no length: both points are at one place",
+                  "name two points apart");
+  }
   body.centre = 0.5 * (ends[0] + ends[1]);
   body.inertia = body.mass / 12.0 *
                  (along.squaredNorm() * Eigen::Matrix3d::Identity() - along * along.transpose());
@@ -80,8 +84,11 @@ void read_mass(TableReader& table, Body& body) {
 Body read_body(const std::string& name, TableReader& table, bool is_beam) {
   Body body;
   body.name = name;
-  if (name == "ground") {
-    table.problem("", "\"ground\" is the world and no body", "give the body another name");
+  if (name == "ground" || name == "world" || name.empty()) {
+    table.problem("",
+                  name.empty() ? std::string("a body has a name")
+                               : fmt::format("\"{}\" is the world and no body", name),
+                  "give the body another name");
   }
   TableReader points = table.table("points", false);
   points.accept_all();
@@ -197,6 +204,16 @@ void sort_tree(TableReader& root, const std::vector<JointDraft>& drafts, Mechani
   std::vector<const JointDraft*> carrier(count, nullptr);
   for (const JointDraft& draft : drafts) {
     if (draft.carried < 0) continue;
+    const auto alike = std::count_if(drafts.begin(), drafts.end(), [&](const JointDraft& other) {
+      return other.joint.name == draft.joint.name;
+    });
+    if (alike > 1) {
+      root.table("joints").problem(
+          draft.joint.name, fmt::format("two joints are called \"{}\"", draft.joint.name),
+          "a spherical joint \"ball\" is \"ball.1\", \"ball.2\" and \"ball.3\": give the other "
+          "another name");
+      return;
+    }
     const JointDraft*& of = carrier[static_cast<std::size_t>(draft.carried)];
     if (of != nullptr) {
       root.table("joints").problem(
@@ -358,10 +375,41 @@ spatial::BeamPlacement read_placement(TableReader& beam, const Mechanism& mechan
   return placement;
 }
 
+namespace {
+
+/// Notes joints and loads on the beam's body that stand beyond the ends of the beam.
+void check_on_beam(TableReader& root, const TaperedBeam& beam,
+                   const spatial::BeamPlacement& placement, const Mechanism& mechanism) {
+  const double whole = beam.length().value();
+  const auto look = [&](const char* table, const std::string& name, const Eigen::Vector3d& place) {
+    const double s = in_beam(placement, place).x();
+    if (s >= -1e-9 * whole && s <= (1.0 + 1e-9) * whole) return;
+    root.table(table).problem(
+        name.substr(0, name.find('.')),
+        fmt::format("\"{}\" acts beyond the end of the beam, at s = {:.6g} m", name, s),
+        fmt::format("s goes from 0 to {:.6g} m; what stands farther belongs to a body of its own, "
+                    "fixed to the beam",
+                    whole));
+  };
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (static_cast<int>(i) == placement.body) look("joints", joint.name, joint.point);
+    if (joint.parent == placement.body) look("joints", joint.name, joint.at);
+  }
+  for (const spatial::AppliedLoad& load : mechanism.loads) {
+    if (load.on == placement.body && load.at.body == placement.body) {
+      look("forces", load.name, load.at.p);
+    }
+  }
+}
+
+}  // namespace
+
 void place_beam(TableReader& root, const TaperedBeam& beam, const spatial::BeamPlacement& placement,
                 Mechanism& mechanism) {
   Body& body = mechanism.bodies[static_cast<std::size_t>(placement.body)];
   give_mass(body, placement, beam);
+  check_on_beam(root, beam, placement, mechanism);
   const double whole = beam.length().value();
   std::vector<Length> ends{Length{}};
   for (const Segment& segment : beam.segments) ends.push_back(segment.end());

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -25,12 +23,10 @@ Duration read_duration(TableReader& root) {
 void check_repetition(TableReader& root, const std::vector<NamedFunction>& functions) {
   std::vector<double> omegas;
   const NamedFunction* endless = nullptr;  // neither repeats nor ends
-  double end = 0.0;
   bool repeats = true;
   for (const NamedFunction& function : functions) {
     const DriverTiming timing = timing_of(*function.driver, function.turning);
     omegas.insert(omegas.end(), timing.omegas.begin(), timing.omegas.end());
-    end = std::max(end, timing.end);
     repeats = repeats && timing.repeats;
     if (!timing.repeats && timing.end <= 0.0 && endless == nullptr) endless = &function;
   }
@@ -43,7 +39,7 @@ void check_repetition(TableReader& root, const std::vector<NamedFunction>& funct
         fmt::format("write frequencies of which a whole number of cycles takes the same time (0.7 "
                     "Hz and 1.4 Hz), {}",
                     with_a_duration));
-  } else if (!repeats && !(end > 0.0)) {
+  } else if (!repeats && endless != nullptr) {
     TableReader table = root.table(endless->table);
     table.problem(
         endless->name, fmt::format("\"{}\" neither repeats nor ends", endless->name),

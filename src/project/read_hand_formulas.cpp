@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -77,6 +79,14 @@ std::vector<HandFormula> read_hand_formulas(TableReader& root,
   TableReader table = root.table("hand_symbols", false);
   table.accept_all();
   for (const Node::Member& member : table.members()) {
+    const bool plain = std::all_of(member.key.begin(), member.key.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_';
+    });
+    if (member.key.empty() || !plain || std::isdigit(static_cast<unsigned char>(member.key[0]))) {
+      table.problem(member.key, fmt::format("\"{}\" cannot stand in a formula", member.key),
+                    "letters, digits and \"_\", a letter first: w_g");
+      continue;
+    }
     symbols[member.key] = value_of_symbol(table, member);
   }
   std::vector<HandFormula> formulas;

@@ -125,6 +125,7 @@ void for_each_attachment(Mechanism& mechanism, const Move& move) {
 }  // namespace
 
 std::string unknown_hint(std::string_view name, const std::vector<std::string>& known) {
+  if (known.empty()) return "there is none that could be named";
   const std::string near = nearest_word(name, known);
   return near.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
                       : fmt::format("did you mean \"{}\"?", near);

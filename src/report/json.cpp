@@ -73,6 +73,7 @@ std::string results_json(const Project& project, const Verification& verificatio
   Json instants = Json::array();
   for (const CriticalInstant& instant : verification.critical_instants) {
     instants.push_back({{"quantity", instant.quantity},
+                        {"situation", project.situations[instant.situation].name},
                         {"station", finite(instant.station.s.value())},
                         {"side", to_text(instant.station.side)},
                         {"time", finite(instant.time.value())},

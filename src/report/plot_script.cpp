@@ -88,8 +88,9 @@ void draw_legend(Script& gp, const std::vector<LegendEntry>& entries, int width,
   const std::size_t rows = rows_of_legend(entries, width);
   const double left = 0.5 * (width - one * static_cast<int>(columns));
   for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::size_t row = i / columns;
     const double x = left + one * static_cast<double>(i % columns);
-    const double y = above + row_height * static_cast<double>(rows - 1 - i / columns);
+    const double y = above + row_height * static_cast<double>(rows - 1 - row);
     gp << "set arrow " << 500 + i << " from screen " << x / width << "," << y / height
        << " to screen " << (x + 34.0) / width << "," << y / height << " nohead " << entries[i].style
        << "\nset label " << 500 + i << " " << quoted(entries[i].title) << " at screen "
@@ -98,7 +99,7 @@ void draw_legend(Script& gp, const std::vector<LegendEntry>& entries, int width,
 }
 
 std::size_t rows_of_legend(const std::vector<LegendEntry>& entries, int width) {
-  const std::size_t columns = columns_of(entries, width).first;
+  const std::size_t columns = std::max<std::size_t>(1, columns_of(entries, width).first);
   return (entries.size() + columns - 1) / columns;
 }
 

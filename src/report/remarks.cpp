@@ -154,9 +154,49 @@ void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closu
   }
 }
 
+/// What a mechanism in space follows, by name.
+std::vector<std::pair<std::string, const Driver*>> functions_of(
+    const spatial::Mechanism& mechanism) {
+  std::vector<std::pair<std::string, const Driver*>> functions;
+  for (const spatial::Joint& joint : mechanism.joints) {
+    if (joint.kind == spatial::JointKind::fixed) continue;
+    functions.emplace_back("the driver of joint " + joint.name, &joint.driver);
+  }
+  for (const spatial::AppliedLoad& load : mechanism.loads) {
+    functions.emplace_back("load " + load.name, &load.size);
+  }
+  for (const spatial::LineForce& line : mechanism.line_forces) {
+    functions.emplace_back("load " + line.name, &line.size);
+  }
+  return functions;
+}
+
+/// Notes drivers and loads that the time looked at cuts off.
+void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motion,
+                 std::vector<std::string>& remarks) {
+  const double end = (motion.begin + motion.period).value();
+  for (const auto& [name, driver] : functions_of(mechanism)) {
+    const DriverTiming timing = timing_of(*driver, false);
+    if (timing.end > end * (1.0 + 1e-9)) {
+      remarks.push_back(fmt::format("the time looked at ends at {}, before {} does at {}",
+                                    text::seconds(end), name, text::seconds(timing.end)));
+    }
+    for (const double omega : timing.omegas) {
+      const double waves = motion.period.value() * omega / (2.0 * std::numbers::pi);
+      if (std::abs(waves - std::round(waves)) < 1e-6 * waves) continue;
+      remarks.push_back(
+          fmt::format("the time looked at, {}, holds {:.4g} cycles of {}, not a whole number",
+                      text::seconds(motion.period.value()), waves, name));
+    }
+  }
+}
+
 void add_motion(const Project& project, const MotionSummary& motion,
                 std::vector<std::string>& remarks) {
   if (motion.closure) add_closure(planar_of(project), *motion.closure, remarks);
+  if (in_space(project)) {
+    add_cut_off(spatial_in(project, project.situations[motion.situation]), motion, remarks);
+  }
   // Of a situation that only its sequence counts, the sequence says how it repeats.
   const double cycles = project.situations[motion.situation].cycles;
   if (cycles == 0.0) return;
@@ -171,6 +211,19 @@ void add_motion(const Project& project, const MotionSummary& motion,
         "the motion does not repeat by itself: ranges are those of the time looked at, taken as "
         "repeated from its end to its beginning once per cycle");
   }
+}
+
+void add_warping(const Project& project, std::vector<std::string>& remarks) {
+  const auto& segments = project.beam.segments;
+  const bool path = std::any_of(segments.begin(), segments.end(), [](const Segment& segment) {
+    return std::holds_alternative<ThinWalled>(segment.from.outer);
+  });
+  if (!in_space(project) || !path) return;
+  remarks.push_back(
+      "torsion of thin-walled paths is Saint-Venant's, with free warping: where warping is held, "
+      "as "
+      "at a clamped end, an open section has normal stresses of warping besides, which are not "
+      "counted");
 }
 
 void add_missing_fatigue(const Verification& verification, std::vector<std::string>& remarks) {
@@ -233,6 +286,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
     remarks.push_back(
         "shear lag is left out, as the case asks: flanges count with their whole width");
   }
+  add_warping(project, remarks);
   add_holes(project, remarks);
   add_published(project, verification, remarks);
   remarks.push_back(

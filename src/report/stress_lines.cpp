@@ -129,13 +129,27 @@ std::string contributions(const std::array<double, cut_force::count>& influence,
   return out + more(fmt::format("{} = {}", fmt::join(stresses, " + "), text::MPa(sum)));
 }
 
+/// The stress at a hole's edge under all six cut forces, u along the wall across the beam.
+std::string spatial_hole_formula(const std::string& symbol, const EdgeConcentration& k) {
+  return line(symbol,
+              "K_g/3 sigma_0 (1 - 2 cos 2theta) + r dsigma/du (sin theta - sin 3theta) - 4/(1 - "
+              "d/w) tau_0 sin 2theta") +
+         after(
+             "sigma_0 = N/A + M_y z/I_y - M_z y/I_z at the hole's centre, tau_0 there of V_y, V_z "
+             "and T") +
+         after(fmt::format("K_g = {}, d/w = {}, theta = {:.0f} deg", text::significant(k.factor),
+                           text::significant(k.diameter_to_width, 3),
+                           k.angle * 180.0 / std::numbers::pi));
+}
+
 std::string spatial_normal_lines(const std::string& symbol, const StressPoint& point,
                                  const CutForces& cut) {
   if (point.concentration) {
-    return hole_formula(symbol, *point.concentration) + contributions(point.influence.normal, cut);
+    return spatial_hole_formula(symbol, *point.concentration) +
+           contributions(point.influence.normal, cut);
   }
   const bool whole = point.net.area == point.gross.area;
-  const char* net = point.lag ? ",eff" : (whole ? "" : ",net");
+  const char* net = point.lag || point.web_lag ? ",eff" : (whole ? "" : ",net");
   const auto second_moment_line = [](const char* name, SecondMoment I) {
     return fmt::format("{} = {}", name, second_moment(I.value()));
   };

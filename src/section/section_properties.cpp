@@ -83,13 +83,27 @@ Profile without_idle_stiffeners(Profile profile, const IdleStrips& idle) {
   return profile;
 }
 
-/// The holes whose centres do not lie in the strips.
-std::vector<Hole> without_idle_holes(std::vector<Hole> holes, const IdleStrips& idle) {
-  std::erase_if(holes, [&](const Hole& hole) {
-    const bool in_flange = hole.walls == HoleWalls::flanges;
-    return (in_flange ? idle.flanges : idle.webs).contains(hole.position.value());
-  });
-  return holes;
+/// The pieces of an idle strip that no hole of its walls has taken already.
+std::vector<std::pair<double, double>> pieces_of(const Strip& strip, HoleWalls walls,
+                                                 const std::vector<Hole>& holes) {
+  std::vector<std::pair<double, double>> pieces;
+  if (!strip.empty()) pieces.emplace_back(strip.low, strip.high);
+  const auto take_out = [&](double middle, double half) {
+    std::vector<std::pair<double, double>> left;
+    for (const auto& [low, high] : pieces) {
+      if (std::min(high, middle - half) > low)
+        left.emplace_back(low, std::min(high, middle - half));
+      if (std::max(low, middle + half) < high)
+        left.emplace_back(std::max(low, middle + half), high);
+    }
+    pieces = std::move(left);
+  };
+  for (const Hole& hole : holes) {
+    if (hole.walls != walls) continue;
+    take_out(hole.position.value(), 0.5 * hole.diameter.value());
+    if (walls == HoleWalls::flanges) take_out(-hole.position.value(), 0.5 * hole.diameter.value());
+  }
+  return pieces;
 }
 
 std::optional<Inside> inside_of(const Profile& profile) {
@@ -121,19 +135,19 @@ SectionProperties properties_of(const Section& section, const std::vector<Hole>&
   if (!inside) return properties_of(section, holes);
   const IdleStrips idle{idle_strip(inside->right, inside->left, flange_part),
                         idle_strip(inside->bottom, inside->top, web_part)};
-  Outline outline = outline_of(Section{without_idle_stiffeners(section.outer, idle), section.inner},
-                               without_idle_holes(holes, idle));
+  Outline outline =
+      outline_of(Section{without_idle_stiffeners(section.outer, idle), section.inner}, holes);
   const Extent extent = extent_of(section.outer);
   const auto take_out = [&](double y_low, double y_high, double z_low, double z_high) {
     add_rectangle(outline, y_low, y_high, z_low, z_high, -1.0);
   };
-  if (!idle.flanges.empty()) {
-    take_out(idle.flanges.low, idle.flanges.high, inside->top, extent.z_high.value());
-    take_out(idle.flanges.low, idle.flanges.high, extent.z_low.value(), inside->bottom);
+  for (const auto& [low, high] : pieces_of(idle.flanges, HoleWalls::flanges, holes)) {
+    take_out(low, high, inside->top, extent.z_high.value());
+    take_out(low, high, extent.z_low.value(), inside->bottom);
   }
-  if (!idle.webs.empty()) {
-    take_out(inside->left, extent.y_high.value(), idle.webs.low, idle.webs.high);
-    take_out(extent.y_low.value(), inside->right, idle.webs.low, idle.webs.high);
+  for (const auto& [low, high] : pieces_of(idle.webs, HoleWalls::webs, holes)) {
+    take_out(inside->left, extent.y_high.value(), low, high);
+    take_out(extent.y_low.value(), inside->right, low, high);
   }
   return properties_of(sums_of(outline), extent);
 }

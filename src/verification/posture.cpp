@@ -66,7 +66,8 @@ Eigen::Vector3d place_of(const spatial::Joint& joint, const spatial::State& stat
 /// The origin of a posture in space.
 Eigen::Vector3d origin_of(const Project& project, const spatial::Mechanism& mechanism,
                           const spatial::State& state) {
-  return place_of(mechanism.joints[static_cast<std::size_t>(project.placement.body)], state);
+  return place_of(mechanism.joints[static_cast<std::size_t>(placement_in(project, mechanism).body)],
+                  state);
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& load
 
 std::vector<BeamLoadRow> load_rows(const Project& project, const spatial::Mechanism& mechanism,
                                    const BeamLoads& loads, const spatial::State& state) {
-  const spatial::BeamPlacement& beam = project.placement;
+  const spatial::BeamPlacement beam = placement_in(project, mechanism);
   const Eigen::Matrix3d& R_WB = state.bodies[static_cast<std::size_t>(beam.body)].R_WB;
   std::vector<BeamLoadRow> rows = bare_rows(loads, state.time, R_WB * beam.axes);
   const std::vector<std::string> names = spatial::names_of_beam_loads(mechanism, beam.body);
@@ -152,7 +153,8 @@ PostureFigure posture_figure(const Project& project, const planar::Mechanism& me
 PostureFigure posture_figure(const Project& project, const spatial::Mechanism& mechanism,
                              const spatial::State& state, const std::string& why) {
   const Eigen::Vector3d origin = origin_of(project, mechanism, state);
-  const int beam = project.placement.body;
+  const spatial::BeamPlacement placement = placement_in(project, mechanism);
+  const int beam = placement.body;
   const spatial::Joint& root = mechanism.joints[static_cast<std::size_t>(beam)];
   PostureFigure figure;
   figure.time = si<Time>(state.time);
@@ -184,7 +186,7 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
     }
     if (line.beam) {
       const auto on_axis = [&](double s) {
-        return place(project.placement.start + s * project.placement.axes.col(0));
+        return place(placement.start + s * placement.axes.col(0));
       };
       const double length = project.beam.length().value();
       const Eigen::Vector3d axis = (on_axis(length) - on_axis(0.0)) / length;

@@ -62,7 +62,10 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
   std::vector<CriticalInstant> instants;
   const auto add = [&](const CutForceName& quantity, Extreme Envelope::*end) {
     const StationEnvelope* best = nullptr;
-    for (const StationEnvelope& station : verification.stations) {
+    // Outside the beam, at the first and the last of the stations, nothing is cut.
+    const std::span inside =
+        std::span(verification.stations).subspan(1, verification.stations.size() - 2);
+    for (const StationEnvelope& station : inside) {
       const double value = (station.of[quantity.which].*end).value;
       if (best == nullptr) best = &station;
       const double so_far = (best->of[quantity.which].*end).value;

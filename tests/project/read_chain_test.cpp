@@ -236,6 +236,22 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
       {all + "[forces.f]\nkind = \"line force\"\nfrom = \"arm.A\"\nto = \"load.C\"\n"
              "direction = \"z\"\nsize = \"1 N/m\"\n",
        "between two points of one body", "leg.foot"},
+      {all + "[bodies.world]\npoints = { A = [\"0 m\", \"0 m\", \"0 m\"] }\n[joints.w]\nkind = "
+             "\"fixed\"\nconnect = [\"ground\", "
+             "\"world.A\"]\n",
+       "is the world and no body", "another name"},
+      {all + "[bodies.rod]\nmass = \"1 kg\"\nuniform_rod = [\"P\", \"P\"]\n"
+             "points = { P = [\"0 m\", \"0 m\", \"0 m\"] }\n"
+             "[joints.r]\nkind = \"fixed\"\nconnect = [\"ground\", \"rod.P\"]\n",
+       "the rod has no length", "two points apart"},
+      {all + "[forces.f]\nkind = \"force\"\npoint = \"arm.far\"\ndirection = \"z\"\n"
+             "size = \"1 N\"\n",
+       "acts beyond the end of the beam, at s = 1.5 m", "fixed to the beam"},
+      {all + "[hand_symbols]\n\"a b\" = 1\n", "cannot stand in a formula", "w_g"},
+      {hinge + weld +
+           "[drivers.swing]\njoint = \"hinge\"\nkind = \"polynomial\"\n"
+           "coefficients = [\"0 rad\", \"1 rad/s\", \"1 rad/s^2\"]\n",
+       "\"hinge\" neither repeats nor ends", "duration"},
       {all + "[deflection]\nlimit = \"1 mm\"\n", "known for mechanisms in the plane only",
        "remove it"},
       {all + "[[hand_formulas]]\nname = \"v\"\nquantity = \"omega\"\nof = \"arm\"\n"

@@ -18,7 +18,7 @@ inline const std::string bodies =
     "inertia = [\"1 kg m^2\", \"2 kg m^2\", \"2.5 kg m^2\"]\n"
     "points = { C = [\"0 m\", \"0 m\", \"0 m\"], D = [\"0 m\", \"2 m\", \"0 m\"] }\n"
     "[bodies.arm]\npoints = { A = [\"0 m\", \"0 m\", \"0 m\"], B = [\"1 m\", \"0 m\", \"0 m\"], "
-    "side = [\"0.5 m\", \"0 m\", \"0.2 m\"] }\n"
+    "side = [\"0.5 m\", \"0 m\", \"0.2 m\"], far = [\"1.5 m\", \"0 m\", \"0 m\"] }\n"
     "[sections.tube]\nkind = \"round tube\"\ndiameter = \"100 mm\"\nwall = \"5 mm\"\n"
     "[beam]\nbody = \"arm\"\naxis = \"x\"\nz = \"z\"\ndensity = \"7850 kg/m^3\"\n"
     "[[beam.segments]]\nlength = \"1 m\"\nsection = \"tube\"\n"

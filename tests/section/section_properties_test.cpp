@@ -223,3 +223,35 @@ TEST_CASE("the shear stresses sum to the shear force") {
   CHECK(carried_shear({RoundTube{mm(500), mm(20)}, {}}, {}, {-250, -230, 230, 250}) ==
         Approx(1.0).epsilon(1e-6));
 }
+
+TEST_CASE("shear lag takes material out beside holes, and never gives any back") {
+  // Holes anywhere, wider and narrower than the idle strips, in boxes and tubes.
+  const Section profiles[] = {A1, Section{RectangularTube{mm(300), mm(200), mm(12), {}, {}}, {}}};
+  for (const Section& section : profiles) {
+    const double width = section == A1 ? 300.0 : 276.0, height = section == A1 ? 500.0 : 176.0;
+    for (const double diameter : {5.0, 20.0, 60.0, 120.0}) {
+      for (const double place : {0.0, 0.02, 0.1, 0.2}) {
+        for (const double part : {0.999, 0.95, 0.8, 0.5}) {
+          const std::vector<Hole> holes{flange_hole(diameter, place * width),
+                                        web_hole(diameter, place * height)};
+          const SectionProperties net = properties_of(section, holes);
+          const SectionProperties gross_lag = properties_of(section, {}, part, part);
+          const SectionProperties lag = properties_of(section, holes, part, part);
+          CAPTURE(width, diameter, place, part);
+          for (const SectionProperties* whole : {&net, &gross_lag}) {
+            CHECK(area(lag) <= area(*whole) * (1.0 + 1e-12));
+            CHECK(I_y(lag) <= I_y(*whole) * (1.0 + 1e-12));
+            CHECK(I_z(lag) <= I_z(*whole) * (1.0 + 1e-12));
+          }
+          if (place > 0.0) continue;
+          // In the middle the wider of strip and hole is missing, once, in each of four plates.
+          const double thickness = section == A1 ? 50.0 : 12.0;
+          const double flange = std::max(diameter, (1.0 - part) * width);
+          const double web = std::max(diameter, (1.0 - part) * height);
+          const double whole = area(properties_of(section));
+          CHECK(area(lag) == Approx(whole - 2.0 * thickness * (flange + web)).epsilon(1e-9));
+        }
+      }
+    }
+  }
+}

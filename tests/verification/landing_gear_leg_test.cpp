@@ -155,3 +155,20 @@ TEST_CASE("a flight counts its situations as one history, rainflow over all thei
   }
   CHECK(found == Approx(expected).epsilon(1e-6));
 }
+
+TEST_CASE("a situation that hangs bodies up otherwise verifies the same beam") {
+  const std::string file = test::project_file("sections/landing-gear/retraction.toml");
+  const std::string yaw = "joints.yaw.connect=[\"leg.B\", \"aircraft.A\"]";
+  const std::string hinge = "joints.hinge.connect=[\"climb.A\", \"leg.B\"]";
+  const auto landing_of = [](const Project& project) {
+    const SituationRun run(project, project.situations[2]);
+    return run.loads.diagram_at(si<Time>(0.07)).at({0.4 * metre, Side::both});
+  };
+  const Project whole = read_project(file, {yaw, hinge});
+  const Project one = read_project(file, {"situations.2.set." + yaw, "situations.2.set." + hinge});
+  const CutForces expected = landing_of(whole), found = landing_of(one);
+  for (const auto& [which, name] : cut_forces_looked_at(one)) {
+    CAPTURE(name);
+    CHECK(value_of(found, which) == Approx(value_of(expected, which)).epsilon(1e-12).margin(1e-6));
+  }
+}

@@ -210,6 +210,9 @@ spatial::Mechanism& spatial_of(Project& project);
 const planar::Mechanism& planar_in(const Project& project, const Situation& situation);
 const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation);
 
+/// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.
+spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism);
+
 /// The time that a case is looked at.
 const Duration& duration_of(const Project& project);
 
