@@ -142,6 +142,10 @@ std::string motion_text(const Project& project, const ChainMotionResult& motion)
       "A joint's force and moment are about its point, on the body that is named; its drive is "
       "what moves the body that it carries, along its axis. Inertia loads are about the centre of "
       "mass; the gyroscopic part is there because a body turns in a joint on a body that turns.");
+  if (project.situations.size() > 1) {
+    out += layout::paragraph(
+        "This is the case as it stands; what its situations change is not part of it.");
+  }
   for (const ChainInstant& state : motion.states) {
     out += fmt::format("\nt = {:.6g} s\n", state.time == 0.0 ? 0.0 : state.time);
     out += bodies_table(state.bodies) + inertia_table(state.bodies);

@@ -43,7 +43,7 @@ inline boxbeam::Project cantilever(const std::string& section, const std::vector
     add(spatial::LoadKind::force, load.force);
     add(spatial::LoadKind::couple, load.torque * Eigen::Vector3d::UnitX());
   }
-  project.beam.density = {};
+  project.beam.density = si<Density>(7850.0);  // at rest and without gravity it weighs nothing
   project.mechanism = mechanism;
   project.placement = {0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   return project;
