@@ -15,6 +15,14 @@ Eigen::Vector3d spin_change(const Eigen::Matrix3d& J, const BeamMotion& motion) 
 
 }  // namespace
 
+std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam) {
+  std::vector<LineLoad> lines;
+  for (const Segment& segment : beam.segments) {
+    lines.push_back({segment.start, segment.length, {}, {}});
+  }
+  return lines;
+}
+
 std::vector<LineLoad> weight_and_inertia(const TaperedBeam& beam,
                                          const std::vector<SegmentMass>& distribution,
                                          const Eigen::Vector3d& gravity, const BeamMotion& motion) {
@@ -22,7 +30,7 @@ std::vector<LineLoad> weight_and_inertia(const TaperedBeam& beam,
   const Eigen::Vector3d along = Eigen::Vector3d::UnitX();
   const Eigen::Vector3d gradient =
       motion.alpha.cross(along) + motion.omega.cross(motion.omega.cross(along));
-  std::vector<LineLoad> loads(beam.segments.size());
+  std::vector<LineLoad> loads = unloaded_lines(beam);
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
     const double start = beam.segments[i].start.value();
     const Eigen::Vector3d constant = gravity - motion.acceleration - start * gradient;
@@ -48,17 +56,15 @@ std::vector<LineLoad> weight_and_inertia(const TaperedBeam& beam,
   return loads;
 }
 
-Imbalance imbalance_of(const TaperedBeam& beam, const BeamLoads& loads) {
+Imbalance imbalance_of(const BeamLoads& loads) {
   Imbalance sum;
   for (const PointLoad& load : loads.points) {
     sum.force += load.force;
     sum.moment += load.moment + Eigen::Vector3d(load.s.value(), 0.0, 0.0).cross(load.force);
   }
-  for (std::size_t i = 0; i < loads.segments.size(); ++i) {
-    const Segment& segment = beam.segments[i];
-    const double length = segment.length.value();
-    const Polynomial<1> arm{{segment.start.value(), 1.0}};
-    const LineLoad& line = loads.segments[i];
+  for (const LineLoad& line : loads.lines) {
+    const double length = line.length.value();
+    const Polynomial<1> arm{{line.start.value(), 1.0}};
     const auto over = [&](const auto& p) { return integral_of(p)(length); };
     for (std::size_t axis = 0; axis < 3; ++axis) {
       sum.force[static_cast<int>(axis)] += over(line.force[axis]);

@@ -1,7 +1,6 @@
 #include "boxbeam/beam/cut_force_diagram.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 namespace boxbeam {
 namespace {
@@ -52,8 +51,7 @@ CutForcePiece integrate(const LineLoad& line, double shift, Length start, Length
 
 }  // namespace
 
-CutForceDiagram cut_forces_of(const TaperedBeam& beam, const BeamLoads& loads) {
-  assert(loads.segments.size() == beam.segments.size());
+CutForceDiagram cut_forces_of(const BeamLoads& loads) {
   std::vector<const PointLoad*> points;
   for (const PointLoad& load : loads.points) points.push_back(&load);
   std::stable_sort(points.begin(), points.end(),
@@ -62,15 +60,15 @@ CutForceDiagram cut_forces_of(const TaperedBeam& beam, const BeamLoads& loads) {
   CutForceDiagram diagram;
   Running running;
   std::size_t next = 0;
-  for (std::size_t i = 0; i < beam.segments.size(); ++i) {
-    const Segment& segment = beam.segments[i];
-    Length from = segment.start;
+  for (const LineLoad& line : loads.lines) {
+    const Length end = line.start + line.length;
+    Length from = line.start;
     while (true) {
       for (; next < points.size() && points[next]->s <= from; ++next) running.jump(*points[next]);
-      const bool inside = next < points.size() && points[next]->s < segment.end();
-      const Length to = inside ? points[next]->s : segment.end();
+      const bool inside = next < points.size() && points[next]->s < end;
+      const Length to = inside ? points[next]->s : end;
       const CutForcePiece& piece = diagram.pieces.emplace_back(
-          integrate(loads.segments[i], (from - segment.start).value(), from, to - from, running));
+          integrate(line, (from - line.start).value(), from, to - from, running));
       const double x = (to - from).value();
       running = {piece.N(x), piece.V_y(x), piece.V_z(x), piece.T(x), piece.M_y(x), piece.M_z(x)};
       if (!inside) break;

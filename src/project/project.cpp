@@ -244,6 +244,10 @@ bool in_space(const Project& project) {
   return std::holds_alternative<spatial::Mechanism>(project.mechanism);
 }
 
+bool is_flexible(const Project& project) {
+  return std::holds_alternative<flexible::Mechanism>(project.mechanism);
+}
+
 const planar::Mechanism& planar_of(const Project& project) {
   return std::get<planar::Mechanism>(project.mechanism);
 }
@@ -260,12 +264,24 @@ const spatial::Mechanism& spatial_of(const Project& project) {
   return std::get<spatial::Mechanism>(project.mechanism);
 }
 
+const flexible::Mechanism& flexible_of(const Project& project) {
+  return std::get<flexible::Mechanism>(project.mechanism);
+}
+
+flexible::Mechanism& flexible_of(Project& project) {
+  return std::get<flexible::Mechanism>(project.mechanism);
+}
+
 const planar::Mechanism& planar_in(const Project& project, const Situation& situation) {
   return std::get<planar::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
 }
 
 const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation) {
   return std::get<spatial::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
+}
+
+const flexible::Mechanism& flexible_in(const Project& project, const Situation& situation) {
+  return std::get<flexible::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
 }
 
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism) {

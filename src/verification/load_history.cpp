@@ -51,8 +51,8 @@ std::size_t borders_before(const CutForceDiagram& diagram, const Station& statio
 
 }  // namespace
 
-LoadHistory::LoadHistory(const TaperedBeam& beam, const LoadSpan& span, LoadsAt loads_at)
-    : beam_(&beam), span_(span), loads_at_(std::move(loads_at)) {
+LoadHistory::LoadHistory(const LoadSpan& span, LoadsAt loads_at)
+    : span_(span), loads_at_(std::move(loads_at)) {
   assert(span.instants >= 4);
   diagrams_.resize(span.instants + (span.closed ? 0 : 1));
   for (std::size_t i = 0; i < diagrams_.size(); ++i) diagrams_[i] = diagram_at(time_of(i));

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 
@@ -81,9 +82,17 @@ void check_unique_loads(const planar::Mechanism& mechanism, const planar::Motion
        {}});
 }
 
-using AnyMotion = std::variant<planar::Motion, spatial::Motion>;
+using AnyMotion = std::variant<planar::Motion, spatial::Motion, FlexibleMotion>;
 
-AnyMotion motion_in(const Project& project, const Situation& situation) {
+FlexibleMotion flexible_motion_of(const flexible::Mechanism& of, const ElasticModel&) {
+  auto mechanism = std::make_shared<const flexible::Mechanism>(of);
+  auto structure = std::make_shared<const flexible::Structure>(flexible::structure_of(*mechanism));
+  flexible::Response response = flexible::response_of(*structure);
+  return {std::move(mechanism), std::move(structure), std::move(response)};
+}
+
+AnyMotion motion_in(const Project& project, const Situation& situation, const ElasticModel& model) {
+  if (is_flexible(project)) return flexible_motion_of(flexible_in(project, situation), model);
   if (in_space(project)) {
     return spatial::motion_of(spatial::Chain(spatial_in(project, situation)));
   }
@@ -94,18 +103,28 @@ AnyMotion motion_in(const Project& project, const Situation& situation) {
 }
 
 LoadHistory loads_in(const Project& project, const Situation& situation, const AnyMotion& motion) {
+  if (const auto* elastic = std::get_if<FlexibleMotion>(&motion)) {
+    // Statics alone hold for any time: a second is looked at.
+    constexpr std::size_t instants = 96;
+    const double frequency = elastic->response.frequency;
+    const LoadSpan span{Time{}, si<Time>(frequency > 0.0 ? 1.0 / frequency : 1.0), instants, true};
+    auto of = std::make_shared<const flexible::BeamResponse>(flexible::beam_response_of(
+        *elastic->structure, project.beam_body, project.beam, elastic->response));
+    return {span, [of](Time time) { return flexible::beam_loads_at(*of, time.value()); }};
+  }
   if (const auto* space = std::get_if<spatial::Motion>(&motion)) {
     const LoadSpan span{si<Time>(space->begin), si<Time>(space->period), space->instants,
                         space->closed};
-    return {project.beam, span, loads_of(project, spatial_in(project, situation))};
+    return {span, loads_of(project, spatial_in(project, situation))};
   }
   const auto& plane = std::get<planar::Motion>(motion);
   const LoadSpan span{si<Time>(plane.begin), si<Time>(plane.period), plane.states.size(),
                       plane.closed};
-  return {project.beam, span, loads_of(project, planar_in(project, situation), plane)};
+  return {span, loads_of(project, planar_in(project, situation), plane)};
 }
 
 double gravity_of(const Project& project, const Situation& situation) {
+  if (is_flexible(project)) return flexible_in(project, situation).gravity.norm();
   return in_space(project) ? spatial_in(project, situation).gravity.norm()
                            : planar_in(project, situation).gravity.norm();
 }
@@ -123,7 +142,7 @@ double imbalance_over(const Project& project, const Situation& situation,
     double largest = weight;
     for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
     if (largest == 0.0) continue;
-    const Imbalance open = imbalance_of(project.beam, at);
+    const Imbalance open = imbalance_of(at);
     const double relative =
         (open.force.norm() + open.moment.norm() / project.beam.length().value()) / largest;
     worst = std::max(worst, relative);
@@ -137,18 +156,18 @@ double imbalance_over(const Project& project, const Situation& situation,
 
 }  // namespace
 
-SituationRun::SituationRun(const Project& project, const Situation& of)
+SituationRun::SituationRun(const Project& project, const Situation& of, const ElasticModel& model)
     : situation(&of),
-      motion(motion_in(project, of)),
+      motion(motion_in(project, of, model)),
       loads(loads_in(project, of, motion)),
       imbalance(imbalance_over(project, of, loads)) {}
 
-std::deque<SituationRun> run_situations(const Project& project) {
+std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model) {
   std::deque<SituationRun> runs;
   for (const Situation& situation : project.situations) {
     if (!situation.between.empty()) continue;
     try {
-      runs.emplace_back(project, situation);
+      runs.emplace_back(project, situation, model);
     } catch (const AnalysisError& error) {
       if (situation.name.empty()) throw;
       AnalysisFailure failure = error.failure();

@@ -29,7 +29,7 @@ TaperedBeam light(std::vector<double> lengths) {
 }
 
 BeamLoads loads_on(const TaperedBeam& beam, std::vector<PointLoad> points) {
-  return {std::move(points), std::vector<LineLoad>(beam.segments.size())};
+  return {std::move(points), unloaded_lines(beam)};
 }
 
 PointLoad push(double s, Vector3d force) { return {m(s), force, Vector3d::Zero()}; }
@@ -81,29 +81,25 @@ AreaAndInertia section_by_hand(double s) {
 
 TEST_CASE("N: a pull at both ends is tension") {
   const TaperedBeam beam = light({4});
-  const auto diagram =
-      cut_forces_of(beam, loads_on(beam, {push(0, {-7, 0, 0}), push(4, {7, 0, 0})}));
+  const auto diagram = cut_forces_of(loads_on(beam, {push(0, {-7, 0, 0}), push(4, {7, 0, 0})}));
   CHECK(cut_at(diagram, 1).force == Vector3d(7, 0, 0));
 }
 
 TEST_CASE("V_z: what lies behind the cut pushes the part before it along +z") {
   const TaperedBeam beam = light({4});
-  const auto diagram =
-      cut_forces_of(beam, loads_on(beam, {push(0, {0, 0, -5}), push(4, {0, 0, 5})}));
+  const auto diagram = cut_forces_of(loads_on(beam, {push(0, {0, 0, -5}), push(4, {0, 0, 5})}));
   CHECK(cut_at(diagram, 1).force == Vector3d(0, 0, 5));
 }
 
 TEST_CASE("V_y: what lies behind the cut pushes the part before it along +y") {
   const TaperedBeam beam = light({4});
-  const auto diagram =
-      cut_forces_of(beam, loads_on(beam, {push(0, {0, -5, 0}), push(4, {0, 5, 0})}));
+  const auto diagram = cut_forces_of(loads_on(beam, {push(0, {0, -5, 0}), push(4, {0, 5, 0})}));
   CHECK(cut_at(diagram, 1).force == Vector3d(0, 5, 0));
 }
 
 TEST_CASE("T: a couple about +x at the end, held at the start, is positive") {
   const TaperedBeam beam = light({4});
-  const auto diagram =
-      cut_forces_of(beam, loads_on(beam, {couple(0, {-3, 0, 0}), couple(4, {3, 0, 0})}));
+  const auto diagram = cut_forces_of(loads_on(beam, {couple(0, {-3, 0, 0}), couple(4, {3, 0, 0})}));
   CHECK(cut_at(diagram, 1).moment == Vector3d(3, 0, 0));
 }
 
@@ -111,7 +107,7 @@ TEST_CASE("M_y: a cantilever pulled along -z at its tip has its +z side in tensi
   // Held at s = 0; the tip goes to -z, so the fibres at +z stretch: M_y = F (L - s) > 0.
   const TaperedBeam beam = light({4});
   const auto diagram =
-      cut_forces_of(beam, loads_on(beam, {{m(0), {0, 0, 6}, {0, -24, 0}}, push(4, {0, 0, -6})}));
+      cut_forces_of(loads_on(beam, {{m(0), {0, 0, 6}, {0, -24, 0}}, push(4, {0, 0, -6})}));
   CHECK(cut_at(diagram, 0, Side::behind).moment.y() == Approx(24).epsilon(1e-14));
   CHECK(cut_at(diagram, 1).moment.y() == Approx(18).epsilon(1e-14));
   CHECK(cut_at(diagram, 4).moment.y() == Approx(0).margin(1e-13));
@@ -120,7 +116,7 @@ TEST_CASE("M_y: a cantilever pulled along -z at its tip has its +z side in tensi
 TEST_CASE("M_z: a cantilever pulled along +y at its tip has its -y side in tension") {
   const TaperedBeam beam = light({4});
   const auto diagram =
-      cut_forces_of(beam, loads_on(beam, {{m(0), {0, -6, 0}, {0, 0, -24}}, push(4, {0, 6, 0})}));
+      cut_forces_of(loads_on(beam, {{m(0), {0, -6, 0}, {0, 0, -24}}, push(4, {0, 6, 0})}));
   CHECK(cut_at(diagram, 0, Side::behind).moment.z() == Approx(24).epsilon(1e-14));
   CHECK(cut_at(diagram, 1).moment.z() == Approx(18).epsilon(1e-14));
 }
@@ -129,8 +125,8 @@ TEST_CASE("simply supported beam under uniform load: w L/2 and w L^2/8, Timoshen
   const double L = 6, w = 1000;
   const TaperedBeam beam = light({2.5, 3.5});
   BeamLoads loads = loads_on(beam, {push(0, {0, 0, w * L / 2}), push(L, {0, 0, w * L / 2})});
-  for (LineLoad& line : loads.segments) line.force[2].c[0] = -w;
-  const CutForceDiagram diagram = cut_forces_of(beam, loads);
+  for (LineLoad& line : loads.lines) line.force[2].c[0] = -w;
+  const CutForceDiagram diagram = cut_forces_of(loads);
   for (double s = 0.25; s < L; s += 0.25) {
     CHECK(cut_at(diagram, s).force.z() == Approx(w * (s - L / 2)).margin(1e-9));
     // The load acts along -z: the -z side is in tension.
@@ -144,8 +140,8 @@ TEST_CASE("cantilever under triangular load: w L/2 and w L^2/6 at the wall") {
   const double L = 3, w = 900;
   const TaperedBeam beam = light({L});
   BeamLoads loads = loads_on(beam, {{m(0), {0, 0, w * L / 2}, {0, -w * L * L / 6, 0}}});
-  loads.segments[0].force[2] = {{-w, w / L, 0, 0}};
-  const CutForceDiagram diagram = cut_forces_of(beam, loads);
+  loads.lines[0].force[2] = {{-w, w / L, 0, 0}};
+  const CutForceDiagram diagram = cut_forces_of(loads);
   CHECK(cut_at(diagram, 0, Side::behind).force.z() == Approx(-w * L / 2).epsilon(1e-14));
   CHECK(cut_at(diagram, 0, Side::behind).moment.y() == Approx(w * L * L / 6).epsilon(1e-14));
   // w (L - s)^3/(6 L) at s.
@@ -159,7 +155,7 @@ TEST_CASE(
   const BeamLoads loads = loads_on(beam, {couple(3.5, {1, 2, 3}),  // unsorted on purpose
                                           push(1.25, {4, 5, 6}), push(3.5, {7, -8, 9}),
                                           push(2, {1, 1, 1}), push(0, {-12, 2, -16})});
-  const CutForceDiagram diagram = cut_forces_of(beam, loads);
+  const CutForceDiagram diagram = cut_forces_of(loads);
   CHECK((jump_at(diagram, 1.25).force + Vector3d(4, 5, 6)).norm() < 1e-12);
   CHECK((jump_at(diagram, 2).force + Vector3d(1, 1, 1)).norm() < 1e-12);
   CHECK((jump_at(diagram, 3.5).force + Vector3d(7, -8, 9)).norm() < 1e-12);
@@ -171,8 +167,7 @@ TEST_CASE(
 
 TEST_CASE("outside the beam and before its start nothing is cut") {
   const TaperedBeam beam = light({4});
-  const auto diagram =
-      cut_forces_of(beam, loads_on(beam, {push(0, {-7, 0, 0}), push(4, {7, 0, 0})}));
+  const auto diagram = cut_forces_of(loads_on(beam, {push(0, {-7, 0, 0}), push(4, {7, 0, 0})}));
   CHECK(cut_at(diagram, 0, Side::before).force.norm() == 0.0);
   CHECK(cut_at(diagram, 4, Side::behind).force.norm() == 0.0);
   CHECK(cut_at(diagram, -1).force.norm() == 0.0);
@@ -238,9 +233,9 @@ TEST_CASE(
         {m(support), -all.force, -all.moment + Vector3d(support, 0, 0).cross(all.force)});
     const BeamLoads loads{points,
                           weight_and_inertia(beam, mass_distribution_of(beam), gravity, motion)};
-    CHECK(imbalance_of(beam, loads).force.norm() < 1e-3);
-    CHECK(imbalance_of(beam, loads).moment.norm() < 1e-3);
-    const CutForceDiagram diagram = cut_forces_of(beam, loads);
+    CHECK(imbalance_of(loads).force.norm() < 1e-3);
+    CHECK(imbalance_of(loads).moment.norm() < 1e-3);
+    const CutForceDiagram diagram = cut_forces_of(loads);
     for (double s = 0.05; s < 5.0; s += 0.313) {
       const Cut expected = behind(s), cut = cut_at(diagram, s);
       CAPTURE(run, s);
@@ -253,20 +248,20 @@ TEST_CASE(
 TEST_CASE("dM_y/ds = V_z - m_y and dV_z/ds = -q_z on every piece, by central differences") {
   const TaperedBeam beam = tapered();
   BeamLoads loads;
-  loads.segments = weight_and_inertia(beam, mass_distribution_of(beam), {2, 1, -9},
-                                      {{1, 2, 3}, {2, 3, 4}, {5, -6, 7}});
-  for (LineLoad& line : loads.segments) {
+  loads.lines = weight_and_inertia(beam, mass_distribution_of(beam), {2, 1, -9},
+                                   {{1, 2, 3}, {2, 3, 4}, {5, -6, 7}});
+  for (LineLoad& line : loads.lines) {
     line.couple[0].c[0] = 300;
     line.couple[2].c[1] = 700;
   }
   loads.points = {push(1.3, {100, 200, 300}), push(3.1, {-500, 900, -800})};
-  const CutForceDiagram diagram = cut_forces_of(beam, loads);
+  const CutForceDiagram diagram = cut_forces_of(loads);
   const double h = 1e-3;
   for (const double s : {0.5, 1.2, 1.4, 1.9, 2.1, 3.0, 3.2, 4.9}) {
     const std::size_t i = s < 2 ? 0 : 1;
     const double x = s - beam.segments[i].start.value();
-    const auto q = [&](std::size_t axis) { return loads.segments[i].force[axis](x); };
-    const auto c = [&](std::size_t axis) { return loads.segments[i].couple[axis](x); };
+    const auto q = [&](std::size_t axis) { return loads.lines[i].force[axis](x); };
+    const auto c = [&](std::size_t axis) { return loads.lines[i].couple[axis](x); };
     const Cut at = cut_at(diagram, s), low = cut_at(diagram, s - h), high = cut_at(diagram, s + h);
     const Vector3d force_slope = (high.force - low.force) / (2 * h);
     const Vector3d moment_slope = (high.moment - low.moment) / (2 * h);
@@ -281,7 +276,7 @@ TEST_CASE("dM_y/ds = V_z - m_y and dV_z/ds = -q_z on every piece, by central dif
 TEST_CASE("pieces join without gaps and begin at every load") {
   const TaperedBeam beam = light({2, 3});
   const CutForceDiagram diagram =
-      cut_forces_of(beam, loads_on(beam, {push(1.25, {1, 0, 0}), push(4, {-1, 0, 0})}));
+      cut_forces_of(loads_on(beam, {push(1.25, {1, 0, 0}), push(4, {-1, 0, 0})}));
   const double starts[] = {0, 1.25, 2, 4};
   REQUIRE(diagram.pieces.size() == std::size(starts));
   for (std::size_t i = 0; i < std::size(starts); ++i) {

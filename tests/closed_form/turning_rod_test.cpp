@@ -68,7 +68,7 @@ struct Rod {
 
   CutForceDiagram diagram(double time) const {
     const Chain chain(mechanism);
-    return cut_forces_of(beam, beam_loads_of(chain, chain.at(time), body));
+    return cut_forces_of(beam_loads_of(chain, chain.at(time), body));
   }
 };
 

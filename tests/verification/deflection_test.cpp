@@ -56,11 +56,10 @@ std::function<double(double)> deflected(const Project& project, const std::vecto
     load.force.z() = force.size;
     loads.points.push_back(load);
   }
-  LineLoad line{};
-  line.force[2].c[0] = line_load;
-  loads.segments.push_back(line);
+  loads.lines = unloaded_lines(project.beam);
+  for (LineLoad& line : loads.lines) line.force[2].c[0] = line_load;
   const DeflectionModel model = deflection_model_of(project);
-  const std::vector<double> values = deflections_of(model, cut_forces_of(project.beam, loads));
+  const std::vector<double> values = deflections_of(model, cut_forces_of(loads));
   return [model, values](double s) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (std::abs(model.influences[i].at.value() - s) < 1e-9) return values[i];
@@ -105,11 +104,11 @@ TEST_CASE("a cantilever against the line from its root to its tip") {
   tip.s = si<Length>(L);
   tip.force.z() = -P;
   loads.points = {root, tip};
-  loads.segments.push_back(LineLoad{});
-  if (imbalance_of(project.beam, loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
-  REQUIRE(imbalance_of(project.beam, loads).moment.norm() < 1e-6);
+  loads.lines = unloaded_lines(project.beam);
+  if (imbalance_of(loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
+  REQUIRE(imbalance_of(loads).moment.norm() < 1e-6);
   const DeflectionModel model = deflection_model_of(project);
-  const std::vector<double> values = deflections_of(model, cut_forces_of(project.beam, loads));
+  const std::vector<double> values = deflections_of(model, cut_forces_of(loads));
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double x = model.influences[i].at.value();
     const double free = P * x * x * (3 * L - x) / (6 * EI);

@@ -26,14 +26,14 @@ TaperedBeam metre_of_tube() {
 template <class Function>
 LoadHistory pulled(const TaperedBeam& beam, double period, std::size_t instants,
                    const Function& f) {
-  return {beam, {Time{}, si<Time>(period), instants}, [&beam, f](Time time) {
+  return {{Time{}, si<Time>(period), instants}, [&beam, f](Time time) {
             BeamLoads loads;
             PointLoad first, last;
             last.s = beam.length();
             last.force.x() = f(time.value());
             first.force.x() = -last.force.x();
             loads.points = {first, last};
-            loads.segments.resize(beam.segments.size());
+            loads.lines = unloaded_lines(beam);
             return loads;
           }};
 }
@@ -91,10 +91,9 @@ TEST_CASE("interpolated cut forces of the rig equal the mechanism solved anew") 
   const planar::Motion motion = planar::solve_motion(planar_of(project));
   const planar::BeamBody body = planar::beam_body_of(project.beam, project.beam_body);
   planar::StateFinder finder(planar_of(project), motion);
-  const LoadHistory loads(
-      project.beam, {Time{}, si<Time>(motion.period), motion.states.size()}, [&](Time time) {
-        return planar::beam_loads_of(planar_of(project), finder.at(time.value()), body);
-      });
+  const LoadHistory loads({Time{}, si<Time>(motion.period), motion.states.size()}, [&](Time time) {
+    return planar::beam_loads_of(planar_of(project), finder.at(time.value()), body);
+  });
   const StationHistory history(loads, {4.2 * metre});
   for (int i = 0; i < 200; ++i) {
     const Time time = si<Time>(motion.period * (i + 0.37) / 200.0);
@@ -114,13 +113,13 @@ TEST_CASE("a load that slides along the beam: M peaks as it passes a station (in
   const TaperedBeam beam = metre_of_tube();
   const double L = beam.length().value();
   const double P = 700.0;
-  const LoadHistory loads(beam, {Time{}, 2.0 * second, 40, false}, [&](Time time) {
+  const LoadHistory loads({Time{}, 2.0 * second, 40, false}, [&](Time time) {
     const double s = L * (0.07 + 0.43 * time.value());
     BeamLoads at;
     at.points = {{Length{}, {0.0, 0.0, P * (L - s) / L}, Eigen::Vector3d::Zero()},
                  {si<Length>(s), {0.0, 0.0, -P}, Eigen::Vector3d::Zero()},
                  {si<Length>(L), {0.0, 0.0, P * s / L}, Eigen::Vector3d::Zero()}};
-    at.segments.resize(beam.segments.size());
+    at.lines = unloaded_lines(beam);
     return at;
   });
   const auto bending = [](const CutForces& cut) { return cut.M_y.value(); };
@@ -141,12 +140,12 @@ TEST_CASE("a load that slides along the beam: M peaks as it passes a station (in
 
 TEST_CASE("an open history may have its extreme at its end") {
   const TaperedBeam beam = metre_of_tube();
-  const LoadHistory loads(beam, {Time{}, 1.0 * second, 10, false}, [&](Time time) {
+  const LoadHistory loads({Time{}, 1.0 * second, 10, false}, [&](Time time) {
     BeamLoads at;
     const double N = 3.0 + time.value() * time.value();
     at.points = {{Length{}, {-N, 0.0, 0.0}, Eigen::Vector3d::Zero()},
                  {beam.length(), {N, 0.0, 0.0}, Eigen::Vector3d::Zero()}};
-    at.segments.resize(beam.segments.size());
+    at.lines = unloaded_lines(beam);
     return at;
   });
   const StationHistory history(loads, {0.5 * metre});

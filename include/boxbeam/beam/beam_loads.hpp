@@ -18,9 +18,11 @@ struct PointLoad {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axis point at s [N m]
 };
 
-/// Load per length on one segment, in beam axes, as polynomials of the distance from the segment's
-/// start. With mass quadratic and acceleration linear along the axis these degrees are exact.
+/// Load per length on a stretch of one segment, in beam axes, as polynomials of the distance from
+/// the stretch's start. With mass quadratic and acceleration linear along the axis these degrees
+/// are exact.
 struct LineLoad {
+  Length start, length;
   std::array<Polynomial<3>, 3> force;   ///< x, y, z [N/m]
   std::array<Polynomial<4>, 3> couple;  ///< about x, y, z [N m/m]
 };
@@ -29,8 +31,11 @@ struct LineLoad {
 /// the seam between the mechanisms and the verification.
 struct BeamLoads {
   std::vector<PointLoad> points;
-  std::vector<LineLoad> segments;  ///< one per segment of the beam
+  std::vector<LineLoad> lines;  ///< in order, without gaps, over the whole beam
 };
+
+/// One stretch per segment, without load.
+std::vector<LineLoad> unloaded_lines(const TaperedBeam& beam);
 
 /// Motion of a rigid beam at an instant, in beam axes.
 struct BeamMotion {
@@ -55,6 +60,6 @@ struct Imbalance {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
 };
 
-Imbalance imbalance_of(const TaperedBeam& beam, const BeamLoads& loads);
+Imbalance imbalance_of(const BeamLoads& loads);
 
 }  // namespace boxbeam

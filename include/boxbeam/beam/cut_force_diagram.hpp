@@ -32,8 +32,8 @@ struct CutForceDiagram {
   CutForces at(const Station& station) const;
 };
 
-/// Integrates the loads. Point loads may stand in any order; their places and the ends of the
-/// segments become the borders of the pieces.
-CutForceDiagram cut_forces_of(const TaperedBeam& beam, const BeamLoads& loads);
+/// Integrates the loads. Point loads may stand in any order; their places and the ends of the line
+/// loads become the borders of the pieces.
+CutForceDiagram cut_forces_of(const BeamLoads& loads);
 
 }  // namespace boxbeam

@@ -9,6 +9,7 @@
 #include "boxbeam/fatigue/damage.hpp"
 #include "boxbeam/fatigue/detail.hpp"
 #include "boxbeam/fatigue/sn_curve.hpp"
+#include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
@@ -21,8 +22,9 @@
 
 namespace boxbeam {
 
-/// What moves the beam, in the plane or in space.
-using AnyMechanism = std::variant<planar::Mechanism, spatial::Mechanism>;
+/// What moves or loads the beam: rigid bodies in the plane or in space, or elastic links in a
+/// plane.
+using AnyMechanism = std::variant<planar::Mechanism, spatial::Mechanism, flexible::Mechanism>;
 
 /// Where the loads on the beam come from.
 enum class Dynamics {
@@ -152,6 +154,21 @@ struct EquivalentMassDemand {
   Mass wanted;
 };
 
+/// Which model of the mechanism is wanted.
+enum class ModelDemand {
+  automatic,  ///< the cheapest whose error is within the tolerance
+  rigid,      ///< rigid bodies
+  flexible,   ///< elastic links
+};
+
+struct ModelInput {
+  ModelDemand demand = ModelDemand::automatic;
+  double tolerance = 0.01;         ///< on the governing stress, relative
+  double youngs_modulus = 2.1e11;  ///< of the beam [Pa]
+  double shear_modulus = 8.1e10;   ///< [Pa]
+  double retardation = 0.0;        ///< Kelvin-Voigt damping of the beam [s]
+};
+
 /// A formula of the user's own, evaluated, to be printed beside what the program finds.
 struct HandFormula {
   enum class Quantity { omega, alpha, position, velocity, acceleration };
@@ -180,9 +197,11 @@ struct Project {
   std::vector<Situation> situations;  ///< at least one; the first runs
   TaperedBeam beam;
   std::vector<HoleInput> hole_inputs;  ///< one per hole of the beam
-  int beam_body = planar::ground;      ///< ground: the beam is no body, only the chain can load it
-  spatial::BeamPlacement placement;    ///< of the beam in its body; in space only
+  /// The beam's body or link; ground: the beam is no body, only the chain can load it.
+  int beam_body = planar::ground;
+  spatial::BeamPlacement placement;  ///< of the beam in its body; in space only
   Dynamics dynamics = Dynamics::rigorous;
+  ModelInput model;
   std::optional<planar::NewtonChain> chain;
   std::optional<EquivalentMassDemand> equivalent_mass;
 
@@ -200,15 +219,21 @@ struct Project {
 /// Whether the beam moves in space: all six cut forces count. In the plane these are N, V_z, M_y.
 bool in_space(const Project& project);
 
-/// The mechanism of a case that moves in the plane, or in space.
+/// Whether the mechanism has elastic links.
+bool is_flexible(const Project& project);
+
+/// The mechanism of a case: rigid bodies in the plane, in space, or elastic links.
 const planar::Mechanism& planar_of(const Project& project);
 planar::Mechanism& planar_of(Project& project);
 const spatial::Mechanism& spatial_of(const Project& project);
 spatial::Mechanism& spatial_of(Project& project);
+const flexible::Mechanism& flexible_of(const Project& project);
+flexible::Mechanism& flexible_of(Project& project);
 
 /// The mechanism as it runs in a situation.
 const planar::Mechanism& planar_in(const Project& project, const Situation& situation);
 const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation);
+const flexible::Mechanism& flexible_in(const Project& project, const Situation& situation);
 
 /// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism);

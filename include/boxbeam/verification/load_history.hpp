@@ -32,7 +32,7 @@ class LoadHistory {
   static constexpr std::size_t nodes = 9;
   using Bracket = std::array<CutForceDiagram, nodes>;
 
-  LoadHistory(const TaperedBeam& beam, const LoadSpan& span, LoadsAt loads_at);
+  LoadHistory(const LoadSpan& span, LoadsAt loads_at);
 
   Time period() const { return span_.period; }
   Time begin() const { return span_.begin; }
@@ -50,11 +50,10 @@ class LoadHistory {
   const Bracket& bracket(std::size_t middle) const;
 
   /// Exact diagram at a time, solved anew.
-  CutForceDiagram diagram_at(Time time) const { return cut_forces_of(*beam_, loads_at_(time)); }
+  CutForceDiagram diagram_at(Time time) const { return cut_forces_of(loads_at_(time)); }
   BeamLoads loads_at(Time time) const { return loads_at_(time); }
 
  private:
-  const TaperedBeam* beam_;
   LoadSpan span_;
   LoadsAt loads_at_;
   std::vector<CutForceDiagram> diagrams_;

@@ -1,32 +1,42 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <variant>
 
+#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/spatial/motion.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/model_choice.hpp"
 
 namespace boxbeam {
+
+/// The vibration of elastic links: the model that is solved, and its response.
+struct FlexibleMotion {
+  std::shared_ptr<const flexible::Mechanism> mechanism;
+  std::shared_ptr<const flexible::Structure> structure;
+  flexible::Response response;
+};
 
 /// A situation that runs: its motion, and the loads on the beam over it. Stays where it is made,
 /// for its loads look at its motion.
 struct SituationRun {
   /// Solves the motion. Throws AnalysisError where a step cannot be done, loads on the beam are not
   /// determined or not in balance, or a joint slides off the beam.
-  SituationRun(const Project& project, const Situation& situation);
+  SituationRun(const Project& project, const Situation& situation, const ElasticModel& model);
   SituationRun(const SituationRun&) = delete;
   SituationRun& operator=(const SituationRun&) = delete;
 
   const Situation* situation;
-  std::variant<planar::Motion, spatial::Motion> motion;
+  std::variant<planar::Motion, spatial::Motion, FlexibleMotion> motion;
   LoadHistory loads;
   double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
 };
 
 /// All situations of a case that run, in its order; changes between situations do not.
-std::deque<SituationRun> run_situations(const Project& project);
+std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model = {});
 
 /// A highest or lowest value over time and situations.
 struct Extreme {

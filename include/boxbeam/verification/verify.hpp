@@ -15,6 +15,7 @@
 #include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/neighbours.hpp"
 #include "boxbeam/verification/posture.hpp"
 
@@ -105,6 +106,7 @@ struct MotionSummary {
 /// The result of a verification.
 struct Verification {
   Verdict verdict = Verdict::fail;
+  ModelChoice model;
   std::vector<CheckResult> checks;  ///< worst utilisation first
   std::vector<CriticalInstant> critical_instants;
   std::vector<StationEnvelope> stations;

@@ -45,8 +45,8 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
   motion.alpha.y() = -alpha;
   motion.acceleration = in_beam_axes(state.a.segment<2>(i), angle) -
                         beam.centre * Eigen::Vector3d(-omega * omega, 0.0, alpha);
-  loads.segments = weight_and_inertia(*beam.beam, beam.distribution,
-                                      in_beam_axes(mechanism.gravity, angle), motion);
+  loads.lines = weight_and_inertia(*beam.beam, beam.distribution,
+                                   in_beam_axes(mechanism.gravity, angle), motion);
   return loads;
 }
 

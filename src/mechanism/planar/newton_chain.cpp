@@ -49,9 +49,9 @@ BeamLoads beam_loads_of(const NewtonChain& chain, const TaperedBeam& beam,
   second.force = in_beam_axes(forces.g[chain.second_end], angle);
   pivot.s = chain.pivot;
   loads.points = {first, second};
-  loads.segments = weight_and_inertia(beam, distribution, in_beam_axes(gravity, angle), {});
+  loads.lines = weight_and_inertia(beam, distribution, in_beam_axes(gravity, angle), {});
 
-  const Imbalance open = imbalance_of(beam, loads);
+  const Imbalance open = imbalance_of(loads);
   pivot.force = -open.force;
   pivot.moment = -open.moment - Eigen::Vector3d(pivot.s.value(), 0, 0).cross(pivot.force);
   loads.points.push_back(pivot);

@@ -58,20 +58,19 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
   in_axes.omega = R_WS.transpose() * motion.omega;
   in_axes.alpha = R_WS.transpose() * motion.alpha;
   in_axes.acceleration = R_WS.transpose() * acceleration_of(state, {own, beam.placement.start});
-  loads.segments = weight_and_inertia(*beam.beam, beam.distribution,
-                                      R_WS.transpose() * mechanism.gravity, in_axes);
+  loads.lines = weight_and_inertia(*beam.beam, beam.distribution,
+                                   R_WS.transpose() * mechanism.gravity, in_axes);
   for (const LineForce& line : mechanism.line_forces) {
     if (line.on != own) continue;
     const Eigen::Vector3d force = driver_at(line.size, state.time).value *
                                   (R_WS.transpose() * in_world(state, line.axes, line.direction));
     const double one = in_beam(beam.placement, line.from).x();
     const double other = in_beam(beam.placement, line.to).x();
-    for (std::size_t i = 0; i < loads.segments.size(); ++i) {
-      const Segment& segment = beam.beam->segments[i];
-      const double middle = (segment.start + 0.5 * segment.length).value();
+    for (LineLoad& stretch : loads.lines) {
+      const double middle = (stretch.start + 0.5 * stretch.length).value();
       if (middle < std::min(one, other) || middle > std::max(one, other)) continue;
       for (int axis = 0; axis < 3; ++axis) {
-        loads.segments[i].force[static_cast<std::size_t>(axis)].c[0] += force[axis];
+        stretch.force[static_cast<std::size_t>(axis)].c[0] += force[axis];
       }
     }
   }

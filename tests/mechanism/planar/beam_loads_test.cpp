@@ -25,7 +25,7 @@ TEST_CASE("the loads on the rig's beam are in balance at every instant") {
   for (const State& state : solve_motion(planar_of(project), 24).states) {
     const BeamLoads loads = beam_loads_of(planar_of(project), state, body);
     REQUIRE(loads.points.size() == 3);
-    const Imbalance open = imbalance_of(project.beam, loads);
+    const Imbalance open = imbalance_of(loads);
     double largest = 0.0;
     for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
     CHECK(open.force.norm() < 1e-11 * largest);
@@ -42,7 +42,7 @@ TEST_CASE("the bending moments of the two ends meet at the pivot to 1e-10") {
     const BeamLoads loads = beam_loads_of(planar_of(project), state, body);
     const double pivot = 3.2;
     const double from_below =
-        cut_forces_of(project.beam, loads).at({si<Length>(pivot), Side::behind}).M_y.value();
+        cut_forces_of(loads).at({si<Length>(pivot), Side::behind}).M_y.value();
     double from_above = 0.0;
     for (const PointLoad& load : loads.points) {
       if (load.s.value() > pivot) {
@@ -57,7 +57,7 @@ TEST_CASE("the bending moments of the two ends meet at the pivot to 1e-10") {
       for (int k = 0; k <= n; ++k) {
         const double x = h * k;
         const double weight = h / 3.0 * (k == 0 || k == n ? 1.0 : (k % 2 == 1 ? 4.0 : 2.0));
-        from_above -= weight * (segment.start.value() + x - pivot) * loads.segments[i].force[2](x);
+        from_above -= weight * (segment.start.value() + x - pivot) * loads.lines[i].force[2](x);
       }
     }
     // The cut's moment balances what acts behind it: its own sign is that of the part before.
@@ -70,5 +70,5 @@ TEST_CASE("a joint stands exactly where the segments meet") {
   const BeamBody body = beam_body_of(project.beam, project.beam_body);
   const BeamLoads loads = beam_loads_of(planar_of(project), test::rig_state(0.1), body);
   CHECK(loads.points[0].s == project.beam.segments[1].end());
-  CHECK(cut_forces_of(project.beam, loads).pieces.size() == project.beam.segments.size());
+  CHECK(cut_forces_of(loads).pieces.size() == project.beam.segments.size());
 }

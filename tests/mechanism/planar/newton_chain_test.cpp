@@ -52,7 +52,7 @@ TEST_CASE("the chain's loads on the beam are in balance, with a couple at the pi
   const BeamLoads loads =
       beam_loads_of(project.chain.value(), project.beam, mass_distribution_of(project.beam),
                     planar_of(project).gravity, state);
-  const Imbalance open = imbalance_of(project.beam, loads);
+  const Imbalance open = imbalance_of(loads);
   CHECK(open.force.norm() < 1e-8);
   CHECK(open.moment.norm() < 1e-8);
   CHECK(std::abs(loads.points.back().moment.y()) > 1.0);

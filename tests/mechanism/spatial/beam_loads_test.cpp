@@ -80,7 +80,7 @@ TEST_CASE("all loads on a beam in a random tree are in balance") {
     const Chain chain(of.mechanism);
     for (const double time : {0.2, 0.5, 0.9}) {
       const BeamLoads loads = beam_loads_of(chain, chain.at(time), of.body);
-      const Imbalance open = imbalance_of(of.beam, loads);
+      const Imbalance open = imbalance_of(loads);
       CHECK(open.force.norm() < 1e-12 * largest_of(loads));
       CHECK(open.moment.norm() < 1e-12 * largest_of(loads));
     }
@@ -102,8 +102,8 @@ TEST_CASE("the whole world turned: the same loads on the beam and the same cut f
       CHECK((one.points[i].force - two.points[i].force).norm() < size);
       CHECK((one.points[i].moment - two.points[i].moment).norm() < size);
     }
-    const CutForceDiagram first = cut_forces_of(of.beam, one);
-    const CutForceDiagram second = cut_forces_of(of.beam, two);
+    const CutForceDiagram first = cut_forces_of(one);
+    const CutForceDiagram second = cut_forces_of(two);
     for (double s = 0.03; s < 1.7; s += 0.1) {
       for (std::size_t k = 0; k < cut_force::count; ++k) {
         const auto which = static_cast<cut_force::Index>(k);
@@ -193,13 +193,13 @@ TEST_CASE("a line force acts between its ends, whichever comes first, and nowher
     const BeamLoads loads = beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement));
     // -x of the world is y of the beam.
     for (std::size_t i = 0; i < 3; ++i) {
-      CHECK(loads.segments[i].force[0](0.3) == Approx(0.0).margin(1e-13));
-      CHECK(loads.segments[i].force[1](0.3) == Approx(i == 1 ? 40.0 : 0.0).margin(1e-13));
-      CHECK(loads.segments[i].force[2](0.3) == Approx(0.0).margin(1e-13));
+      CHECK(loads.lines[i].force[0](0.3) == Approx(0.0).margin(1e-13));
+      CHECK(loads.lines[i].force[1](0.3) == Approx(i == 1 ? 40.0 : 0.0).margin(1e-13));
+      CHECK(loads.lines[i].force[2](0.3) == Approx(0.0).margin(1e-13));
     }
     // 80 N at 2 m from the start.
     CHECK((loads.points[0].force - Vector3d(0, -80, 0)).norm() < 1e-12);
     CHECK((loads.points[0].moment - Vector3d(0, 0, -160)).norm() < 1e-12);
-    CHECK(imbalance_of(beam, loads).moment.norm() < 1e-12);
+    CHECK(imbalance_of(loads).moment.norm() < 1e-12);
   }
 }

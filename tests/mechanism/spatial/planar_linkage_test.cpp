@@ -165,8 +165,8 @@ TEST_CASE("an open linkage in a plane: motion, reactions and cut forces of the p
       CHECK((joints[static_cast<std::size_t>(i)].moment - sum.moment).norm() < 1e-11 * largest);
     }
     const CutForceDiagram one =
-        cut_forces_of(linkage.beam, planar::beam_loads_of(plane, planar_state, planar_beam));
-    const CutForceDiagram two = cut_forces_of(linkage.beam, beam_loads_of(chain, state, beam));
+        cut_forces_of(planar::beam_loads_of(plane, planar_state, planar_beam));
+    const CutForceDiagram two = cut_forces_of(beam_loads_of(chain, state, beam));
     for (double s = 0.03; s < linkage.length; s += 0.1) {
       for (std::size_t i = 0; i < cut_force::count; ++i) {
         const auto which = static_cast<cut_force::Index>(i);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "boxbeam/mechanism/flexible/modes.hpp"
+
+namespace boxbeam::flexible {
+
+/// A structure reduced to its lowest modes, with what they leave of the static response added: mode
+/// acceleration,
+///
+///     q = K^-1 f + sum over modes of phi_j (eta_j - p_j/omega_j^2),   p_j = phi_j^T f
+///
+/// Damping of links and joints is projected on the modes, couplings included. Where a mode has no
+/// strain, K^-1 f is taken of the load that its inertia leaves.
+struct ModalModel {
+  const Structure* structure = nullptr;
+  std::vector<Mode> modes;
+  Eigen::MatrixXd damping;  ///< phi^T C phi [1/s]
+};
+
+ModalModel modal_model_of(const Structure& structure, std::size_t count);
+
+/// Response to the structure's harmonic loads. `static_correction` false: the modes alone.
+/// Throws AnalysisError at a resonance without damping.
+Deformation<Complex> harmonic_response(const ModalModel& model, double frequency,
+                                       bool static_correction = true);
+
+/// Forces of a joint (x, y, couple on its a, world axes) over a range of frequencies [Hz].
+struct Sweep {
+  std::vector<double> frequencies;
+  std::vector<std::vector<Eigen::Vector3cd>> joints;  ///< of each joint, by frequency
+};
+Sweep sweep_of(const ModalModel& model, const std::vector<double>& frequencies);
+
+/// The harmonic loads switched on at t = 0 on the structure at rest under its static loads: joint
+/// forces at equal steps. Free vibrations of the modes and the forced one, integrated exactly.
+struct SuddenStart {
+  std::vector<double> times;                         ///< [s]
+  std::vector<std::vector<Eigen::Vector3d>> joints;  ///< of each joint, static part included
+};
+SuddenStart sudden_start_of(const ModalModel& model, double length, std::size_t steps);
+
+}  // namespace boxbeam::flexible

@@ -1,0 +1,3 @@
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
+
+namespace boxbeam::flexible {}  // namespace boxbeam::flexible

@@ -1,0 +1,3 @@
+#include "boxbeam/mechanism/flexible/modes.hpp"
+
+namespace boxbeam::flexible {}  // namespace boxbeam::flexible

@@ -1,0 +1,3 @@
+#include "boxbeam/project/project.hpp"
+
+namespace boxbeam {}  // namespace boxbeam

@@ -1,0 +1,3 @@
+#include "boxbeam/verification/model_choice.hpp"
+
+namespace boxbeam {}  // namespace boxbeam
