@@ -1,0 +1,45 @@
+#pragma once
+
+#include "boxbeam/verification/model_response.hpp"
+#include "boxbeam/verification/stress_field.hpp"
+
+namespace boxbeam {
+
+/// A vibrating mechanism of elastic links whose stresses in one of them count.
+struct LadderCase {
+  const flexible::Mechanism* mechanism = nullptr;
+  int link = 0;
+  const TaperedBeam* beam = nullptr;  ///< that the link is
+};
+
+/// A mechanism as a model takes it: number of parts, element and kind of its elastic links.
+flexible::Mechanism modelled(const flexible::Mechanism& mechanism, const ElasticModel& model);
+
+/// Stresses of the link by a model. Throws AnalysisError at a resonance without damping.
+StressField stresses_by(const LadderCase& of, const ElasticModel& model,
+                        const std::vector<StressPlace>& places);
+
+/// Places of the link at which models are compared: ends and borders of segments, joints and loads,
+/// and between.
+std::vector<StressPlace> places_of(const LadderCase& of);
+
+/// Climbs from the cheapest model to the first that is estimated to be within the tolerance, solves
+/// it, and goes on where a better model finds it wrong. Cheap is what has few equations of motion:
+///
+///     rigid             none; only where balance determines the joint forces
+///     quasi-static      none, elastic statics
+///     modal             k = 1, 2, 3, ... of the lowest modes, with static correction
+///     flexible          all rigid elements
+///
+/// with n = 2, 3, 4, 6, 8, 12, ... parts per elastic link, bending links as they are or with their
+/// elasticity along the axis. Estimated error of the stresses (`difference_between`): the sum of
+/// what the modes left out contribute beyond their static part, by the modes of a coarse division
+/// (8 parts, all deformations, corrected); of the division, C n^-p from 4, 8 and 16 parts; and of
+/// the axial rigidity of bending links, by leaving it out. Verified against all elements of twice
+/// as many parts (at least 16) with all deformations; what that itself is estimated to err is
+/// added.
+/// Throws AnalysisError at a resonance without damping, and where no division up to 256 parts is
+/// good enough.
+ModelChoice climb_ladder(const LadderCase& of, double tolerance);
+
+}  // namespace boxbeam
