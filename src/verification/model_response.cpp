@@ -1,7 +1,5 @@
 #include "boxbeam/verification/model_response.hpp"
 
-#include "boxbeam/mechanism/flexible/modal_response.hpp"
-
 namespace boxbeam {
 namespace {
 
@@ -10,21 +8,20 @@ using flexible::Complex;
 /// Elastic statics under the amplitudes of the loads.
 flexible::Deformation<Complex> without_inertia(const flexible::Structure& structure) {
   flexible::Deformation<Complex> deformation =
-      flexible::DynamicStiffness<Complex>(structure, 0.0).solve(flexible::harmonic_loads(structure));
+      flexible::DynamicStiffness<Complex>(structure, 0.0, 0.0)
+          .solve(flexible::harmonic_loads(structure));
   for (auto& motion : deformation.motion) motion.setZero();
   return deformation;
 }
 
-flexible::Deformation<Complex> by_modes(const flexible::Structure& structure, double frequency,
-                                        int modes) {
-  const flexible::ModalModel model =
-      flexible::modal_model_of(structure, static_cast<std::size_t>(modes));
+}  // namespace
+
+flexible::Deformation<Complex> modal_response(const flexible::ModalModel& model) {
+  const double frequency = model.structure->mechanism->frequency;
   flexible::Deformation<Complex> alone = flexible::harmonic_response(model, frequency, false);
   alone.joints = flexible::harmonic_response(model, frequency).joints;
   return alone;
 }
-
-}  // namespace
 
 flexible::Response response_of(const flexible::Structure& structure, const ElasticModel& model) {
   const double frequency = structure.mechanism->frequency;
@@ -36,7 +33,8 @@ flexible::Response response_of(const flexible::Structure& structure, const Elast
     case ModelLevel::rigid:
     case ModelLevel::quasi_static: response.harmonic = without_inertia(structure); break;
     case ModelLevel::modal:
-      response.harmonic = by_modes(structure, frequency, model.modes);
+      response.harmonic = modal_response(
+          flexible::modal_model_of(structure, static_cast<std::size_t>(model.modes)));
       break;
     case ModelLevel::flexible:
       response.harmonic = flexible::harmonic_response(structure, frequency);

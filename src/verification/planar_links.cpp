@@ -11,7 +11,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A stopped mechanism while it is made.
-struct Posture {
+struct StoppedMechanism {
   const planar::Mechanism& mechanism;
   const planar::State& state;
   const ElasticBody& elastic;
@@ -116,7 +116,7 @@ struct Posture {
   }
 };
 
-flexible::Link link_of(const Posture& posture, std::size_t index) {
+flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
   const Body& body = posture.mechanism.bodies[index];
   const Eigen::Index i = 3 * static_cast<Eigen::Index>(index);
   flexible::Link link;
@@ -154,7 +154,7 @@ std::string obstacle_to_links(const planar::Mechanism& mechanism) {
 
 flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic) {
-  const Posture posture{mechanism, state, elastic};
+  const StoppedMechanism posture{mechanism, state, elastic};
   flexible::Mechanism links;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     links.links.push_back(link_of(posture, i));

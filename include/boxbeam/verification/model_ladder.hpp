@@ -1,7 +1,10 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "boxbeam/verification/model_response.hpp"
-#include "boxbeam/verification/stress_field.hpp"
+#include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
 
@@ -15,13 +18,16 @@ struct LadderCase {
 /// A mechanism as a model takes it: number of parts, element and kind of its elastic links.
 flexible::Mechanism modelled(const flexible::Mechanism& mechanism, const ElasticModel& model);
 
+/// "modal, 2 modes, 4 parts per link".
+std::string describe(const ElasticModel& model);
+
 /// Stresses of the link by a model. Throws AnalysisError at a resonance without damping.
-StressField stresses_by(const LadderCase& of, const ElasticModel& model,
-                        const std::vector<StressPlace>& places);
+VibratingStress stresses_by(const LadderCase& of, const ElasticModel& model,
+                            const std::vector<ComparedPlace>& places);
 
 /// Places of the link at which models are compared: ends and borders of segments, joints and loads,
 /// and between.
-std::vector<StressPlace> places_of(const LadderCase& of);
+std::vector<ComparedPlace> places_of(const LadderCase& of);
 
 /// Climbs from the cheapest model to the first that is estimated to be within the tolerance, solves
 /// it, and goes on where a better model finds it wrong. Cheap is what has few equations of motion:

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "boxbeam/mechanism/flexible/response.hpp"
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 
 namespace boxbeam {
+
+/// Harmonic response by modes, as in `response_of`.
+flexible::Deformation<flexible::Complex> modal_response(const flexible::ModalModel& model);
 
 /// The response of a divided mechanism by a model of it.
 ///
