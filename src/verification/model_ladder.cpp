@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
@@ -34,6 +35,17 @@ bool is_determinate(const flexible::Mechanism& mechanism) {
                                                      [](double k) { return k > 0.0; }));
   }
   return forces == 3 * mechanism.links.size();
+}
+
+/// Whether rigid links have unique forces in their joints: joints that are all elastic, or as many
+/// forces as balance determines.
+bool rigid_links_determine_joints(const flexible::Mechanism& mechanism) {
+  const bool elastic = std::all_of(
+      mechanism.joints.begin(), mechanism.joints.end(), [](const flexible::Joint& joint) {
+        return std::none_of(joint.stiffness.begin(), joint.stiffness.end(),
+                            [](double k) { return std::isinf(k); });
+      });
+  return elastic || is_determinate(mechanism);
 }
 
 /// Modes beyond which all elements of a coarse division are no larger a model.
@@ -74,7 +86,9 @@ struct Scouting {
   double axial = 0.0;                 ///< error of axially rigid bending links
   double static_axial = 0.0;
   double shear = 0.0;  ///< error of links rigid in shear
-  bool determinate = false;
+  /// Error of rigid links on the joints as they are; nothing where joints without play repeat each
+  /// other, which rigid links cannot share a load between.
+  std::optional<double> rigid;
 };
 
 flexible::ModalModel truncated(const flexible::ModalModel& model, std::size_t modes) {
@@ -82,6 +96,13 @@ flexible::ModalModel truncated(const flexible::ModalModel& model, std::size_t mo
   return {model.structure,
           {model.modes.begin(), model.modes.begin() + count},
           model.damping.topLeftCorner(count, count)};
+}
+
+VibratingStress stresses_of(const LadderCase& of, const ModelResponse& by,
+                            const flexible::Structure& structure,
+                            const std::vector<ComparedPlace>& places) {
+  return vibrating_stress_of(
+      flexible::beam_response_of(structure, of.link, *of.beam, by.response, by.inertial), places);
 }
 
 /// Stresses of the same structure by ever more of its modes.
@@ -92,15 +113,9 @@ std::vector<double> errors_of_modes(const LadderCase& of, const std::vector<Comp
   const flexible::ModalModel model = flexible::modal_model_of(structure, most_modes(mechanism));
   for (const flexible::Mode& mode : model.modes) scouting.frequencies.push_back(mode.frequency);
   std::vector<double> errors;
-  flexible::Response response;
-  response.frequency = mechanism.frequency;
-  response.constant = flexible::static_response(structure);
   for (std::size_t k = 0; k <= model.modes.size(); ++k) {
-    if (mechanism.frequency > 0.0) response.harmonic = modal_response(truncated(model, k));
     errors.push_back(difference_between(
-        vibrating_stress_of(flexible::beam_response_of(structure, of.link, *of.beam, response),
-                            places),
-        all));
+        stresses_of(of, modal_response(truncated(model, k)), structure, places), all));
   }
   return errors;
 }
@@ -123,17 +138,17 @@ Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
     return stresses_by(of, model, places);
   };
   Scouting scouting;
-  scouting.determinate = is_determinate(*of.mechanism);
   const VibratingStress coarse = by(scout_parts / 2, true);
   const VibratingStress middle = by(scout_parts, true);
   const VibratingStress fine = by(fine_parts, true);
   scouting.division =
       division_error(difference_between(coarse, middle), difference_between(middle, fine));
   const VibratingStress static_middle = statically(scout_parts, true);
-  if (!scouting.determinate) {
-    scouting.static_division =
-        division_error(difference_between(statically(scout_parts / 2, true), static_middle),
-                       difference_between(static_middle, statically(fine_parts, true)));
+  scouting.static_division =
+      division_error(difference_between(statically(scout_parts / 2, true), static_middle),
+                     difference_between(static_middle, statically(fine_parts, true)));
+  if (rigid_links_determine_joints(*of.mechanism)) {
+    scouting.rigid = difference_between(stresses_by(of, {}, places), fine);
   }
   if (has_bending_links(*of.mechanism)) {
     scouting.axial = difference_between(by(scout_parts, false), middle);
@@ -147,20 +162,21 @@ Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
 }
 
 ModelEstimate estimate_of(const ElasticModel& model, const Scouting& scouting) {
+  ModelEstimate estimate;
+  estimate.model = model;
+  if (model.level == ModelLevel::rigid) {
+    estimate.error = *scouting.rigid;
+    estimate.basis = "rigid links against elastic ones";
+    return estimate;
+  }
   const bool dynamic = model.level == ModelLevel::modal || model.level == ModelLevel::flexible;
   const double modes = model.level == ModelLevel::flexible
                            ? 0.0
                            : scouting.without_modes[static_cast<std::size_t>(model.modes)];
-  double division = 0.0;
-  double axial = 0.0;
-  if (model.level != ModelLevel::rigid) {
-    division = (dynamic ? scouting.division : scouting.static_division)(model.parts);
-    if (!model.axial) axial = dynamic ? scouting.axial : scouting.static_axial;
-  }
-  ModelEstimate estimate;
-  estimate.model = model;
+  const double division = (dynamic ? scouting.division : scouting.static_division)(model.parts);
+  const double axial = model.axial ? 0.0 : dynamic ? scouting.axial : scouting.static_axial;
   estimate.error = modes + division + axial;
-  if (model.level == ModelLevel::rigid || model.level == ModelLevel::quasi_static) {
+  if (model.level == ModelLevel::quasi_static) {
     estimate.basis = fmt::format("vibration {:.2g} %", 100.0 * modes);
   } else if (model.level == ModelLevel::modal) {
     estimate.basis = fmt::format("modes left out {:.2g} %", 100.0 * modes);
@@ -169,7 +185,7 @@ ModelEstimate estimate_of(const ElasticModel& model, const Scouting& scouting) {
     estimate.basis +=
         fmt::format("{}{} {:.2g} %", estimate.basis.empty() ? "" : ", ", name, 100.0 * error);
   };
-  if (model.level != ModelLevel::rigid) add("division", division);
+  add("division", division);
   if (axial > 0.0) add("axial rigidity", axial);
   return estimate;
 }
@@ -177,7 +193,7 @@ ModelEstimate estimate_of(const ElasticModel& model, const Scouting& scouting) {
 /// All models, cheapest first.
 std::vector<ElasticModel> rungs_of(const LadderCase& of, const Scouting& scouting) {
   std::vector<ElasticModel> rungs;
-  if (scouting.determinate) rungs.push_back({});
+  if (scouting.rigid) rungs.push_back({});
   const bool both_kinds = has_bending_links(*of.mechanism);
   const auto add = [&](ModelLevel level, int modes) {
     for (const int parts : divisions) {
@@ -186,8 +202,8 @@ std::vector<ElasticModel> rungs_of(const LadderCase& of, const Scouting& scoutin
       rungs.push_back({level, modes, parts, flexible::Element::corrected, both_kinds});
     }
   };
-  // Where balance decides, elastic statics give the forces of rigid bodies.
-  if (!scouting.determinate) add(ModelLevel::quasi_static, 0);
+  // Where balance decides, elastic statics give the forces of rigid links.
+  if (!is_determinate(*of.mechanism)) add(ModelLevel::quasi_static, 0);
   for (std::size_t k = 1; k < scouting.without_modes.size(); ++k) {
     add(ModelLevel::modal, static_cast<int>(k));
   }
@@ -237,16 +253,6 @@ std::string describe(const ElasticModel& model) {
   return text;
 }
 
-flexible::Mechanism modelled(const flexible::Mechanism& mechanism, const ElasticModel& model) {
-  flexible::Mechanism result = mechanism;
-  if (model.element) result.element = *model.element;
-  for (flexible::Link& link : result.links) {
-    if (is_elastic(link) && model.parts > 0) link.parts = model.parts;
-    if (link.kind == LinkKind::bending && model.axial) link.kind = LinkKind::full;
-  }
-  return result;
-}
-
 std::vector<ComparedPlace> places_of(const LadderCase& of) {
   std::vector<Length> joints;
   const auto add = [&](const flexible::Attachment& at) {
@@ -264,9 +270,7 @@ VibratingStress stresses_by(const LadderCase& of, const ElasticModel& model,
                             const std::vector<ComparedPlace>& places) {
   const flexible::Mechanism mechanism = modelled(*of.mechanism, model);
   const flexible::Structure structure = flexible::structure_of(mechanism);
-  return vibrating_stress_of(
-      flexible::beam_response_of(structure, of.link, *of.beam, response_of(structure, model)),
-      places);
+  return stresses_of(of, response_of(structure, model), structure, places);
 }
 
 ModelChoice climb_ladder(const LadderCase& of, double tolerance) {

@@ -5,42 +5,49 @@ namespace {
 
 using flexible::Complex;
 
-/// Elastic statics under the amplitudes of the loads.
-flexible::Deformation<Complex> without_inertia(const flexible::Structure& structure) {
-  flexible::Deformation<Complex> deformation =
-      flexible::DynamicStiffness<Complex>(structure, 0.0, 0.0)
-          .solve(flexible::harmonic_loads(structure));
-  for (auto& motion : deformation.motion) motion.setZero();
-  return deformation;
+ModelResponse static_part(const flexible::Structure& structure) {
+  ModelResponse result;
+  result.response.frequency = structure.mechanism->frequency;
+  result.response.constant = flexible::static_response(structure);
+  result.inertial = flexible::no_loads<Complex>(structure);
+  result.response.harmonic.motion = result.inertial;
+  result.response.harmonic.joints =
+      Eigen::Matrix3Xcd::Zero(3, static_cast<Eigen::Index>(structure.joints.size()));
+  return result;
 }
 
 }  // namespace
 
-flexible::Deformation<Complex> modal_response(const flexible::ModalModel& model) {
-  const double frequency = model.structure->mechanism->frequency;
-  flexible::Deformation<Complex> alone = flexible::harmonic_response(model, frequency, false);
-  alone.joints = flexible::harmonic_response(model, frequency).joints;
-  return alone;
+ModelResponse modal_response(const flexible::ModalModel& model) {
+  const flexible::Structure& structure = *model.structure;
+  ModelResponse result = static_part(structure);
+  const double frequency = result.response.frequency;
+  if (frequency == 0.0) return result;
+  if (model.modes.empty()) {
+    result.response.harmonic = flexible::DynamicStiffness<Complex>(structure, 0.0, 0.0)
+                                   .solve(flexible::harmonic_loads(structure));
+    return result;
+  }
+  result.response.harmonic = flexible::harmonic_response(model, frequency);
+  result.inertial = flexible::harmonic_response(model, frequency, false).motion;
+  return result;
 }
 
-flexible::Response response_of(const flexible::Structure& structure, const ElasticModel& model) {
-  const double frequency = structure.mechanism->frequency;
-  flexible::Response response;
-  response.frequency = frequency;
-  response.constant = flexible::static_response(structure);
-  if (frequency == 0.0) return response;
+ModelResponse response_of(const flexible::Structure& structure, const ElasticModel& model) {
   switch (model.level) {
-    case ModelLevel::rigid:
-    case ModelLevel::quasi_static: response.harmonic = without_inertia(structure); break;
+    case ModelLevel::quasi_static: return modal_response({&structure, {}, {}});
     case ModelLevel::modal:
-      response.harmonic = modal_response(
+      return modal_response(
           flexible::modal_model_of(structure, static_cast<std::size_t>(model.modes)));
-      break;
-    case ModelLevel::flexible:
-      response.harmonic = flexible::harmonic_response(structure, frequency);
-      break;
+    case ModelLevel::rigid:
+    case ModelLevel::flexible: break;
   }
-  return response;
+  ModelResponse result = static_part(structure);
+  const double frequency = result.response.frequency;
+  if (frequency == 0.0) return result;
+  result.response.harmonic = flexible::harmonic_response(structure, frequency);
+  result.inertial = result.response.harmonic.motion;
+  return result;
 }
 
 }  // namespace boxbeam

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/verification/elastic_model.hpp"
 #include "boxbeam/verification/model_response.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
@@ -14,9 +15,6 @@ struct LadderCase {
   int link = 0;
   const TaperedBeam* beam = nullptr;  ///< that the link is
 };
-
-/// A mechanism as a model takes it: number of parts, element and kind of its elastic links.
-flexible::Mechanism modelled(const flexible::Mechanism& mechanism, const ElasticModel& model);
 
 /// "modal, 2 modes, 4 parts per link".
 std::string describe(const ElasticModel& model);
@@ -32,8 +30,8 @@ std::vector<ComparedPlace> places_of(const LadderCase& of);
 /// Climbs from the cheapest model to the first that is estimated to be within the tolerance, solves
 /// it, and goes on where a better model finds it wrong. Cheap is what has few equations of motion:
 ///
-///     rigid             none; only where balance determines the joint forces
-///     quasi-static      none, elastic statics
+///     rigid             rigid links on joints as they are
+///     quasi-static      none: elastic statics; where balance does not determine the joint forces
 ///     modal             k = 1, 2, 3, ... of the lowest modes, with static correction
 ///     flexible          all rigid elements
 ///

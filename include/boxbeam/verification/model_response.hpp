@@ -5,19 +5,22 @@
 
 namespace boxbeam {
 
-/// Harmonic response by modes, as in `response_of`.
-flexible::Deformation<flexible::Complex> modal_response(const flexible::ModalModel& model);
+/// A response, and the motion whose inertia is in balance with it.
+struct ModelResponse {
+  flexible::Response response;
+  flexible::LinkColumns<flexible::Complex> inertial;
+};
 
-/// The response of a divided mechanism by a model of it.
+/// Harmonic response by modes with static correction: the inertia that acts is that of the modes,
 ///
-/// Rigid bodies at rest and quasi-static: joint forces of elastic statics under the loads of every
-/// instant, no inertia. Modal: `motion` is that of the modes alone, whose inertia acts; `joints`
-/// have the static part of the modes left out besides,
+///     K q = f + omega^2 M sum phi_j eta_j
 ///
-///     q = sum phi_j eta_j,   K q' = f + omega^2 M q
-///
-/// so that joints, loads and the inertia of `motion` are in balance. Flexible: direct.
-/// Throws AnalysisError at a resonance without damping and where the structure is free to move.
-flexible::Response response_of(const flexible::Structure& structure, const ElasticModel& model);
+/// Without modes: elastic statics under the loads of every instant, no inertia.
+ModelResponse modal_response(const flexible::ModalModel& model);
+
+/// Static and harmonic response of a mechanism by a model of it. `structure` is that of the
+/// mechanism `modelled`. Throws AnalysisError at a resonance without damping and where the
+/// structure is free to move.
+ModelResponse response_of(const flexible::Structure& structure, const ElasticModel& model);
 
 }  // namespace boxbeam
