@@ -1,3 +1,421 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <type_traits>
+
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
 
-namespace boxbeam::flexible {}  // namespace boxbeam::flexible
+namespace boxbeam::flexible {
+namespace {
+
+/// Smallest pivot of the scaled border over the largest, below which it is singular.
+constexpr double no_pivot = 1e-14;
+
+/// Between two neighbouring elements: the spring, and from the nodes of both to its place.
+struct Between {
+  const SpringElement* spring;
+  double to_place;    ///< from the node of the element that is gathered
+  double from_other;  ///< from the node of the other
+};
+
+/// `i` is gathered towards `next`, its neighbour.
+Between between(const DividedLink& link, std::size_t i, std::size_t next) {
+  const SpringElement& spring = link.springs[std::min(i, next)];
+  return {&spring, spring.place - link.elements[i].node, spring.place - link.elements[next].node};
+}
+
+/// The elements of a link in the order in which they are gathered, with the neighbour each goes to.
+template <class Function>
+void inward(std::size_t elements, std::size_t retained, const Function& f) {
+  for (std::size_t i = 0; i < retained; ++i) f(i, i + 1);
+  for (std::size_t i = elements - 1; i > retained; --i) f(i, i - 1);
+}
+
+template <class Function>
+void outward(std::size_t elements, std::size_t retained, const Function& f) {
+  for (std::size_t i = retained; i-- > 0;) f(i, i + 1);
+  for (std::size_t i = retained + 1; i < elements; ++i) f(i, i - 1);
+}
+
+/// -square M of an element on the axis of a link: along it, and across it and turning.
+template <class Scalar>
+struct AxisStiffness {
+  Scalar uu{}, ww{}, wp{}, pp{};
+
+  void add_inertia(const RigidElement& of, double square) {
+    uu -= square * of.mass;
+    ww -= square * of.mass;
+    wp -= square * of.first_moment.x();
+    pp -= square * of.inertia;
+  }
+};
+
+/// A determinant that is nothing but round-off becomes that round-off: a part behind a spring in
+/// resonance by itself is no resonance of the whole.
+template <class Scalar>
+Scalar kept_from_zero(const Scalar& of, double size) {
+  const double least = std::numeric_limits<double>::epsilon() * size;
+  return std::abs(of) < least ? Scalar(least) : of;
+}
+
+}  // namespace
+
+template <class Scalar>
+DynamicStiffness<Scalar>::DynamicStiffness(const Structure& structure, double square, double omega)
+    : structure_(&structure), square_(square), omega_(omega) {
+  const std::size_t links = structure.links.size();
+  retained_.assign(links, 0);
+  list_ports();
+  steps_.resize(links);
+  stiffness_.resize(links);
+  for (std::size_t k = 0; k < links; ++k) factor_link(k);
+  factor_border();
+}
+
+template <class Scalar>
+Scalar DynamicStiffness<Scalar>::damped(double flexibility, std::size_t link) const {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    static_cast<void>(link);
+    return flexibility;
+  } else {
+    return flexibility / Complex(1.0, omega_ * structure_->mechanism->links[link].retardation);
+  }
+}
+
+template <class Scalar>
+void DynamicStiffness<Scalar>::list_ports() {
+  const Mechanism& mechanism = *structure_->mechanism;
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    const Structure::Ends& ends = structure_->joints[j];
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto of = static_cast<std::size_t>(axis);
+      Scalar stiffness(joint.stiffness[of]);
+      if constexpr (!std::is_same_v<Scalar, double>) {
+        // An infinite stiffness stays real: its damping means nothing.
+        if (std::isfinite(joint.stiffness[of])) {
+          stiffness = Complex(joint.stiffness[of], omega_ * joint.damping[of]);
+        }
+      }
+      if (stiffness == Scalar(0.0)) continue;
+      const Scalar flexibility =
+          std::isfinite(joint.stiffness[of]) ? Scalar(1.0) / stiffness : Scalar(0.0);
+      const std::size_t row = rows_.size();
+      rows_.push_back({j, axis, flexibility});
+      for (const auto& [grip, sign] : {std::pair(&ends.a, 1.0), std::pair(&ends.b, -1.0)}) {
+        if (grip->link == ground) continue;
+        ports_.push_back({row, static_cast<std::size_t>(grip->link), grip->element, sign,
+                          (ends.axes.row(axis) * grip->motion).transpose()});
+      }
+    }
+  }
+  // The element that most joints hold stays: their forces need not be taken along the link.
+  std::vector<std::vector<int>> held(structure_->links.size());
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    held[k].assign(structure_->links[k].elements.size(), 0);
+  }
+  for (const Port& port : ports_) ++held[port.link][port.element];
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    retained_[k] = static_cast<std::size_t>(std::max_element(held[k].begin(), held[k].end()) -
+                                            held[k].begin());
+  }
+}
+
+template <class Scalar>
+void DynamicStiffness<Scalar>::factor_link(std::size_t k) {
+  const DividedLink& link = structure_->links[k];
+  const std::size_t n = link.elements.size();
+  std::vector<Step>& steps = steps_[k];
+  steps.resize(n);
+  AxisStiffness<Scalar> carried;  // what the chain at hand hands on to its next element
+  AxisStiffness<Scalar> whole;    // at the element that stays
+  const Scalar damping = damped(1.0, k);
+  inward(n, retained_[k], [&](std::size_t i, std::size_t next) {
+    AxisStiffness<Scalar> D = carried;
+    D.add_inertia(link.elements[i], square_);
+    const Between at = between(link, i, next);
+    const double e = at.to_place;
+    D.pp += e * (e * D.ww - 2.0 * D.wp);
+    D.wp -= e * D.ww;
+    Step& step = steps[i];
+    const Scalar f = damping * at.spring->axial;
+    const Scalar axial = kept_from_zero(1.0 + f * D.uu, 1.0);
+    step.axial = 1.0 / axial;
+    const Scalar f11 = damping * at.spring->bending(0, 0);
+    const Scalar f12 = damping * at.spring->bending(0, 1);
+    const Scalar f22 = damping * at.spring->bending(1, 1);
+    const Scalar a11 = 1.0 + f11 * D.ww + f12 * D.wp;
+    const Scalar a12 = f11 * D.wp + f12 * D.pp;
+    const Scalar a21 = f12 * D.ww + f22 * D.wp;
+    const Scalar a22 = 1.0 + f12 * D.wp + f22 * D.pp;
+    const Scalar det =
+        kept_from_zero(a11 * a22 - a12 * a21, std::abs(a11 * a22) + std::abs(a12 * a21));
+    const Scalar inverse = 1.0 / det;
+    step.b11 = a22 * inverse;
+    step.b12 = -a12 * inverse;
+    step.b21 = -a21 * inverse;
+    step.b22 = a11 * inverse;
+    if constexpr (std::is_same_v<Scalar, double>) {
+      // Eigenvalues of I + F D, real for F without negative ones: the negative ones are counted.
+      if (axial < 0.0) ++gathered_below_;
+      if (det < 0.0) {
+        ++gathered_below_;
+      } else if (a11 + a22 < 0.0) {
+        gathered_below_ += 2;
+      }
+    }
+    AxisStiffness<Scalar> S;
+    S.uu = D.uu * step.axial;
+    S.ww = D.ww * step.b11 + D.wp * step.b21;
+    S.wp = D.ww * step.b12 + D.wp * step.b22;
+    S.pp = D.wp * step.b12 + D.pp * step.b22;
+    const double o = at.from_other;
+    S.pp += o * (o * S.ww + 2.0 * S.wp);
+    S.wp += o * S.ww;
+    if (next == retained_[k]) {
+      whole.uu += S.uu;
+      whole.ww += S.ww;
+      whole.wp += S.wp;
+      whole.pp += S.pp;
+      carried = {};
+    } else {
+      carried = S;
+    }
+  });
+  const RigidElement& stays = link.elements[retained_[k]];
+  whole.add_inertia(stays, square_);
+  const Scalar up(square_ * stays.first_moment.y());
+  stiffness_[k] << whole.uu, Scalar(0.0), up, Scalar(0.0), whole.ww, whole.wp, up, whole.wp,
+      whole.pp;
+}
+
+template <class Scalar>
+typename DynamicStiffness<Scalar>::Gathered DynamicStiffness<Scalar>::gather(
+    std::size_t k, const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& loads) const {
+  const DividedLink& link = structure_->links[k];
+  const auto n = static_cast<std::size_t>(loads.cols());
+  Gathered gathered;
+  gathered.at_spring.resize(3, loads.cols());
+  gathered.at_retained = loads.col(static_cast<Eigen::Index>(retained_[k]));
+  Vector3 carried = Vector3::Zero();
+  inward(n, retained_[k], [&](std::size_t i, std::size_t next) {
+    const Between at = between(link, i, next);
+    const Step& step = steps_[k][i];
+    const auto column = static_cast<Eigen::Index>(i);
+    const Scalar u = loads(0, column) + carried[0];
+    const Scalar w = loads(1, column) + carried[1];
+    const Scalar p = loads(2, column) + carried[2] - at.to_place * w;
+    gathered.at_spring(0, column) = u;
+    gathered.at_spring(1, column) = w;
+    gathered.at_spring(2, column) = p;
+    carried[0] = step.axial * u;
+    carried[1] = step.b11 * w + step.b21 * p;
+    carried[2] = step.b12 * w + step.b22 * p + at.from_other * carried[1];
+    if (next != retained_[k]) return;
+    gathered.at_retained += carried;
+    carried.setZero();
+  });
+  return gathered;
+}
+
+template <class Scalar>
+void DynamicStiffness<Scalar>::spread(std::size_t k, const Gathered& gathered,
+                                      const Vector3& retained,
+                                      Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion) const {
+  const DividedLink& link = structure_->links[k];
+  const Scalar damping = damped(1.0, k);
+  motion.resize(3, gathered.at_spring.cols());
+  motion.col(static_cast<Eigen::Index>(retained_[k])) = retained;
+  outward(link.elements.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+    const Between at = between(link, i, next);
+    const Step& step = steps_[k][i];
+    const auto column = static_cast<Eigen::Index>(i);
+    const auto other = static_cast<Eigen::Index>(next);
+    const auto& F = at.spring->bending;
+    const Scalar g1 = gathered.at_spring(1, column);
+    const Scalar g2 = gathered.at_spring(2, column);
+    const Scalar u = motion(0, other) + damping * at.spring->axial * gathered.at_spring(0, column);
+    const Scalar w = motion(1, other) + at.from_other * motion(2, other) +
+                     damping * (F(0, 0) * g1 + F(0, 1) * g2);
+    const Scalar p = motion(2, other) + damping * (F(1, 0) * g1 + F(1, 1) * g2);
+    motion(0, column) = step.axial * u;
+    motion(2, column) = step.b21 * w + step.b22 * p;
+    motion(1, column) = step.b11 * w + step.b12 * p - at.to_place * motion(2, column);
+  });
+}
+
+template <class Scalar>
+void DynamicStiffness<Scalar>::factor_border() {
+  const std::size_t links = structure_->links.size();
+  const auto fixed = static_cast<Eigen::Index>(3 * links);
+  const auto size = fixed + static_cast<Eigen::Index>(rows_.size());
+  border_ = Matrix::Zero(size, size);
+  for (std::size_t k = 0; k < links; ++k) {
+    const auto at = static_cast<Eigen::Index>(3 * k);
+    border_.template block<3, 3>(at, at) = stiffness_[k];
+  }
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    const Eigen::Index row = fixed + static_cast<Eigen::Index>(j);
+    border_(row, row) -= rows_[j].flexibility;
+  }
+  Eigen::Matrix<Scalar, 3, Eigen::Dynamic> unit, motion;
+  for (const Port& port : ports_) {
+    const Eigen::Index row = fixed + static_cast<Eigen::Index>(port.row);
+    const auto at = static_cast<Eigen::Index>(3 * port.link);
+    Vector3 effect = port.h.template cast<Scalar>();
+    if (port.element != retained_[port.link]) {
+      const auto elements = static_cast<Eigen::Index>(structure_->links[port.link].elements.size());
+      unit = Eigen::Matrix<Scalar, 3, Eigen::Dynamic>::Zero(3, elements);
+      unit.col(static_cast<Eigen::Index>(port.element)) = port.h.template cast<Scalar>();
+      const Gathered gathered = gather(port.link, unit);
+      effect = gathered.at_retained;
+      spread(port.link, gathered, Vector3::Zero(), motion);
+      for (const Port& other : ports_) {
+        if (other.link != port.link || other.element == retained_[port.link]) continue;
+        const Eigen::Index to = fixed + static_cast<Eigen::Index>(other.row);
+        const Vector3 there = motion.col(static_cast<Eigen::Index>(other.element));
+        border_(to, row) -=
+            other.sign * port.sign * (other.h.transpose().template cast<Scalar>() * there).value();
+      }
+    }
+    border_.template block<3, 1>(at, row) -= port.sign * effect;
+    border_.template block<1, 3>(row, at) -= port.sign * effect.transpose();
+  }
+  // Equilibrated: lengths, angles and forces become comparable, whatever the stiffnesses.
+  scale_ = Eigen::VectorXd::Ones(size);
+  for (int pass = 0; pass < 8; ++pass) {
+    for (Eigen::Index i = 0; i < size; ++i) {
+      double largest = 0.0;
+      for (Eigen::Index j = 0; j < size; ++j) {
+        largest = std::max(largest, std::abs(border_(i, j)) * scale_[i] * scale_[j]);
+      }
+      if (largest > 0.0) scale_[i] /= std::sqrt(largest);
+    }
+  }
+  border_ = scale_.asDiagonal() * border_ * scale_.asDiagonal();
+  lu_.compute(border_);
+  const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
+  if (size > 0 && !(pivots.minCoeff() > no_pivot * pivots.maxCoeff())) fail_singular();
+}
+
+template <class Scalar>
+void DynamicStiffness<Scalar>::fail_singular() const {
+  const std::vector<Link>& links = structure_->mechanism->links;
+  if (square_ != 0.0) {
+    const double frequency = std::sqrt(std::abs(square_)) / (2.0 * std::numbers::pi);
+    throw AnalysisError(
+        {fmt::format("the structure is in resonance at {:.6g} Hz and has no damping: its amplitude "
+                     "grows without limit; take another frequency or give damping to links or "
+                     "joints",
+                     frequency),
+         "",
+         {},
+         {},
+         {}});
+  }
+  // The motion that nothing resists: what the smallest pivot leaves free.
+  Eigen::FullPivLU<Matrix> lu = lu_;
+  lu.setThreshold(no_pivot);
+  const Matrix kernel = lu.kernel();
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(3 * k);
+    const double largest = (scale_.asDiagonal() * kernel)
+                               .topRows(static_cast<Eigen::Index>(3 * links.size()))
+                               .cwiseAbs()
+                               .maxCoeff();
+    const double own =
+        (scale_.segment<3>(at).asDiagonal() * kernel.middleRows(at, 3)).cwiseAbs().maxCoeff();
+    if (own > 1e-6 * largest) names.push_back(links[k].name);
+  }
+  throw AnalysisError(
+      {fmt::format(
+           "the links can move without strain ({} free): {}; hold them by a joint, a spring "
+           "or a drive",
+           kernel.cols() == 1 ? "one motion is" : fmt::format("{} motions are", kernel.cols()),
+           fmt::join(names, ", ")),
+       names.empty() ? "" : names.front(),
+       {},
+       {},
+       {}});
+}
+
+template <class Scalar>
+Deformation<Scalar> DynamicStiffness<Scalar>::solve(const LinkColumns<Scalar>& loads) const {
+  const std::size_t links = structure_->links.size();
+  assert(loads.size() == links);
+  const auto fixed = static_cast<Eigen::Index>(3 * links);
+  Vector right = Vector::Zero(border_.rows());
+  std::vector<Gathered> gathered;
+  gathered.reserve(links);
+  std::vector<bool> inner(links, false);  // whether a joint holds an element that is gathered
+  for (const Port& port : ports_) {
+    if (port.element != retained_[port.link]) inner[port.link] = true;
+  }
+  Deformation<Scalar> result;
+  result.motion.resize(links);
+  for (std::size_t k = 0; k < links; ++k) {
+    gathered.push_back(gather(k, loads[k]));
+    right.template segment<3>(static_cast<Eigen::Index>(3 * k)) = gathered[k].at_retained;
+    if (inner[k]) spread(k, gathered[k], Vector3::Zero(), result.motion[k]);
+  }
+  for (const Port& port : ports_) {
+    if (port.element == retained_[port.link]) continue;
+    const Vector3 there = result.motion[port.link].col(static_cast<Eigen::Index>(port.element));
+    right[fixed + static_cast<Eigen::Index>(port.row)] +=
+        port.sign * (port.h.transpose().template cast<Scalar>() * there).value();
+  }
+  const auto scaled = scale_.template cast<Scalar>();
+  Vector unknown = lu_.solve(scaled.cwiseProduct(right));
+  // One step of refinement, against what pivots of very different size lose.
+  unknown += lu_.solve(scaled.cwiseProduct(right) - border_ * unknown);
+  unknown = scaled.cwiseProduct(unknown).eval();
+
+  result.joints = Eigen::Matrix<Scalar, 3, Eigen::Dynamic>::Zero(
+      3, static_cast<Eigen::Index>(structure_->joints.size()));
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    result.joints(rows_[j].axis, static_cast<Eigen::Index>(rows_[j].joint)) =
+        unknown[fixed + static_cast<Eigen::Index>(j)];
+  }
+  LinkColumns<Scalar> with_joints(links);
+  for (std::size_t k = 0; k < links; ++k) {
+    if (inner[k]) with_joints[k] = loads[k];
+  }
+  for (const Port& port : ports_) {
+    if (!inner[port.link]) continue;
+    with_joints[port.link].col(static_cast<Eigen::Index>(port.element)) +=
+        port.sign * unknown[fixed + static_cast<Eigen::Index>(port.row)] *
+        port.h.template cast<Scalar>();
+  }
+  for (std::size_t k = 0; k < links; ++k) {
+    const Vector3 retained = unknown.template segment<3>(static_cast<Eigen::Index>(3 * k));
+    if (inner[k]) gathered[k] = gather(k, with_joints[k]);
+    spread(k, gathered[k], retained, result.motion[k]);
+  }
+  return result;
+}
+
+template <class Scalar>
+std::size_t DynamicStiffness<Scalar>::frequencies_below() const {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    if (border_.rows() == 0) return 0;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(border_, Eigen::EigenvaluesOnly);
+    const auto negative = static_cast<std::size_t>((eigen.eigenvalues().array() < 0.0).count());
+    // Every force of a joint brings a negative one of its own.
+    return gathered_below_ + negative - rows_.size();
+  } else {
+    assert(false);
+    return 0;
+  }
+}
+
+template class DynamicStiffness<double>;
+template class DynamicStiffness<Complex>;
+
+}  // namespace boxbeam::flexible

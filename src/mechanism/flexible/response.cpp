@@ -1,3 +1,217 @@
 #include "boxbeam/mechanism/flexible/response.hpp"
 
-namespace boxbeam::flexible {}  // namespace boxbeam::flexible
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/core/error.hpp"
+
+namespace boxbeam::flexible {
+namespace {
+
+/// Distance of the squares of the drive and a natural frequency, relative, within which an
+/// undamped amplitude is none.
+constexpr double resonance = 2e-6;
+
+double omega_of(double frequency) { return 2.0 * std::numbers::pi * frequency; }
+
+void add_loads(const Structure& structure, const auto& amount, auto& columns) {
+  const Mechanism& mechanism = *structure.mechanism;
+  for (std::size_t i = 0; i < mechanism.loads.size(); ++i) {
+    const Grip& grip = structure.loads[i];
+    if (grip.link == ground) continue;
+    columns[static_cast<std::size_t>(grip.link)].col(static_cast<Eigen::Index>(grip.element)) +=
+        grip.motion.transpose() * amount(mechanism.loads[i]);
+  }
+}
+
+/// (omega_j^2 - omega^2)/omega^2 of the mode that a response is made of.
+double distance_from_resonance(const Structure& structure, const LinkColumns<double>& loads,
+                               const LinkColumns<double>& motion, double omega) {
+  const LinkColumns<double> inertia = mass_times(structure, motion);
+  double work = 0.0;
+  double kinetic = 0.0;
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    work += motion[k].cwiseProduct(loads[k]).sum();
+    kinetic += motion[k].cwiseProduct(inertia[k]).sum();
+  }
+  return kinetic > 0.0 ? work / (omega * omega * kinetic) : 1.0;
+}
+
+Deformation<Complex> undamped_response(const Structure& structure,
+                                       const LinkColumns<Complex>& loads, double frequency) {
+  const double omega = omega_of(frequency);
+  const DynamicStiffness<double> stiffness(structure, omega * omega, omega);
+  LinkColumns<double> part(loads.size());
+  const auto solved = [&](const auto& of) {
+    for (std::size_t k = 0; k < loads.size(); ++k) part[k] = of(loads[k]);
+    const bool nothing = std::all_of(part.begin(), part.end(),
+                                     [](const auto& columns) { return columns.isZero(0.0); });
+    if (nothing) {  // loads in one phase have no other part
+      return Deformation<double>{
+          part, Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(structure.joints.size()))};
+    }
+    Deformation<double> result = stiffness.solve(part);
+    if (std::abs(distance_from_resonance(structure, part, result.motion, omega)) < resonance) {
+      throw AnalysisError(
+          {fmt::format("{:.6g} Hz is a natural frequency of the structure, which has no damping: "
+                       "the amplitude has no limit; take another frequency or give damping to "
+                       "links or joints",
+                       frequency),
+           "",
+           {},
+           {},
+           {}});
+    }
+    return result;
+  };
+  const Deformation<double> real = solved([](const auto& of) { return of.real().eval(); });
+  const Deformation<double> imaginary = solved([](const auto& of) { return of.imag().eval(); });
+  Deformation<Complex> result;
+  const Complex i(0.0, 1.0);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    result.motion.push_back(real.motion[k] + i * imaginary.motion[k]);
+  }
+  result.joints = real.joints + i * imaginary.joints;
+  return result;
+}
+
+}  // namespace
+
+template <class Scalar>
+LinkColumns<Scalar> no_loads(const Structure& structure) {
+  LinkColumns<Scalar> columns;
+  for (const DividedLink& link : structure.links) {
+    columns.push_back(Eigen::Matrix<Scalar, 3, Eigen::Dynamic>::Zero(
+        3, static_cast<Eigen::Index>(link.elements.size())));
+  }
+  return columns;
+}
+
+LinkColumns<double> static_loads(const Structure& structure) {
+  LinkColumns<double> columns = no_loads<double>(structure);
+  const Mechanism& mechanism = *structure.mechanism;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Eigen::Vector2d g = Eigen::Rotation2Dd(-mechanism.links[k].angle) * mechanism.gravity;
+    for (std::size_t i = 0; i < structure.links[k].elements.size(); ++i) {
+      const RigidElement& of = structure.links[k].elements[i];
+      columns[k].col(static_cast<Eigen::Index>(i)) =
+          Eigen::Vector3d(of.mass * g.x(), of.mass * g.y(),
+                          of.first_moment.x() * g.y() - of.first_moment.y() * g.x());
+    }
+  }
+  add_loads(
+      structure, [](const Load& load) { return load.constant; }, columns);
+  return columns;
+}
+
+LinkColumns<Complex> harmonic_loads(const Structure& structure) {
+  LinkColumns<Complex> columns = no_loads<Complex>(structure);
+  add_loads(
+      structure,
+      [](const Load& load) -> Eigen::Vector3cd {
+        return std::polar(1.0, load.phase) * load.amplitude;
+      },
+      columns);
+  return columns;
+}
+
+template <class Scalar>
+LinkColumns<Scalar> mass_times(const Structure& structure, const LinkColumns<Scalar>& motion) {
+  LinkColumns<Scalar> product(motion.size());
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    product[k].resize(3, motion[k].cols());
+    for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
+      const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
+      const auto q = motion[k].col(i);
+      const Eigen::Vector2d& S = of.first_moment;
+      product[k](0, i) = of.mass * q[0] - S.y() * q[2];
+      product[k](1, i) = of.mass * q[1] + S.x() * q[2];
+      product[k](2, i) = S.x() * q[1] - S.y() * q[0] + of.inertia * q[2];
+    }
+  }
+  return product;
+}
+
+bool is_damped(const Structure& structure) {
+  const Mechanism& mechanism = *structure.mechanism;
+  return std::any_of(mechanism.links.begin(), mechanism.links.end(),
+                     [](const Link& link) { return link.retardation != 0.0; }) ||
+         std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [](const Joint& joint) {
+           return std::any_of(joint.damping.begin(), joint.damping.end(),
+                              [](double damping) { return damping != 0.0; });
+         });
+}
+
+Deformation<double> static_response(const Structure& structure) {
+  return DynamicStiffness<double>(structure, 0.0, 0.0).solve(static_loads(structure));
+}
+
+Deformation<Complex> harmonic_response(const Structure& structure, double frequency) {
+  const LinkColumns<Complex> loads = harmonic_loads(structure);
+  if (!is_damped(structure)) return undamped_response(structure, loads, frequency);
+  const double omega = omega_of(frequency);
+  return DynamicStiffness<Complex>(structure, omega * omega, omega).solve(loads);
+}
+
+Response response_of(const Structure& structure) {
+  Response response;
+  response.frequency = structure.mechanism->frequency;
+  response.constant = static_response(structure);
+  if (response.frequency > 0.0) {
+    response.harmonic = harmonic_response(structure, response.frequency);
+    return response;
+  }
+  response.harmonic.motion = no_loads<Complex>(structure);
+  response.harmonic.joints =
+      Eigen::Matrix3Xcd::Zero(3, static_cast<Eigen::Index>(structure.joints.size()));
+  return response;
+}
+
+Deformation<double> at(const Response& response, double time) {
+  const Complex turn = std::polar(1.0, omega_of(response.frequency) * time);
+  Deformation<double> now = response.constant;
+  for (std::size_t k = 0; k < now.motion.size(); ++k) {
+    now.motion[k] += (turn * response.harmonic.motion[k]).imag();
+  }
+  now.joints += (turn * response.harmonic.joints).imag();
+  return now;
+}
+
+double largest_length(Complex x, Complex y) {
+  // |Im(f e^it)|^2 = (|x|^2 + |y|^2)/2 - Re((x^2 + y^2) e^2it)/2.
+  return std::sqrt(0.5 * (std::norm(x) + std::norm(y) + std::abs(x * x + y * y)));
+}
+
+template <class Scalar>
+Eigen::Matrix<Scalar, 3, 1> joint_force(const Structure& structure, std::size_t joint,
+                                        const Deformation<Scalar>& of) {
+  return structure.joints[joint].axes.transpose() * of.joints.col(static_cast<Eigen::Index>(joint));
+}
+
+template <class Scalar>
+Eigen::Matrix<Scalar, 3, 1> motion_at(const Structure& structure, const Attachment& place,
+                                      const Deformation<Scalar>& of) {
+  if (place.link == ground) return Eigen::Matrix<Scalar, 3, 1>::Zero();
+  const Grip grip = grip_of(structure, place);
+  return grip.motion * of.motion[static_cast<std::size_t>(place.link)].col(
+                           static_cast<Eigen::Index>(grip.element));
+}
+
+template LinkColumns<double> no_loads<double>(const Structure&);
+template LinkColumns<Complex> no_loads<Complex>(const Structure&);
+template LinkColumns<double> mass_times<double>(const Structure&, const LinkColumns<double>&);
+template LinkColumns<Complex> mass_times<Complex>(const Structure&, const LinkColumns<Complex>&);
+template Eigen::Vector3d joint_force<double>(const Structure&, std::size_t,
+                                             const Deformation<double>&);
+template Eigen::Vector3cd joint_force<Complex>(const Structure&, std::size_t,
+                                               const Deformation<Complex>&);
+template Eigen::Vector3d motion_at<double>(const Structure&, const Attachment&,
+                                           const Deformation<double>&);
+template Eigen::Vector3cd motion_at<Complex>(const Structure&, const Attachment&,
+                                             const Deformation<Complex>&);
+
+}  // namespace boxbeam::flexible

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <complex>
 #include <string>
 #include <vector>
@@ -26,10 +27,10 @@ struct Deformation {
 
 /// Solves the structure under loads that vibrate,
 ///
-///     (K (1 + i omega tau) + i omega C - omega^2 M) q = f
+///     (K + i omega C - omega^2 M) q = f,   links: C = tau K
 ///
-/// for one frequency after another; omega^2 = `square` may be negative (a shift for eigenvalues)
-/// and zero (statics).
+/// for one frequency. A `double` solves without damping, at any square of omega: below zero (a
+/// shift of eigenvalues), zero (statics) and above.
 ///
 /// Method: rigid elements are gathered from the ends of a link towards one that stays, by a
 /// recursion on the dynamic stiffness D of all that lies behind a spring of flexibility F,
@@ -37,20 +38,69 @@ struct Deformation {
 /// statically S = 0, without round-off. What stays, one element of every link and the forces of the
 /// joints, is a small dense system. Work and memory grow linearly with the elements.
 /// Source: Horner, Pilkey, Journal of Mechanical Design 100 (1978), the Riccati transfer matrix
-/// method; mixed formulation.
+/// method.
 template <class Scalar>
 class DynamicStiffness {
  public:
-  /// Throws AnalysisError where a link or a group of them is free to move (names them), or an
-  /// undamped structure is in resonance.
-  DynamicStiffness(const Structure& structure, double square);
+  /// `omega`: of the damping [rad/s]; `square` = omega^2, or a shift. Throws AnalysisError where
+  /// links are free to move (names them) or the structure is undamped and exactly in resonance.
+  DynamicStiffness(const Structure& structure, double square, double omega);
 
   Deformation<Scalar> solve(const LinkColumns<Scalar>& loads) const;
 
+  /// How many natural frequencies lie below the root of `square`; undamped only. Source: Wittrick,
+  /// Williams, Quarterly Journal of Mechanics and Applied Mathematics 24 (1971).
+  std::size_t frequencies_below() const;
+
  private:
-  struct Work;
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+
+  /// How an element that is gathered follows from its neighbour towards the one that stays.
+  struct Step {
+    Scalar axial{1.0};                        ///< 1/(1 + f D)
+    Scalar b11{1.0}, b12{}, b21{}, b22{1.0};  ///< (I + F D)^-1
+  };
+  /// A joint's force on one element of a link: load per unit of force, in (u, w, phi).
+  struct Port {
+    std::size_t row = 0;  ///< of the joints' forces
+    std::size_t link = 0, element = 0;
+    double sign = 1.0;  ///< +1 on a, -1 on b
+    Eigen::Vector3d h = Eigen::Vector3d::Zero();
+  };
+  /// A force of a joint that is not zero.
+  struct Row {
+    std::size_t joint = 0;
+    int axis = 0;
+    Scalar flexibility{};
+  };
+  /// Loads of a link gathered at the places of its springs, and at the element that stays.
+  struct Gathered {
+    Eigen::Matrix<Scalar, 3, Eigen::Dynamic> at_spring;
+    Vector3 at_retained = Vector3::Zero();
+  };
+
+  void factor_link(std::size_t link);
+  void list_ports();
+  void factor_border();
+  Scalar damped(double flexibility, std::size_t link) const;
+  Gathered gather(std::size_t link, const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& loads) const;
+  void spread(std::size_t link, const Gathered& gathered, const Vector3& retained,
+              Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion) const;
+  [[noreturn]] void fail_singular() const;
+
   const Structure* structure_;
-  double square_;
+  double square_, omega_;
+  std::vector<std::size_t> retained_;                   ///< the element of each link that stays
+  std::vector<std::vector<Step>> steps_;                ///< of each link, by element
+  std::vector<Eigen::Matrix<Scalar, 3, 3>> stiffness_;  ///< of each link at that element
+  std::vector<Port> ports_;
+  std::vector<Row> rows_;
+  Matrix border_;          ///< scaled
+  Eigen::VectorXd scale_;  ///< of unknowns and equations of the border
+  Eigen::FullPivLU<Matrix> lu_;
+  std::size_t gathered_below_ = 0;  ///< negative pivots within links
 };
 
 /// No loads.
@@ -78,7 +128,9 @@ struct Response {
   Deformation<Complex> harmonic;
 };
 
-/// Throws AnalysisError where the structure is free to move or, undamped, in resonance.
+/// Throws AnalysisError where the structure is free to move or, undamped, in resonance: a millionth
+/// off a natural frequency that the loads excite, where the amplitude depends on nothing but that
+/// distance.
 Response response_of(const Structure& structure);
 Deformation<double> static_response(const Structure& structure);
 Deformation<Complex> harmonic_response(const Structure& structure, double frequency);

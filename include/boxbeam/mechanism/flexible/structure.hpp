@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
@@ -56,17 +58,28 @@ struct Structure {
   std::size_t elements() const;  ///< of all links
 };
 
+/// The mass of a part of the corrected form, as it is gathered in the nodes at its two ends: masses
+/// [kg], static moments about their nodes [kg m] and rotary inertia [kg m^2].
+///
+///     S_0 = mu_0 D^2/12,  S_1 = -mu_1 D^2/12,  m_0 + m_1 and the static moment those of the part
+///
+/// so that loads in proportion to the mass are taken to the nodes as their fixed-end forces are, by
+/// Euler and Maclaurin's formula. Uniform and linear accelerations are exact.
+struct PartLumps {
+  std::array<double, 2> mass{}, first_moment{}, rotary{};
+};
+PartLumps lumps_of(const Link& link, double from, double to);
+
 /// Divides a link. `nodes`: places that must be nodes; stretches between them and the ends of the
 /// link's stretches get parts in proportion to their length, in all at least the link's `parts`.
 ///
 /// Classical: a part of length D gives axial EA/D, shear GA/D and bending EI/D, taken in its
 /// middle; each rigid element has mass and inertia of its piece, from middle to middle.
 /// Corrected: the springs are the exact flexibility of the part about its middle (integrals of
-/// 1/EA, 1/GA + x^2/EI, x/EI, 1/EI); of the mass of each part, its total and its static moment are
-/// kept, with the moment mu D^2/12 at either node that uniform loads have, which cancels between
-/// equal parts and puts the mass of a free end D/6 inside; `held`: an end that does not move across
-/// the axis has it in the node. Orders: README.
-/// Sources: Wittbrodt, Adamiec-Wójcik, Wojciech, Dynamics of Flexible Multibody Systems (2006);
+/// 1/EA, 1/GA + x^2/EI, x/EI, 1/EI); masses as `lumps_of` gathers them, whose static moments cancel
+/// between equal parts and put the mass of a free end D/6 inside. There the inertia is at least
+/// that of this mass; not at an end that is `held` and does not move across the axis. Sources:
+/// Wittbrodt, Adamiec-Wójcik, Wojciech, Dynamics of Flexible Multibody Systems (2006);
 /// Przemieniecki, Theory of Matrix Structural Analysis (1968), section 5.6; Euler and Maclaurin's
 /// formula.
 struct HeldEnds {
@@ -74,6 +87,10 @@ struct HeldEnds {
 };
 DividedLink divide(const Link& link, std::vector<double> nodes, Element element,
                    const HeldEnds& held = {});
+
+/// What takes hold of a place: the element whose node is nearest, or, where divisions do not follow
+/// the joints, the one that holds the place.
+Grip grip_of(const Structure& structure, const Attachment& at);
 
 /// Divides all links and finds what joints and loads take hold of.
 Structure structure_of(const Mechanism& mechanism);
