@@ -86,7 +86,7 @@ TEST_CASE("motion and joint forces are those of the dense system: statics") {
     const auto dense = test::DenseStructure(structure).solve(0.0, loads);
     REQUIRE(dense.residual < 1e-12);
     const Difference gap =
-        difference(DynamicStiffness<double>(structure, 0.0).solve(loads), dense.deformation);
+        difference(DynamicStiffness<double>(structure, 0.0, 0.0).solve(loads), dense.deformation);
     CAPTURE(i, structure.elements());
     CHECK(gap.motion < 1e-11);
     CHECK(gap.joints < 1e-11);
@@ -108,12 +108,12 @@ TEST_CASE("motion and joint forces are those of the dense system: vibration and 
     Difference gap;
     if (want.damped) {
       const auto loads = random_loads<Complex>(chance, structure);
-      gap = difference(DynamicStiffness<Complex>(structure, square).solve(loads),
+      gap = difference(DynamicStiffness<Complex>(structure, square, std::sqrt(square)).solve(loads),
                        test::DenseStructure(structure).solve(square, loads).deformation);
     } else {
       if (i % 6 == 5) square = -square;  // the shift of an eigenvalue problem
       const auto loads = random_loads<double>(chance, structure);
-      gap = difference(DynamicStiffness<double>(structure, square).solve(loads),
+      gap = difference(DynamicStiffness<double>(structure, square, 0.0).solve(loads),
                        test::DenseStructure(structure).solve(square, loads).deformation);
     }
     CAPTURE(i, structure.elements(), square, want.damped);
@@ -137,7 +137,7 @@ TEST_CASE("reciprocity: the work of one load on the motion of another is mutual"
     {
       const auto p = random_loads<double>(chance, structure);
       const auto q = random_loads<double>(chance, structure);
-      const DynamicStiffness<double> statics(structure, 0.0);
+      const DynamicStiffness<double> statics(structure, 0.0, 0.0);
       const double pq = work(p, statics.solve(q).motion), qp = work(q, statics.solve(p).motion);
       const double size =
           std::sqrt(work(p, statics.solve(p).motion) * work(q, statics.solve(q).motion));
@@ -146,7 +146,8 @@ TEST_CASE("reciprocity: the work of one load on the motion of another is mutual"
     }
     const auto p = random_loads<Complex>(chance, structure);
     const auto q = random_loads<Complex>(chance, structure);
-    const DynamicStiffness<Complex> vibration(structure, square_of(5.0 + chance.any(4.0)));
+    const double square = square_of(5.0 + chance.any(4.0));
+    const DynamicStiffness<Complex> vibration(structure, square, std::sqrt(square));
     const auto of_p = vibration.solve(p), of_q = vibration.solve(q);
     const double size = std::max(std::abs(work(p, of_p.motion)), std::abs(work(q, of_q.motion)));
     CHECK(std::abs(work(p, of_q.motion) - work(q, of_p.motion)) < 1e-10 * size);
@@ -161,10 +162,11 @@ TEST_CASE("statically no load does negative work, and with damping none gives en
     const Mechanism mechanism = test::random_elastic(chance, want);
     const Structure structure = structure_of(mechanism);
     const auto p = random_loads<double>(chance, structure);
-    CHECK(work(p, DynamicStiffness<double>(structure, 0.0).solve(p).motion) > 0.0);
+    CHECK(work(p, DynamicStiffness<double>(structure, 0.0, 0.0).solve(p).motion) > 0.0);
+    const double square = square_of(7.0);
     // Mean power 1/2 Re(conj(f) i omega q) >= 0: the imaginary part of conj(f) q is not positive.
     auto f = random_loads<Complex>(chance, structure);
-    const auto q = DynamicStiffness<Complex>(structure, square_of(7.0)).solve(f).motion;
+    const auto q = DynamicStiffness<Complex>(structure, square, std::sqrt(square)).solve(f).motion;
     for (auto& link : f) link = link.conjugate().eval();
     const Complex power = work(f, q);
     CHECK(power.imag() < 1e-9 * std::abs(power));
@@ -251,8 +253,8 @@ TEST_CASE("what damps in the material only is a structure of complex moduli") {
   const Structure structure = structure_of(mechanism);
   const auto loads = random_loads<Complex>(chance, structure);
   const double omega = 400.0;
-  const auto statics = DynamicStiffness<Complex>(structure, 0.0).solve(loads);
-  const auto vibration = DynamicStiffness<Complex>(structure, omega * omega).solve(loads);
+  const auto statics = DynamicStiffness<Complex>(structure, 0.0, 0.0).solve(loads);
+  const auto vibration = DynamicStiffness<Complex>(structure, omega * omega, omega).solve(loads);
   const Complex viscous(1.0, omega * 2e-3);
   const double size = statics.motion[0].cwiseAbs().maxCoeff();
   CHECK((vibration.motion[0] * viscous - statics.motion[0]).cwiseAbs().maxCoeff() < 1e-9 * size);
