@@ -6,7 +6,8 @@ set -u
 . "$(dirname "$0")/common.sh"
 
 install_missing "${packages[@]}" "${test_packages[@]}"
-configure "$root/build" -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=ON -DBOXBEAM_BENCH=ON
+configure "$root/build" -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=ON -DBOXBEAM_BENCH=ON \
+  -DBOXBEAM_PRECOMPILE=ON
 build "$root/build" all
 
 say "Running the tests"

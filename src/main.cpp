@@ -23,6 +23,7 @@
 #include "boxbeam/report/section_text.hpp"
 #include "boxbeam/report/text_report.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
+#include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "version.hpp"
@@ -45,7 +46,8 @@ struct VerifyOptions {
   std::string json;
   std::vector<std::string> set;
   std::string dynamics;
-  std::string model = "auto";
+  std::string model;  ///< "": as the case says
+  std::optional<double> tolerance;
   bool no_plots = false;
 };
 
@@ -108,13 +110,27 @@ std::string write_reports(const Project& project, const Verification& verificati
   return "";
 }
 
-int run_verify(const VerifyOptions& options) {
-  if (options.model == "flexible") {
-    throw InputError("a case is verified with rigid bodies; it has no flexible model",
+/// Takes over which model is asked for.
+void take_model(const VerifyOptions& options, Project& project) {
+  if (options.tolerance) project.model.tolerance = *options.tolerance;
+  if (options.model.empty()) return;
+  project.model.demand = options.model == "auto"    ? ModelDemand::automatic
+                         : options.model == "rigid" ? ModelDemand::rigid
+                                                    : ModelDemand::flexible;
+  if (project.model.demand != ModelDemand::flexible) return;
+  if (in_space(project)) {
+    throw InputError("the bodies of a mechanism in space are rigid; there is no flexible model",
                      "use --model auto or --model rigid");
   }
-  const Project project =
-      read_project(options.case_file, options.set, dynamics_of(options.dynamics));
+  if (project.dynamics == Dynamics::newton_chain) {
+    throw InputError("the published Newton chain is one of rigid bodies",
+                     "use --model auto or --model rigid, or --dynamics rigorous");
+  }
+}
+
+int run_verify(const VerifyOptions& options) {
+  Project project = read_project(options.case_file, options.set, dynamics_of(options.dynamics));
+  take_model(options, project);
   const Verification verification = verify(project);
 
   const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
@@ -160,10 +176,28 @@ int run_assemblies(const Project& project, const MotionOptions& options) {
   return all_pass;
 }
 
+int run_flexible_motion(const Project& project, const MotionOptions& options) {
+  if (!options.at.empty()) {
+    throw InputError("elastic links vibrate about one posture: there are no instants to choose",
+                     "leave out --at");
+  }
+  if (options.assemblies) {
+    throw InputError("elastic links are placed by the case, which is their only assembly",
+                     "leave out --assemblies");
+  }
+  if (!options.axes.empty()) {
+    throw InputError("the motion of elastic links is given in world axes only", "leave out --axes");
+  }
+  const FlexibleMotionResult motion = flexible_motion_of(project);
+  put_result(options.json, motion_json(motion), motion_text(project, motion));
+  return all_pass;
+}
+
 int run_motion(const MotionOptions& options) {
   // The mechanism alone: where the beam's loads come from does not matter, so that a case made for
   // the chain can be moved as well.
   const Project project = read_project(options.case_file, options.set);
+  if (is_flexible(project)) return run_flexible_motion(project, options);
   if (options.assemblies) return run_assemblies(project, options);
   if (in_space(project)) {
     const std::string axes = options.axes.empty() ? "world" : options.axes;
@@ -289,6 +323,15 @@ int run_fatigue(const FatigueOptions& options) {
   return fatigue.passes() ? all_pass : check_fails;
 }
 
+/// What is wrong with the value of --tolerance, or nothing.
+std::string tolerance_trouble(const std::string& text) {
+  double fraction = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), fraction);
+  const bool number = error == std::errc{} && end == text.data() + text.size();
+  if (number && fraction >= 1e-9 && fraction < 1.0) return "";
+  return fmt::format("\"{}\" is no tolerance; write a fraction, for example 0.01 for 1 %", text);
+}
+
 /// What is wrong with the value of --at, or nothing. Farther away the phase of the motion is lost
 /// in the rounding of the period.
 std::string instant_trouble(const std::string& text) {
@@ -370,13 +413,22 @@ int run(int argc, char** argv) {
       ->add_option("--dynamics", verify_options.dynamics, "where the loads on the beam come from")
       ->check(CLI::IsMember({"rigorous", "newton-chain"}));
   verify_command
-      ->add_option("--model", verify_options.model, "auto, rigid or flexible (default: auto)")
+      ->add_option("--model", verify_options.model,
+                   "auto: the cheapest sufficient one; rigid; flexible (default: as the case says, "
+                   "else auto)")
       ->check(CLI::IsMember({"auto", "rigid", "flexible"}));
+  verify_command
+      ->add_option("--tolerance", verify_options.tolerance,
+                   "of --model auto: on the governing stress, 0.01 for 1 % (default: as the case "
+                   "says, else 0.01)")
+      ->check(tolerance_trouble);
   verify_command->add_flag("--no-plots", verify_options.no_plots, "write no plots");
 
   MotionOptions motion_options;
   CLI::App* motion_command = app.add_subcommand(
-      "motion", "positions, velocities, accelerations and reactions of the mechanism alone");
+      "motion",
+      "positions, velocities, accelerations and reactions of the mechanism alone; of elastic links "
+      "frequencies, static and harmonic response");
   motion_command->add_option("CASE", motion_options.case_file, "case file (.toml)")->required();
   motion_command
       ->add_option("--at", motion_options.at,

@@ -9,15 +9,17 @@
 namespace boxbeam {
 namespace {
 
-/// Whether the case is one in space.
-bool read_case(TableReader table, Project& project) {
+using readers::Kind;
+
+Kind read_case(TableReader table, Project& project) {
   project.name = table.text("name");
   project.title = table.text("title", project.name);
   project.assumptions = table.texts("assumptions", false);
   project.dynamics = table.choice("dynamics", {"rigorous", "newton-chain"}, 0) == 0
                          ? Dynamics::rigorous
                          : Dynamics::newton_chain;
-  const bool space = table.choice("kind", {"planar", "spatial"}) == 1;
+  constexpr Kind kinds[] = {Kind::planar, Kind::spatial, Kind::flexible};
+  const Kind kind = kinds[table.choice("kind", {"planar", "spatial", "flexible"})];
   table.finish();
   const bool plain = project.name.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
@@ -27,7 +29,7 @@ bool read_case(TableReader table, Project& project) {
     table.problem("name", "the name of a case is also the name of its report folder",
                   "use letters, digits, \"-\" and \"_\"");
   }
-  return space;
+  return kind;
 }
 
 /// Whether a joint pushes a body: with a force, not with a moment alone.
@@ -101,8 +103,11 @@ void check_rounding(TableReader& root, const Project& project) {
                "write for example \"0.1 MPa\"");
 }
 
-void check_dynamics(TableReader& root, const Project& project) {
-  if (project.dynamics == Dynamics::newton_chain && !project.chain) {
+void check_dynamics(TableReader& root, Kind kind, const Project& project) {
+  if (project.dynamics == Dynamics::newton_chain && kind != Kind::planar) {
+    root.problem("case", "the loads of a Newton chain are known for mechanisms in the plane only",
+                 "use rigorous dynamics");
+  } else if (project.dynamics == Dynamics::newton_chain && !project.chain) {
     root.problem("newton_chain",
                  "the loads of a Newton chain are asked for, but the case has no "
                  "[newton_chain]",
@@ -168,19 +173,19 @@ void add_points_on_axis(Project& project) {
   }
 }
 
-/// What belongs to mechanisms in the plane.
-void refuse_planar_parts(TableReader& root) {
+/// What belongs to rigid mechanisms in the plane.
+void refuse_planar_parts(TableReader& root, const char* kind) {
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
     if (!root.has(key)) continue;
-    root.problem(key, fmt::format("\"{}\" is known for mechanisms in the plane only", key),
-                 "remove it from this case of kind = \"spatial\"");
+    root.problem(key, fmt::format("\"{}\" is known for rigid mechanisms in the plane only", key),
+                 fmt::format("remove it from this case of kind = \"{}\"", kind));
   }
 }
 
 /// The same in space.
-std::string read_in_space(TableReader& root, const Node&, const readers::Sections& sections,
-                          TimeTables& tables, Project& project) {
+std::string read_in_space(TableReader& root, const readers::Sections& sections, TimeTables& tables,
+                          Project& project) {
   TableReader beam = root.table("beam");
   readers::read_beam(beam, sections, project);
   std::string beam_body = beam.text("body", "");
@@ -192,7 +197,7 @@ std::string read_in_space(TableReader& root, const Node&, const readers::Section
     for (const char* key : {"start", "axis", "z"}) static_cast<void>(beam.has(key));
   }
   beam.finish();
-  refuse_planar_parts(root);
+  refuse_planar_parts(root, "spatial");
   if (root.problems().empty()) {
     readers::place_beam(root, project.beam, project.placement, mechanism);
     project.hand_formulas = readers::read_hand_formulas(root, mechanism);
@@ -202,6 +207,50 @@ std::string read_in_space(TableReader& root, const Node&, const readers::Section
   project.mechanism = std::move(mechanism);
   if (root.problems().empty()) add_points_on_axis(project);
   return beam_body;
+}
+
+/// What belongs to rigid bodies.
+void refuse_rigid_parts(TableReader& root) {
+  for (const auto& [key, hint] :
+       {std::pair{"bodies", "links are elastic or rigid: write [links.<name>]"},
+        {"drivers", "what moves it are [loads.<name>] with amplitudes"},
+        {"forces", "write [loads.<name>], and springs as joints"},
+        {"hand_formulas", "remove it from this case of kind = \"flexible\""},
+        {"hand_symbols", "remove it from this case of kind = \"flexible\""}}) {
+    if (!root.has(key)) continue;
+    root.problem(key, fmt::format("\"{}\" is known for rigid mechanisms only", key), hint);
+  }
+}
+
+/// The points of the beam's link, named on the axis.
+void add_points_of_link(Project& project) {
+  const flexible::Link& link =
+      flexible_of(project).links[static_cast<std::size_t>(project.beam_body)];
+  for (const BodyPoint& point : link.points) {
+    const Length s = place_near(places_of(project.beam), si<Length>(point.p.x()));
+    const bool end = s == Length{} || s == project.beam.length();
+    if (end && (point.name == "start" || point.name == "end")) continue;
+    project.beam.points.push_back({point.name, s});
+  }
+}
+
+/// A mechanism of elastic links and its beam. Returns the name of the beam's link.
+std::string read_elastic(TableReader& root, readers::LinkDefaults& links, Project& project) {
+  TableReader beam = root.table("beam");
+  readers::read_beam(beam, *links.sections, project);
+  links.beam_link = beam.text("link");
+  beam.finish();
+  flexible::Mechanism mechanism = readers::read_flexible(root, links);
+  refuse_planar_parts(root, "flexible");
+  refuse_rigid_parts(root);
+  project.beam_body = readers::index_of(mechanism.links, links.beam_link);
+  if (project.beam_body < 0 && !links.beam_link.empty()) {
+    beam.problem("link", fmt::format("there is no link \"{}\"", links.beam_link),
+                 readers::unknown_hint(links.beam_link, readers::names_of(mechanism.links)));
+  }
+  project.mechanism = std::move(mechanism);
+  if (root.problems().empty()) add_points_of_link(project);
+  return links.beam_link;
 }
 
 Project read(CaseDocument document, const std::vector<std::string>& overrides,
@@ -217,18 +266,26 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
     problems.raise();
   }
   TableReader root(problems, document.root, "");
-  const bool space = read_case(root.table("case"), project);
+  const Kind kind = read_case(root.table("case"), project);
   if (dynamics) project.dynamics = *dynamics;
 
   const readers::Sections sections = readers::read_sections(root.table("sections"));
-  const auto read_mechanism = space ? read_in_space : read_in_plane;
-  const std::string beam_body = read_mechanism(root, document.root, sections, tables, project);
-  readers::read_situations(root, document.root, beam_body, tables, project);
+  readers::LinkDefaults links{&sections, &project.beam, "", &project.model, {}};
+  links.form = readers::read_model(root, kind, project.model);
+  std::string beam_body;
+  switch (kind) {
+    case Kind::planar:
+      beam_body = read_in_plane(root, document.root, sections, tables, project);
+      break;
+    case Kind::spatial: beam_body = read_in_space(root, sections, tables, project); break;
+    case Kind::flexible: beam_body = read_elastic(root, links, project); break;
+  }
+  readers::read_situations(root, document.root, beam_body, links, tables, project);
   readers::read_demands(root, project);
-  if (!space) readers::read_neighbours(root, sections, project);
+  if (kind == Kind::planar) readers::read_neighbours(root, sections, project);
   readers::check_net_sections(root, project);
   check_rounding(root, project);
-  check_dynamics(root, project);
+  check_dynamics(root, kind, project);
   root.finish();
   problems.raise();
   project.sha256 = document.sha256_of_input();

@@ -194,6 +194,8 @@ std::string name_of(const DimensionExponents& exponents) {
                                               wanted::torsional_stiffness,
                                               wanted::torsional_damping,
                                               wanted::stress,
+                                              wanted::line_mass,
+                                              wanted::bending_stiffness,
                                               wanted::density,
                                               wanted::inertia,
                                               wanted::time,

@@ -8,7 +8,6 @@
 #include "readers.hpp"
 
 namespace boxbeam::readers {
-namespace {
 
 Segment read_segment(TableReader table, std::size_t number, Length start,
                      const Sections& sections) {
@@ -36,6 +35,8 @@ Segment read_segment(TableReader table, std::size_t number, Length start,
   table.finish();
   return segment;
 }
+
+namespace {
 
 /// How far from its middle the plate of a hole is flat, on the narrower side.
 Length room_for_holes(const Profile& profile, HoleWalls walls) {

@@ -172,7 +172,11 @@ Section read_nested_section(const std::string& name, TableReader& reader, const 
 }  // namespace
 
 Section named_section(TableReader& table, std::string_view key, const Sections& sections) {
-  const std::string name = table.text(key);
+  return section_called(table, key, table.text(key), sections);
+}
+
+Section section_called(TableReader& table, std::string_view key, const std::string& name,
+                       const Sections& sections) {
   const auto found = sections.find(name);
   if (found != sections.end()) return found->second;
   if (!name.empty()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "readers.hpp"
 
@@ -11,6 +12,14 @@ namespace {
 /// The parts of a case that a situation may change: how the mechanism runs, not what is verified.
 constexpr std::array changeable{"mechanism", "bodies", "joints", "drivers",
                                 "forces",    "loops",  "motion"};
+constexpr std::array changeable_elastic{"mechanism", "links", "joints", "loads", "motion"};
+
+/// What a situation changes, for a mechanism of rigid bodies or of elastic links.
+struct Changeable {
+  std::span<const char* const> parts;
+  const char* example;
+  std::string beam;  ///< the beam's body or link
+};
 
 /// The value of a key as the report shows it.
 std::string text_of(const Node& value) {
@@ -79,19 +88,23 @@ bool is_there(ProblemList& problems, const Change& change, const std::vector<Cha
 }
 
 /// Whether a value may differ in a situation; notes it where not.
-bool may_change(ProblemList& problems, const Change& change, const std::string& beam_body) {
+bool may_change(ProblemList& problems, const Change& change, const Changeable& changes) {
   const std::vector<std::string>& parts = change.parts;
   const Place& place = change.member->key_place;
-  const bool known = parts.size() > 1 && std::find(parts.begin(), parts.end(), "") == parts.end() &&
-                     std::find(changeable.begin(), changeable.end(), parts[0]) != changeable.end();
+  const bool known =
+      parts.size() > 1 && std::find(parts.begin(), parts.end(), "") == parts.end() &&
+      std::find(changes.parts.begin(), changes.parts.end(), parts[0]) != changes.parts.end();
   if (!known) {
     problems.add(place, fmt::format("a situation cannot change \"{}\"", change.key()),
                  fmt::format("it changes how the mechanism runs, with the full key: "
-                             "\"drivers.exciter.frequency\"; one of {}",
-                             fmt::join(changeable, ", ")));
+                             "\"{}\"; one of {}",
+                             changes.example, fmt::join(changes.parts, ", ")));
     return false;
   }
-  if (parts[0] == "bodies" && parts[1] == beam_body) {
+  // How the beam's link is modelled and placed may differ, not where its points are.
+  const bool link =
+      parts[0] == "links" && parts.size() > 2 && (parts[2] == "points" || parts[2] == "length");
+  if ((parts[0] == "bodies" || link) && parts[1] == changes.beam) {
     problems.add(place, "a situation cannot change the beam itself",
                  "write a case of its own for another beam");
     return false;
@@ -125,8 +138,11 @@ void drop_old_kind(Node& root, const Change& change) {
 /// The mechanism as it runs in a situation: the case once more with other values.
 AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& situation,
                                const Project& project, const std::string& beam_body,
-                               TimeTables& tables) {
+                               const LinkDefaults& links, TimeTables& tables) {
   ProblemList& problems = set.problems();
+  const Changeable changeable_here =
+      is_flexible(project) ? Changeable{changeable_elastic, "loads.drilling.phase", beam_body}
+                           : Changeable{changeable, "drivers.exciter.frequency", beam_body};
   std::vector<Change> changes;
   collect(set.members(), {}, changes);
   Node changed = root;
@@ -135,7 +151,8 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
     if (change.parts[0] == "drivers" || change.parts.size() > 3) drop_old_kind(changed, change);
   }
   for (const Change& change : changes) {
-    if (!may_change(problems, change, beam_body) || !is_there(problems, change, changes, root))
+    if (!may_change(problems, change, changeable_here) ||
+        !is_there(problems, change, changes, root))
       continue;
     const Node::Member& member = *change.member;
     situation.set.push_back(fmt::format("{} = {}", change.key(), text_of(member.value)));
@@ -145,6 +162,7 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
   }
   if (!problems.empty()) return project.mechanism;
   TableReader reader(problems, changed, "");
+  if (is_flexible(project)) return read_flexible(reader, links);
   if (in_space(project)) {
     spatial::Mechanism mechanism = read_chain(reader, beam_body, tables);
     if (!problems.empty()) return project.mechanism;
@@ -214,7 +232,7 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
 }  // namespace
 
 void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
-                     TimeTables& tables, Project& project) {
+                     const LinkDefaults& links, TimeTables& tables, Project& project) {
   std::vector<TableReader> listed = root.tables("situations");
   TableReader fatigue = root.table("fatigue", false);
   if (listed.empty()) {
@@ -241,7 +259,8 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
       if (table.has("set")) {
         TableReader set = table.table("set");
         set.accept_all();
-        situation.changed = changed_mechanism(set, tree, situation, project, beam_body, tables);
+        situation.changed =
+            changed_mechanism(set, tree, situation, project, beam_body, links, tables);
       }
     }
     table.finish();

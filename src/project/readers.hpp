@@ -20,8 +20,15 @@ using Sections = std::map<std::string, Section>;
 /// [sections]: every kind of profile, and nested ones. A section with a problem has a defect.
 Sections read_sections(TableReader table);
 
-/// The section named by the value of a key; one with a defect where there is none.
+/// The section of a name that stands under a key; one with a defect where there is none.
+Section section_called(TableReader& table, std::string_view key, const std::string& name,
+                       const Sections& sections);
+
+/// The section named by the value of a key; likewise.
 Section named_section(TableReader& table, std::string_view key, const Sections& sections);
+
+/// One of [[segments]]; `number` names it where it has no name.
+Segment read_segment(TableReader table, std::size_t number, Length start, const Sections& sections);
 
 /// Segments, holes and places of [beam]; fills the project's beam and hole cases.
 void read_beam(TableReader& table, const Sections& sections, Project& project);
@@ -94,6 +101,40 @@ spatial::BeamPlacement read_placement(TableReader& beam, const spatial::Mechanis
 void place_beam(TableReader& root, const TaperedBeam& beam, const spatial::BeamPlacement& placement,
                 spatial::Mechanism& mechanism);
 
+/// The kinds of a case, in the order of their words.
+enum class Kind { planar, spatial, flexible };
+
+/// How elastic links are divided.
+struct ElasticForm {
+  flexible::Element element = flexible::Element::corrected;
+  bool nodes_at_joints = true;
+};
+
+/// [model], which may be missing: which model is wanted, and what all elastic links have in common.
+ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input);
+
+/// "damping" of elastic links as retardation time [s]: a time tau, or a ratio zeta at a frequency
+/// f, tau = 2 zeta/(2 pi f).
+double read_retardation(TableReader& table, std::optional<double> fallback);
+
+/// What the links of a case have in common.
+struct LinkDefaults {
+  const Sections* sections = nullptr;
+  const TaperedBeam* beam = nullptr;
+  std::string beam_link;
+  const ModelInput* model = nullptr;
+  ElasticForm form;
+};
+
+/// At most so many parts of a link.
+inline constexpr int most_parts = 1'000'000;
+
+/// [links], in the order of the file, placed in the world.
+std::vector<flexible::Link> read_links(TableReader& root, const LinkDefaults& defaults);
+
+/// A mechanism of elastic links: [mechanism], [links], [joints], [loads] and [motion].
+flexible::Mechanism read_flexible(TableReader& root, const LinkDefaults& defaults);
+
 /// [[hand_formulas]]: the user's own formulas, evaluated, to be printed beside the results.
 std::vector<HandFormula> read_hand_formulas(TableReader& root, const spatial::Mechanism& mechanism);
 
@@ -136,6 +177,15 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
+/// Index of the item of a name, -1 where there is none.
+template <class Items>
+int index_of(const Items& items, const std::string& name) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 /// The nearest of the known names, or all of them where none is near.
 std::string unknown_hint(std::string_view name, const std::vector<std::string>& known);
 
@@ -150,9 +200,10 @@ Length station_of(TableReader& table, std::string_view key, const TaperedBeam& b
 planar::NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechanism,
                                       const TaperedBeam& beam, int beam_body);
 
-/// [[situations]], or the only one there is. `tree` is the case, which a situation changes.
+/// [[situations]], or the only one there is. `tree` is the case, which a situation changes;
+/// `links` is what elastic links have in common.
 void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
-                     TimeTables& tables, Project& project);
+                     const LinkDefaults& links, TimeTables& tables, Project& project);
 
 void read_demands(TableReader& root, Project& project);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace boxbeam {
 namespace {
@@ -333,6 +334,50 @@ std::vector<double> TableReader::quantities(std::string_view key,
         quantity_in((*items)[i], fmt::format("\"{}\", value {},", key, i + 1), each[i]));
   }
   return values;
+}
+
+std::vector<double> TableReader::per_direction(std::string_view key, std::size_t count,
+                                               const WantedDimension& wanted,
+                                               std::string_view infinite,
+                                               std::optional<double> fallback) {
+  const std::string or_infinite =
+      infinite.empty() ? std::string() : fmt::format(", or \"{}\"", infinite);
+  const Node* node =
+      take_or_say(key, !fallback, fmt::format("write {} = {}{}", key, wanted.example, or_infinite));
+  if (node == nullptr) return std::vector<double>(count, fallback.value_or(std::nan("")));
+  const auto value_of = [&](const Node& item) {
+    if (!infinite.empty() && item.kind == Node::Kind::text && item.text == infinite) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const double value = quantity_in(item, fmt::format("\"{}\"", key), wanted);
+    if (value < 0.0) {
+      problem(key, fmt::format("\"{}\" must not be below zero", key),
+              fmt::format("write for example {}{}", wanted.example, or_infinite));
+    }
+    return value;
+  };
+  if (node->kind != Node::Kind::array) return std::vector<double>(count, value_of(*node));
+  if (node->items.size() != count) {
+    problem(key,
+            count == 1
+                ? fmt::format("\"{}\" is one value", key)
+                : fmt::format("\"{}\" is one value, or one for each of {} directions", key, count),
+            fmt::format("write for example {0} = {1}", key, wanted.example));
+    return std::vector<double>(count, std::nan(""));
+  }
+  std::vector<double> values;
+  for (const Node& item : node->items) values.push_back(value_of(item));
+  return values;
+}
+
+bool TableReader::is_list(std::string_view key) const {
+  const Node* node = table_->find(key);
+  return node != nullptr && node->kind == Node::Kind::array;
+}
+
+bool TableReader::is_table(std::string_view key) const {
+  const Node* node = table_->find(key);
+  return node != nullptr && node->kind == Node::Kind::table;
 }
 
 double TableReader::bare_number(std::string_view key, std::optional<double> fallback,

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
+#include "boxbeam/verification/elastic_model.hpp"
 
 namespace boxbeam {
 namespace {
@@ -84,13 +88,6 @@ void check_unique_loads(const planar::Mechanism& mechanism, const planar::Motion
 
 using AnyMotion = std::variant<planar::Motion, spatial::Motion, FlexibleMotion>;
 
-FlexibleMotion flexible_motion_of(const flexible::Mechanism& of, const ElasticModel&) {
-  auto mechanism = std::make_shared<const flexible::Mechanism>(of);
-  auto structure = std::make_shared<const flexible::Structure>(flexible::structure_of(*mechanism));
-  flexible::Response response = flexible::response_of(*structure);
-  return {std::move(mechanism), std::move(structure), std::move(response)};
-}
-
 AnyMotion motion_in(const Project& project, const Situation& situation, const ElasticModel& model) {
   if (is_flexible(project)) return flexible_motion_of(flexible_in(project, situation), model);
   if (in_space(project)) {
@@ -108,8 +105,9 @@ LoadHistory loads_in(const Project& project, const Situation& situation, const A
     constexpr std::size_t instants = 96;
     const double frequency = elastic->response.frequency;
     const LoadSpan span{Time{}, si<Time>(frequency > 0.0 ? 1.0 / frequency : 1.0), instants, true};
-    auto of = std::make_shared<const flexible::BeamResponse>(flexible::beam_response_of(
-        *elastic->structure, project.beam_body, project.beam, elastic->response));
+    auto of = std::make_shared<const flexible::BeamResponse>(
+        flexible::beam_response_of(*elastic->structure, project.beam_body, project.beam,
+                                   elastic->response, elastic->inertial));
     return {span, [of](Time time) { return flexible::beam_loads_at(*of, time.value()); }};
   }
   if (const auto* space = std::get_if<spatial::Motion>(&motion)) {
@@ -154,7 +152,42 @@ double imbalance_over(const Project& project, const Situation& situation,
   return worst;
 }
 
+/// Static response to loads and to the inertia of a motion, as phasors.
+flexible::Deformation<flexible::Complex> static_response_to(
+    const flexible::Structure& structure, const flexible::LinkColumns<flexible::Complex>& inertial,
+    double frequency) {
+  const double square = std::pow(2.0 * std::numbers::pi * frequency, 2);
+  flexible::LinkColumns<flexible::Complex> loads = flexible::harmonic_loads(structure);
+  const auto inertia = flexible::mass_times(structure, inertial);
+  for (std::size_t k = 0; k < loads.size(); ++k) loads[k] += square * inertia[k];
+  return flexible::DynamicStiffness<flexible::Complex>(structure, 0.0, 0.0).solve(loads);
+}
+
 }  // namespace
+
+FlexibleMotion flexible_motion_of(const flexible::Mechanism& of, const ElasticModel& model) {
+  FlexibleMotion motion;
+  motion.mechanism = std::make_shared<const flexible::Mechanism>(modelled(of, model));
+  motion.structure =
+      std::make_shared<const flexible::Structure>(flexible::structure_of(*motion.mechanism));
+  const flexible::Structure& structure = *motion.structure;
+  const bool reduced = model.level == ModelLevel::quasi_static || model.level == ModelLevel::modal;
+  if (!reduced || of.frequency == 0.0) {
+    motion.response = flexible::response_of(structure);
+    motion.inertial = motion.response.harmonic.motion;
+    return motion;
+  }
+  motion.response.frequency = of.frequency;
+  motion.response.constant = flexible::static_response(structure);
+  motion.inertial = flexible::no_loads<flexible::Complex>(structure);
+  if (model.level == ModelLevel::modal) {
+    const flexible::ModalModel modes =
+        flexible::modal_model_of(structure, static_cast<std::size_t>(model.modes));
+    motion.inertial = flexible::harmonic_response(modes, of.frequency, false).motion;
+  }
+  motion.response.harmonic = static_response_to(structure, motion.inertial, of.frequency);
+  return motion;
+}
 
 SituationRun::SituationRun(const Project& project, const Situation& of, const ElasticModel& model)
     : situation(&of),
@@ -180,6 +213,10 @@ std::deque<SituationRun> run_situations(const Project& project, const ElasticMod
 
 const planar::Motion& planar_motion_of(const SituationRun& run) {
   return std::get<planar::Motion>(run.motion);
+}
+
+const FlexibleMotion& flexible_motion_of(const SituationRun& run) {
+  return std::get<FlexibleMotion>(run.motion);
 }
 
 std::size_t index_of(const Project& project, const Situation& situation) {

@@ -45,6 +45,9 @@ inline constexpr WantedDimension angular_velocity{
     {0, 0, -1, 1}, "an angular velocity", "\"6 rpm\" or \"0.63 rad/s\""};
 inline constexpr WantedDimension acceleration{{1, 0, -2, 0}, "an acceleration", "\"9.81 m/s^2\""};
 inline constexpr WantedDimension stress{{-1, 1, -2, 0}, "a stress", "\"355 MPa\""};
+inline constexpr WantedDimension line_mass{{-1, 1, 0, 0}, "a mass per length", "\"60 kg/m\""};
+inline constexpr WantedDimension bending_stiffness{
+    {3, 1, -2, 0}, "a bending stiffness", "\"12 MN m^2\""};
 inline constexpr WantedDimension density{{-3, 1, 0, 0}, "a density", "\"7850 kg/m^3\""};
 inline constexpr WantedDimension inertia{{2, 1, 0, 0}, "a moment of inertia", "\"7.43 kg m^2\""};
 inline constexpr WantedDimension velocity{{1, 0, -1, 0}, "a velocity", "\"10 mm/s\""};

@@ -59,6 +59,14 @@ class TableReader {
   std::vector<double> quantities(std::string_view key, const WantedDimension& wanted);
   /// The same, each of a dimension of its own; not more than there are dimensions.
   std::vector<double> quantities(std::string_view key, std::span<const WantedDimension> each);
+  /// Not below zero, one for each of `count` directions: a single value is that of all. The word
+  /// `infinite`, where not empty, stands for an infinite one.
+  std::vector<double> per_direction(std::string_view key, std::size_t count,
+                                    const WantedDimension& wanted, std::string_view infinite = {},
+                                    std::optional<double> fallback = {});
+  /// Whether the value of a key is a list, or a table.
+  bool is_list(std::string_view key) const;
+  bool is_table(std::string_view key) const;
 
   /// A bare, finite number above zero and of a size that can be meant.
   double number(std::string_view key, std::optional<double> fallback = {});

@@ -5,6 +5,7 @@
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
+#include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 
@@ -19,6 +20,10 @@ std::string motion_json(const MotionResult& motion);
 /// The same of kind spatial: vectors of three in the axes that "axes" names; hand formulas of the
 /// case in world axes.
 std::string motion_json(const ChainMotionResult& motion);
+
+/// The same of kind flexible: "frequencies", "static", "harmonic" (phasors as [re, im] of
+/// e^(i omega t), of which the imaginary part counts) and "discretisation", the errors.
+std::string motion_json(const FlexibleMotionResult& motion);
 
 /// The assemblies at an instant, "boxbeam.assemblies/1".
 std::string assemblies_json(const std::vector<AssemblyResult>& assemblies, double time);

@@ -5,6 +5,7 @@
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/chain_motion_result.hpp"
+#include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 
 namespace boxbeam {
@@ -12,6 +13,7 @@ namespace boxbeam {
 /// The motion of a mechanism as tables.
 std::string motion_text(const Project& project, const MotionResult& motion);
 std::string motion_text(const Project& project, const ChainMotionResult& motion);
+std::string motion_text(const Project& project, const FlexibleMotionResult& motion);
 
 /// The assemblies of the mechanism at an instant as a table.
 std::string assemblies_text(const Project& project, const std::vector<AssemblyResult>& assemblies,

@@ -13,12 +13,20 @@
 
 namespace boxbeam {
 
-/// The vibration of elastic links: the model that is solved, and its response.
+/// The vibration of elastic links: the mechanism as the model takes it, and its response.
 struct FlexibleMotion {
   std::shared_ptr<const flexible::Mechanism> mechanism;
   std::shared_ptr<const flexible::Structure> structure;
   flexible::Response response;
+  /// The motion whose inertia is in the response: its own, or as much as the model counts.
+  flexible::LinkColumns<flexible::Complex> inertial;
 };
+
+/// Solves the model of a mechanism of elastic links. Quasi-static: without inertia. Modal: the
+/// inertia of the modes' own motion, and the static response to it and to the loads (mode
+/// acceleration, in balance to round-off). Throws AnalysisError where the structure is free to move
+/// or, undamped, in resonance.
+FlexibleMotion flexible_motion_of(const flexible::Mechanism& mechanism, const ElasticModel& model);
 
 /// A situation that runs: its motion, and the loads on the beam over it. Stays where it is made,
 /// for its loads look at its motion.
@@ -51,8 +59,11 @@ struct SituationHistory {
   StationHistory history;
 };
 
-/// The motion of a mechanism in the plane.
+/// The motion of a mechanism of rigid bodies in the plane.
 const planar::Motion& planar_motion_of(const SituationRun& run);
+
+/// The vibration of elastic links.
+const FlexibleMotion& flexible_motion_of(const SituationRun& run);
 
 std::size_t index_of(const Project& project, const Situation& situation);
 

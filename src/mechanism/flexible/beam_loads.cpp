@@ -1,3 +1,293 @@
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 
-namespace boxbeam::flexible {}  // namespace boxbeam::flexible
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace boxbeam::flexible {
+namespace {
+
+/// Mass per length where it is one polynomial.
+struct MassStretch {
+  double start = 0.0, length = 0.0;  ///< [m]
+  Polynomial<2> mass;                ///< [kg/m]
+  Polynomial<4> rotary;              ///< [kg m]
+};
+
+/// How the mass of a link lies; of a rigid one that does not know, as that of the beam.
+std::vector<MassStretch> mass_of(const Link& link, const TaperedBeam& beam) {
+  std::vector<MassStretch> stretches;
+  for (const LinkStretch& of : link.stretches) {
+    stretches.push_back({of.start, of.length, of.mass, of.rotary});
+  }
+  if (!stretches.empty()) return stretches;
+  const std::vector<SegmentMass> distribution = mass_distribution_of(beam);
+  for (std::size_t i = 0; i < distribution.size(); ++i) {
+    const Segment& segment = beam.segments[i];
+    stretches.push_back({segment.start.value(), segment.length.value(), distribution[i].mass,
+                         distribution[i].rotary_y});
+  }
+  return stretches;
+}
+
+/// A stretch of the beam over which all line loads are polynomials.
+struct Interval {
+  double from = 0.0, to = 0.0;
+  std::size_t stretch = 0;  ///< of mass
+  std::size_t piece = 0;    ///< classical: the rigid element; corrected: the part
+};
+
+/// Where the division puts inertia together: middles of the classical springs, nodes of the others.
+std::vector<double> borders_of(const DividedLink& divided, Element element) {
+  std::vector<double> borders;
+  if (divided.springs.empty()) return borders;
+  if (element == Element::classical) {
+    for (const SpringElement& spring : divided.springs) borders.push_back(spring.place);
+  } else {
+    for (std::size_t i = 1; i < divided.springs.size(); ++i) {
+      borders.push_back(divided.springs[i].from);
+    }
+  }
+  return borders;
+}
+
+std::vector<Interval> intervals_of(const std::vector<MassStretch>& stretches,
+                                   const std::vector<double>& borders) {
+  std::vector<Interval> intervals;
+  const double length = stretches.back().start + stretches.back().length;
+  const double nothing = 1e-9 * length;
+  std::size_t piece = 0;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const double end = stretches[k].start + stretches[k].length;
+    double at = stretches[k].start;
+    // A border at the start of a stretch: what lies before it is done.
+    while (piece < borders.size() && borders[piece] < at + nothing) ++piece;
+    while (piece < borders.size() && borders[piece] < end - nothing) {
+      intervals.push_back({at, borders[piece], k, piece});
+      at = borders[piece++];
+    }
+    intervals.push_back({at, end, k, piece});
+  }
+  return intervals;
+}
+
+/// The same polynomial of the distance from another place.
+template <int Degree>
+Polynomial<Degree> shifted(const Polynomial<Degree>& p, double by, double length) {
+  if (by == 0.0) return p;
+  return interpolate<Degree>([&](double x) { return p(x + by); }, length);
+}
+
+LineLoad empty_line(const Interval& of) {
+  return {si<Length>(of.from), si<Length>(of.to - of.from), {}, {}};
+}
+
+/// What the motion of a link's elements leaves along it.
+class Inertia {
+ public:
+  Inertia(const Structure& structure, std::size_t link, const std::vector<MassStretch>& stretches)
+      : structure_(&structure),
+        link_(link),
+        stretches_(&stretches),
+        gathered_(structure.mechanism->element == Element::corrected &&
+                  !divided().springs.empty()) {
+    if (!gathered_) return;
+    const Link& of = structure.mechanism->links[link];
+    for (const SpringElement& part : divided().springs) {
+      parts_.push_back(lumps_of(of, part.from, part.to));
+    }
+  }
+
+  /// `motion` times the square of omega.
+  LineLoad line(const Interval& of, const Eigen::Matrix3Xd& motion) const {
+    return gathered_ ? line_of_part(of, motion) : line_of_element(of, motion);
+  }
+
+ private:
+  const DividedLink& divided() const { return structure_->links[link_]; }
+
+  LineLoad line_of_element(const Interval& of, const Eigen::Matrix3Xd& motion) const {
+    const MassStretch& stretch = (*stretches_)[of.stretch];
+    const Eigen::Vector3d q = motion.col(static_cast<Eigen::Index>(of.piece));
+    const double by = of.from - stretch.start;
+    const double length = of.to - of.from;
+    const Polynomial<2> mass = shifted(stretch.mass, by, length);
+    LineLoad line = empty_line(of);
+    line.force[0] = q[0] * mass + Polynomial<3>{};
+    line.force[2] =
+        mass * Polynomial<1>{{q[1] + q[2] * (of.from - divided().elements[of.piece].node), q[2]}};
+    // y points into the plane: counter-clockwise is negative about it.
+    line.couple[1] = -q[2] * shifted(stretch.rotary, by, length);
+    return line;
+  }
+
+  /// What an element has of inertia beyond its masses' rotary one, for each part beside it.
+  double added_inertia(std::size_t element) const {
+    double rotary = 0.0;
+    double parts = 0.0;
+    if (element > 0) {
+      rotary += parts_[element - 1].rotary[1];
+      parts += 1.0;
+    }
+    if (element < parts_.size()) {
+      rotary += parts_[element].rotary[0];
+      parts += 1.0;
+    }
+    return (divided().elements[element].inertia - rotary) / parts;
+  }
+
+  LineLoad line_of_part(const Interval& of, const Eigen::Matrix3Xd& motion) const {
+    const std::size_t i = of.piece;
+    const PartLumps& lumps = parts_[i];
+    const SpringElement& part = divided().springs[i];
+    const double D = part.to - part.from;
+    const Eigen::Vector3d q0 = motion.col(static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d q1 = motion.col(static_cast<Eigen::Index>(i) + 1);
+    const auto& [m0, m1] = lumps.mass;
+    const auto& [S0, S1] = lumps.first_moment;
+    const double P0 = m0 * q0[1] + S0 * q0[2];
+    const double P1 = m1 * q1[1] + S1 * q1[2];
+    const double Q =
+        S0 * q0[1] + S1 * q1[1] + D * P1 + added_inertia(i) * q0[2] + added_inertia(i + 1) * q1[2];
+    const double slope = (12.0 * Q - 6.0 * (P0 + P1) * D) / (D * D * D);
+    const double from = of.from - part.from;
+    const auto linear = [&](double at_start, double per_length) {
+      return Polynomial<1>{{at_start + per_length * from, per_length}};
+    };
+    // Between the values a and b at the ends: a D/2 + b D/2 in all.
+    const auto between = [&](double a, double b) {
+      return linear(2.0 * a / D, 2.0 * (b - a) / (D * D));
+    };
+    LineLoad line = empty_line(of);
+    line.force[0] = between(m0 * q0[0], m1 * q1[0]) + Polynomial<3>{};
+    line.force[2] = linear((P0 + P1) / D - 0.5 * slope * D, slope) + Polynomial<3>{};
+    line.couple[1] =
+        -1.0 * between(lumps.rotary[0] * q0[2], lumps.rotary[1] * q1[2]) + Polynomial<4>{};
+    return line;
+  }
+
+  const Structure* structure_;
+  std::size_t link_;
+  const std::vector<MassStretch>* stretches_;
+  bool gathered_;
+  std::vector<PartLumps> parts_;
+};
+
+/// Calls of_joint(joint, place on the link, sign of its force there) and of_load(load) in the order
+/// of the point loads.
+template <class OfJoint, class OfLoad>
+void each_point(const Mechanism& mechanism, int link, const OfJoint& of_joint,
+                const OfLoad& of_load) {
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    if (joint.a.link == link) of_joint(j, joint.a.p, 1.0);
+    if (joint.b.link == link) of_joint(j, joint.b.p, -1.0);
+  }
+  for (const Load& load : mechanism.loads) {
+    if (load.at.link == link) of_load(load);
+  }
+}
+
+/// A force and couple (x, y, couple in the world) at a place of a link, as a load on its axis.
+PointLoad point_load(const Link& link, Length s, const Eigen::Vector2d& p,
+                     const Eigen::Vector3d& world) {
+  const Eigen::Vector2d force = Eigen::Rotation2Dd(-link.angle) * world.head<2>();
+  PointLoad load;
+  load.s = s;
+  load.force = {force.x(), 0.0, force.y()};
+  load.moment.y() = -world[2] + p.y() * force.x();
+  return load;
+}
+
+template <int Degree>
+void add(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
+  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
+}
+
+void add(BeamLoads& sum, double factor, const BeamLoads& loads) {
+  for (std::size_t i = 0; i < loads.points.size(); ++i) {
+    sum.points[i].force += factor * loads.points[i].force;
+    sum.points[i].moment += factor * loads.points[i].moment;
+  }
+  for (std::size_t i = 0; i < loads.lines.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      add(sum.lines[i].force[axis], factor, loads.lines[i].force[axis]);
+      add(sum.lines[i].couple[axis], factor, loads.lines[i].couple[axis]);
+    }
+  }
+}
+
+double omega_of(double frequency) { return 2.0 * std::numbers::pi * frequency; }
+
+}  // namespace
+
+BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
+                              const Response& response, const LinkColumns<Complex>& inertial) {
+  const Mechanism& mechanism = *structure.mechanism;
+  const auto index = static_cast<std::size_t>(link);
+  const Link& of = mechanism.links[index];
+  BeamResponse result;
+  result.frequency = response.frequency;
+
+  const std::vector<MassStretch> stretches = mass_of(of, beam);
+  const std::vector<Interval> intervals =
+      intervals_of(stretches, borders_of(structure.links[index], mechanism.element));
+  // The beam's own places are met exactly: cut forces jump there.
+  const std::vector<Length> places = places_of(beam);
+  const auto add_point = [&](const Eigen::Vector2d& p, const Eigen::Vector3d& constant,
+                             const Eigen::Vector3cd& harmonic) {
+    const Length s = place_near(places, si<Length>(p.x()));
+    result.constant.points.push_back(point_load(of, s, p, constant));
+    result.sine.points.push_back(point_load(of, s, p, harmonic.real()));
+    result.cosine.points.push_back(point_load(of, s, p, harmonic.imag()));
+  };
+  each_point(
+      mechanism, link,
+      [&](std::size_t joint, const Eigen::Vector2d& p, double sign) {
+        add_point(p, sign * joint_force(structure, joint, response.constant),
+                  sign * joint_force(structure, joint, response.harmonic));
+      },
+      [&](const Load& load) {
+        add_point(load.at.p, load.constant, std::polar(1.0, load.phase) * load.amplitude);
+      });
+
+  const Eigen::Vector2d g = Eigen::Rotation2Dd(-of.angle) * mechanism.gravity;
+  const double square = std::pow(omega_of(response.frequency), 2);
+  const Inertia inertia(structure, index, stretches);
+  const Eigen::Matrix3Xd real = square * inertial[index].real();
+  const Eigen::Matrix3Xd imaginary = square * inertial[index].imag();
+  for (const Interval& interval : intervals) {
+    const MassStretch& stretch = stretches[interval.stretch];
+    const Polynomial<2> mass =
+        shifted(stretch.mass, interval.from - stretch.start, interval.to - interval.from);
+    LineLoad& weight = result.constant.lines.emplace_back(empty_line(interval));
+    weight.force[0] = g.x() * mass + Polynomial<3>{};
+    weight.force[2] = g.y() * mass + Polynomial<3>{};
+    result.sine.lines.push_back(inertia.line(interval, real));
+    result.cosine.lines.push_back(inertia.line(interval, imaginary));
+  }
+  return result;
+}
+
+BeamLoads beam_loads_at(const BeamResponse& response, double time) {
+  const double angle = omega_of(response.frequency) * time;
+  BeamLoads loads = response.constant;
+  if (response.frequency == 0.0) return loads;
+  add(loads, std::sin(angle), response.sine);
+  add(loads, std::cos(angle), response.cosine);
+  return loads;
+}
+
+std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, int link) {
+  std::vector<std::string> names;
+  each_point(
+      mechanism, link,
+      [&](std::size_t joint, const Eigen::Vector2d&, double) {
+        names.push_back(mechanism.joints[joint].name);
+      },
+      [&](const Load& load) { names.push_back(load.name); });
+  return names;
+}
+
+}  // namespace boxbeam::flexible

@@ -9,10 +9,6 @@
 namespace boxbeam::flexible {
 
 /// Loads on the beam that is a link, from the joints and loads on it, its weight and its inertia.
-///
-/// The inertia of the rigid elements is laid out along the beam so that force and moment of each
-/// part stay what they are: what acts is in balance to round-off, and the moment within a part has
-/// its local share q s (D - s)/2.
 struct BeamResponse {
   BeamLoads constant;
   /// Amplitudes with sin(omega t) and cos(omega t); their places and stretches are those of
@@ -21,8 +17,20 @@ struct BeamResponse {
   double frequency = 0.0;  ///< [Hz]
 };
 
+/// The loads in a response that is in balance with the inertia of a motion: its own, or less where
+/// a model counts less.
+///
+/// Weight is laid out as the mass is. Inertia keeps force and moment of every rigid element, so
+/// that what acts is in balance to round-off: classical elements move as one,
+///
+///     q(s) = omega^2 mu(s) (w_i + phi_i (s - s_i))
+///
+/// and the masses gathered from a part between two nodes give a load that varies linearly over it.
+/// Uniform and linear accelerations are exact, and the moment within a part has its local share
+/// q s (D - s)/2. Precondition: the link's axis is that of the beam. Source: d'Alembert's
+/// principle.
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
-                              const Response& response);
+                              const Response& response, const LinkColumns<Complex>& inertial);
 
 /// constant + sine sin(omega t) + cosine cos(omega t).
 BeamLoads beam_loads_at(const BeamResponse& response, double time);

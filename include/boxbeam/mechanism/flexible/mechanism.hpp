@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/mechanism/common/body.hpp"
 #include "boxbeam/mechanism/common/time_span.hpp"
 #include "boxbeam/numerics/polynomial.hpp"
 
@@ -61,6 +62,7 @@ struct Link {
   /// Kelvin-Voigt damping: viscosity over modulus, the same in all directions [s]. An elasticity c
   /// becomes c (1 + i omega tau).
   double retardation = 0.0;
+  std::vector<BodyPoint> points = {};  ///< its named places, in its axes from its origin
 };
 
 /// A place of a link, in its axes from its origin, or of the ground, in world axes [m].

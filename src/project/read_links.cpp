@@ -1,0 +1,442 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/project/link_profile.hpp"
+#include "boxbeam/section/section_defect.hpp"
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+using Eigen::Vector2d;
+using flexible::Link;
+using flexible::LinkKind;
+using flexible::LinkStretch;
+
+/// How far lengths that must agree may differ, relative.
+constexpr double agreement = 1e-6;
+
+/// A place of the world, or a point of a link by name.
+struct WrittenPlace {
+  const char* key = "";
+  std::string reference;  ///< "boom.P2"; "" for the world
+  Vector2d world = Vector2d::Zero();
+};
+
+/// How a link is placed: by where its origin or a point of its own lies and its angle, or by where
+/// its two ends lie.
+struct Placing {
+  std::string own_point;  ///< "": its origin
+  WrittenPlace at;
+  double angle = 0.0;
+  std::optional<WrittenPlace> to;
+};
+
+/// A link as written. Its length may come from its placing, its profile waits for the length.
+struct LinkDraft {
+  TableReader table;
+  Link link = {};
+  Placing placing = {};
+  std::optional<double> length = {};
+  TaperedBeam profile = {};  ///< where sections give it; a single segment fills the whole length
+  LinkStretch stiffness = {};
+  double youngs_modulus = 0.0, shear_modulus = 0.0;
+  double extra_mass = 0.0;
+  bool lump = false;  ///< a rigid link whose mass is given as such
+  bool placed = false;
+};
+
+WrittenPlace read_written_place(TableReader& table, const char* key) {
+  WrittenPlace place{key, "", Vector2d::Zero()};
+  if (table.is_list(key))
+    place.world = table.pair(key, wanted::length);
+  else
+    place.reference = table.text(key);
+  return place;
+}
+
+Placing read_placing(TableReader& table) {
+  Placing placing;
+  int ways = 0;
+  for (const char* key : {"origin", "place", "from"}) ways += table.has(key) ? 1 : 0;
+  if (ways != 1) {
+    for (const char* key : {"angle", "to"}) static_cast<void>(table.has(key));
+    table.problem("",
+                  fmt::format("[{}] wants one of \"origin\", \"place\" and \"from\"", table.name()),
+                  "origin = [\"0 m\", \"0 m\"] or \"link.point\" with \"angle\"; place = { point = "
+                  "\"its own\", at = \"link.point\" } with \"angle\"; or \"from\" and \"to\"");
+    return placing;
+  }
+  if (table.has("from")) {
+    placing.at = read_written_place(table, "from");
+    placing.to = read_written_place(table, "to");
+    return placing;
+  }
+  placing.angle = table.quantity("angle", wanted::angle, 0.0);
+  if (table.has("origin")) {
+    placing.at = read_written_place(table, "origin");
+    return placing;
+  }
+  TableReader own = table.table("place");
+  placing.own_point = own.text("point");
+  placing.at = read_written_place(own, "at");
+  placing.at.key = "place";
+  own.finish();
+  return placing;
+}
+
+void read_link_points(TableReader& table, Link& link) {
+  TableReader points = table.table("points", false);
+  points.accept_all();
+  for (const Node::Member& member : points.members()) {
+    link.points.push_back(
+        {member.key,
+         points.pair_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
+  }
+}
+
+const BodyPoint* find_point(const Link& link, const std::string& name) {
+  const int index = index_of(link.points, name);
+  return index < 0 ? nullptr : &link.points[static_cast<std::size_t>(index)];
+}
+
+/// Gives a link its length, notes points that stand off it, and names its ends.
+void take_length(LinkDraft& draft, double length) {
+  Link& link = draft.link;
+  draft.length = length;
+  link.length = length;
+  if (!std::isfinite(length)) return;
+  for (BodyPoint& point : link.points) {
+    const double s = point.p.x();
+    if (s < -agreement * length || s > (1.0 + agreement) * length) {
+      draft.table.table("points").problem(
+          point.name, fmt::format("point \"{}\" lies off the link, at s = {:.6g} m", point.name, s),
+          fmt::format("s goes from 0 to {:.6g} m", length));
+    }
+    point.p.x() = std::clamp(s, 0.0, length);
+  }
+  for (const auto& [name, s] : {std::pair{"start", 0.0}, {"end", length}}) {
+    if (find_point(link, name) == nullptr) link.points.push_back({name, {s, 0.0}});
+  }
+}
+
+/// The stiffness of a link that is given as such, the same over its length.
+void read_stiffness(LinkDraft& draft) {
+  TableReader& table = draft.table;
+  const LinkKind kind = draft.link.kind;
+  const bool bends = kind == LinkKind::bending || kind == LinkKind::full;
+  const auto value = [&](const char* key, const WantedDimension& wanted, bool required) {
+    return table.positive(key, wanted, required ? std::nullopt : std::optional(1.0));
+  };
+  // A bending link tells its EA as well: whether that may be left out is to be weighed.
+  draft.stiffness.EA.c[0] = value("EA", wanted::force, kind != LinkKind::rigid);
+  draft.stiffness.GA.c[0] = value("GA", wanted::force, bends);
+  draft.stiffness.EI.c[0] = value("EI", wanted::bending_stiffness, bends);
+  draft.stiffness.mass.c[0] = table.not_negative("mass_per_length", wanted::line_mass);
+}
+
+/// Two sections between which a link tapers, or one.
+void read_ends(TableReader& table, const Sections& sections, Segment& segment) {
+  if (table.has("section")) {
+    segment.from = segment.to = named_section(table, "section", sections);
+    return;
+  }
+  const std::vector<std::string> names = table.texts("sections", true);
+  if (names.size() != 2) {
+    table.problem("sections", "a taper goes from one section to another",
+                  "write sections = [\"A1\", \"A2\"], or one \"section\"");
+    return;
+  }
+  segment.from = section_called(table, "sections", names[0], sections);
+  segment.to = section_called(table, "sections", names[1], sections);
+  const bool both_known = !defect_of(segment.from) && !defect_of(segment.to);
+  if (both_known && !same_kind(segment.from, segment.to)) {
+    table.problem("sections", "a link tapers between two sections of the same kind",
+                  "write its \"segments\", split where the kind of section changes");
+  }
+}
+
+void read_section_profile(LinkDraft& draft, const LinkDefaults& defaults) {
+  TableReader& table = draft.table;
+  TaperedBeam& profile = draft.profile;
+  const double density = defaults.beam->density.value();
+  profile.density = si<Density>(table.positive(
+      "density", wanted::density, density > 0.0 ? std::optional(density) : std::nullopt));
+  profile.rotary_inertia = table.boolean("rotary_inertia", false);
+  draft.youngs_modulus =
+      table.positive("youngs_modulus", wanted::stress, defaults.model->youngs_modulus);
+  draft.shear_modulus =
+      table.positive("shear_modulus", wanted::stress, defaults.model->shear_modulus);
+  draft.extra_mass = table.not_negative("extra_mass", wanted::line_mass, 0.0);
+  if (!table.has("segments")) {
+    profile.segments.emplace_back().name = "1";
+    read_ends(table, *defaults.sections, profile.segments.front());
+    return;
+  }
+  Length start;
+  for (TableReader& segment : table.tables("segments", true)) {
+    profile.segments.push_back(
+        read_segment(segment, profile.segments.size() + 1, start, *defaults.sections));
+    start = profile.segments.back().end();
+  }
+  if (profile.segments.empty()) {
+    table.problem("segments", "the link has no segment",
+                  fmt::format("write at least one [[{}.segments]]", table.name()));
+    return;
+  }
+  draft.length = start.value();
+}
+
+/// What a link is along its length, by one of the ways to write it.
+void read_profile(LinkDraft& draft, const LinkDefaults& defaults) {
+  TableReader& table = draft.table;
+  const auto ways_in = [&](std::initializer_list<const char*> keys) {
+    return std::count_if(keys.begin(), keys.end(), [&](const char* key) { return table.has(key); });
+  };
+  if (draft.link.name == defaults.beam_link) {
+    for (const char* key : {"section", "sections", "segments", "EA", "GA", "EI", "mass_per_length",
+                            "extra_mass", "density", "youngs_modulus", "shear_modulus",
+                            "rotary_inertia", "mass", "inertia", "centre"}) {
+      if (!table.has(key)) continue;
+      table.problem(key,
+                    fmt::format("mass and stiffness of the beam come from the sections of [beam]; "
+                                "\"{}\" has no place here",
+                                key),
+                    "remove this line");
+      table.accept_all();
+    }
+    draft.profile = *defaults.beam;
+    draft.youngs_modulus = defaults.model->youngs_modulus;
+    draft.shear_modulus = defaults.model->shear_modulus;
+    if (!draft.profile.segments.empty()) draft.length = draft.profile.length().value();
+    return;
+  }
+  const auto by_stiffness = ways_in({"EA", "GA", "EI", "mass_per_length"});
+  const auto ways = ways_in({"section", "sections", "segments"}) + (by_stiffness > 0 ? 1 : 0);
+  if (draft.link.kind == LinkKind::rigid && ways == 0) {
+    draft.lump = true;
+    draft.link.rigid.mass = table.not_negative("mass", wanted::mass);
+    draft.link.rigid.inertia = table.not_negative("inertia", wanted::inertia, 0.0);
+    draft.link.rigid.centre = table.pair("centre", wanted::length, Vector2d::Zero());
+    if (draft.link.rigid.mass == 0.0 && draft.link.rigid.inertia > 0.0) {
+      table.problem("inertia", "a link with inertia has a mass", "write \"mass\" above zero");
+    }
+    return;
+  }
+  if (ways != 1) {
+    table.accept_all();
+    table.problem(
+        "",
+        fmt::format("[{}] wants one of \"section\", \"sections\", \"segments\" and "
+                    "\"EA\"",
+                    table.name()),
+        "section = \"A1\" for a constant one, sections = [\"A1\", \"A2\"] for a taper, or "
+        "EA, GA, EI and mass_per_length");
+    return;
+  }
+  if (by_stiffness > 0)
+    read_stiffness(draft);
+  else
+    read_section_profile(draft, defaults);
+}
+
+/// The length as written, which must be that of the segments where there are some.
+void read_length(LinkDraft& draft) {
+  TableReader& table = draft.table;
+  if (draft.lump) return;
+  if (!table.has("length")) {
+    if (!draft.length && !draft.placing.to && table.problems().empty()) {
+      table.problem("", fmt::format("[{}] has no \"length\"", table.name()),
+                    "write length = \"4.2 m\"");
+    }
+    return;
+  }
+  const double length = table.positive("length", wanted::length);
+  if (draft.length && std::abs(*draft.length - length) > agreement * length) {
+    table.problem("length",
+                  fmt::format("the segments of the link are {:.6g} m long", *draft.length),
+                  "write that length, or leave it out");
+  }
+  if (!draft.length) draft.length = length;
+}
+
+LinkDraft read_draft(const std::string& name, const TableReader& table,
+                     const LinkDefaults& defaults) {
+  LinkDraft draft{table};
+  TableReader& reader = draft.table;
+  Link& link = draft.link;
+  link.name = name;
+  const std::size_t before = reader.problems().size();
+  if (name == "ground" || name == "world" || name.empty()) {
+    reader.problem("",
+                   name.empty() ? std::string("a link has a name")
+                                : fmt::format("\"{}\" is the world and no link", name),
+                   "give the link another name");
+  }
+  constexpr LinkKind kinds[] = {LinkKind::rigid, LinkKind::bending, LinkKind::axial,
+                                LinkKind::full};
+  const std::size_t before_kind = reader.problems().size();
+  link.kind = kinds[reader.choice("kind", {"rigid", "bending", "axial", "full"})];
+  if (reader.problems().size() != before_kind) {  // what its other keys mean is not known
+    reader.accept_all();
+    return draft;
+  }
+  read_link_points(reader, link);
+  draft.placing = read_placing(reader);
+  read_profile(draft, defaults);
+  read_length(draft);
+  link.parts = reader.whole_number("parts", link.parts);
+  if (link.parts < 1 || link.parts > most_parts) {
+    reader.problem("parts", fmt::format("a link has 1 to {} parts", most_parts),
+                   "write for example parts = 8");
+  }
+  link.retardation = read_retardation(reader, defaults.model->retardation);
+  if (reader.problems().size() == before && draft.length) take_length(draft, *draft.length);
+  reader.finish();
+  return draft;
+}
+
+/// The link that a place refers to, nothing for the world or, with a problem, where there is none.
+const LinkDraft* link_of(TableReader& table, const WrittenPlace& place,
+                         const std::vector<LinkDraft>& drafts) {
+  if (place.reference.empty()) return nullptr;
+  const std::size_t dot = place.reference.rfind('.');
+  const std::string name = place.reference.substr(0, dot);
+  std::vector<std::string> names;
+  for (const LinkDraft& draft : drafts) {
+    if (draft.link.name == name && dot != std::string::npos) return &draft;
+    names.push_back(draft.link.name);
+  }
+  if (dot == std::string::npos) {
+    table.problem(place.key, fmt::format("\"{}\" is not a point of a link", place.reference),
+                  "write \"link.point\", or [x, y] of the world");
+  } else {
+    table.problem(place.key, fmt::format("there is no link \"{}\"", name),
+                  unknown_hint(name, names));
+  }
+  return nullptr;
+}
+
+/// Where a place of a link that is placed lies in the world.
+Vector2d world_of(TableReader& table, const WrittenPlace& place, const LinkDraft* of) {
+  if (of == nullptr) return place.world;
+  const std::string name = place.reference.substr(place.reference.rfind('.') + 1);
+  const BodyPoint* point = find_point(of->link, name);
+  if (point == nullptr) {
+    table.problem(place.key, fmt::format("link \"{}\" has no point \"{}\"", of->link.name, name),
+                  unknown_hint(name, names_of(of->link.points)));
+    return Vector2d::Constant(std::nan(""));
+  }
+  return of->link.origin + Eigen::Rotation2Dd(of->link.angle) * point->p;
+}
+
+/// Places a link whose references are placed.
+void place(LinkDraft& draft, const LinkDraft* at, const LinkDraft* to) {
+  Link& link = draft.link;
+  const Placing& placing = draft.placing;
+  draft.placed = true;
+  const Vector2d here = world_of(draft.table, placing.at, at);
+  if (placing.to) {
+    const Vector2d along = world_of(draft.table, *placing.to, to) - here;
+    const double length = along.norm();
+    if (!std::isfinite(length)) return;
+    if (length == 0.0) {
+      draft.table.problem("to", "the link has no length: both ends are at one place",
+                          "name two places apart");
+      return;
+    }
+    link.origin = here;
+    link.angle = std::atan2(along.y(), along.x());
+    if (draft.lump) return;
+    if (draft.length && std::abs(*draft.length - length) > agreement * length) {
+      draft.table.problem("to",
+                          fmt::format("the link is {:.9g} m long, its ends lie {:.9g} m apart",
+                                      *draft.length, length),
+                          "change its length, or place it by \"origin\" and \"angle\"");
+    }
+    if (!draft.length) take_length(draft, length);
+    return;
+  }
+  link.angle = placing.angle;
+  link.origin = here;
+  if (placing.own_point.empty()) return;
+  const BodyPoint* own = find_point(link, placing.own_point);
+  if (own == nullptr) {
+    draft.table.problem(
+        "place", fmt::format("link \"{}\" has no point \"{}\"", link.name, placing.own_point),
+        unknown_hint(placing.own_point, names_of(link.points)));
+    return;
+  }
+  link.origin -= Eigen::Rotation2Dd(link.angle) * own->p;
+}
+
+/// Places one link after the other, those first that the others refer to.
+void place_all(std::vector<LinkDraft>& drafts) {
+  const std::size_t before = drafts.front().table.problems().size();
+  for (bool more = true; more;) {
+    more = false;
+    for (LinkDraft& draft : drafts) {
+      if (draft.placed) continue;
+      const LinkDraft* at = link_of(draft.table, draft.placing.at, drafts);
+      const LinkDraft* to =
+          draft.placing.to ? link_of(draft.table, *draft.placing.to, drafts) : nullptr;
+      if (draft.table.problems().size() != before) return;
+      if ((at != nullptr && !at->placed) || (to != nullptr && !to->placed)) continue;
+      place(draft, at, to);
+      if (draft.table.problems().size() != before) return;
+      more = true;
+    }
+  }
+  for (LinkDraft& draft : drafts) {
+    if (draft.placed) continue;
+    draft.table.problem(
+        draft.placing.at.key,
+        fmt::format("link \"{}\" is placed by links that are placed by it", draft.link.name),
+        "place one of them in the world: origin = [\"0 m\", \"0 m\"]");
+    return;
+  }
+}
+
+/// Stiffness and mass along a link whose length is known.
+void lay_out(LinkDraft& draft) {
+  Link& link = draft.link;
+  if (draft.lump) return;
+  if (draft.profile.segments.empty()) {
+    draft.stiffness.length = link.length;
+    link.stretches = {draft.stiffness};
+  } else {
+    if (draft.profile.segments.size() == 1) {
+      draft.profile.segments.front().length = si<Length>(link.length);
+    }
+    link.stretches = link_stretches_of(draft.profile, draft.youngs_modulus, draft.shear_modulus);
+    for (LinkStretch& stretch : link.stretches) stretch.mass.c[0] += draft.extra_mass;
+  }
+  if (link.kind != LinkKind::rigid) return;
+  link.rigid = flexible::rigid_mass_of(link);
+  link.stretches.clear();
+}
+
+}  // namespace
+
+std::vector<Link> read_links(TableReader& root, const LinkDefaults& defaults) {
+  std::vector<LinkDraft> drafts;
+  const std::size_t before = root.problems().size();
+  for (auto& [name, table] : root.table("links").named_tables()) {
+    drafts.push_back(read_draft(name, table, defaults));
+  }
+  if (root.problems().size() == before && drafts.empty()) {
+    root.problem("links", "the mechanism has no link", "write at least one [links.<name>]");
+  }
+  if (root.problems().empty()) place_all(drafts);
+  std::vector<Link> links;
+  for (LinkDraft& draft : drafts) {
+    if (root.problems().empty()) lay_out(draft);
+    links.push_back(std::move(draft.link));
+  }
+  return links;
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,52 @@
+#include <numbers>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+
+double read_retardation(TableReader& table, std::optional<double> fallback) {
+  if (!table.is_table("damping")) return table.not_negative("damping", wanted::time, fallback);
+  TableReader damping = table.table("damping");
+  const double ratio = damping.any_number("ratio");
+  const double at = damping.positive("at", wanted::frequency);
+  damping.finish();
+  if (ratio < 0.0 || ratio >= 1.0) {
+    damping.problem("ratio", "a damping ratio is from 0 to below 1",
+                    "write for example ratio = 0.01, which is 1 % of the critical damping");
+  }
+  return ratio / (std::numbers::pi * at);
+}
+
+ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input) {
+  ElasticForm form;
+  if (!root.has("model")) return form;
+  TableReader table = root.table("model");
+  if (kind == Kind::spatial) {
+    table.accept_all();
+    root.problem("model",
+                 "the bodies of a mechanism in space are rigid: there is nothing to choose",
+                 "remove [model] from this case of kind = \"spatial\"");
+    return form;
+  }
+  constexpr ModelDemand demands[] = {ModelDemand::automatic, ModelDemand::rigid,
+                                     ModelDemand::flexible};
+  input.demand = demands[table.choice("demand", {"auto", "rigid", "flexible"}, 0)];
+  input.tolerance = table.number("tolerance", input.tolerance);
+  if (input.tolerance >= 1.0) {
+    table.problem("tolerance", "the tolerance is a fraction of the governing stress, below 1",
+                  "write tolerance = 0.01 for 1 %");
+  }
+  input.youngs_modulus = table.positive("youngs_modulus", wanted::stress, input.youngs_modulus);
+  input.shear_modulus = table.positive("shear_modulus", wanted::stress, input.shear_modulus);
+  input.retardation = read_retardation(table, input.retardation);
+  if (kind == Kind::flexible) {
+    constexpr flexible::Element elements[] = {flexible::Element::corrected,
+                                              flexible::Element::classical};
+    form.element = elements[table.choice("element", {"corrected", "classical"}, 0)];
+    form.nodes_at_joints = table.choice("division", {"nodes at joints", "equal"}, 0) == 0;
+  }
+  table.finish();
+  return form;
+}
+
+}  // namespace boxbeam::readers
