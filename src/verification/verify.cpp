@@ -365,10 +365,11 @@ const CheckResult* Verification::governing(Criterion criterion) const {
 }
 
 Verification verify(const Project& project) {
-  Verification result;
-  result.model = choose_model(project);
-  const std::deque<SituationRun> runs = run_situations(project, result.model.chosen);
+  const auto [model, runs] = run_by_chosen_model(project);
   const std::vector<Station> stations = stations_to_verify(project, runs);
+
+  Verification result;
+  result.model = model;
   describe_mechanism(project, runs, result);
   result.stations = cut_force_envelopes(project, runs, stations);
   const bool computed = project.given_stresses.empty();
