@@ -171,8 +171,8 @@ TEST_CASE("over beams by chance the model chosen is within the tolerance, a chea
       count->cheaper_missed += one.cheaper_missed;
     }
   }
-  std::string text = fmt::format("{:<20}{:>8}{:>8}{:>24}\n", "model", "beams", "within",
-                                 "next cheaper missed");
+  std::string text =
+      fmt::format("{:<20}{:>8}{:>8}{:>24}\n", "model", "beams", "within", "next cheaper missed");
   const auto row = [&](const std::string& name, const Count& of) {
     text += fmt::format("{:<20}{:>8}{:>8}{:>18} of {}\n", name, of.chosen, of.within,
                         of.cheaper_missed, of.with_cheaper);
