@@ -1,6 +1,7 @@
 // The recursion over the rigid elements against one dense system in longer numbers, and against
 // what holds for every linear structure.
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -124,6 +125,31 @@ TEST_CASE("motion and joint forces are those of the dense system: vibration and 
   }
   WARN("vibration against the dense system: motion " << worst_motion << ", joints "
                                                      << worst_joints);
+}
+
+TEST_CASE("the count of natural frequencies below is that of the dense system's inertia") {
+  // [[-s M, G^T], [G, -F]] has one negative eigenvalue for every force and, by Sylvester's law of
+  // inertia, one for every natural frequency below.
+  Chance chance(87);
+  for (int i = 0; i < 40; ++i) {
+    const Mechanism mechanism = test::random_elastic(chance, sort(i));
+    const Structure structure = structure_of(mechanism);
+    std::size_t forces = 0;
+    for (const DividedLink& link : structure.links) forces += 3 * link.springs.size();
+    for (const Joint& joint : mechanism.joints) {
+      for (const double c : joint.stiffness) forces += c > 0.0 ? 1 : 0;
+    }
+    for (const double frequency : {1.0, 30.0, 400.0, 3000.0}) {
+      const double square = square_of(frequency);
+      const Eigen::MatrixXd A =
+          test::DenseStructure(structure).scaled(square).real().cast<double>();
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A, Eigen::EigenvaluesOnly);
+      const auto negative = static_cast<std::size_t>((eigen.eigenvalues().array() < 0.0).count());
+      CAPTURE(i, frequency, structure.elements());
+      CHECK(DynamicStiffness<double>(structure, square, 0.0).frequencies_below() + forces ==
+            negative);
+    }
+  }
 }
 
 TEST_CASE("reciprocity: the work of one load on the motion of another is mutual") {
