@@ -14,7 +14,7 @@ flexible::Mechanism modelled(flexible::Mechanism mechanism, const ElasticModel& 
       link.kind = LinkKind::rigid;
       continue;
     }
-    link.parts = std::max(link.parts, model.parts);
+    if (model.parts > 0) link.parts = model.parts;
     if (model.axial && link.kind == LinkKind::bending) link.kind = LinkKind::full;
   }
   return mechanism;

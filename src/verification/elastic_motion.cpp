@@ -1,3 +1,253 @@
-#include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/elastic_motion.hpp"
 
-namespace boxbeam {}  // namespace boxbeam
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/project/link_profile.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+/// Parts of the beam in modal models.
+constexpr int parts = 16;
+
+/// First and second derivative at one of N equal steps of a period of 2 pi, N even: entry by the
+/// number of steps between.
+struct Differentiation {
+  Eigen::VectorXd first, second;
+};
+
+Differentiation differentiation(Eigen::Index n) {
+  Differentiation d{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  const double h = two_pi / static_cast<double>(n);
+  d.second[0] = -std::numbers::pi * std::numbers::pi / (3.0 * h * h) - 1.0 / 6.0;
+  for (Eigen::Index k = 1; k < n; ++k) {
+    const double sign = k % 2 == 0 ? 1.0 : -1.0;
+    const double half = 0.5 * h * static_cast<double>(k);
+    d.first[k] = 0.5 * sign / std::tan(half);
+    d.second[k] = -0.5 * sign / std::pow(std::sin(half), 2);
+  }
+  return d;
+}
+
+/// p(x + by).
+template <int Degree>
+Polynomial<Degree> moved(const Polynomial<Degree>& p, double by, double length) {
+  if (by == 0.0) return p;
+  return interpolate<Degree>([&](double x) { return p(x + by); }, length);
+}
+
+template <int Degree>
+void add_to(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
+  for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
+}
+
+/// Adds what a mode does to a beam to its loads: at the same places, and on the mode's stretches,
+/// which lie inside the beam's own.
+void add_mode(BeamLoads& sum, double factor, const BeamLoads& mode) {
+  for (const PointLoad& load : mode.points) {
+    auto same = std::find_if(sum.points.begin(), sum.points.end(),
+                             [&](const PointLoad& other) { return other.s == load.s; });
+    if (same == sum.points.end()) {
+      PointLoad empty;
+      empty.s = load.s;
+      same = sum.points.insert(same, empty);
+    }
+    same->force += factor * load.force;
+    same->moment += factor * load.moment;
+  }
+  for (std::size_t i = 0; i < mode.lines.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      add_to(sum.lines[i].force[axis], factor, mode.lines[i].force[axis]);
+      add_to(sum.lines[i].couple[axis], factor, mode.lines[i].couple[axis]);
+    }
+  }
+}
+
+/// The same loads on the stretches of others, each of which lies inside one of theirs.
+std::vector<LineLoad> on_stretches_of(const std::vector<LineLoad>& lines,
+                                      const std::vector<LineLoad>& finer) {
+  std::vector<LineLoad> result;
+  std::size_t at = 0;
+  for (const LineLoad& piece : finer) {
+    const Length middle = piece.start + 0.5 * piece.length;
+    while (middle > lines[at].start + lines[at].length) ++at;
+    const double by = (piece.start - lines[at].start).value();
+    LineLoad& line = result.emplace_back();
+    line.start = piece.start;
+    line.length = piece.length;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      line.force[axis] = moved(lines[at].force[axis], by, piece.length.value());
+      line.couple[axis] = moved(lines[at].couple[axis], by, piece.length.value());
+    }
+  }
+  return result;
+}
+
+/// The value at a time of the trigonometric polynomial through equally spaced values (an even
+/// number). Source: Berrut, Trefethen, SIAM Review 46 (2004), barycentric form.
+Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns) {
+  const Eigen::Index n = values.rows();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.cols());
+  double weights = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double half =
+        std::numbers::pi * (turns - static_cast<double>(i) / static_cast<double>(n));
+    const double sine = std::sin(half);
+    if (std::abs(sine) < 1e-12) return values.row(i).transpose();
+    const double weight = (i % 2 == 0 ? 1.0 : -1.0) * std::cos(half) / sine;
+    sum += weight * values.row(i).transpose();
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+[[noreturn]] void refuse(const std::string& what, double time = NAN) {
+  AnalysisFailure failure{what, "beam", {}, {}, {}};
+  if (!std::isnan(time)) failure.time = time;
+  throw AnalysisError(std::move(failure));
+}
+
+/// The fewest instants, a power of two apart from all, that leave the linear system small.
+Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
+  constexpr std::size_t most_unknowns = 1536;
+  std::size_t stride = 1;
+  while (instants / stride * modes > most_unknowns && instants % (4 * stride) == 0) stride *= 2;
+  return static_cast<Eigen::Index>(stride);
+}
+
+}  // namespace
+
+ElasticBody elastic_body_of(const Project& project) {
+  ElasticBody elastic;
+  elastic.body = project.beam_body;
+  elastic.centre = mass_properties_of(project.beam).centre.value();
+  elastic.length = project.beam.length().value();
+  elastic.stretches =
+      link_stretches_of(project.beam, project.model.youngs_modulus, project.model.shear_modulus);
+  elastic.retardation = project.model.retardation;
+  elastic.parts = parts;
+  return elastic;
+}
+
+ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes)
+    : rigid_(std::move(rigid)),
+      finder_(std::make_shared<planar::StateFinder>(*rigid_.mechanism, *rigid_.motion)),
+      elastic_(std::move(elastic)),
+      count_(modes) {
+  const planar::Motion& motion = *rigid_.motion;
+  if (!motion.closed || motion.freedom.undriven > 0) {
+    refuse(
+        "rigid bodies are not enough for this motion, and the beam's vibration is only computed in "
+        "motions that drivers fix and that repeat; use --model rigid to have the loads of rigid "
+        "bodies all the same");
+  }
+  const Eigen::Index stride = stride_of(motion.states.size(), modes);
+  const Eigen::Index n = static_cast<Eigen::Index>(motion.states.size()) / stride;
+  const auto k = static_cast<Eigen::Index>(modes);
+  reference_ =
+      modes_in_posture(*rigid_.mechanism, motion.states.front(), elastic_, *rigid_.beam, count_)
+          .shapes;
+
+  // Unknowns: instant by instant the modal coordinates.
+  const Differentiation d = differentiation(n);
+  const double rate = two_pi / motion.period;
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n * k, n * k);
+  Eigen::MatrixXd p(n, k);
+  Eigen::MatrixXd statically(n, k);
+  double fastest = 0.0;
+  lowest_ = 1e300;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const planar::State& state = motion.states[static_cast<std::size_t>(i * stride)];
+    const auto [at, turn] = aligned_at(state);
+    Eigen::VectorXd squares(k);
+    for (Eigen::Index j = 0; j < k; ++j) {
+      squares[j] = std::pow(two_pi * at.frequencies[static_cast<std::size_t>(j)], 2);
+    }
+    lowest_ = std::min(lowest_, at.frequencies.front());
+    fastest =
+        std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic_.body) + 2]));
+    const Eigen::VectorXd force =
+        modal_loads(at, cut_forces_of(rigid_.loads(si<Time>(state.time))));
+    p.row(i) = (turn.transpose() * force).transpose();
+    statically.row(i) = (turn.transpose() * force.cwiseQuotient(squares)).transpose();
+    const Eigen::MatrixXd damping = turn.transpose() * at.damping * turn;
+    for (Eigen::Index m = 0; m < n; ++m) {
+      const Eigen::Index apart = (i - m + n) % n;
+      system.block(i * k, m * k, k, k) =
+          rate * d.first[apart] * damping +
+          rate * rate * d.second[apart] * Eigen::MatrixXd::Identity(k, k);
+    }
+    system.block(i * k, i * k, k, k) += turn.transpose() * squares.asDiagonal() * turn;
+  }
+  Eigen::VectorXd right(n * k);
+  for (Eigen::Index i = 0; i < n; ++i) right.segment(i * k, k) = p.row(i).transpose();
+  const Eigen::VectorXd solved = Eigen::PartialPivLU<Eigen::MatrixXd>(system).solve(right);
+  eta_.resize(n, k);
+  for (Eigen::Index i = 0; i < n; ++i) eta_.row(i) = solved.segment(i * k, k).transpose();
+  dynamic_ = eta_ - statically;
+  left_out_ = std::pow(fastest / (two_pi * lowest_), 2);
+
+  constexpr double no_limit = 1e3;
+  const double size = statically.cwiseAbs().maxCoeff();
+  if (!eta_.allFinite() || eta_.cwiseAbs().maxCoeff() > no_limit * size) {
+    const double harmonic = std::max(1.0, std::round(lowest_ * motion.period));
+    refuse(fmt::format(
+        "harmonic {:.0f} of the motion, {:.6g} Hz, meets the beam's natural frequency, {:.6g} Hz "
+        "at lowest: without damping its vibration has no limit; give [model] a retardation time, "
+        "or change the drive",
+        harmonic, harmonic / motion.period, lowest_));
+  }
+}
+
+ElasticMotion::Aligned ElasticMotion::aligned_at(const planar::State& state) const {
+  PostureModes modes = modes_in_posture(*rigid_.mechanism, state, elastic_, *rigid_.beam, count_);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(modes.shapes.transpose() * reference_,
+                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
+  constexpr double recognised = 0.3;
+  if (svd.singularValues().minCoeff() < recognised) {
+    refuse(
+        "the modes of the beam change beyond recognition over the motion, so that a few of them "
+        "do not describe its vibration; use --model rigid to have the loads of rigid bodies",
+        state.time);
+  }
+  Eigen::MatrixXd turn = svd.matrixU() * svd.matrixV().transpose();
+  return {std::move(modes), std::move(turn)};
+}
+
+Eigen::VectorXd ElasticMotion::dynamic_at(double time) const {
+  return trigonometric_at(dynamic_, (time - rigid_.motion->begin) / rigid_.motion->period);
+}
+
+BeamLoads ElasticMotion::loads_at(Time time) const {
+  const auto [at, turn] = aligned_at(finder_->at(time.value()));
+  const Eigen::VectorXd sizes = turn * dynamic_at(time.value());
+  BeamLoads loads = rigid_.loads(time);
+  loads.lines = on_stretches_of(loads.lines, at.loads.front().lines);
+  for (std::size_t j = 0; j < count_; ++j) {
+    add_mode(loads, sizes[static_cast<Eigen::Index>(j)], at.loads[j]);
+  }
+  return loads;
+}
+
+LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
+                         const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
+  if (model.level == ModelLevel::rigid) return rigid;
+  ElasticBody elastic = elastic_body_of(project);
+  if (model.parts > 0) elastic.parts = model.parts;
+  auto of = std::make_shared<const ElasticMotion>(
+      RigidMotion{&planar_in(project, situation), &motion, &project.beam, std::move(rigid)},
+      std::move(elastic), static_cast<std::size_t>(model.modes));
+  return [of](Time time) { return of->loads_at(time); };
+}
+
+}  // namespace boxbeam

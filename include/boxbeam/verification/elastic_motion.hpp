@@ -1,0 +1,82 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/posture_modes.hpp"
+
+namespace boxbeam {
+
+/// The elastic body that the verified beam of a planar case is.
+ElasticBody elastic_body_of(const Project& project);
+
+/// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.
+struct RigidMotion {
+  const planar::Mechanism* mechanism = nullptr;
+  const planar::Motion* motion = nullptr;
+  const TaperedBeam* beam = nullptr;
+  LoadsAt loads;
+};
+
+/// Elastic vibration of the beam in a large periodic motion of its mechanism.
+///
+/// In every posture the mechanism has modes; their basis is turned so that it is nearest to the one
+/// at the beginning (orthogonal Procrustes problem), which makes it continuous where frequencies
+/// cross. Relative to the rigid motion the beam follows
+///
+///     eta'' + C(t) eta' + K(t) eta = p(t),   K = phi^T K phi,   p_j = `modal_loads`
+///
+/// periodic, solved at N instants by Fourier collocation. To the loads of the rigid beam come those
+/// of the modes beyond what their static part would be,
+///
+///     sum over modes of (eta - K^-1 p)_j times (joint forces and inertia of mode j)
+///
+/// which are in balance. Left out: Coriolis and centrifugal coupling and the change of the modes
+/// with the posture, of the order of (omega_rotation/omega_1)^2; joints that are elastic
+/// themselves.
+/// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; Trefethen, Spectral Methods
+/// in MATLAB (2000), chapter 3; Schönemann, Psychometrika 31 (1966).
+class ElasticMotion {
+ public:
+  /// Throws AnalysisError where the motion is not periodic, a harmonic of it meets a natural
+  /// frequency of an undamped beam, or modes change beyond recognition over it.
+  ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes);
+
+  /// Loads on the beam at any time.
+  BeamLoads loads_at(Time time) const;
+
+  /// Modal coordinates less their static part at the instants, a row for each [sqrt(kg) m].
+  const Eigen::MatrixXd& dynamic_part() const { return dynamic_; }
+  /// Modal coordinates at the instants [sqrt(kg) m].
+  const Eigen::MatrixXd& coordinates() const { return eta_; }
+  double lowest_frequency() const { return lowest_; }  ///< over the motion [Hz]
+  /// (omega_rotation/omega_1)^2, the order of what is left out.
+  double order_left_out() const { return left_out_; }
+
+ private:
+  /// Modes of a posture, turned to the basis at the beginning.
+  struct Aligned {
+    PostureModes modes;
+    Eigen::MatrixXd turn;
+  };
+  Aligned aligned_at(const planar::State& state) const;
+  Eigen::VectorXd dynamic_at(double time) const;
+
+  RigidMotion rigid_;
+  std::shared_ptr<planar::StateFinder> finder_;
+  ElasticBody elastic_;
+  std::size_t count_;
+  Eigen::MatrixXd reference_;  ///< shapes at the beginning
+  Eigen::MatrixXd eta_, dynamic_;
+  double lowest_ = 0.0;
+  double left_out_ = 0.0;
+};
+
+/// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.
+LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
+                         const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid);
+
+}  // namespace boxbeam

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/elastic_model.hpp"
+#include "boxbeam/verification/model_response.hpp"
+#include "boxbeam/verification/vibrating_stress.hpp"
+
+namespace boxbeam {
+
+/// A vibrating mechanism of elastic links whose stresses in one of them count.
+struct LadderCase {
+  const flexible::Mechanism* mechanism = nullptr;
+  int link = 0;
+  const TaperedBeam* beam = nullptr;  ///< that the link is
+};
+
+/// "modal, 2 modes, 4 parts per link".
+std::string describe(const ElasticModel& model);
+
+/// Stresses of the link by a model. Throws AnalysisError at a resonance without damping.
+VibratingStress stresses_by(const LadderCase& of, const ElasticModel& model,
+                            const std::vector<ComparedPlace>& places);
+
+/// Places of the link at which models are compared: ends and borders of segments, joints and loads,
+/// and between.
+std::vector<ComparedPlace> places_of(const LadderCase& of);
+
+/// Climbs from the cheapest model to the first that is estimated to be within the tolerance, solves
+/// it, and goes on where a better model finds it wrong. Cheap is what has few equations of motion:
+///
+///     rigid             rigid links on joints as they are
+///     quasi-static      none: elastic statics; where balance does not determine the joint forces
+///     modal             k = 1, 2, 3, ... of the lowest modes, with static correction
+///     flexible          all rigid elements
+///
+/// with n = 2, 3, 4, 6, 8, 12, ... parts per elastic link, bending links as they are or with their
+/// elasticity along the axis. Estimated error of the stresses (`difference_between`): the sum of
+/// what the modes left out contribute beyond their static part, by the modes of a coarse division
+/// (8 parts, all deformations, corrected); of the division, C n^-p from 4, 8 and 16 parts; and of
+/// the axial rigidity of bending links, by leaving it out. Verified against all elements of twice
+/// as many parts (at least 16) with all deformations; what that itself is estimated to err is
+/// added.
+/// Throws AnalysisError at a resonance without damping, and where no division up to 256 parts is
+/// good enough.
+ModelChoice climb_ladder(const LadderCase& of, double tolerance);
+
+}  // namespace boxbeam

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/mechanism/flexible/mechanism.hpp"
+#include "boxbeam/mechanism/planar/instant_solver.hpp"
+#include "boxbeam/mechanism/planar/mechanism.hpp"
+
+namespace boxbeam {
+
+/// The one elastic body of a planar mechanism.
+struct ElasticBody {
+  int body = planar::ground;
+  double centre = 0.0;  ///< distance of its centre of mass from its start, along its x [m]
+  double length = 0.0;  ///< [m]
+  std::vector<flexible::LinkStretch> stretches;
+  double retardation = 0.0;  ///< [s]
+  int parts = 8;
+};
+
+/// Why small elastic motions of a mechanism about its postures cannot be described by elastic
+/// links: the joint that couples two motions by a ratio, by name; "" where they can.
+std::string obstacle_to_links(const planar::Mechanism& mechanism);
+
+/// A planar mechanism stopped in a posture: every body a rigid link of the same index with its
+/// mass, the elastic one a full link; joints without play and drivers held. Springs and dampers
+/// between points count along their line, with the length that they have. No loads and no weight:
+/// what the rigid motion asks for is not part of it.
+/// Left out: Coulomb friction, and what forces that are there add to the stiffness across their
+/// line (of the order of the force over the one that buckles).
+/// Precondition: no obstacle.
+flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
+                             const ElasticBody& elastic);
+
+}  // namespace boxbeam

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "boxbeam/verification/elastic_motion.hpp"
+
+namespace boxbeam {
+
+/// What rigid bodies are estimated to miss in the stresses of a moving beam, by the modes of a few
+/// postures, each taken for the whole motion: in mode j
+///
+///     sum over harmonics h of p_jh/omega_j^2 (1/(1 - r^2 + 2 i zeta r) - 1),  r = h Omega/omega_j
+///
+/// times the stresses of the mode; of a motion that does not repeat, twice the p_j''/omega_j^4 of
+/// slow loads. Added is the order of what the rotation of the beam couples,
+/// (omega_rotation/omega_1)^2.
+struct VibrationEstimate {
+  double error = 0.0;  ///< as `difference_between`, of the worst posture
+  /// Of the posture whose first frequency is lowest [Hz].
+  std::vector<double> frequencies;
+  /// Harmonics of the bending moment where the stress range is largest, above a hundredth of it.
+  std::vector<LoadHarmonic> harmonics;
+};
+
+/// `history`: of the rigid beam's loads. Throws AnalysisError where the mechanism is free to move
+/// though its drivers are held.
+VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody& elastic,
+                                     const LoadHistory& history);
+
+}  // namespace boxbeam

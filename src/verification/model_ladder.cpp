@@ -1,0 +1,306 @@
+#include "boxbeam/verification/model_ladder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
+
+namespace boxbeam {
+namespace {
+
+using flexible::LinkKind;
+
+constexpr std::array divisions{2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+/// The coarse division whose modes decide, and the parts of the better model at least.
+constexpr int scout_parts = 8;
+constexpr int fine_parts = 16;
+
+bool is_elastic(const flexible::Link& link) { return link.kind != LinkKind::rigid; }
+
+bool has_bending_links(const flexible::Mechanism& mechanism) {
+  return std::any_of(mechanism.links.begin(), mechanism.links.end(),
+                     [](const flexible::Link& link) { return link.kind == LinkKind::bending; });
+}
+
+/// Whether balance alone determines the forces in the joints.
+bool is_determinate(const flexible::Mechanism& mechanism) {
+  std::size_t forces = 0;
+  for (const flexible::Joint& joint : mechanism.joints) {
+    forces += static_cast<std::size_t>(std::count_if(joint.stiffness.begin(), joint.stiffness.end(),
+                                                     [](double k) { return k > 0.0; }));
+  }
+  return forces == 3 * mechanism.links.size();
+}
+
+/// Whether rigid links have unique forces in their joints: joints that are all elastic, or as many
+/// forces as balance determines.
+bool rigid_links_determine_joints(const flexible::Mechanism& mechanism) {
+  const bool elastic = std::all_of(
+      mechanism.joints.begin(), mechanism.joints.end(), [](const flexible::Joint& joint) {
+        return std::none_of(joint.stiffness.begin(), joint.stiffness.end(),
+                            [](double k) { return std::isinf(k); });
+      });
+  return elastic || is_determinate(mechanism);
+}
+
+/// Modes beyond which all elements of a coarse division are no larger a model.
+std::size_t most_modes(const flexible::Mechanism& mechanism) {
+  const auto links = static_cast<std::size_t>(
+      std::count_if(mechanism.links.begin(), mechanism.links.end(), is_elastic));
+  return std::min<std::size_t>(12, 4 + 4 * links);
+}
+
+ElasticModel all_elements(int parts, bool axial) {
+  return {ModelLevel::flexible, 0, parts, flexible::Element::corrected, axial};
+}
+
+/// Error of a division into n parts, error_8 (8/n)^order.
+struct DivisionError {
+  double at_scout = 0.0;
+  double order = 2.0;
+
+  double operator()(int parts) const {
+    return at_scout * std::pow(static_cast<double>(scout_parts) / parts, order);
+  }
+};
+
+/// From three divisions, each twice as fine as the one before (Richardson).
+DivisionError division_error(double first_step, double second_step) {
+  constexpr double round_off = 1e-11;
+  if (second_step < round_off) return {second_step, 2.0};
+  const double order = std::clamp(std::log2(first_step / second_step), 1.5, 4.0);
+  return {second_step / (1.0 - std::pow(2.0, -order)), order};
+}
+
+/// What is known of a case before any model is chosen.
+struct Scouting {
+  std::vector<double> frequencies;    ///< [Hz]
+  std::vector<double> without_modes;  ///< error of k modes, k = 0, 1, ...
+  DivisionError division;             ///< of all elements
+  DivisionError static_division;      ///< of elastic statics
+  double axial = 0.0;                 ///< error of axially rigid bending links
+  double static_axial = 0.0;
+  double shear = 0.0;  ///< error of links rigid in shear
+  /// Error of rigid links on the joints as they are; nothing where joints without play repeat each
+  /// other, which rigid links cannot share a load between.
+  std::optional<double> rigid;
+};
+
+flexible::ModalModel truncated(const flexible::ModalModel& model, std::size_t modes) {
+  const auto count = static_cast<Eigen::Index>(modes);
+  return {model.structure,
+          {model.modes.begin(), model.modes.begin() + count},
+          model.damping.topLeftCorner(count, count)};
+}
+
+VibratingStress stresses_of(const LadderCase& of, const ModelResponse& by,
+                            const flexible::Structure& structure,
+                            const std::vector<ComparedPlace>& places) {
+  return vibrating_stress_of(
+      flexible::beam_response_of(structure, of.link, *of.beam, by.response, by.inertial), places);
+}
+
+/// Stresses of the same structure by ever more of its modes.
+std::vector<double> errors_of_modes(const LadderCase& of, const std::vector<ComparedPlace>& places,
+                                    const VibratingStress& all, Scouting& scouting) {
+  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(scout_parts, true));
+  const flexible::Structure structure = flexible::structure_of(mechanism);
+  const flexible::ModalModel model = flexible::modal_model_of(structure, most_modes(mechanism));
+  for (const flexible::Mode& mode : model.modes) scouting.frequencies.push_back(mode.frequency);
+  std::vector<double> errors;
+  for (std::size_t k = 0; k <= model.modes.size(); ++k) {
+    errors.push_back(difference_between(
+        stresses_of(of, modal_response(truncated(model, k)), structure, places), all));
+  }
+  return errors;
+}
+
+/// The same links, as good as rigid in shear.
+flexible::Mechanism rigid_in_shear(flexible::Mechanism mechanism) {
+  for (flexible::Link& link : mechanism.links) {
+    for (flexible::LinkStretch& stretch : link.stretches) stretch.GA = 1e6 * stretch.GA;
+  }
+  return mechanism;
+}
+
+Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
+  const auto by = [&](int parts, bool axial) {
+    return stresses_by(of, all_elements(parts, axial), places);
+  };
+  const auto statically = [&](int parts, bool axial) {
+    ElasticModel model = all_elements(parts, axial);
+    model.level = ModelLevel::quasi_static;
+    return stresses_by(of, model, places);
+  };
+  Scouting scouting;
+  const VibratingStress coarse = by(scout_parts / 2, true);
+  const VibratingStress middle = by(scout_parts, true);
+  const VibratingStress fine = by(fine_parts, true);
+  scouting.division =
+      division_error(difference_between(coarse, middle), difference_between(middle, fine));
+  const VibratingStress static_middle = statically(scout_parts, true);
+  scouting.static_division =
+      division_error(difference_between(statically(scout_parts / 2, true), static_middle),
+                     difference_between(static_middle, statically(fine_parts, true)));
+  if (rigid_links_determine_joints(*of.mechanism)) {
+    scouting.rigid = difference_between(stresses_by(of, {}, places), fine);
+  }
+  if (has_bending_links(*of.mechanism)) {
+    scouting.axial = difference_between(by(scout_parts, false), middle);
+    scouting.static_axial = difference_between(statically(scout_parts, false), static_middle);
+  }
+  const flexible::Mechanism stiff = rigid_in_shear(*of.mechanism);
+  scouting.shear = difference_between(
+      stresses_by({&stiff, of.link, of.beam}, all_elements(scout_parts, true), places), middle);
+  scouting.without_modes = errors_of_modes(of, places, middle, scouting);
+  return scouting;
+}
+
+ModelEstimate estimate_of(const ElasticModel& model, const Scouting& scouting) {
+  ModelEstimate estimate;
+  estimate.model = model;
+  if (model.level == ModelLevel::rigid) {
+    estimate.error = *scouting.rigid;
+    estimate.basis = "rigid links against elastic ones";
+    return estimate;
+  }
+  const bool dynamic = model.level == ModelLevel::modal || model.level == ModelLevel::flexible;
+  const double modes = model.level == ModelLevel::flexible
+                           ? 0.0
+                           : scouting.without_modes[static_cast<std::size_t>(model.modes)];
+  const double division = (dynamic ? scouting.division : scouting.static_division)(model.parts);
+  const double axial = model.axial ? 0.0 : dynamic ? scouting.axial : scouting.static_axial;
+  estimate.error = modes + division + axial;
+  if (model.level == ModelLevel::quasi_static) {
+    estimate.basis = fmt::format("vibration {:.2g} %", 100.0 * modes);
+  } else if (model.level == ModelLevel::modal) {
+    estimate.basis = fmt::format("modes left out {:.2g} %", 100.0 * modes);
+  }
+  const auto add = [&](const char* name, double error) {
+    estimate.basis +=
+        fmt::format("{}{} {:.2g} %", estimate.basis.empty() ? "" : ", ", name, 100.0 * error);
+  };
+  add("division", division);
+  if (axial > 0.0) add("axial rigidity", axial);
+  return estimate;
+}
+
+/// All models, cheapest first.
+std::vector<ElasticModel> rungs_of(const LadderCase& of, const Scouting& scouting) {
+  std::vector<ElasticModel> rungs;
+  if (scouting.rigid) rungs.push_back({});
+  const bool both_kinds = has_bending_links(*of.mechanism);
+  const auto add = [&](ModelLevel level, int modes) {
+    for (const int parts : divisions) {
+      if (parts < modes) continue;
+      if (both_kinds) rungs.push_back({level, modes, parts, flexible::Element::corrected, false});
+      rungs.push_back({level, modes, parts, flexible::Element::corrected, both_kinds});
+    }
+  };
+  // Where balance decides, elastic statics give the forces of rigid links.
+  if (!is_determinate(*of.mechanism)) add(ModelLevel::quasi_static, 0);
+  for (std::size_t k = 1; k < scouting.without_modes.size(); ++k) {
+    add(ModelLevel::modal, static_cast<int>(k));
+  }
+  add(ModelLevel::flexible, 0);
+  return rungs;
+}
+
+std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Scouting& scouting) {
+  const ModelEstimate& chosen = choice.weighed.back();
+  std::string reason = fmt::format(
+      "{}: error of the governing stress estimated {:.2g} % ({}), found {:.2g} % against all "
+      "elements of a finer division, tolerance {:.3g} %",
+      describe(chosen.model), 100.0 * chosen.error, chosen.basis, 100.0 * *chosen.found,
+      100.0 * choice.tolerance);
+  if (choice.weighed.size() > 1) {
+    const ModelEstimate& cheaper = choice.weighed[choice.weighed.size() - 2];
+    reason += fmt::format("; the next cheaper, {}, would miss by {:.2g} %", describe(cheaper.model),
+                          100.0 * cheaper.found.value_or(cheaper.error));
+  }
+  if (of.mechanism->frequency > 0.0 && !scouting.frequencies.empty()) {
+    reason += fmt::format("; the load's {:.4g} Hz stand against natural frequencies of",
+                          of.mechanism->frequency);
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, scouting.frequencies.size()); ++i) {
+      reason += fmt::format("{} {:.4g}", i == 0 ? "" : ",", scouting.frequencies[i]);
+    }
+    reason += " Hz";
+  }
+  if (has_bending_links(*of.mechanism)) {
+    reason += fmt::format(
+        "; bending links taken as rigid along their axes would change it by "
+        "{:.2g} %",
+        100.0 * scouting.axial);
+  }
+  reason += fmt::format("; links rigid in shear by {:.2g} %", 100.0 * scouting.shear);
+  return reason;
+}
+
+}  // namespace
+
+std::string describe(const ElasticModel& model) {
+  std::string text = to_text(model.level);
+  if (model.level == ModelLevel::modal) {
+    text += fmt::format(", {} mode{}", model.modes, model.modes == 1 ? "" : "s");
+  }
+  if (model.parts > 0) text += fmt::format(", {} parts per link", model.parts);
+  if (model.axial) text += ", elastic along the axes as well";
+  return text;
+}
+
+std::vector<ComparedPlace> places_of(const LadderCase& of) {
+  std::vector<Length> joints;
+  const auto add = [&](const flexible::Attachment& at) {
+    if (at.link == of.link) joints.push_back(si<Length>(at.p.x()));
+  };
+  for (const flexible::Joint& joint : of.mechanism->joints) {
+    add(joint.a);
+    add(joint.b);
+  }
+  for (const flexible::Load& load : of.mechanism->loads) add(load.at);
+  return compared_places_of(*of.beam, joints);
+}
+
+VibratingStress stresses_by(const LadderCase& of, const ElasticModel& model,
+                            const std::vector<ComparedPlace>& places) {
+  const flexible::Mechanism mechanism = modelled(*of.mechanism, model);
+  const flexible::Structure structure = flexible::structure_of(mechanism);
+  return stresses_of(of, response_of(structure, model), structure, places);
+}
+
+ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
+  const std::vector<ComparedPlace> places = places_of(of);
+  const Scouting scouting = scout(of, places);
+  ModelChoice choice;
+  choice.tolerance = tolerance;
+  choice.frequencies = scouting.frequencies;
+  if (of.mechanism->frequency > 0.0) choice.harmonics = {{of.mechanism->frequency, 1.0}};
+  for (const ElasticModel& rung : rungs_of(of, scouting)) {
+    ModelEstimate& estimate = choice.weighed.emplace_back(estimate_of(rung, scouting));
+    if (estimate.error > tolerance) continue;
+    const int better = std::max(2 * rung.parts, fine_parts);
+    estimate.found = difference_between(stresses_by(of, rung, places),
+                                        stresses_by(of, all_elements(better, true), places)) +
+                     scouting.division(better);
+    if (*estimate.found > tolerance) continue;
+    choice.chosen = rung;
+    choice.reason = reason_of(choice, of, scouting);
+    return choice;
+  }
+  throw AnalysisError(
+      {fmt::format("no model of the elastic links is known to be within {:.3g} % of the governing "
+                   "stress: the load's {:.6g} Hz are too near a natural frequency for this; ask "
+                   "for a larger tolerance, or give damping",
+                   100.0 * tolerance, of.mechanism->frequency),
+       "",
+       {},
+       choice.weighed.back().found,
+       {}});
+}
+
+}  // namespace boxbeam

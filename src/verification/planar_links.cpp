@@ -1,0 +1,180 @@
+#include "boxbeam/verification/planar_links.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "boxbeam/mechanism/planar/constraints.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A stopped mechanism while it is made.
+struct StoppedMechanism {
+  const planar::Mechanism& mechanism;
+  const planar::State& state;
+  const ElasticBody& elastic;
+
+  double angle_of(int body) const {
+    return body == planar::ground ? 0.0 : state.q[3 * static_cast<Eigen::Index>(body) + 2];
+  }
+
+  Eigen::Vector2d place_of(const planar::Attachment& at) const {
+    return planar::position_of(at, state.q);
+  }
+
+  /// The elastic link begins where the beam does, the others at their centres.
+  flexible::Attachment on_link(const planar::Attachment& at) const {
+    flexible::Attachment attachment{at.body, at.p};
+    if (at.body == elastic.body) attachment.p.x() += elastic.centre;
+    return attachment;
+  }
+
+  /// The place of a body that is at a place of the world.
+  flexible::Attachment on_link_at(int body, const Eigen::Vector2d& world) const {
+    if (body == planar::ground) return {flexible::ground, world};
+    const Eigen::Index i = 3 * static_cast<Eigen::Index>(body);
+    const double c = std::cos(state.q[i + 2]);
+    const double s = std::sin(state.q[i + 2]);
+    const Eigen::Vector2d d = world - state.q.segment<2>(i);
+    return on_link({body, {c * d.x() + s * d.y(), -s * d.x() + c * d.y()}});
+  }
+
+  /// Direction from one place to another; 0 where they are the same.
+  double direction_between(const planar::Attachment& a, const planar::Attachment& b) const {
+    const Eigen::Vector2d d = place_of(b) - place_of(a);
+    return d.norm() > 0.0 ? std::atan2(d.y(), d.x()) : 0.0;
+  }
+
+  flexible::Joint held(const planar::Attachment& a, const planar::Attachment& b, double angle,
+                       const std::array<double, 3>& stiffness) const {
+    flexible::Joint joint;
+    joint.a = on_link(a);
+    joint.b = on_link(b);
+    joint.angle = angle;
+    joint.stiffness = stiffness;
+    return joint;
+  }
+
+  flexible::Joint guided(const planar::Attachment& point, const planar::Attachment& guide,
+                         double direction, double viscous, double turning) const {
+    flexible::Joint joint;
+    joint.a = on_link(point);
+    joint.b = on_link_at(guide.body, place_of(point));
+    joint.angle = angle_of(guide.body) + direction;
+    joint.stiffness = {0.0, infinite, turning};
+    joint.damping = {viscous, 0.0, 0.0};
+    return joint;
+  }
+
+  flexible::Joint of(const planar::Pin& pin) const {
+    return held(pin.a, pin.b, 0.0, {infinite, infinite, 0.0});
+  }
+  flexible::Joint of(const planar::Slider& slider) const {
+    return guided(slider.point, slider.guide, slider.direction, slider.friction.viscous, infinite);
+  }
+  flexible::Joint of(const planar::PinInSlot& slot) const {
+    return guided(slot.point, slot.guide, slot.direction, slot.friction.viscous, 0.0);
+  }
+  flexible::Joint of(const planar::Rigid& rigid) const {
+    return held(rigid.a, rigid.b, 0.0, {infinite, infinite, infinite});
+  }
+  flexible::Joint of(const planar::Distance& rod) const {
+    return held(rod.a, rod.b, direction_between(rod.a, rod.b), {infinite, 0.0, 0.0});
+  }
+  flexible::Joint of(const planar::AngleCoupling& coupling) const {
+    return held(coupling.a, coupling.b, 0.0, {0.0, 0.0, infinite});
+  }
+  // Obstacles: `links_of` is not asked for them.
+  flexible::Joint of(const planar::Gear&) const { return {}; }
+  flexible::Joint of(const planar::Rack&) const { return {}; }
+
+  flexible::Joint of(const planar::Driven& driven) const {
+    const planar::Attachment& a = driven.point;
+    const planar::Attachment here{planar::ground, place_of(a)};
+    switch (driven.coordinate) {
+      case planar::Coordinate::x: return held(a, here, 0.0, {infinite, 0.0, 0.0});
+      case planar::Coordinate::y: return held(a, here, 0.0, {0.0, infinite, 0.0});
+      case planar::Coordinate::angle: return held(a, driven.other, 0.0, {0.0, 0.0, infinite});
+      case planar::Coordinate::length:
+        return held(a, driven.other, direction_between(a, driven.other), {infinite, 0.0, 0.0});
+    }
+    return {};
+  }
+
+  flexible::Joint of(const planar::Spring& spring) const {
+    flexible::Joint joint = held(spring.a, spring.b, direction_between(spring.a, spring.b),
+                                 {spring.stiffness, 0.0, 0.0});
+    joint.damping = {spring.damping, 0.0, 0.0};
+    return joint;
+  }
+  flexible::Joint of(const planar::TorsionSpring& spring) const {
+    flexible::Joint joint = held(spring.a, spring.b, 0.0, {0.0, 0.0, spring.stiffness});
+    joint.damping = {0.0, 0.0, spring.damping};
+    return joint;
+  }
+};
+
+flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
+  const Body& body = posture.mechanism.bodies[index];
+  const Eigen::Index i = 3 * static_cast<Eigen::Index>(index);
+  flexible::Link link;
+  link.name = body.name;
+  link.origin = posture.state.q.segment<2>(i);
+  link.angle = posture.state.q[i + 2];
+  if (static_cast<int>(index) != posture.elastic.body) {
+    link.kind = flexible::LinkKind::rigid;
+    link.rigid = {body.mass, Eigen::Vector2d::Zero(), body.inertia};
+    return link;
+  }
+  const ElasticBody& elastic = posture.elastic;
+  link.kind = flexible::LinkKind::full;
+  link.origin -= elastic.centre * Eigen::Vector2d(std::cos(link.angle), std::sin(link.angle));
+  link.length = elastic.length;
+  link.stretches = elastic.stretches;
+  link.retardation = elastic.retardation;
+  link.parts = elastic.parts;
+  return link;
+}
+
+}  // namespace
+
+std::string obstacle_to_links(const planar::Mechanism& mechanism) {
+  for (const planar::Joint& joint : mechanism.joints) {
+    const auto* coupling = std::get_if<planar::AngleCoupling>(&joint.kind);
+    if (std::holds_alternative<planar::Gear>(joint.kind) ||
+        std::holds_alternative<planar::Rack>(joint.kind) ||
+        (coupling != nullptr && coupling->ratio != 1.0)) {
+      return joint.name;
+    }
+  }
+  return "";
+}
+
+flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
+                             const ElasticBody& elastic) {
+  const StoppedMechanism posture{mechanism, state, elastic};
+  flexible::Mechanism links;
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    links.links.push_back(link_of(posture, i));
+  }
+  const auto add = [&](flexible::Joint made, const std::string& name) {
+    made.name = name;
+    if (made.a.link == flexible::ground && made.b.link == flexible::ground) return;
+    links.joints.push_back(std::move(made));
+  };
+  for (const planar::Joint& joint : mechanism.joints) {
+    add(std::visit([&](const auto& kind) { return posture.of(kind); }, joint.kind), joint.name);
+  }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    if (const auto* spring = std::get_if<planar::Spring>(&force.kind)) {
+      add(posture.of(*spring), force.name);
+    } else if (const auto* torsion = std::get_if<planar::TorsionSpring>(&force.kind)) {
+      add(posture.of(*torsion), force.name);
+    }
+  }
+  return links;
+}
+
+}  // namespace boxbeam

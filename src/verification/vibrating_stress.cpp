@@ -1,0 +1,79 @@
+#include "boxbeam/verification/vibrating_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/section/section_properties.hpp"
+
+namespace boxbeam {
+
+std::vector<ComparedPlace> compared_places_of(const TaperedBeam& beam,
+                                              const std::vector<Length>& joints) {
+  constexpr double in_all = 32.0;
+  std::vector<Length> at = places_of(beam);
+  const std::vector<Length> named = at;
+  for (const Length& s : joints) at.push_back(place_near(named, s));
+  for (const Segment& segment : beam.segments) {
+    const int pieces = std::max(2, static_cast<int>(in_all * segment.length / beam.length()));
+    for (int k = 1; k < pieces; ++k)
+      at.push_back(segment.start + segment.length * (static_cast<double>(k) / pieces));
+  }
+  std::sort(at.begin(), at.end());
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  std::vector<ComparedPlace> places;
+  for (const Length& s : at) {
+    for (const Side side : {Side::before, Side::behind}) {
+      if (side == Side::before ? s == at.front() : s == at.back()) continue;
+      const SectionProperties of = properties_of(section_at(beam, {s, side}));
+      places.push_back({{s, side}, 1.0 / of.area.value(), 1.0 / of.W_y.value()});
+    }
+  }
+  return places;
+}
+
+Eigen::ArrayXd fibre_stresses(const CutForceDiagram& diagram,
+                              const std::vector<ComparedPlace>& places) {
+  Eigen::ArrayXd stresses(2 * static_cast<Eigen::Index>(places.size()));
+  Eigen::Index i = 0;
+  for (const ComparedPlace& place : places) {
+    const CutForces cut = diagram.at(place.station);
+    const double axial = cut.N.value() * place.per_N;
+    const double bending = cut.M_y.value() * place.per_M;
+    stresses[i++] = axial + bending;
+    stresses[i++] = axial - bending;
+  }
+  return stresses;
+}
+
+double VibratingStress::peak() const { return (constant.abs() + harmonic.abs()).maxCoeff(); }
+
+double VibratingStress::amplitude() const { return harmonic.abs().maxCoeff(); }
+
+VibratingStress vibrating_stress_of(const flexible::BeamResponse& response,
+                                    const std::vector<ComparedPlace>& places) {
+  const auto stresses = [&](const BeamLoads& loads) {
+    return fibre_stresses(cut_forces_of(loads), places);
+  };
+  VibratingStress field;
+  field.constant = stresses(response.constant);
+  field.harmonic = Eigen::ArrayXcd::Zero(field.constant.size());
+  if (response.frequency > 0.0) {
+    field.harmonic.real() = stresses(response.sine);
+    field.harmonic.imag() = stresses(response.cosine);
+  }
+  return field;
+}
+
+double difference_between(const VibratingStress& model, const VibratingStress& better) {
+  VibratingStress difference;
+  difference.constant = model.constant - better.constant;
+  difference.harmonic = model.harmonic - better.harmonic;
+  const double peak = better.peak();
+  const double amplitude = better.amplitude();
+  double largest = 0.0;
+  if (peak > 0.0) largest = difference.peak() / peak;
+  if (amplitude > 0.0) largest = std::max(largest, difference.amplitude() / amplitude);
+  return largest;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,147 @@
+#include "boxbeam/verification/vibration_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+
+#include "boxbeam/verification/vibrating_stress.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr std::size_t modes_looked_at = 3;
+constexpr std::size_t postures_looked_at = 6;
+constexpr double significant = 0.01;
+
+using Spectrum = std::vector<std::complex<double>>;
+
+Spectrum spectrum_of(const Eigen::VectorXd& samples) {
+  Eigen::FFT<double> transform;
+  const std::vector<double> values(samples.data(), samples.data() + samples.size());
+  Spectrum spectrum;
+  transform.fwd(spectrum, values);
+  return spectrum;
+}
+
+Eigen::VectorXd samples_of(const Spectrum& spectrum) {
+  Eigen::FFT<double> transform;
+  std::vector<double> values;
+  transform.inv(values, spectrum);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// The part of a mode beyond its static one, under generalised forces at equal steps of a period.
+Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
+                             double base) {
+  const double omega = two_pi * frequency;
+  Spectrum spectrum = spectrum_of(p);
+  const std::size_t n = spectrum.size();
+  for (std::size_t h = 0; h < n; ++h) {
+    const double harmonic =
+        h <= n / 2 ? static_cast<double>(h) : static_cast<double>(h) - static_cast<double>(n);
+    const double r = harmonic * base / frequency;
+    const std::complex<double> dynamic(1.0 - r * r, damping * r / omega);
+    spectrum[h] *= (1.0 / dynamic - 1.0) / (omega * omega);
+  }
+  return samples_of(spectrum);
+}
+
+/// The same where loads do not repeat: twice their second derivative by omega^4.
+Eigen::VectorXd slow_part(const Eigen::VectorXd& p, double frequency, double step) {
+  Eigen::VectorXd part = Eigen::VectorXd::Zero(p.size());
+  const double omega = two_pi * frequency;
+  for (Eigen::Index i = 1; i + 1 < p.size(); ++i) {
+    part[i] = -2.0 * (p[i + 1] - 2.0 * p[i] + p[i - 1]) / (step * step * std::pow(omega, 4));
+  }
+  return part;
+}
+
+/// Stresses of the places at all instants, a row for each instant.
+Eigen::MatrixXd stress_history(const LoadHistory& history,
+                               const std::vector<ComparedPlace>& places) {
+  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.instants()),
+                           2 * static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < history.instants(); ++i) {
+    stresses.row(static_cast<Eigen::Index>(i)) =
+        fibre_stresses(history.diagram(i), places).transpose();
+  }
+  return stresses;
+}
+
+double largest_range(const Eigen::MatrixXd& stresses) {
+  return (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff();
+}
+
+std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
+                                       double base) {
+  Eigen::VectorXd moment(static_cast<Eigen::Index>(history.instants()));
+  for (std::size_t i = 0; i < history.instants(); ++i) {
+    moment[static_cast<Eigen::Index>(i)] = history.diagram(i).at(station).M_y.value();
+  }
+  const Spectrum spectrum = spectrum_of(moment);
+  const double largest = moment.cwiseAbs().maxCoeff();
+  std::vector<LoadHarmonic> harmonics;
+  for (std::size_t h = 1; h <= spectrum.size() / 2; ++h) {
+    const double share =
+        2.0 * std::abs(spectrum[h]) / (static_cast<double>(spectrum.size()) * largest);
+    if (share > significant) harmonics.push_back({static_cast<double>(h) * base, share});
+  }
+  return harmonics;
+}
+
+}  // namespace
+
+VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody& elastic,
+                                     const LoadHistory& history) {
+  const planar::Motion& motion = *rigid.motion;
+  const std::vector<ComparedPlace> places = compared_places_of(*rigid.beam);
+  const Eigen::MatrixXd stresses = stress_history(history, places);
+  const double range = largest_range(stresses);
+  const double peak = stresses.cwiseAbs().maxCoeff();
+  const double base = 1.0 / motion.period;
+  VibrationEstimate estimate;
+  if (peak == 0.0) return estimate;
+
+  double fastest = 0.0;
+  for (const planar::State& state : motion.states) {
+    fastest = std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic.body) + 2]));
+  }
+  const std::size_t step = std::max<std::size_t>(1, motion.states.size() / postures_looked_at);
+  for (std::size_t at = 0; at < motion.states.size(); at += step) {
+    const PostureModes modes = modes_in_posture(*rigid.mechanism, motion.states[at], elastic,
+                                                *rigid.beam, modes_looked_at);
+    const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
+    Eigen::MatrixXd p(stresses.rows(), count);
+    for (std::size_t i = 0; i < history.instants(); ++i) {
+      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.diagram(i)).transpose();
+    }
+    Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(stresses.rows(), stresses.cols());
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const auto mode = static_cast<std::size_t>(j);
+      const double frequency = modes.frequencies[mode];
+      const Eigen::VectorXd part =
+          motion.closed ? dynamic_part(p.col(j), frequency, modes.damping(j, j), base)
+                        : slow_part(p.col(j), frequency, history.step().value());
+      missed += part * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
+    }
+    double error = missed.cwiseAbs().maxCoeff() / peak;
+    if (range > 0.0) error = std::max(error, largest_range(missed) / range);
+    error += std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
+    estimate.error = std::max(estimate.error, error);
+    if (estimate.frequencies.empty() || modes.frequencies.front() < estimate.frequencies.front()) {
+      estimate.frequencies = modes.frequencies;
+    }
+  }
+  if (motion.closed) {
+    Eigen::Index governing = 0;
+    (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
+    estimate.harmonics =
+        harmonics_of(history, places[static_cast<std::size_t>(governing / 2)].station, base);
+  }
+  return estimate;
+}
+
+}  // namespace boxbeam
