@@ -17,7 +17,7 @@ std::string number(double value, double size) {
   return fmt::format("{:.6g}", std::abs(value) <= 1e-12 * size ? 0.0 : value);
 }
 
-/// "2.1e-05 (order 2.0)", "0" for round-off beside the value, "not seen" where there is no order.
+/// "2.1e-05 (order 2.0)"; a word where it is round-off beside `size`, or no order is seen.
 std::string error_text(const DiscretisationError& of, double size) {
   if (of.error <= 1e-9 * size) return "round-off";
   if (!of.order) return fmt::format("{:.1e} (order not seen)", of.error);
@@ -26,9 +26,10 @@ std::string error_text(const DiscretisationError& of, double size) {
 
 std::string phase_text(const std::complex<double>& value, double size) {
   if (std::abs(value) <= 1e-12 * size) return "0";
-  const double degrees = std::arg(value) * 180.0 / std::numbers::pi;
-  return fmt::format("{:.6g} at {:.4g} deg", std::abs(value),
-                     std::abs(degrees) < 5e-4 ? 0.0 : degrees);
+  // From above -180 to 180, and no "-0".
+  double degrees = std::round(std::arg(value) * 180.0 / std::numbers::pi * 1e2) * 1e-2;
+  if (degrees <= -180.0) degrees += 360.0;
+  return fmt::format("{:.6g} at {:.5g} deg", std::abs(value), degrees == 0.0 ? 0.0 : degrees);
 }
 
 std::string frequencies_table(const FlexibleMotionResult& motion) {

@@ -151,8 +151,8 @@ TEST_CASE("drill truck: static reactions as in the independent model", "[flexibl
     // By hand: the axles carry all weight and the drill's constant force.
     const double lift = std::hypot(0.9 + 1.5 * std::cos(slope) + 0.15 * std::sin(slope) - 1.5,
                                    1.7 + 1.5 * std::sin(slope) - 0.15 * std::cos(slope) - 1.0);
-    const double tilt = std::hypot(1.2 - 1.2 * std::cos(slope) - 0.25 * std::sin(slope),
-                                   -0.2 - 1.2 * std::sin(slope) + 0.25 * std::cos(slope));
+    const double tilt = std::hypot(1.2 + 1.2 * std::cos(slope) - 0.25 * std::sin(slope),
+                                   -0.2 + 1.2 * std::sin(slope) + 0.25 * std::cos(slope));
     const double area_boom = 0.3 * 0.22 - 0.28 * 0.2;
     const double area_telescope = 0.26 * 0.18 - 0.24 * 0.16;
     const double area_feed = 0.24 * 0.16 - 0.224 * 0.144;
