@@ -415,7 +415,9 @@ void lay_out(LinkDraft& draft) {
     for (LinkStretch& stretch : link.stretches) stretch.mass.c[0] += draft.extra_mass;
   }
   if (link.kind != LinkKind::rigid) return;
+  link.kind = LinkKind::full;  // as whose mass it is summed up
   link.rigid = flexible::rigid_mass_of(link);
+  link.kind = LinkKind::rigid;
   link.stretches.clear();
 }
 
