@@ -1,3 +1,165 @@
-#include "boxbeam/project/project.hpp"
+#include "flexible_text.hpp"
 
-namespace boxbeam {}  // namespace boxbeam
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/report/format.hpp"
+#include "function_text.hpp"
+#include "text_layout.hpp"
+
+namespace boxbeam {
+namespace {
+
+using flexible::Mechanism;
+using layout::Table;
+
+const char* kind_text(flexible::LinkKind kind) {
+  switch (kind) {
+    case flexible::LinkKind::rigid: return "rigid";
+    case flexible::LinkKind::bending: return "bending";
+    case flexible::LinkKind::axial: return "axial";
+    case flexible::LinkKind::full: return "full";
+  }
+  return "";
+}
+
+std::string angle_text(double angle) {
+  return text::significant(angle * 180.0 / std::numbers::pi, 5);
+}
+
+/// "boom at (1.5, -0.15) m".
+std::string place_text(const Mechanism& mechanism, const flexible::Attachment& at) {
+  if (at.link == flexible::ground) return "the ground";
+  const flexible::Link& link = mechanism.links[static_cast<std::size_t>(at.link)];
+  const auto named = std::find_if(link.points.begin(), link.points.end(), [&](const auto& point) {
+    return (point.p - at.p).norm() < 1e-9;
+  });
+  if (named != link.points.end()) return link.name + "." + named->name;
+  return fmt::format("{} at ({}, {}) m", link.name, plain(at.p.x()), plain(at.p.y()));
+}
+
+std::string stiffness_text(double stiffness) {
+  if (stiffness == 0.0) return "-";
+  if (std::isinf(stiffness)) return "rigid";
+  return fmt::format("{:.4g}", stiffness);
+}
+
+std::string links_table(const Mechanism& mechanism) {
+  Table table({"link", "kind", "origin [m]", "angle [deg]", "length [m]", "parts", "mass [kg]",
+               "EA [N]", "GA [N]", "EI [N m^2]"});
+  for (const flexible::Link& link : mechanism.links) {
+    const bool rigid = link.kind == flexible::LinkKind::rigid;
+    const bool bends =
+        link.kind == flexible::LinkKind::bending || link.kind == flexible::LinkKind::full;
+    // Of a tapered link at its start.
+    const auto at_start = [&](const auto& of, bool counts) {
+      return counts ? fmt::format("{:.4g}", of.c[0]) : std::string("rigid");
+    };
+    std::vector<std::string> row{
+        link.name,
+        kind_text(link.kind),
+        fmt::format("({}, {})", plain(link.origin.x()), plain(link.origin.y())),
+        angle_text(link.angle),
+        link.length > 0.0 ? text::significant(link.length, 5) : "-",
+        rigid ? "-" : fmt::format("{}", link.parts),
+        text::significant(flexible::rigid_mass_of(link).mass, 5)};
+    if (rigid) {
+      row.insert(row.end(), {"rigid", "rigid", "rigid"});
+    } else {
+      const flexible::LinkStretch& first = link.stretches.front();
+      row.push_back(at_start(first.EA, link.kind != flexible::LinkKind::bending));
+      row.push_back(at_start(first.GA, bends));
+      row.push_back(at_start(first.EI, bends));
+    }
+    table.row(std::move(row));
+  }
+  return table.text();
+}
+
+std::string joints_table(const Mechanism& mechanism) {
+  Table table({"joint", "connects", "with", "first axis [deg]", "along [N/m]", "across [N/m]",
+               "turning [N m/rad]"});
+  for (const flexible::Joint& joint : mechanism.joints) {
+    table.row({joint.name, place_text(mechanism, joint.a), place_text(mechanism, joint.b),
+               angle_text(joint.angle), stiffness_text(joint.stiffness[0]),
+               stiffness_text(joint.stiffness[1]), stiffness_text(joint.stiffness[2])});
+  }
+  return table.text();
+}
+
+std::string load_text(const Mechanism& mechanism, const flexible::Load& load) {
+  const auto triple = [](const Eigen::Vector3d& v) {
+    return fmt::format("force ({}, {}) N, couple {} N m", plain(v.x()), plain(v.y()), plain(v.z()));
+  };
+  std::string out = fmt::format("{}: on {}, constant {}", load.name, place_text(mechanism, load.at),
+                                triple(load.constant));
+  if (load.amplitude.isZero(0.0)) return out;
+  out += fmt::format("; with sin(2 pi {} Hz t{}) {}", plain(mechanism.frequency),
+                     load.phase == 0.0 ? "" : fmt::format(" + {} rad", plain(load.phase)),
+                     triple(load.amplitude));
+  return out;
+}
+
+/// "round-off" beside a value, or its size.
+std::string error_text(double error, double size) {
+  return error <= 1e-9 * size ? "round-off" : fmt::format("{:.1e}", error);
+}
+
+}  // namespace
+
+std::string flexible_inputs(const Mechanism& mechanism) {
+  std::string out = layout::entry(
+      "division",
+      fmt::format(
+          "{} rigid finite elements, {}",
+          mechanism.element == flexible::Element::classical ? "classical" : "corrected",
+          mechanism.nodes_at_joints ? "nodes at joints and loads" : "parts of a link all equal"));
+  for (const flexible::Load& load : mechanism.loads) {
+    out += layout::entry("load", load_text(mechanism, load));
+  }
+  return out;
+}
+
+std::string flexible_tables(const Mechanism& mechanism) {
+  return links_table(mechanism) + "\n" + joints_table(mechanism);
+}
+
+std::string vibration_section(const ElasticFigures& figures) {
+  const FlexibleMotionResult& motion = figures.motion;
+  std::string out = layout::heading("Natural frequencies and joint forces");
+  out += layout::paragraph(fmt::format(
+      "{} rigid finite elements, {} generalised coordinates. Stated errors are those of the "
+      "division of the links, with a margin; they say nothing of the data.",
+      motion.elements, motion.degrees_of_freedom));
+  Table frequencies({"mode", "frequency [Hz]", "stated error [Hz]"});
+  for (std::size_t i = 0; i < motion.frequencies.size(); ++i) {
+    const NaturalFrequency& of = motion.frequencies[i];
+    frequencies.row({fmt::format("{}", i + 1), fmt::format("{:.5g}", of.frequency),
+                     error_text(of.error.error, of.frequency)});
+  }
+  out += "\n" + frequencies.text() + "\n";
+  double size = 0.0;
+  for (const JointVibration& joint : motion.joints) {
+    size = std::max({size, joint.force.magnitude, joint.force.largest});
+  }
+  Table joints({"joint", "on", "static F_x [kN]", "F_y [kN]", "length [kN]", "stated error [N]",
+                fmt::format("at {} Hz, largest [kN]", plain(motion.frequency)),
+                "stated error [N]"});
+  const auto kN = [&](double newtons) {
+    return std::abs(newtons) <= 1e-12 * size ? "0" : text::significant(newtons * 1e-3, 5);
+  };
+  for (const JointVibration& joint : motion.joints) {
+    const Vibration<3>& force = joint.force;
+    joints.row({joint.name, joint.on, kN(force.constant.x()), kN(force.constant.y()),
+                kN(force.magnitude), error_text(force.constant_error.error, size),
+                kN(force.largest), error_text(force.amplitude_error.error, size)});
+  }
+  return out + joints.text() +
+         "\n  World axes; what a joint does to the link that is named. Largest: length of the "
+         "vibrating force.\n\n";
+}
+
+}  // namespace boxbeam

@@ -5,6 +5,7 @@
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/report/format.hpp"
 #include "chain_text.hpp"
+#include "flexible_text.hpp"
 #include "function_text.hpp"
 #include "mechanism_text.hpp"
 #include "text_layout.hpp"
@@ -162,9 +163,11 @@ std::string mechanism_inputs(const Project& project) {
                                                 plain(g.z()))) +
            chain_inputs(mechanism, project.placement);
   }
-  const Eigen::Vector2d& g = planar_of(project).gravity;
+  const Eigen::Vector2d& g =
+      is_flexible(project) ? flexible_of(project).gravity : planar_of(project).gravity;
   return layout::entry("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y())) +
-         mechanism_text(planar_of(project));
+         (is_flexible(project) ? flexible_inputs(flexible_of(project))
+                               : mechanism_text(planar_of(project)));
 }
 
 }  // namespace

@@ -5,6 +5,18 @@
 #include "mechanism_drawing.hpp"
 
 namespace boxbeam::plot {
+namespace {
+
+/// What the grey posture is, and how large displacements are drawn.
+std::string grey_text(const Verification& verification) {
+  const PostureFigure& first = verification.postures.front();
+  if (first.magnified == 0.0) return "grey: " + time_label(first.time);
+  return fmt::format("displacements {:g} times as large; grey: without load",
+                     verification.postures.back().magnified);
+}
+
+}  // namespace
+
 void mechanism(Script& gp, const Project&, const Verification& verification) {
   const std::size_t panels = verification.postures.size() - 1;
   const Extent extent = extent_of(verification.postures);
@@ -25,8 +37,7 @@ void mechanism(Script& gp, const Project&, const Verification& verification) {
   const int height = tall ? 720 : std::clamp(static_cast<int>(820.0 * aspect), 160, 720) + 110;
   gp.begin("mechanism", tall ? width * count : width, tall ? 860 : 60 + height * count);
   gp << "set multiplot layout " << (tall ? 1 : count) << "," << (tall ? count : 1) << " title "
-     << quoted("Mechanism at its critical instants, forces on the beam; grey: " +
-               time_label(verification.postures.front().time))
+     << quoted("Mechanism at its critical instants, forces on the beam; " + grey_text(verification))
      << " noenhanced\n"
      << "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nunset key\n"
      << "set xrange [" << extent.low.x() - 1.7 * reach << ":" << extent.high.x() + 1.7 * reach

@@ -76,6 +76,10 @@ void cut_forces(Script& gp, const Project& project, const Verification& verifica
 void cut_forces_in_space(Script& gp, const Project& project, const Verification& verification);
 void mechanism(Script& gp, const Project& project, const Verification& verification);
 void mechanism_in_space(Script& gp, const Project& project, const Verification& verification);
+void modes(Script& gp, const Project& project, const Verification& verification);
+void frequency_response(Script& gp, const Project& project, const Verification& verification);
+void joint_forces(Script& gp, const Project& project, const Verification& verification);
+void sudden_start(Script& gp, const Project& project, const Verification& verification);
 void loads_over_time(Script& gp, const Project& project, const Verification& verification);
 void stress(Script& gp, const Project& project, const Verification& verification);
 void sn(Script& gp, const Project& project, const Verification& verification);

@@ -23,7 +23,8 @@ struct Figure {
 
 void remove_figures(const std::string& folder) {
   std::error_code ignored;
-  for (const char* name : {"cut-forces", "mechanism", "loads", "stress", "sn"}) {
+  for (const char* name : {"cut-forces", "mechanism", "modes", "frequency-response", "joint-forces",
+                           "sudden-start", "loads", "stress", "sn"}) {
     fs::remove(fs::path(folder) / fmt::format("{}.svg", name), ignored);
     fs::remove(fs::path(folder) / "plots" / fmt::format("{}.gp", name), ignored);
   }
@@ -38,6 +39,14 @@ std::vector<std::string> draw_figures(const Project& project, const Verification
   const bool space = in_space(project);
   add("cut-forces", space ? plot::cut_forces_in_space : plot::cut_forces);
   add("mechanism", space ? plot::mechanism_in_space : plot::mechanism);
+  if (verification.elastic) {
+    add("modes", plot::modes);
+    if (!verification.elastic->over_period.at.empty()) {
+      add("frequency-response", plot::frequency_response);
+      add("joint-forces", plot::joint_forces);
+      add("sudden-start", plot::sudden_start);
+    }
+  }
   if (verification.loads_over_time) add("loads", plot::loads_over_time);
   if (project.given_stresses.empty()) add("stress", plot::stress);
   if (verification.sn) add("sn", plot::sn);

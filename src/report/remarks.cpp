@@ -126,7 +126,8 @@ void add_beside(const Project& project, const Verification& verification,
 namespace {
 
 void add_branches(const Project& project, std::vector<std::string>& remarks) {
-  if (in_space(project) || !planar_of(project).loops.empty()) return;
+  const auto* plane = std::get_if<planar::Mechanism>(&project.mechanism);
+  if (plane == nullptr || !plane->loops.empty()) return;
   remarks.push_back(
       "the case names no loop: the motion is on the branch to which the sketch leads, which is "
       "neither checked nor reported; add [loops] where a loop has two assemblies");

@@ -12,6 +12,7 @@
 #include "boxbeam/report/remarks.hpp"
 #include "calculation_sheet.hpp"
 #include "chain_text.hpp"
+#include "flexible_text.hpp"
 #include "inputs_text.hpp"
 #include "text_layout.hpp"
 #include "version.hpp"
@@ -98,6 +99,12 @@ std::string case_section(const Project& project, const Verification& verificatio
                          : "the published Newton chain");
   for (const MotionSummary& motion : verification.motions) {
     const std::string& name = project.situations[motion.situation].name;
+    if (is_flexible(project) &&
+        flexible_in(project, project.situations[motion.situation]).frequency == 0.0) {
+      out += fmt::format("  period        none: the loads stand still{}\n",
+                         name.empty() ? "" : " (" + name + ")");
+      continue;
+    }
     out += fmt::format("  period        {}, {} instants solved, extremes refined between them{}\n",
                        text::seconds(motion.period.value()), motion.instants,
                        name.empty() ? "" : " (" + name + ")");
@@ -134,6 +141,10 @@ std::string closure_text(const planar::Mechanism& mechanism, const ClosureSummar
 std::string mechanism_section(const Project& project, const Verification& verification) {
   std::string out = heading("Mechanism");
   if (in_space(project)) return out + chain_tables(spatial_of(project)) + "\n";
+  if (verification.elastic) {
+    return out + flexible_tables(flexible_of(project)) + "\n" +
+           vibration_section(*verification.elastic);
+  }
   out += closure_text(planar_of(project), *verification.motions.front().closure);
   Table table({"body", "mass [kg]", "J about centre [kg m^2]"});
   for (const Body& body : planar_of(project).bodies) {
@@ -248,7 +259,9 @@ std::string text_report(const Project& project, const Verification& verification
   out += case_section(project, verification);
   out += heading("Assumptions and remarks");
   for (const std::string& remark : remarks_of(project, verification)) out += layout::item(remark);
-  out += layout::item("model: rigid; " + model_reason(project)) + "\n";
+  out += layout::item(fmt::format("model: {}; {}", to_text(verification.model.chosen.level),
+                                  verification.model.reason)) +
+         "\n";
   out += heading("Inputs") + inputs_text(project) + "\n";
   out += mechanism_section(project, verification);
   out += loads_section(project, verification);

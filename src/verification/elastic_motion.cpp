@@ -17,8 +17,6 @@ namespace boxbeam {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-/// Parts of the beam in modal models.
-constexpr int parts = 16;
 
 /// First and second derivative at one of N equal steps of a period of 2 pi, N even: entry by the
 /// number of steps between.
@@ -127,7 +125,7 @@ Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
 
 }  // namespace
 
-ElasticBody elastic_body_of(const Project& project) {
+ElasticBody elastic_body_of(const Project& project, int parts) {
   ElasticBody elastic;
   elastic.body = project.beam_body;
   elastic.centre = mass_properties_of(project.beam).centre.value();
@@ -242,11 +240,9 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
 LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
                          const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
   if (model.level == ModelLevel::rigid) return rigid;
-  ElasticBody elastic = elastic_body_of(project);
-  if (model.parts > 0) elastic.parts = model.parts;
   auto of = std::make_shared<const ElasticMotion>(
       RigidMotion{&planar_in(project, situation), &motion, &project.beam, std::move(rigid)},
-      std::move(elastic), static_cast<std::size_t>(model.modes));
+      elastic_body_of(project, model.parts), static_cast<std::size_t>(model.modes));
   return [of](Time time) { return of->loads_at(time); };
 }
 

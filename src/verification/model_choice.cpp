@@ -1,6 +1,212 @@
 #include "boxbeam/verification/model_choice.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/vibration_estimate.hpp"
+
 namespace boxbeam {
+namespace {
+
+double percent(double of) { return 100.0 * of; }
+
+LadderCase ladder_case(const Project& project, const Situation& situation) {
+  return {&flexible_in(project, situation), project.beam_body, &project.beam};
+}
+
+bool runs(const Situation& situation) { return situation.between.empty(); }
+
+/// A model that the user demands, with the error that it is found to have.
+ModelChoice demanded(const Project& project, const ElasticModel& model) {
+  ModelChoice choice;
+  choice.chosen = model;
+  choice.tolerance = project.model.tolerance;
+  ModelEstimate& estimate = choice.weighed.emplace_back();
+  estimate.model = model;
+  estimate.basis = "as demanded";
+  for (const Situation& situation : project.situations) {
+    if (!runs(situation)) continue;
+    const LadderCase of = ladder_case(project, situation);
+    estimate.error = std::max(estimate.error, error_of(of, model));
+    choice.harmonics = {{of.mechanism->frequency, 1.0}};
+  }
+  estimate.found = estimate.error;
+  choice.reason = fmt::format(
+      "{}, as demanded: found {:.2g} % from all elements of a finer division with all elasticity, "
+      "where {:.3g} % would be the tolerance",
+      describe(model), percent(estimate.error), percent(choice.tolerance));
+  return choice;
+}
+
+ModelChoice choose_elastic(const Project& project) {
+  if (project.model.demand == ModelDemand::rigid) return demanded(project, {});
+  if (project.model.demand == ModelDemand::flexible) {
+    return demanded(project, {ModelLevel::flexible, 0, 0, {}, false});
+  }
+  const auto cost = [](const ElasticModel& model) {
+    return std::tuple(model.level, model.modes, model.parts, model.axial);
+  };
+  std::optional<ModelChoice> costliest;
+  for (const Situation& situation : project.situations) {
+    if (!runs(situation)) continue;
+    ModelChoice choice = climb_ladder(ladder_case(project, situation), project.model.tolerance);
+    if (!costliest || cost(choice.chosen) > cost(costliest->chosen)) costliest = std::move(choice);
+  }
+  return *costliest;
+}
+
+/// Why the vibration of the beam is not estimated; "" where it is.
+std::string not_estimated(const Project& project, const std::deque<SituationRun>& rigid) {
+  if (in_space(project)) return "elastic links are counted in the plane only";
+  if (project.dynamics == Dynamics::newton_chain) {
+    return "the Newton chain's loads are not in balance with the beam's inertia";
+  }
+  if (project.beam_body == planar::ground) return "the beam is none of the mechanism's bodies";
+  for (const SituationRun& run : rigid) {
+    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
+    const std::string obstacle = obstacle_to_links(mechanism);
+    if (!obstacle.empty()) {
+      return fmt::format(
+          "joint {} couples two motions by a ratio, which no joint of elastic links "
+          "does",
+          obstacle);
+    }
+    const planar::DegreesOfFreedom& freedom = planar_motion_of(run).freedom;
+    if (freedom.undriven > 0) {
+      return "forces decide the motion: with its drivers held the mechanism is free to move";
+    }
+    if (freedom.redundant > 0) {
+      return fmt::format(
+          "joints repeat each other ({}), and without play they leave elastic links no unique "
+          "forces",
+          fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", "));
+    }
+  }
+  return "";
+}
+
+RigidMotion rigid_motion_of(const Project& project, const SituationRun& run) {
+  return {&planar_in(project, *run.situation), &planar_motion_of(run), &project.beam,
+          [&run](Time time) { return run.loads.loads_at(time); }};
+}
+
+/// The estimate of the situation in which rigid bodies miss most.
+VibrationEstimate worst_estimate(const Project& project, const std::deque<SituationRun>& rigid) {
+  const ElasticBody elastic = elastic_body_of(project, 8);
+  VibrationEstimate worst;
+  for (const SituationRun& run : rigid) {
+    VibrationEstimate estimate =
+        estimate_vibration(rigid_motion_of(project, run), elastic, run.loads);
+    if (worst.without_modes.empty() ||
+        estimate.without_modes.front() > worst.without_modes.front()) {
+      worst = std::move(estimate);
+    }
+  }
+  return worst;
+}
+
+/// How far the stresses of two histories are apart, as `difference_between`.
+double difference_between(const LoadHistory& model, const LoadHistory& better,
+                          const std::vector<ComparedPlace>& places) {
+  const Eigen::MatrixXd of_better = stress_history(better, places);
+  const Eigen::MatrixXd difference = stress_history(model, places) - of_better;
+  const double range = largest_range(of_better);
+  const double apart = difference.cwiseAbs().maxCoeff() / of_better.cwiseAbs().maxCoeff();
+  return range > 0.0 ? std::max(apart, largest_range(difference) / range) : apart;
+}
+
+/// Largest difference of a modal model from one with another mode and twice the parts.
+double error_found(const Project& project, const ElasticModel& model) {
+  ElasticModel better = model;
+  ++better.modes;
+  better.parts *= 2;
+  const std::deque<SituationRun> by_model = run_situations(project, model);
+  const std::deque<SituationRun> by_better = run_situations(project, better);
+  const std::vector<ComparedPlace> places = compared_places_of(project.beam);
+  double found = 0.0;
+  for (std::size_t i = 0; i < by_model.size(); ++i) {
+    found = std::max(found, difference_between(by_model[i].loads, by_better[i].loads, places));
+  }
+  return found;
+}
+
+std::string against_frequencies(const VibrationEstimate& estimate) {
+  std::string text = fmt::format(
+      "the lowest natural frequency of the beam in its mechanism, with all masses attached, is "
+      "{:.4g} Hz",
+      estimate.frequencies.front());
+  if (!estimate.harmonics.empty()) {
+    const LoadHarmonic& highest = estimate.harmonics.back();
+    text += fmt::format(
+        ", {:.3g} times the highest harmonic with more than 1 % of its bending moment, {:.4g} Hz",
+        estimate.frequencies.front() / highest.frequency, highest.frequency);
+  }
+  return text;
+}
+
+/// Climbs from rigid bodies to ever more modes.
+ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>& rigid) {
+  ModelChoice choice;
+  choice.tolerance = project.model.tolerance;
+  const std::string obstacle = not_estimated(project, rigid);
+  if (!obstacle.empty()) {
+    choice.reason = "rigid bodies; what vibration adds is not estimated: " + obstacle;
+    return choice;
+  }
+  const VibrationEstimate estimate = worst_estimate(project, rigid);
+  choice.frequencies = estimate.frequencies;
+  choice.harmonics = estimate.harmonics;
+  ModelEstimate& by_rigid = choice.weighed.emplace_back();
+  by_rigid.basis = "harmonics of the loads against the modes of six postures";
+  by_rigid.error = estimate.without_modes.front();
+  const std::string missed = fmt::format(
+      "vibration is estimated to change the governing stress by {:.2g} %, tolerance {:.3g} %",
+      percent(by_rigid.error), percent(choice.tolerance));
+  const bool enough = by_rigid.error <= choice.tolerance;
+  if (project.model.demand == ModelDemand::rigid ||
+      (enough && project.model.demand == ModelDemand::automatic)) {
+    choice.reason = fmt::format("rigid bodies{}: {}; {}",
+                                project.model.demand == ModelDemand::rigid ? ", as demanded" : "",
+                                against_frequencies(estimate), missed);
+    return choice;
+  }
+  for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
+    ModelEstimate& by_modes = choice.weighed.emplace_back();
+    by_modes.model = {ModelLevel::modal, static_cast<int>(k), 8, {}, false};
+    by_modes.error = estimate.without_modes[k];
+    by_modes.basis = fmt::format(
+        "modes left out, and {:.2g} % that the beam's rotation couples with its vibration",
+        percent(estimate.left_out));
+    if (by_modes.error > choice.tolerance) continue;
+    by_modes.found = error_found(project, by_modes.model) + estimate.left_out;
+    if (*by_modes.found > choice.tolerance) continue;
+    choice.chosen = by_modes.model;
+    choice.reason = fmt::format(
+        "{}: {}; rigid bodies: {}; {} estimated to miss {:.2g} %, found {:.2g} % against one mode "
+        "more and twice the parts",
+        describe(choice.chosen), against_frequencies(estimate), missed,
+        k == 1 ? "this mode is" : "these modes are", percent(by_modes.error),
+        percent(*by_modes.found));
+    return choice;
+  }
+  throw AnalysisError(
+      {fmt::format("rigid bodies miss an estimated {:.2g} % of the governing stress, and {} modes "
+                   "of the beam are not known to be within {:.3g} % either; ask for a larger "
+                   "tolerance, or use --model rigid to have the loads of rigid bodies",
+                   percent(by_rigid.error), estimate.without_modes.size() - 1,
+                   percent(choice.tolerance)),
+       "beam",
+       {},
+       choice.weighed.back().found.value_or(choice.weighed.back().error),
+       {}});
+}
+
+}  // namespace
 
 const char* to_text(ModelLevel level) {
   switch (level) {
@@ -10,6 +216,24 @@ const char* to_text(ModelLevel level) {
     case ModelLevel::flexible: return "flexible";
   }
   return "";
+}
+
+ModelledRuns run_by_chosen_model(const Project& project) {
+  if (is_flexible(project)) {
+    ModelChoice model = choose_elastic(project);
+    std::deque<SituationRun> runs = run_situations(project, model.chosen);
+    return {std::move(model), std::move(runs)};
+  }
+  std::deque<SituationRun> rigid = run_situations(project);
+  ModelChoice model = choose_planar(project, rigid);
+  if (model.chosen.level == ModelLevel::rigid) return {std::move(model), std::move(rigid)};
+  std::deque<SituationRun> runs = run_situations(project, model.chosen);
+  return {std::move(model), std::move(runs)};
+}
+
+ModelChoice choose_model(const Project& project) {
+  if (is_flexible(project)) return choose_elastic(project);
+  return choose_planar(project, run_situations(project));
 }
 
 }  // namespace boxbeam

@@ -273,6 +273,13 @@ VibratingStress stresses_by(const LadderCase& of, const ElasticModel& model,
   return stresses_of(of, response_of(structure, model), structure, places);
 }
 
+double error_of(const LadderCase& of, const ElasticModel& model) {
+  constexpr int finer = 64;
+  const std::vector<ComparedPlace> places = places_of(of);
+  return difference_between(stresses_by(of, model, places),
+                            stresses_by(of, all_elements(finer, true), places));
+}
+
 ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
   const std::vector<ComparedPlace> places = places_of(of);
   const Scouting scouting = scout(of, places);

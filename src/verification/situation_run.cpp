@@ -13,6 +13,7 @@
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
+#include "boxbeam/verification/elastic_motion.hpp"
 
 namespace boxbeam {
 namespace {
@@ -99,7 +100,8 @@ AnyMotion motion_in(const Project& project, const Situation& situation, const El
   return motion;
 }
 
-LoadHistory loads_in(const Project& project, const Situation& situation, const AnyMotion& motion) {
+LoadHistory loads_in(const Project& project, const Situation& situation, const AnyMotion& motion,
+                     const ElasticModel& model) {
   if (const auto* elastic = std::get_if<FlexibleMotion>(&motion)) {
     // Statics alone hold for any time: a second is looked at.
     constexpr std::size_t instants = 96;
@@ -118,7 +120,8 @@ LoadHistory loads_in(const Project& project, const Situation& situation, const A
   const auto& plane = std::get<planar::Motion>(motion);
   const LoadSpan span{si<Time>(plane.begin), si<Time>(plane.period), plane.states.size(),
                       plane.closed};
-  return {span, loads_of(project, planar_in(project, situation), plane)};
+  return {span, elastic_loads_of(project, situation, plane, model,
+                                 loads_of(project, planar_in(project, situation), plane))};
 }
 
 double gravity_of(const Project& project, const Situation& situation) {
@@ -192,7 +195,7 @@ FlexibleMotion flexible_motion_of(const flexible::Mechanism& of, const ElasticMo
 SituationRun::SituationRun(const Project& project, const Situation& of, const ElasticModel& model)
     : situation(&of),
       motion(motion_in(project, of, model)),
-      loads(loads_in(project, of, motion)),
+      loads(loads_in(project, of, motion, model)),
       imbalance(imbalance_over(project, of, loads)) {}
 
 std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model) {

@@ -10,6 +10,7 @@
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "boxbeam/verification/deflection.hpp"
+#include "boxbeam/verification/elastic_posture.hpp"
 
 namespace boxbeam {
 namespace {
@@ -164,12 +165,25 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   return comparison;
 }
 
+DeformedPosture deformed_at(const SituationRun& run, Time time) {
+  constexpr double part = 0.06;
+  const FlexibleMotion& motion = flexible_motion_of(run);
+  const double largest = largest_displacement(motion.response);
+  return {motion.structure.get(), flexible::at(motion.response, time.value()),
+          magnification_of(*motion.structure, largest, part)};
+}
+
 /// The mechanism as it stands at a time of a situation, with the loads on the beam.
 PostureFigure posture_at(const Project& project, const SituationRun& run, Time time,
                          const std::string& why) {
   const BeamLoads loads = run.loads.loads_at(time);
   PostureFigure posture;
-  if (in_space(project)) {
+  if (is_flexible(project)) {
+    const DeformedPosture deformed = deformed_at(run, time);
+    posture = posture_figure(project, deformed, why);
+    posture.time = time;
+    posture.loads = load_rows(project, deformed, loads);
+  } else if (in_space(project)) {
     const spatial::Mechanism& mechanism = spatial_in(project, *run.situation);
     const spatial::State state = spatial::Chain(mechanism).at(time.value());
     posture = posture_figure(project, mechanism, state, why);
@@ -201,8 +215,13 @@ const Station* governing_station_of(const Verification& verification) {
 void describe_instants(const Project& project, const std::deque<SituationRun>& runs,
                        Verification& result) {
   result.envelope = envelope_lines(runs);
-  result.postures.push_back(
-      posture_at(project, runs.front(), runs.front().loads.begin(), "beginning"));
+  if (is_flexible(project)) {
+    result.elastic = elastic_figures_of(project, runs.front(), result.model.chosen);
+    result.postures.push_back(result.elastic->rest);
+  } else {
+    result.postures.push_back(
+        posture_at(project, runs.front(), runs.front().loads.begin(), "beginning"));
+  }
   for (const auto& [index, time, why] : instants_to_show(project, result)) {
     const Situation& situation = project.situations[index];
     const SituationRun& run = run_of(runs, situation);
@@ -255,7 +274,7 @@ MotionSummary summary_of(const Project& project, const SituationRun& run) {
   summary.period = run.loads.period();
   summary.closed = run.loads.closed();
   summary.imbalance = run.imbalance;
-  if (!in_space(project)) {
+  if (std::holds_alternative<planar::Motion>(run.motion)) {
     summary.closure = closure_of(planar_in(project, *run.situation), planar_motion_of(run));
   }
   return summary;
@@ -346,10 +365,11 @@ const CheckResult* Verification::governing(Criterion criterion) const {
 }
 
 Verification verify(const Project& project) {
-  const std::deque<SituationRun> runs = run_situations(project);
+  const auto [model, runs] = run_by_chosen_model(project);
   const std::vector<Station> stations = stations_to_verify(project, runs);
 
   Verification result;
+  result.model = model;
   describe_mechanism(project, runs, result);
   result.stations = cut_force_envelopes(project, runs, stations);
   const bool computed = project.given_stresses.empty();

@@ -45,6 +45,21 @@ Eigen::ArrayXd fibre_stresses(const CutForceDiagram& diagram,
   return stresses;
 }
 
+Eigen::MatrixXd stress_history(const LoadHistory& history,
+                               const std::vector<ComparedPlace>& places) {
+  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.instants()),
+                           2 * static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < history.instants(); ++i) {
+    stresses.row(static_cast<Eigen::Index>(i)) =
+        fibre_stresses(history.diagram(i), places).transpose();
+  }
+  return stresses;
+}
+
+double largest_range(const Eigen::MatrixXd& stresses) {
+  return (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff();
+}
+
 double VibratingStress::peak() const { return (constant.abs() + harmonic.abs()).maxCoeff(); }
 
 double VibratingStress::amplitude() const { return harmonic.abs().maxCoeff(); }

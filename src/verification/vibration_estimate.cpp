@@ -59,22 +59,6 @@ Eigen::VectorXd slow_part(const Eigen::VectorXd& p, double frequency, double ste
   return part;
 }
 
-/// Stresses of the places at all instants, a row for each instant.
-Eigen::MatrixXd stress_history(const LoadHistory& history,
-                               const std::vector<ComparedPlace>& places) {
-  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.instants()),
-                           2 * static_cast<Eigen::Index>(places.size()));
-  for (std::size_t i = 0; i < history.instants(); ++i) {
-    stresses.row(static_cast<Eigen::Index>(i)) =
-        fibre_stresses(history.diagram(i), places).transpose();
-  }
-  return stresses;
-}
-
-double largest_range(const Eigen::MatrixXd& stresses) {
-  return (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff();
-}
-
 std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
                                        double base) {
   Eigen::VectorXd moment(static_cast<Eigen::Index>(history.instants()));
@@ -118,19 +102,24 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     for (std::size_t i = 0; i < history.instants(); ++i) {
       p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.diagram(i)).transpose();
     }
+    const double left_out = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
+    estimate.left_out = std::max(estimate.left_out, left_out);
+    const auto raise = [&](std::size_t counted, double error) {
+      if (estimate.without_modes.size() <= counted) estimate.without_modes.resize(counted + 1, 0.0);
+      estimate.without_modes[counted] = std::max(estimate.without_modes[counted], error + left_out);
+    };
     Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(stresses.rows(), stresses.cols());
-    for (Eigen::Index j = 0; j < count; ++j) {
+    raise(static_cast<std::size_t>(count), 0.0);
+    for (Eigen::Index j = count; j-- > 0;) {
       const auto mode = static_cast<std::size_t>(j);
       const double frequency = modes.frequencies[mode];
       const Eigen::VectorXd part =
           motion.closed ? dynamic_part(p.col(j), frequency, modes.damping(j, j), base)
                         : slow_part(p.col(j), frequency, history.step().value());
       missed += part * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
+      const double of_range = range > 0.0 ? largest_range(missed) / range : 0.0;
+      raise(mode, std::max(missed.cwiseAbs().maxCoeff() / peak, of_range));
     }
-    double error = missed.cwiseAbs().maxCoeff() / peak;
-    if (range > 0.0) error = std::max(error, largest_range(missed) / range);
-    error += std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
-    estimate.error = std::max(estimate.error, error);
     if (estimate.frequencies.empty() || modes.frequencies.front() < estimate.frequencies.front()) {
       estimate.frequencies = modes.frequencies;
     }

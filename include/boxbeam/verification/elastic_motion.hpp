@@ -11,7 +11,7 @@
 namespace boxbeam {
 
 /// The elastic body that the verified beam of a planar case is.
-ElasticBody elastic_body_of(const Project& project);
+ElasticBody elastic_body_of(const Project& project, int parts);
 
 /// A planar mechanism whose drivers fix its motion, and the loads on its beam as a rigid body.
 struct RigidMotion {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,5 +58,14 @@ struct ModelChoice {
 /// The cheapest model whose error of the governing stress is within the tolerance that the case
 /// asks for, or the one that it demands.
 ModelChoice choose_model(const Project& project);
+
+struct SituationRun;
+
+/// All situations of a case that run, by the model that is chosen.
+struct ModelledRuns {
+  ModelChoice model;
+  std::deque<SituationRun> runs;
+};
+ModelledRuns run_by_chosen_model(const Project& project);
 
 }  // namespace boxbeam

@@ -27,6 +27,9 @@ VibratingStress stresses_by(const LadderCase& of, const ElasticModel& model,
 /// and between.
 std::vector<ComparedPlace> places_of(const LadderCase& of);
 
+/// `difference_between` a model and all elements of a finer division with all deformations.
+double error_of(const LadderCase& of, const ElasticModel& model);
+
 /// Climbs from the cheapest model to the first that is estimated to be within the tolerance, solves
 /// it, and goes on where a better model finds it wrong. Cheap is what has few equations of motion:
 ///

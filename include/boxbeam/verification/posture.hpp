@@ -43,6 +43,7 @@ struct PostureFigure {
   std::vector<Stroke> guides;            ///< of sliders, axes of joints: a point and a unit vector
   std::vector<Eigen::Vector3d> grounds;  ///< bearings on the ground
   std::vector<BeamLoadRow> loads;
+  double magnified = 0.0;  ///< so many times displacements are drawn; zero: no elastic links
 };
 
 /// The bodies, rods, guides and bearings without loads.

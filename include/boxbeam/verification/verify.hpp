@@ -12,6 +12,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/code_comparison.hpp"
+#include "boxbeam/verification/elastic_figures.hpp"
 #include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/load_history.hpp"
@@ -100,7 +101,8 @@ struct MotionSummary {
   Time period;
   bool closed = true;      ///< the motion repeats by itself after its period
   double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
-  std::optional<ClosureSummary> closure;  ///< nothing for a chain, whose motion is explicit
+  /// Nothing for a chain, whose motion is explicit, and for elastic links.
+  std::optional<ClosureSummary> closure;
 };
 
 /// The result of a verification.
@@ -115,6 +117,7 @@ struct Verification {
   std::vector<BeamLoadRow> loads;
   std::vector<PostureFigure> postures;  ///< the first at the beginning, then the critical ones
   std::optional<LoadsOverTime> loads_over_time;  ///< at the governing station, in space
+  std::optional<ElasticFigures> elastic;         ///< of elastic links
   MassProperties beam_mass;
   std::vector<MotionSummary> motions;  ///< at least one; the first situation runs
   std::optional<planar::EquivalentMass> equivalent_mass;

@@ -5,6 +5,7 @@
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
+#include "boxbeam/verification/load_history.hpp"
 
 namespace boxbeam {
 
@@ -22,6 +23,13 @@ std::vector<ComparedPlace> compared_places_of(const TaperedBeam& beam,
 /// N/A + M/W and N/A - M/W at every place: nominal stress of the two outer fibres [Pa].
 Eigen::ArrayXd fibre_stresses(const CutForceDiagram& diagram,
                               const std::vector<ComparedPlace>& places);
+
+/// Stresses of the places at all instants, a row for each instant.
+Eigen::MatrixXd stress_history(const LoadHistory& history,
+                               const std::vector<ComparedPlace>& places);
+
+/// Over the rows, of the column in which it is largest.
+double largest_range(const Eigen::MatrixXd& stresses);
 
 /// Nominal stress of a vibrating beam, place by place.
 struct VibratingStress {

@@ -15,7 +15,10 @@ namespace boxbeam {
 /// slow loads. Added is the order of what the rotation of the beam couples,
 /// (omega_rotation/omega_1)^2.
 struct VibrationEstimate {
-  double error = 0.0;  ///< as `difference_between`, of the worst posture
+  /// As `difference_between`, of the worst posture, with none, one, ... of the modes counted; of
+  /// the last, all that are looked at, what their number leaves out is not known.
+  std::vector<double> without_modes;
+  double left_out = 0.0;  ///< (omega_rotation/omega_1)^2, contained in these
   /// Of the posture whose first frequency is lowest [Hz].
   std::vector<double> frequencies;
   /// Harmonics of the bending moment where the stress range is largest, above a hundredth of it.

@@ -1,0 +1,132 @@
+#include "boxbeam/verification/elastic_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
+#include "boxbeam/verification/elastic_model.hpp"
+#include "boxbeam/verification/elastic_posture.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr std::size_t modes_drawn = 6;
+/// Enough for the frequencies shown; what they leave out is corrected statically.
+constexpr std::size_t modes_used = 24;
+
+JointLines named_lines(const flexible::Mechanism& mechanism) {
+  JointLines lines;
+  for (const flexible::Joint& joint : mechanism.joints) lines.names.push_back(joint.name);
+  lines.force.resize(lines.names.size());
+  return lines;
+}
+
+std::vector<PostureFigure> mode_figures(const Project& project,
+                                        const flexible::Structure& structure,
+                                        const std::vector<flexible::Mode>& modes) {
+  constexpr double part = 0.1;
+  std::vector<PostureFigure> figures;
+  for (std::size_t i = 0; i < std::min(modes_drawn, modes.size()); ++i) {
+    const double largest = largest_displacement(modes[i].shape.motion);
+    const DeformedPosture posture{&structure, modes[i].shape,
+                                  magnification_of(structure, largest, part)};
+    figures.push_back(
+        posture_figure(project, posture, fmt::format("{:.4g} Hz", modes[i].frequency)));
+  }
+  return figures;
+}
+
+/// Frequencies from near zero to beyond the drive and the modes drawn, none of them a natural one,
+/// where an undamped amplitude has no limit.
+std::vector<double> swept_frequencies(double drive, const std::vector<flexible::Mode>& modes) {
+  constexpr int count = 800;
+  double top = 1.6 * drive;
+  if (!modes.empty()) {
+    top = std::max(top, 1.1 * modes[std::min(modes_drawn, modes.size()) - 1].frequency);
+  }
+  std::vector<double> frequencies;
+  for (int i = 1; i <= count; ++i) {
+    double frequency = top * i / count;
+    for (const flexible::Mode& mode : modes) {
+      const bool near = std::abs(frequency - mode.frequency) < 1e-4 * mode.frequency;
+      if (near) frequency = (1.0 + 2e-4) * mode.frequency;
+    }
+    frequencies.push_back(frequency);
+  }
+  return frequencies;
+}
+
+JointLines lines_over_frequency(const flexible::ModalModel& model) {
+  const flexible::Mechanism& mechanism = *model.structure->mechanism;
+  JointLines lines = named_lines(mechanism);
+  const flexible::Sweep sweep =
+      flexible::sweep_of(model, swept_frequencies(mechanism.frequency, model.modes));
+  lines.at = sweep.frequencies;
+  for (std::size_t j = 0; j < lines.names.size(); ++j) {
+    for (const Eigen::Vector3cd& force : sweep.joints[j]) {
+      lines.force[j].push_back(flexible::largest_length(force.x(), force.y()));
+    }
+  }
+  return lines;
+}
+
+JointLines lines_over_period(const FlexibleMotion& motion) {
+  constexpr int count = 200;
+  JointLines lines = named_lines(*motion.mechanism);
+  for (int i = 0; i <= count; ++i) {
+    const double time = i / (count * motion.response.frequency);
+    const auto now = flexible::at(motion.response, time);
+    lines.at.push_back(time);
+    for (std::size_t j = 0; j < lines.names.size(); ++j) {
+      lines.force[j].push_back(flexible::joint_force(*motion.structure, j, now).head<2>().norm());
+    }
+  }
+  return lines;
+}
+
+JointLines lines_after_start(const flexible::ModalModel& model) {
+  const flexible::Mechanism& mechanism = *model.structure->mechanism;
+  JointLines lines = named_lines(mechanism);
+  constexpr double periods = 8.0;
+  double slowest = mechanism.frequency;
+  for (const flexible::Mode& mode : model.modes) {
+    if (mode.frequency > 0.0) slowest = std::min(slowest, mode.frequency);
+  }
+  // Some periods of the drive, and three of the slowest vibration.
+  const double length = std::max(periods / mechanism.frequency, 3.0 / slowest);
+  constexpr double steps_per_period = 40.0;
+  const auto steps = static_cast<std::size_t>(steps_per_period * length * mechanism.frequency);
+  const flexible::SuddenStart start = flexible::sudden_start_of(model, length, steps);
+  lines.at = start.times;
+  for (std::size_t j = 0; j < lines.names.size(); ++j) {
+    for (const Eigen::Vector3d& force : start.joints[j]) {
+      lines.force[j].push_back(force.head<2>().norm());
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+ElasticFigures elastic_figures_of(const Project& project, const SituationRun& run,
+                                  const ElasticModel& model) {
+  const FlexibleMotion& motion = flexible_motion_of(run);
+  const flexible::Structure& structure = *motion.structure;
+  ElasticFigures figures;
+  Project as_solved = project;
+  flexible_of(as_solved) = modelled(flexible_in(project, *run.situation), model);
+  figures.motion = flexible_motion_of(as_solved);
+  figures.rest =
+      posture_figure(project, {&structure, {flexible::no_loads<double>(structure), {}}, 1.0}, "");
+  const flexible::ModalModel modes = flexible::modal_model_of(structure, modes_used);
+  figures.modes = mode_figures(project, structure, modes.modes);
+  if (motion.response.frequency == 0.0) return figures;
+  figures.over_frequency = lines_over_frequency(modes);
+  figures.over_period = lines_over_period(motion);
+  figures.after_start = lines_after_start(modes);
+  return figures;
+}
+
+}  // namespace boxbeam
