@@ -90,6 +90,9 @@ TEST_CASE("links that cannot be are refused", "[bad_input][flexible]") {
               "length = \"4 m\"\npoints"),
       changed("link = \"boom\"", "link = \"bom\"",
               {"there is no link \"bom\"", "did you mean \"boom\"?"}),
+      changed("[beam]\nlink = \"boom\"\ndensity = \"7850 kg/m^3\"\n\n[[beam.segments]]\nname = "
+              "\"boom\"\nlength = \"4.2 m\"\nsection = \"boom\"\n",
+              "", {"the case has no \"beam\"", "write [beam]"}, "# A drill truck"),
       with(rod + "origin = [\"0 m\", \"0 m\"]\nlength = \"1 m\"\nmass_per_length = \"1 kg/m\"\n",
            "[links.rod]", {"[links.rod] has no \"EA\"", "write EA = "}),
       with(rod + steel + "from = \"boom.start\"\nto = \"boom.end\"\nlength = \"4 m\"\n",
