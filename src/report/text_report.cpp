@@ -14,6 +14,7 @@
 #include "chain_text.hpp"
 #include "flexible_text.hpp"
 #include "inputs_text.hpp"
+#include "model_text.hpp"
 #include "text_layout.hpp"
 #include "version.hpp"
 
@@ -259,9 +260,7 @@ std::string text_report(const Project& project, const Verification& verification
   out += case_section(project, verification);
   out += heading("Assumptions and remarks");
   for (const std::string& remark : remarks_of(project, verification)) out += layout::item(remark);
-  out += layout::item(fmt::format("model: {}; {}", to_text(verification.model.chosen.level),
-                                  verification.model.reason)) +
-         "\n";
+  out += "\n" + model_section(verification.model);
   out += heading("Inputs") + inputs_text(project) + "\n";
   out += mechanism_section(project, verification);
   out += loads_section(project, verification);
