@@ -143,7 +143,7 @@ std::string mechanism_section(const Project& project, const Verification& verifi
   std::string out = heading("Mechanism");
   if (in_space(project)) return out + chain_tables(spatial_of(project)) + "\n";
   if (verification.elastic) {
-    return out + flexible_tables(flexible_of(project)) + "\n" +
+    return out + flexible_tables(flexible_of(project), verification.model.chosen) + "\n" +
            vibration_section(*verification.elastic);
   }
   out += closure_text(planar_of(project), *verification.motions.front().closure);

@@ -97,6 +97,19 @@ class DenseStructure {
     return A;
   }
 
+  /// Rows and columns to about one: motions are small and forces large.
+  Eigen::Matrix<LongComplex, -1, 1> scales() const {
+    Eigen::Matrix<LongComplex, -1, 1> scale(size());
+    const Long force = 1e7L;
+    for (Eigen::Index i = 0; i < size(); ++i) {
+      scale[i] = i < 3 * elements_ ? 1.0L / std::sqrt(force) : std::sqrt(force);
+    }
+    return scale;
+  }
+  Eigen::Matrix<LongComplex, -1, -1> scaled(double square) const {
+    return scales().asDiagonal() * matrix(square) * scales().asDiagonal();
+  }
+
   template <class Scalar>
   DenseSolution solve(double square, const boxbeam::flexible::LinkColumns<Scalar>& loads) const {
     Eigen::Matrix<LongComplex, -1, 1> b = Eigen::Matrix<LongComplex, -1, 1>::Zero(size());
@@ -107,13 +120,8 @@ class DenseStructure {
       }
     }
     const Eigen::Matrix<LongComplex, -1, -1> A = matrix(square);
-    // Rows and columns to about one: motions are small and forces large.
-    Eigen::Matrix<LongComplex, -1, 1> scale(size());
-    const Long force = 1e7L;
-    for (Eigen::Index i = 0; i < size(); ++i) {
-      scale[i] = i < 3 * elements_ ? 1.0L / std::sqrt(force) : std::sqrt(force);
-    }
-    const Eigen::Matrix<LongComplex, -1, -1> S = scale.asDiagonal() * A * scale.asDiagonal();
+    const Eigen::Matrix<LongComplex, -1, 1> scale = scales();
+    const Eigen::Matrix<LongComplex, -1, -1> S = scaled(square);
     const Eigen::FullPivLU<Eigen::Matrix<LongComplex, -1, -1>> lu(S);
     Eigen::Matrix<LongComplex, -1, 1> x = scale.asDiagonal() * lu.solve(scale.asDiagonal() * b);
     x += scale.asDiagonal() * lu.solve(scale.asDiagonal() * (b - A * x));

@@ -28,6 +28,17 @@ RandomMechanism sort(int i) {
   return want;
 }
 
+/// Damps all links and joints: near a resonance without damping two ways to one answer differ by
+/// what their round-off shifts its frequency.
+void not_near_resonance(Mechanism& mechanism) {
+  for (Link& link : mechanism.links) link.retardation = 1e-3;
+  for (Joint& joint : mechanism.joints) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (joint.stiffness[i] < test::infinite) joint.damping[i] = 1e-3 * joint.stiffness[i];
+    }
+  }
+}
+
 double size_of(const Deformation<double>& of) {
   double size = 0.0;
   for (const auto& motion : of.motion) size = std::max(size, motion.cwiseAbs().maxCoeff());
@@ -135,8 +146,9 @@ TEST_CASE("the world turned: the same motion in the links' axes, forces turned w
   Chance chance(75);
   for (int i = 0; i < 60; ++i) {
     RandomMechanism want = sort(i);
-    want.damped = i % 2 == 0;
-    const Mechanism mechanism = test::random_elastic(chance, want);
+    want.damped = true;
+    Mechanism mechanism = test::random_elastic(chance, want);
+    not_near_resonance(mechanism);
     const double angle = chance.any(3.0);
     const Mechanism turned = test::turned_world(mechanism, angle);
     const Structure a = structure_of(mechanism), b = structure_of(turned);
@@ -163,8 +175,9 @@ TEST_CASE("the same mechanism in millimetres") {
   Chance chance(76);
   for (int i = 0; i < 40; ++i) {
     RandomMechanism want = sort(i);
-    want.damped = i % 2 == 0;
-    const Mechanism in_metres = test::random_elastic(chance, want);
+    want.damped = true;
+    Mechanism in_metres = test::random_elastic(chance, want);
+    not_near_resonance(in_metres);
     Mechanism in_millimetres = in_metres;
     in_millimetres.gravity *= 1e3;
     const auto times = [](auto& p, double factor) {
@@ -237,17 +250,18 @@ TEST_CASE("a place of a link moves with the element that holds it") {
       const Eigen::Vector3d a = joint.a.link == ground ? Eigen::Vector3d(Eigen::Vector3d::Zero())
                                                        : motion_at(structure, joint.a, response);
       const Eigen::Vector3d b = motion_at(structure, joint.b, response);
+      const double size = size_of(response);
       const Eigen::Vector3d gap = structure.joints[j].axes * (b - a);
       const auto column = static_cast<Eigen::Index>(j);
       for (Eigen::Index k = 0; k < 3; ++k) {
         const double c = joint.stiffness[static_cast<std::size_t>(k)];
         CAPTURE(i, j, k, c);
         if (std::isinf(c)) {
-          CHECK(std::abs(gap[k]) < 1e-13 * std::max(a.norm(), 1e-9));
+          CHECK(std::abs(gap[k]) < 1e-13 * size);
         } else {
           const double force = response.joints.col(column).cwiseAbs().maxCoeff();
           CHECK(c * gap[k] ==
-                Approx(response.joints(k, column)).margin(1e-9 * force + 1e-14 * c * a.norm()));
+                Approx(response.joints(k, column)).margin(1e-9 * force + 1e-13 * c * size));
         }
       }
     }
