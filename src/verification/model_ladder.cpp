@@ -16,9 +16,13 @@ namespace {
 using flexible::LinkKind;
 
 constexpr std::array divisions{2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
-/// The coarse division whose modes decide, and the parts of the better model at least.
+/// The coarse division, and the finer one whose modes decide.
 constexpr int scout_parts = 8;
 constexpr int fine_parts = 16;
+/// Of the better model by which one is verified, at least.
+constexpr int better_parts = 32;
+/// Estimates are sums of what may cancel: models up to so many tolerances are tried all the same.
+constexpr double doubt = 2.0;
 /// Rather another mode than a finer division than this.
 constexpr int most_parts_of_few = 32;
 
@@ -112,11 +116,11 @@ VibratingStress stresses_of(const LadderCase& of, const ModelResponse& by,
       flexible::beam_response_of(structure, of.link, *of.beam, by.response, by.inertial), places);
 }
 
-/// Errors by ever more modes of a coarse division.
+/// Errors by ever more modes of the finer division.
 std::vector<double> errors_of_modes(const LadderCase& of, bool axial,
                                     const std::vector<ComparedPlace>& places,
                                     const VibratingStress& all, std::vector<double>& frequencies) {
-  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(scout_parts, axial));
+  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(fine_parts, axial));
   const flexible::Structure structure = flexible::structure_of(mechanism);
   const flexible::ModalModel model = flexible::modal_model_of(structure, most_modes(mechanism));
   frequencies.clear();
@@ -166,9 +170,9 @@ Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
   scouting.shear = difference_between(
       stresses_by({&stiff, of.link, of.beam}, all_elements(scout_parts, true), places), middle);
   if (has_bending_links(*of.mechanism)) {
-    scouting.of_modes = errors_of_modes(of, false, places, middle, scouting.frequencies);
+    scouting.of_modes = errors_of_modes(of, false, places, fine, scouting.frequencies);
   }
-  scouting.of_axial_modes = errors_of_modes(of, true, places, middle, scouting.frequencies);
+  scouting.of_axial_modes = errors_of_modes(of, true, places, fine, scouting.frequencies);
   if (scouting.of_modes.empty()) scouting.of_modes = scouting.of_axial_modes;
   return scouting;
 }
@@ -302,11 +306,11 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
     if (rung.parts > 0 && rung.parts < most_parts_of_few && rung.level != ModelLevel::flexible) {
       ElasticModel finest = rung;
       finest.parts = most_parts_of_few;
-      if (estimate_of(finest, scouting).error > tolerance) continue;
+      if (estimate_of(finest, scouting).error > doubt * tolerance) continue;
     }
     ModelEstimate& estimate = choice.weighed.emplace_back(estimate_of(rung, scouting));
-    if (estimate.error > tolerance) continue;
-    const int better = std::max(2 * rung.parts, fine_parts);
+    if (estimate.error > doubt * tolerance) continue;
+    const int better = std::max(2 * rung.parts, better_parts);
     estimate.found = difference_between(stresses_by(of, rung, places),
                                         stresses_by(of, all_elements(better, true), places)) +
                      scouting.division(better);
