@@ -313,7 +313,7 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
     const int better = std::max(2 * rung.parts, better_parts);
     estimate.found = difference_between(stresses_by(of, rung, places),
                                         stresses_by(of, all_elements(better, true), places)) +
-                     scouting.division(better);
+                     2.0 * scouting.division(better);
     if (*estimate.found > tolerance) continue;
     choice.chosen = rung;
     choice.reason = reason_of(choice, of, scouting);

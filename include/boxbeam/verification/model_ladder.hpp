@@ -44,7 +44,7 @@ double error_of(const LadderCase& of, const ElasticModel& model);
 /// parts (corrected), axial rigidity of bending links included; and of the division, C n^-p from 4,
 /// 8 and 16 parts. These may cancel, so that a model is tried where their sum is below twice the
 /// tolerance. Verified against all elements of twice as many parts (at least 32) with all
-/// deformations; what that itself is estimated to err is added.
+/// deformations; twice what that itself is estimated to err is added.
 /// Throws AnalysisError at a resonance without damping, and where no division up to 256 parts is
 /// good enough.
 ModelChoice climb_ladder(const LadderCase& of, double tolerance);
