@@ -42,7 +42,7 @@ std::vector<PostureFigure> mode_figures(const Project& project,
 /// where an undamped amplitude has no limit.
 std::vector<double> swept_frequencies(double drive, const std::vector<flexible::Mode>& modes) {
   constexpr int count = 800;
-  double top = 1.6 * drive;
+  double top = 1.8 * drive;
   if (!modes.empty()) {
     top = std::max(top, 1.1 * modes[std::min(modes_drawn, modes.size()) - 1].frequency);
   }
