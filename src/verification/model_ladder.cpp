@@ -298,6 +298,12 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
   choice.frequencies = scouting.frequencies;
   if (of.mechanism->frequency > 0.0) choice.harmonics = {{of.mechanism->frequency, 1.0}};
   for (const ElasticModel& rung : rungs_of(of, scouting)) {
+    // Where the finest division is not enough, the coarser ones need no word.
+    if (rung.parts > 0 && rung.parts < most_parts_of_few && rung.level != ModelLevel::flexible) {
+      ElasticModel finest = rung;
+      finest.parts = most_parts_of_few;
+      if (estimate_of(finest, scouting).error > tolerance) continue;
+    }
     ModelEstimate& estimate = choice.weighed.emplace_back(estimate_of(rung, scouting));
     if (estimate.error > tolerance) continue;
     const int better = std::max(2 * rung.parts, fine_parts);
