@@ -210,7 +210,7 @@ TEST_CASE("resonance hit without damping is an error that names the frequency; d
       response_of(structure_of(of));
     } catch (const AnalysisError& error) {
       INFO(error.what());
-      CHECK(std::string(error.what()).find("resonance at " + frequency) != std::string::npos);
+      CHECK(std::string(error.what()).find(frequency) != std::string::npos);
       return true;
     }
     return false;
@@ -438,8 +438,9 @@ TEST_CASE("a part of a link in resonance by itself is no resonance of the whole"
     const double square = first_square(structure_of(part), 1.0);
     for (const double off : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0}) {
       for (const double side : {-1.0, 1.0}) {
-        const Against gap =
-            against_dense(structure, square * (1.0 + side * off), at_the_end(structure));
+        auto loads = no_loads<double>(structure);
+        loads[0](1, 5) = 1.0;
+        const Against gap = against_dense(structure, square * (1.0 + side * off), loads);
         CAPTURE(static_cast<int>(far), off, side, gap.motion, gap.joints);
         CHECK(gap.motion < 1e-9);
         CHECK(gap.joints < 1e-9);
