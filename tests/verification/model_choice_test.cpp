@@ -242,6 +242,16 @@ TEST_CASE("the sledge rig stays rigid, its sledge counted", "[model_choice]") {
   CHECK(choice.weighed.front().error == Approx(1.0 / (1.0 - r * r) - 1.0).epsilon(0.05));
   CHECK_THAT(choice.reason, Catch::Contains("0.59 %") && Catch::Contains("9.19"));
 
+  // Close to the tolerance the estimate is verified, here and just above it.
+  Project closer = test::rig();
+  closer.model.tolerance = 0.007;
+  const ModelChoice verified = choose_model(closer);
+  CHECK(verified.chosen.level == ModelLevel::rigid);
+  REQUIRE(verified.weighed.front().found);
+  CHECK(*verified.weighed.front().found == Approx(choice.weighed.front().error).epsilon(0.1));
+  closer.model.tolerance = 0.005;
+  CHECK(choose_model(closer).chosen.level == ModelLevel::modal);
+
   Project heavier = test::rig();
   for (Body& body : planar_of(heavier).bodies) {
     if (body.name == "sledge" || body.name == "lower_rod") body.mass *= 4.0;

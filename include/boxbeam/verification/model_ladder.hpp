@@ -16,6 +16,9 @@ struct LadderCase {
   const TaperedBeam* beam = nullptr;  ///< that the link is
 };
 
+/// "0.59 %", "130 %".
+std::string percent_text(double fraction);
+
 /// "modal, 2 modes, 4 parts per link".
 std::string describe(const ElasticModel& model);
 
