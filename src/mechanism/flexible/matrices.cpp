@@ -1,5 +1,7 @@
 #include "boxbeam/mechanism/flexible/matrices.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <cmath>
 
@@ -25,10 +27,10 @@ std::vector<std::string> names_of(const Link& link, std::size_t elements) {
   if (names.size() == 2) names.emplace_back("phi_0");
   for (std::size_t i = 1; i < elements; ++i) {
     for (const std::string& name : names_beyond_first(link.kind)) {
-      names.push_back(name + "_" + std::to_string(i));
+      names.push_back(fmt::format("{}_{}", name, i));
     }
   }
-  for (std::string& name : names) name = link.name + "." + name;
+  for (std::string& name : names) name = fmt::format("{}.{}", link.name, name);
   return names;
 }
 
