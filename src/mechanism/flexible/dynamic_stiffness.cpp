@@ -345,6 +345,30 @@ void DynamicStiffness<Scalar>::factor_border() {
 template <class Scalar>
 void DynamicStiffness<Scalar>::fail_singular() const {
   const std::vector<Link>& links = structure_->mechanism->links;
+  const auto fixed = static_cast<Eigen::Index>(3 * links.size());
+  Eigen::FullPivLU<Matrix> lu = lu_;
+  lu.setThreshold(no_pivot);
+  const Matrix kernel = lu.kernel();
+  // Forces in balance among themselves, without any motion: rigid joints that hold the same twice.
+  const auto part = [&](Eigen::Index from, Eigen::Index count) {
+    return count > 0 ? kernel.middleRows(from, count).cwiseAbs().maxCoeff() : 0.0;
+  };
+  if (part(0, fixed) < 1e-8 * part(fixed, kernel.rows() - fixed)) {
+    std::vector<std::string> joints;
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      const std::string& name = structure_->mechanism->joints[rows_[j].joint].name;
+      if (part(fixed + static_cast<Eigen::Index>(j), 1) < 1e-6) continue;
+      if (joints.empty() || joints.back() != name) joints.push_back(name);
+    }
+    throw AnalysisError(
+        {fmt::format("rigid joints hold the same motion more than once, so that their forces are "
+                     "not determined: {}; give one of them a stiffness there",
+                     fmt::join(joints, ", ")),
+         joints.empty() ? "" : joints.front(),
+         {},
+         {},
+         {}});
+  }
   if (square_ != 0.0) {
     const double frequency = std::sqrt(std::abs(square_)) / (2.0 * std::numbers::pi);
     throw AnalysisError(
@@ -357,10 +381,7 @@ void DynamicStiffness<Scalar>::fail_singular() const {
          {},
          {}});
   }
-  // The motion that nothing resists: what the smallest pivot leaves free.
-  Eigen::FullPivLU<Matrix> lu = lu_;
-  lu.setThreshold(no_pivot);
-  const Matrix kernel = lu.kernel();
+  // The motion that nothing resists.
   std::vector<std::string> names;
   for (std::size_t k = 0; k < links.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(3 * k);
