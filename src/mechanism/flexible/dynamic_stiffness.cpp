@@ -326,7 +326,14 @@ void DynamicStiffness<Scalar>::factor_border() {
     border_.template block<1, 3>(row, at) -= port.sign * effect.transpose();
   }
   // Equilibrated: lengths, angles and forces become comparable, whatever the stiffnesses.
+  // Begun at the joints' own stiffnesses, so that those of stiff joints side by side count.
   scale_ = Eigen::VectorXd::Ones(size);
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    const double flexibility = std::abs(rows_[j].flexibility);
+    if (flexibility > 0.0) {
+      scale_[fixed + static_cast<Eigen::Index>(j)] = 1.0 / std::sqrt(flexibility);
+    }
+  }
   for (int pass = 0; pass < 8; ++pass) {
     for (Eigen::Index i = 0; i < size; ++i) {
       double largest = 0.0;
