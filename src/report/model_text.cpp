@@ -10,8 +10,6 @@
 namespace boxbeam {
 namespace {
 
-std::string percent(double of) { return fmt::format("{:.2g} %", 100.0 * of); }
-
 std::string list_of(const std::vector<double>& frequencies) {
   std::string text;
   for (const double frequency : frequencies) {
@@ -44,8 +42,8 @@ std::string model_section(const ModelChoice& choice) {
   layout::Table table({"model weighed", "estimated", "found", "the estimate's parts"});
   for (std::size_t i = first; i < choice.weighed.size(); ++i) {
     const ModelEstimate& of = choice.weighed[i];
-    table.row(
-        {describe(of.model), percent(of.error), of.found ? percent(*of.found) : "-", of.basis});
+    table.row({describe(of.model), percent_text(of.error), of.found ? percent_text(*of.found) : "-",
+               of.basis});
   }
   out += table.text();
   if (first > 0) {

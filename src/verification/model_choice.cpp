@@ -14,8 +14,6 @@
 namespace boxbeam {
 namespace {
 
-double percent(double of) { return 100.0 * of; }
-
 LadderCase ladder_case(const Project& project, const Situation& situation) {
   return {&flexible_in(project, situation), project.beam_body, &project.beam};
 }
@@ -38,9 +36,9 @@ ModelChoice demanded(const Project& project, const ElasticModel& model) {
   }
   estimate.found = estimate.error;
   choice.reason = fmt::format(
-      "{}, as demanded: found {:.2g} % from all elements of a finer division with all elasticity, "
-      "where {:.3g} % would be the tolerance",
-      describe(model), percent(estimate.error), percent(choice.tolerance));
+      "{}, as demanded: found {} from all elements of a finer division with all elasticity, "
+      "where {} would be the tolerance",
+      describe(model), percent_text(estimate.error), percent_text(choice.tolerance));
   return choice;
 }
 
@@ -138,11 +136,15 @@ double difference_between(const LoadHistory& model, const LoadHistory& better,
   return range > 0.0 ? std::max(apart, largest_range(difference) / range) : apart;
 }
 
-/// Largest difference of a modal model from one with another mode and twice the parts.
+/// A modal model with another mode and twice the parts; of rigid bodies one with one mode.
+ElasticModel better_than(const ElasticModel& model) {
+  constexpr int parts = 8;
+  return {ModelLevel::modal, model.modes + 1, std::max(parts, 2 * model.parts), {}, false};
+}
+
+/// Largest difference of a model from the better one.
 double error_found(const Project& project, const ElasticModel& model) {
-  ElasticModel better = model;
-  ++better.modes;
-  better.parts *= 2;
+  const ElasticModel better = better_than(model);
   const std::deque<SituationRun> by_model = run_situations(project, model);
   const std::deque<SituationRun> by_better = run_situations(project, better);
   const std::vector<ComparedPlace> places = compared_places_of(project.beam);
@@ -184,42 +186,52 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
                                estimate.without_modes.front(),
                                {}};
   choice.weighed.push_back(by_rigid);
-  const std::string missed = fmt::format(
-      "vibration is estimated to change the governing stress by {:.2g} %, tolerance {:.3g} %",
-      percent(by_rigid.error), percent(choice.tolerance));
-  const bool enough = by_rigid.error <= choice.tolerance;
+  const std::string missed =
+      fmt::format("vibration is estimated to change the governing stress by {}, tolerance {}",
+                  percent_text(by_rigid.error), percent_text(choice.tolerance));
+  bool enough = by_rigid.error <= choice.tolerance;
+  // An estimate far below the tolerance is not worth the modes of every posture.
+  constexpr double verified_above = 0.7;
+  std::string found;
+  if (enough && by_rigid.error > verified_above * choice.tolerance &&
+      project.model.demand == ModelDemand::automatic) {
+    const double against_mode = error_found(project, {}) + estimate.left_out;
+    choice.weighed.back().found = against_mode;
+    found = fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
+    enough = against_mode <= choice.tolerance;
+  }
   if (project.model.demand == ModelDemand::rigid ||
       (enough && project.model.demand == ModelDemand::automatic)) {
-    choice.reason = fmt::format("rigid bodies{}: {}; {}",
+    choice.reason = fmt::format("rigid bodies{}: {}; {}{}",
                                 project.model.demand == ModelDemand::rigid ? ", as demanded" : "",
-                                against_frequencies(estimate), missed);
+                                against_frequencies(estimate), missed, found);
     return choice;
   }
   for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
     ModelEstimate& by_modes = choice.weighed.emplace_back();
     by_modes.model = {ModelLevel::modal, static_cast<int>(k), 8, {}, false};
     by_modes.error = estimate.without_modes[k];
-    by_modes.basis = fmt::format(
-        "modes left out, and {:.2g} % that the beam's rotation couples with its vibration",
-        percent(estimate.left_out));
+    by_modes.basis =
+        fmt::format("modes left out, and {} that the beam's rotation couples with its vibration",
+                    percent_text(estimate.left_out));
     if (by_modes.error > choice.tolerance) continue;
     by_modes.found = error_found(project, by_modes.model) + estimate.left_out;
     if (*by_modes.found > choice.tolerance) continue;
     choice.chosen = by_modes.model;
     choice.reason = fmt::format(
-        "{}: {}; rigid bodies: {}; {} estimated to miss {:.2g} %, found {:.2g} % against one mode "
+        "{}: {}; rigid bodies: {}; {} estimated to miss {}, found {} against one mode "
         "more and twice the parts",
         describe(choice.chosen), against_frequencies(estimate), missed,
-        k == 1 ? "this mode is" : "these modes are", percent(by_modes.error),
-        percent(*by_modes.found));
+        k == 1 ? "this mode is" : "these modes are", percent_text(by_modes.error),
+        percent_text(*by_modes.found));
     return choice;
   }
   throw AnalysisError(
-      {fmt::format("rigid bodies miss an estimated {:.2g} % of the governing stress, and {} modes "
-                   "of the beam are not known to be within {:.3g} % either; ask for a larger "
+      {fmt::format("rigid bodies miss an estimated {} of the governing stress, and {} modes "
+                   "of the beam are not known to be within {} either; ask for a larger "
                    "tolerance, or use --model rigid to have the loads of rigid bodies",
-                   percent(by_rigid.error), estimate.without_modes.size() - 1,
-                   percent(choice.tolerance)),
+                   percent_text(by_rigid.error), estimate.without_modes.size() - 1,
+                   percent_text(choice.tolerance)),
        "beam",
        {},
        choice.weighed.back().found.value_or(choice.weighed.back().error),

@@ -16,13 +16,15 @@ namespace {
 using flexible::LinkKind;
 
 constexpr std::array divisions{2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
-/// The coarse division whose modes decide, and the parts of the better model at least.
+/// The coarse division, and the finer one whose modes decide.
 constexpr int scout_parts = 8;
 constexpr int fine_parts = 16;
+/// Of the better model by which one is verified, at least.
+constexpr int better_parts = 32;
+/// Estimates are sums of what may cancel: models up to so many tolerances are tried all the same.
+constexpr double doubt = 2.0;
 /// Rather another mode than a finer division than this.
 constexpr int most_parts_of_few = 32;
-
-double percent(double of) { return 100.0 * of; }
 
 bool is_elastic(const flexible::Link& link) { return link.kind != LinkKind::rigid; }
 
@@ -52,11 +54,14 @@ bool rigid_links_determine_joints(const flexible::Mechanism& mechanism) {
   return elastic || is_determinate(mechanism);
 }
 
+int elastic_links(const flexible::Mechanism& mechanism) {
+  return static_cast<int>(
+      std::count_if(mechanism.links.begin(), mechanism.links.end(), is_elastic));
+}
+
 /// Modes beyond which all elements of a coarse division are no larger a model.
 std::size_t most_modes(const flexible::Mechanism& mechanism) {
-  const auto links = static_cast<std::size_t>(
-      std::count_if(mechanism.links.begin(), mechanism.links.end(), is_elastic));
-  return std::min<std::size_t>(12, 4 + 4 * links);
+  return static_cast<std::size_t>(std::min(12, 4 + 4 * elastic_links(mechanism)));
 }
 
 ElasticModel all_elements(int parts, bool axial) {
@@ -112,11 +117,11 @@ VibratingStress stresses_of(const LadderCase& of, const ModelResponse& by,
       flexible::beam_response_of(structure, of.link, *of.beam, by.response, by.inertial), places);
 }
 
-/// Errors by ever more modes of a coarse division.
+/// Errors by ever more modes of the finer division.
 std::vector<double> errors_of_modes(const LadderCase& of, bool axial,
                                     const std::vector<ComparedPlace>& places,
                                     const VibratingStress& all, std::vector<double>& frequencies) {
-  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(scout_parts, axial));
+  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(fine_parts, axial));
   const flexible::Structure structure = flexible::structure_of(mechanism);
   const flexible::ModalModel model = flexible::modal_model_of(structure, most_modes(mechanism));
   frequencies.clear();
@@ -166,9 +171,9 @@ Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
   scouting.shear = difference_between(
       stresses_by({&stiff, of.link, of.beam}, all_elements(scout_parts, true), places), middle);
   if (has_bending_links(*of.mechanism)) {
-    scouting.of_modes = errors_of_modes(of, false, places, middle, scouting.frequencies);
+    scouting.of_modes = errors_of_modes(of, false, places, fine, scouting.frequencies);
   }
-  scouting.of_axial_modes = errors_of_modes(of, true, places, middle, scouting.frequencies);
+  scouting.of_axial_modes = errors_of_modes(of, true, places, fine, scouting.frequencies);
   if (scouting.of_modes.empty()) scouting.of_modes = scouting.of_axial_modes;
   return scouting;
 }
@@ -186,17 +191,17 @@ ModelEstimate estimate_of(const ElasticModel& model, const Scouting& scouting) {
   if (model.level == ModelLevel::flexible) {
     const double axial = model.axial ? 0.0 : scouting.axial;
     estimate.error = division + axial;
-    estimate.basis = fmt::format("division {:.2g} %", percent(division));
-    if (axial > 0.0) estimate.basis += fmt::format(", axial rigidity {:.2g} %", percent(axial));
+    estimate.basis = fmt::format("division {}", percent_text(division));
+    if (axial > 0.0) estimate.basis += fmt::format(", axial rigidity {}", percent_text(axial));
     return estimate;
   }
   if (model.level == ModelLevel::quasi_static) division = scouting.static_division(model.parts);
   const double left_out = of_modes[static_cast<std::size_t>(model.modes)];
   estimate.error = left_out + division;
-  estimate.basis = fmt::format("{}{} {:.2g} %, division {:.2g} %",
-                               model.modes > 0 ? "modes left out" : "vibration",
-                               model.axial || scouting.axial == 0.0 ? "" : " and axial rigidity",
-                               percent(left_out), percent(division));
+  estimate.basis =
+      fmt::format("{}{} {}, division {}", model.modes > 0 ? "modes left out" : "vibration",
+                  model.axial || scouting.axial == 0.0 ? "" : " and axial rigidity",
+                  percent_text(left_out), percent_text(division));
   return estimate;
 }
 
@@ -207,7 +212,9 @@ std::vector<ElasticModel> rungs_of(const LadderCase& of, const Scouting& scoutin
   const bool both_kinds = has_bending_links(*of.mechanism);
   const auto add = [&](ModelLevel level, int modes) {
     for (const int parts : divisions) {
-      if (parts < modes || (level != ModelLevel::flexible && parts > most_parts_of_few)) continue;
+      if (parts * elastic_links(*of.mechanism) < modes ||
+          (level != ModelLevel::flexible && parts > most_parts_of_few))
+        continue;
       if (both_kinds) rungs.push_back({level, modes, parts, flexible::Element::corrected, false});
       rungs.push_back({level, modes, parts, flexible::Element::corrected, both_kinds});
     }
@@ -224,14 +231,14 @@ std::vector<ElasticModel> rungs_of(const LadderCase& of, const Scouting& scoutin
 std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Scouting& scouting) {
   const ModelEstimate& chosen = choice.weighed.back();
   std::string reason = fmt::format(
-      "{}: error of the governing stress estimated {:.2g} % ({}), found {:.2g} % against all "
-      "elements of a finer division, tolerance {:.3g} %",
-      describe(chosen.model), percent(chosen.error), chosen.basis, percent(*chosen.found),
-      percent(choice.tolerance));
+      "{}: error of the governing stress estimated {} ({}), found {} against all "
+      "elements of a finer division, tolerance {}",
+      describe(chosen.model), percent_text(chosen.error), chosen.basis, percent_text(*chosen.found),
+      percent_text(choice.tolerance));
   if (choice.weighed.size() > 1) {
     const ModelEstimate& cheaper = choice.weighed[choice.weighed.size() - 2];
-    reason += fmt::format("; the next cheaper, {}, would miss by {:.2g} %", describe(cheaper.model),
-                          percent(cheaper.found.value_or(cheaper.error)));
+    reason += fmt::format("; the next cheaper, {}, would miss by {}", describe(cheaper.model),
+                          percent_text(cheaper.found.value_or(cheaper.error)));
   }
   if (of.mechanism->frequency > 0.0 && !scouting.frequencies.empty()) {
     reason += fmt::format("; the load's {:.4g} Hz stand against natural frequencies of",
@@ -244,14 +251,19 @@ std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Sco
   if (has_bending_links(*of.mechanism)) {
     reason += fmt::format(
         "; bending links taken as rigid along their axes would change it by "
-        "{:.2g} %",
-        percent(scouting.axial));
+        "{}",
+        percent_text(scouting.axial));
   }
-  reason += fmt::format("; links rigid in shear by {:.2g} %", percent(scouting.shear));
+  reason += fmt::format("; links rigid in shear by {}", percent_text(scouting.shear));
   return reason;
 }
 
 }  // namespace
+
+std::string percent_text(double fraction) {
+  const double percent = 100.0 * fraction;
+  return percent < 100.0 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
 
 std::string describe(const ElasticModel& model) {
   std::string text = to_text(model.level);
@@ -302,24 +314,24 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
     if (rung.parts > 0 && rung.parts < most_parts_of_few && rung.level != ModelLevel::flexible) {
       ElasticModel finest = rung;
       finest.parts = most_parts_of_few;
-      if (estimate_of(finest, scouting).error > tolerance) continue;
+      if (estimate_of(finest, scouting).error > doubt * tolerance) continue;
     }
     ModelEstimate& estimate = choice.weighed.emplace_back(estimate_of(rung, scouting));
-    if (estimate.error > tolerance) continue;
-    const int better = std::max(2 * rung.parts, fine_parts);
+    if (estimate.error > doubt * tolerance) continue;
+    const int better = std::max(2 * rung.parts, better_parts);
     estimate.found = difference_between(stresses_by(of, rung, places),
                                         stresses_by(of, all_elements(better, true), places)) +
-                     scouting.division(better);
+                     2.0 * scouting.division(better);
     if (*estimate.found > tolerance) continue;
     choice.chosen = rung;
     choice.reason = reason_of(choice, of, scouting);
     return choice;
   }
   throw AnalysisError(
-      {fmt::format("no model of the elastic links is known to be within {:.3g} % of the governing "
+      {fmt::format("no model of the elastic links is known to be within {} of the governing "
                    "stress: the load's {:.6g} Hz are too near a natural frequency for this; ask "
                    "for a larger tolerance, or give damping",
-                   percent(tolerance), of.mechanism->frequency),
+                   percent_text(tolerance), of.mechanism->frequency),
        "",
        {},
        choice.weighed.back().found,

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <deque>
+#include <memory>
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
@@ -13,6 +14,7 @@
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "catch.hpp"
+#include "support/rig.hpp"
 
 using namespace boxbeam;
 
@@ -219,4 +221,93 @@ TEST_CASE("a motion that does not repeat is refused with what to do", "[elastic_
   HeldBeam of = shaken(0.3, 24);
   of.motion.closed = false;
   CHECK_THROWS_WITH(ElasticMotion(of.rigid(), of.elastic(), 1), Catch::Contains("--model rigid"));
+}
+
+namespace {
+
+/// The slender rig's one mode over a period: squares of its angular frequency and generalised
+/// force, to be integrated by another method.
+struct OneMode {
+  std::vector<double> square, p;
+  double period = 0.0;
+
+  static double between(const std::vector<double>& values, double part) {
+    // Cubic through four neighbours (Lagrange).
+    const auto n = static_cast<double>(values.size());
+    const double x = (part - std::floor(part)) * n;
+    const auto i = static_cast<std::size_t>(x);
+    const double u = x - std::floor(x);
+    const auto v = [&](std::size_t k) {
+      return values[(i + k + values.size() - 1) % values.size()];
+    };
+    return -u * (u - 1) * (u - 2) / 6 * v(0) + (u + 1) * (u - 1) * (u - 2) / 2 * v(1) -
+           (u + 1) * u * (u - 2) / 2 * v(2) + (u + 1) * u * (u - 1) / 6 * v(3);
+  }
+
+  /// eta and its rate after a period from given ones, and eta at the instants (Runge and Kutta).
+  Eigen::Vector2d after_period(Eigen::Vector2d y, double load, std::vector<double>* path) const {
+    const int per_instant = 40;
+    const int steps = per_instant * static_cast<int>(p.size());
+    const double dt = period / steps;
+    const auto rate = [&](double t, const Eigen::Vector2d& at) {
+      return Eigen::Vector2d(at[1],
+                             load * between(p, t / period) - between(square, t / period) * at[0]);
+    };
+    for (int i = 0; i < steps; ++i) {
+      if (path != nullptr && i % per_instant == 0) path->push_back(y[0]);
+      const double t = i * dt;
+      const Eigen::Vector2d k1 = rate(t, y);
+      const Eigen::Vector2d k2 = rate(t + dt / 2, y + dt / 2 * k1);
+      const Eigen::Vector2d k3 = rate(t + dt / 2, y + dt / 2 * k2);
+      const Eigen::Vector2d k4 = rate(t + dt, y + dt * k3);
+      y += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    return y;
+  }
+
+  /// The periodic solution: y(0) = F + H y(0).
+  std::vector<double> periodic() const {
+    const Eigen::Vector2d forced = after_period(Eigen::Vector2d::Zero(), 1.0, nullptr);
+    Eigen::Matrix2d free;
+    free.col(0) = after_period({1.0, 0.0}, 0.0, nullptr);
+    free.col(1) = after_period({0.0, 1.0}, 0.0, nullptr);
+    const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - free;
+    std::vector<double> path;
+    after_period(system.lu().solve(forced), 1.0, &path);
+    return path;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the vibration of a large motion is that of integration over time", "[elastic_motion]") {
+  const Project project = read_project(test::project_file("sections/sledge-rig/slender.toml"));
+  const planar::Mechanism& mechanism = planar_of(project);
+  const planar::Motion motion = planar::solve_motion(mechanism);
+  const planar::BeamBody body = planar::beam_body_of(project.beam, project.beam_body);
+  auto finder = std::make_shared<planar::StateFinder>(mechanism, motion);
+  const RigidMotion rigid{&mechanism, &motion, &project.beam, [&](Time time) {
+                            return planar::beam_loads_of(mechanism, finder->at(time.value()), body);
+                          }};
+  const ElasticBody elastic = elastic_body_of(project, 8);
+  const ElasticMotion vibration(rigid, elastic, 1);
+
+  OneMode mode;
+  mode.period = motion.period;
+  Eigen::VectorXd first;
+  for (const planar::State& state : motion.states) {
+    const PostureModes modes = modes_in_posture(mechanism, state, elastic, project.beam, 1);
+    if (first.size() == 0) first = modes.shapes.col(0);
+    const double sign = first.dot(modes.shapes.col(0)) > 0.0 ? 1.0 : -1.0;
+    mode.square.push_back(std::pow(2 * pi * modes.frequencies.front(), 2));
+    mode.p.push_back(sign *
+                     modal_loads(modes, cut_forces_of(rigid.loads(si<Time>(state.time))))[0]);
+  }
+  const std::vector<double> integrated = mode.periodic();
+  REQUIRE(integrated.size() == static_cast<std::size_t>(vibration.coordinates().rows()));
+  const double size = vibration.coordinates().cwiseAbs().maxCoeff();
+  for (std::size_t i = 0; i < integrated.size(); ++i) {
+    CHECK(vibration.coordinates()(static_cast<Eigen::Index>(i), 0) ==
+          Approx(integrated[i]).margin(1e-4 * size));
+  }
 }

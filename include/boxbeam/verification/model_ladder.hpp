@@ -16,6 +16,9 @@ struct LadderCase {
   const TaperedBeam* beam = nullptr;  ///< that the link is
 };
 
+/// "0.59 %", "130 %".
+std::string percent_text(double fraction);
+
 /// "modal, 2 modes, 4 parts per link".
 std::string describe(const ElasticModel& model);
 
@@ -40,11 +43,11 @@ double error_of(const LadderCase& of, const ElasticModel& model);
 ///
 /// with n = 2, 3, 4, 6, 8, 12, ... parts per elastic link, bending links as they are or with their
 /// elasticity along the axis. Estimated error of the stresses (`difference_between`): the sum of
-/// what the modes left out contribute beyond their static part, by the modes of a coarse division
-/// (8 parts, all deformations, corrected); of the division, C n^-p from 4, 8 and 16 parts; and of
-/// the axial rigidity of bending links, by leaving it out. Verified against all elements of twice
-/// as many parts (at least 16) with all deformations; what that itself is estimated to err is
-/// added.
+/// what the modes left out contribute beyond their static part, by the modes of a division into 16
+/// parts (corrected), axial rigidity of bending links included; and of the division, C n^-p from 4,
+/// 8 and 16 parts. These may cancel, so that a model is tried where their sum is below twice the
+/// tolerance. Verified against all elements of twice as many parts (at least 32) with all
+/// deformations; twice what that itself is estimated to err is added.
 /// Throws AnalysisError at a resonance without damping, and where no division up to 256 parts is
 /// good enough.
 ModelChoice climb_ladder(const LadderCase& of, double tolerance);
