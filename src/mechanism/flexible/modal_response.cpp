@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 /// Distance of the squares of the drive and a natural frequency, relative, within which an
 /// undamped amplitude is none: that of the response without modes.
 constexpr double resonance = 2e-6;
-/// A load on a mode below this part of the sum of its terms' sizes is round-off.
+/// A load on a mode below this part of what it could be is round-off.
 constexpr double no_load = 1e-10;
 /// The shift, over the lowest omega^2 with strain, by which structures that move freely are solved,
 /// and the steps that take it out again.
@@ -292,7 +292,7 @@ auto joints_of(const ModalModel& model, const Recovery& recovery, const Vector& 
   return joints;
 }
 
-/// phi^T f, and the size of its terms.
+/// phi^T f, and how much it could be: with all loads where the mode moves and turns most.
 struct ModalLoads {
   VectorXcd p;
   VectorXd size;
@@ -300,14 +300,20 @@ struct ModalLoads {
 
 ModalLoads modal_loads_of(const ModalModel& model) {
   const LinkColumns<Complex> loads = harmonic_loads(*model.structure);
+  Vector3d sum = Vector3d::Zero();
+  for (const auto& columns : loads) sum += columns.cwiseAbs().rowwise().sum();
   const auto count = static_cast<Index>(model.modes.size());
   ModalLoads result{VectorXcd::Zero(count), VectorXd::Zero(count)};
   for (Index j = 0; j < count; ++j) {
     const LinkColumns<double>& shape = model.modes[static_cast<std::size_t>(j)].shape.motion;
     result.p[j] = dot(shape, loads);
-    for (std::size_t k = 0; k < shape.size(); ++k) {
-      result.size[j] += shape[k].cwiseAbs().cwiseProduct(loads[k].cwiseAbs()).sum();
+    double moves = 0.0;
+    double turns = 0.0;
+    for (const auto& columns : shape) {
+      moves = std::max(moves, columns.topRows<2>().cwiseAbs().maxCoeff());
+      turns = std::max(turns, columns.row(2).cwiseAbs().maxCoeff());
     }
+    result.size[j] = moves * (sum[0] + sum[1]) + turns * sum[2];
   }
   return result;
 }
