@@ -80,13 +80,16 @@ CutForceDiagram cut_forces_of(const BeamLoads& loads) {
 
 CutForces CutForceDiagram::at(const Station& station) const {
   const bool before = station.side == Side::before;
-  if (pieces.empty() || station.s < pieces.front().start || station.s > pieces.back().end())
-    return {};
+  if (pieces.empty() || station.s < pieces.front().start) return {};
   if (before && station.s == pieces.front().start) return {};
-  if (station.side == Side::behind && station.s == pieces.back().end()) return {};
+  // The sum of a start and a length misses the place that they come from by round-off.
+  const Length end = pieces.back().end();
+  constexpr double round_off = 1e-14;
+  if (station.s > end * (1.0 + round_off)) return {};
+  if (station.side == Side::behind && station.s >= end * (1.0 - round_off)) return {};
   std::size_t i = 0;
   while (i + 1 < pieces.size() &&
-         (station.s > pieces[i].end() || (station.s == pieces[i].end() && !before))) {
+         (station.s > pieces[i + 1].start || (station.s == pieces[i + 1].start && !before))) {
     ++i;
   }
   const CutForcePiece& piece = pieces[i];

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "readers.hpp"
 
@@ -234,20 +235,38 @@ void add_points_of_link(Project& project) {
   }
 }
 
+/// The beam's link by name; where that is missing or misspelt, which is noted, the link without a
+/// profile is meant, so that reading goes on.
+std::string read_beam_link(TableReader& root, TableReader& beam) {
+  const std::string name = beam.text("link");
+  std::vector<std::string> names;
+  std::string meant;
+  for (const Node::Member& link : root.table("links", false).members()) {
+    names.push_back(link.key);
+    const std::array profile{"section", "sections", "segments", "EA", "mass"};
+    const bool bare = std::none_of(profile.begin(), profile.end(), [&](const char* key) {
+      return link.value.kind == Node::Kind::table && link.value.find(key) != nullptr;
+    });
+    if (bare && meant.empty()) meant = link.key;
+  }
+  if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  if (!name.empty()) {
+    beam.problem("link", fmt::format("there is no link \"{}\"", name),
+                 readers::unknown_hint(name, names));
+  }
+  return meant;
+}
+
 /// A mechanism of elastic links and its beam. Returns the name of the beam's link.
 std::string read_elastic(TableReader& root, readers::LinkDefaults& links, Project& project) {
   TableReader beam = root.table("beam");
   readers::read_beam(beam, *links.sections, project);
-  links.beam_link = beam.text("link");
+  links.beam_link = read_beam_link(root, beam);
   beam.finish();
   flexible::Mechanism mechanism = readers::read_flexible(root, links);
   refuse_planar_parts(root, "flexible");
   refuse_rigid_parts(root);
-  project.beam_body = readers::index_of(mechanism.links, links.beam_link);
-  if (project.beam_body < 0 && !links.beam_link.empty()) {
-    beam.problem("link", fmt::format("there is no link \"{}\"", links.beam_link),
-                 readers::unknown_hint(links.beam_link, readers::names_of(mechanism.links)));
-  }
+  project.beam_body = std::max(0, readers::index_of(mechanism.links, links.beam_link));
   project.mechanism = std::move(mechanism);
   if (root.problems().empty()) add_points_of_link(project);
   return links.beam_link;

@@ -175,7 +175,7 @@ void read_elastic_joints(TableReader& root, Mechanism& mechanism) {
     check_gap(table, kind, mechanism, joint);
     const bool holds = std::any_of(joint.stiffness.begin(), joint.stiffness.end(),
                                    [](double stiffness) { return stiffness != 0.0; });
-    if (!holds) {
+    if (!holds && table.problems().size() == before) {
       table.problem("stiffness", "the joint holds nothing",
                     fmt::format("write for example {}", wanted::stiffness.example));
     }

@@ -103,14 +103,15 @@ const BodyPoint* find_point(const Link& link, const std::string& name) {
   return index < 0 ? nullptr : &link.points[static_cast<std::size_t>(index)];
 }
 
-/// Gives a link its length, notes points that stand off it, and names its ends.
+/// Gives a link its length, notes points that stand off it, and names its ends. A length that could
+/// not be read is NaN.
 void take_length(LinkDraft& draft, double length) {
   Link& link = draft.link;
   draft.length = length;
   link.length = length;
-  if (!std::isfinite(length)) return;
   for (BodyPoint& point : link.points) {
     const double s = point.p.x();
+    if (!std::isfinite(length)) break;
     if (s < -agreement * length || s > (1.0 + agreement) * length) {
       draft.table.table("points").problem(
           point.name, fmt::format("point \"{}\" lies off the link, at s = {:.6g} m", point.name, s),
@@ -162,9 +163,8 @@ void read_ends(TableReader& table, const Sections& sections, Segment& segment) {
 void read_section_profile(LinkDraft& draft, const LinkDefaults& defaults) {
   TableReader& table = draft.table;
   TaperedBeam& profile = draft.profile;
-  const double density = defaults.beam->density.value();
-  profile.density = si<Density>(table.positive(
-      "density", wanted::density, density > 0.0 ? std::optional(density) : std::nullopt));
+  profile.density = table.has("density") ? si<Density>(table.positive("density", wanted::density))
+                                         : defaults.beam->density;
   profile.rotary_inertia = table.boolean("rotary_inertia", false);
   draft.youngs_modulus =
       table.positive("youngs_modulus", wanted::stress, defaults.model->youngs_modulus);
@@ -211,7 +211,8 @@ void read_profile(LinkDraft& draft, const LinkDefaults& defaults) {
     draft.profile = *defaults.beam;
     draft.youngs_modulus = defaults.model->youngs_modulus;
     draft.shear_modulus = defaults.model->shear_modulus;
-    if (!draft.profile.segments.empty()) draft.length = draft.profile.length().value();
+    const bool none = draft.profile.segments.empty();
+    draft.length = none ? std::nan("") : draft.profile.length().value();
     return;
   }
   const auto by_stiffness = ways_in({"EA", "GA", "EI", "mass_per_length"});
@@ -342,7 +343,6 @@ void place(LinkDraft& draft, const LinkDraft* at, const LinkDraft* to) {
   if (placing.to) {
     const Vector2d along = world_of(draft.table, *placing.to, to) - here;
     const double length = along.norm();
-    if (!std::isfinite(length)) return;
     if (length == 0.0) {
       draft.table.problem("to", "the link has no length: both ends are at one place",
                           "name two places apart");
@@ -415,7 +415,9 @@ void lay_out(LinkDraft& draft) {
     for (LinkStretch& stretch : link.stretches) stretch.mass.c[0] += draft.extra_mass;
   }
   if (link.kind != LinkKind::rigid) return;
+  link.kind = LinkKind::full;  // as whose mass it is summed up
   link.rigid = flexible::rigid_mass_of(link);
+  link.kind = LinkKind::rigid;
   link.stretches.clear();
 }
 
@@ -430,7 +432,7 @@ std::vector<Link> read_links(TableReader& root, const LinkDefaults& defaults) {
   if (root.problems().size() == before && drafts.empty()) {
     root.problem("links", "the mechanism has no link", "write at least one [links.<name>]");
   }
-  if (root.problems().empty()) place_all(drafts);
+  if (root.problems().size() == before && !drafts.empty()) place_all(drafts);
   std::vector<Link> links;
   for (LinkDraft& draft : drafts) {
     if (root.problems().empty()) lay_out(draft);

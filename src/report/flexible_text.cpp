@@ -123,16 +123,25 @@ std::string flexible_inputs(const Mechanism& mechanism) {
   return out;
 }
 
-std::string flexible_tables(const Mechanism& mechanism) {
-  return links_table(mechanism) + "\n" + joints_table(mechanism);
+std::string flexible_tables(const Mechanism& mechanism, const ElasticModel& model) {
+  std::string taken;
+  if (model.level == ModelLevel::rigid) taken += ", elastic links as rigid ones";
+  if (model.parts > 0)
+    taken += fmt::format(", at least {} parts of every elastic link", model.parts);
+  if (model.axial) taken += ", bending links elastic along their axes as well";
+  return links_table(mechanism) + "\n" + joints_table(mechanism) +
+         (taken.empty() ? ""
+                        : "\n" + layout::paragraph("Links and joints as the case gives them. The "
+                                                   "model takes: " +
+                                                   taken.substr(2) + "."));
 }
 
 std::string vibration_section(const ElasticFigures& figures) {
   const FlexibleMotionResult& motion = figures.motion;
   std::string out = layout::heading("Natural frequencies and joint forces");
   out += layout::paragraph(fmt::format(
-      "{} rigid finite elements, {} generalised coordinates. Stated errors are those of the "
-      "division of the links, with a margin; they say nothing of the data.",
+      "By all of {} rigid finite elements with {} generalised coordinates. Stated errors are those "
+      "of the division of the links, with a margin; they say nothing of the data.",
       motion.elements, motion.degrees_of_freedom));
   Table frequencies({"mode", "frequency [Hz]", "stated error [Hz]"});
   for (std::size_t i = 0; i < motion.frequencies.size(); ++i) {

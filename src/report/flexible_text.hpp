@@ -10,8 +10,8 @@ namespace boxbeam {
 /// The loads of a mechanism of elastic links and how it is divided, in words, an entry for each.
 std::string flexible_inputs(const flexible::Mechanism& mechanism);
 
-/// Its links and joints as tables.
-std::string flexible_tables(const flexible::Mechanism& mechanism);
+/// Its links and joints as tables, and what the model takes otherwise.
+std::string flexible_tables(const flexible::Mechanism& mechanism, const ElasticModel& model);
 
 /// Natural frequencies and joint forces, static and vibrating, with the errors of division.
 std::string vibration_section(const ElasticFigures& figures);

@@ -51,6 +51,38 @@ Json governing_json(const Verification& verification) {
   return governing;
 }
 
+Json model_json(const ModelChoice& choice) {
+  const auto described = [](const ElasticModel& model) {
+    return Json{{"level", to_text(model.level)},
+                {"modes", model.modes},
+                {"parts", model.parts},
+                {"axial", model.axial}};
+  };
+  Json weighed = Json::array();
+  for (const ModelEstimate& of : choice.weighed) {
+    Json& model = weighed.emplace_back(described(of.model));
+    model["estimate"] = finite(of.error);
+    model["found"] = of.found ? Json(finite(*of.found)) : Json();
+    model["basis"] = of.basis;
+  }
+  Json frequencies = Json::array();
+  for (const double frequency : choice.frequencies) frequencies.push_back(finite(frequency));
+  Json harmonics = Json::array();
+  for (const LoadHarmonic& harmonic : choice.harmonics) {
+    harmonics.push_back(
+        {{"frequency", finite(harmonic.frequency)}, {"share", finite(harmonic.share)}});
+  }
+  Json model = {{"chosen", to_text(choice.chosen.level)}, {"reason", choice.reason}};
+  model["modes"] = choice.chosen.modes;
+  model["parts"] = choice.chosen.parts;
+  model["axial"] = choice.chosen.axial;
+  model["tolerance"] = finite(choice.tolerance);
+  model["frequencies"] = std::move(frequencies);
+  model["harmonics"] = std::move(harmonics);
+  model["weighed"] = std::move(weighed);
+  return model;
+}
+
 Json codes_json(const Verification& verification) {
   Json codes = Json::array();
   for (const CodeResult& code : verification.codes) {
@@ -86,7 +118,7 @@ std::string results_json(const Project& project, const Verification& verificatio
                          {"version", version},
                          {"input_sha256", project.sha256},
                          {"verdict", to_text(verification.verdict)},
-                         {"model", {{"chosen", "rigid"}, {"reason", model_reason(project)}}},
+                         {"model", model_json(verification.model)},
                          {"critical_instants", std::move(instants)},
                          {"beam", beam_json(verification, project)},
                          {"checks", std::move(checks)},

@@ -298,13 +298,4 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   return remarks;
 }
 
-std::string model_reason(const Project& project) {
-  return fmt::format(
-      "{} loads on rigid bodies: a {} case has no elastic model; deformation raises the "
-      "stresses when "
-      "the drive comes near a natural frequency of the beam with its attached masses, which is not "
-      "estimated",
-      to_text(project.dynamics), in_space(project) ? "spatial" : "planar");
-}
-
 }  // namespace boxbeam

@@ -42,27 +42,39 @@ std::string all_lines(const JointLines& lines, const std::string& prefix) {
   return plot;
 }
 
+/// 1, 2 or 5 times a power of ten: a step that divides a span into three or more.
+double tic_step(double span) {
+  if (!(span > 0.0)) return 1.0;
+  const double third = span / 3.0;
+  const double power = std::pow(10.0, std::floor(std::log10(third)));
+  for (const double digit : {5.0, 2.0}) {
+    if (digit * power <= third) return digit * power;
+  }
+  return power;
+}
+
 /// One panel for every joint, two beside each other.
 void panels(Script& gp, const std::string& name, const std::string& title, const JointLines& lines,
             const std::string& abscissa, double scale) {
   const auto count = static_cast<int>(lines.names.size());
   const int rows = (count + 1) / 2;
-  const int height = 90 + 150 * rows;
+  const int height = 130 + 150 * rows;
   gp.begin(name, 1000, height);
   send_lines(gp, lines, scale, "joint");
-  const double top = 1.0 - 60.0 / height;
-  const double bottom = 55.0 / height;
-  gp << "set multiplot layout " << rows << ",2 margins 0.08,0.98," << bottom << "," << top
-     << " spacing 0.1," << 32.0 / height << " title " << quoted(title) << " noenhanced\n"
-     << "set xrange [0:" << scale * lines.at.back() << "]\nunset key\nset ytics nomirror\n"
-     << "set offsets 0,0,graph 0.08,graph 0.08\n";
+  gp << "set multiplot layout " << rows << ",2 margins 0.06,0.98," << 70.0 / height << ","
+     << 1.0 - 60.0 / height << " spacing 0.07," << 32.0 / height << " title " << quoted(title)
+     << " noenhanced\n"
+     << "set xrange [0:" << scale * lines.at.back() << "]\nunset key\n"
+     << "set offsets 0,0,graph 0.25,graph 0.05\n";
   for (int j = 0; j < count; ++j) {
     const auto index = static_cast<std::size_t>(j);
     const bool lowest = j + 2 >= count;
-    gp << "set format x '" << (lowest ? "%g" : "") << "'\n";
-    gp << (lowest ? "set xlabel " + quoted(abscissa) : std::string("unset xlabel")) << "\n"
-       << "set ylabel 'force [kN]'\n"
-       << "set label 1 " << quoted(lines.names[index])
+    const auto [low, high] =
+        std::minmax_element(lines.force[index].begin(), lines.force[index].end());
+    gp << "set format x '" << (lowest ? "%g" : "") << "'\n"
+       << (lowest ? "set xlabel " + quoted(abscissa) : std::string("unset xlabel")) << "\n"
+       << "set ytics " << tic_step(1e-3 * (*high - *low)) << "\n"
+       << "set label 1 " << quoted(lines.names[index] + "  [kN]")
        << " at graph 0.02,0.9 left noenhanced front\n"
        << "plot $joint" << j << " using 1:2 with lines lw 1.6 lc rgb '" << colour(index)
        << "' notitle\n";

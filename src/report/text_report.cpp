@@ -14,6 +14,7 @@
 #include "chain_text.hpp"
 #include "flexible_text.hpp"
 #include "inputs_text.hpp"
+#include "model_text.hpp"
 #include "text_layout.hpp"
 #include "version.hpp"
 
@@ -142,7 +143,7 @@ std::string mechanism_section(const Project& project, const Verification& verifi
   std::string out = heading("Mechanism");
   if (in_space(project)) return out + chain_tables(spatial_of(project)) + "\n";
   if (verification.elastic) {
-    return out + flexible_tables(flexible_of(project)) + "\n" +
+    return out + flexible_tables(flexible_of(project), verification.model.chosen) + "\n" +
            vibration_section(*verification.elastic);
   }
   out += closure_text(planar_of(project), *verification.motions.front().closure);
@@ -259,9 +260,7 @@ std::string text_report(const Project& project, const Verification& verification
   out += case_section(project, verification);
   out += heading("Assumptions and remarks");
   for (const std::string& remark : remarks_of(project, verification)) out += layout::item(remark);
-  out += layout::item(fmt::format("model: {}; {}", to_text(verification.model.chosen.level),
-                                  verification.model.reason)) +
-         "\n";
+  out += "\n" + model_section(verification.model);
   out += heading("Inputs") + inputs_text(project) + "\n";
   out += mechanism_section(project, verification);
   out += loads_section(project, verification);

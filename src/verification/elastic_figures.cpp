@@ -13,8 +13,6 @@ namespace boxbeam {
 namespace {
 
 constexpr std::size_t modes_drawn = 6;
-/// Enough for the frequencies shown; what they leave out is corrected statically.
-constexpr std::size_t modes_used = 24;
 
 JointLines named_lines(const flexible::Mechanism& mechanism) {
   JointLines lines;
@@ -42,7 +40,7 @@ std::vector<PostureFigure> mode_figures(const Project& project,
 /// where an undamped amplitude has no limit.
 std::vector<double> swept_frequencies(double drive, const std::vector<flexible::Mode>& modes) {
   constexpr int count = 800;
-  double top = 1.6 * drive;
+  double top = 1.8 * drive;
   if (!modes.empty()) {
     top = std::max(top, 1.1 * modes[std::min(modes_drawn, modes.size()) - 1].frequency);
   }
@@ -56,6 +54,16 @@ std::vector<double> swept_frequencies(double drive, const std::vector<flexible::
     frequencies.push_back(frequency);
   }
   return frequencies;
+}
+
+/// As many modes as reach well beyond the drive; what they leave out is corrected statically.
+flexible::ModalModel modal_model_beyond(const flexible::Structure& structure, double drive) {
+  constexpr std::size_t fewest = 24;
+  for (std::size_t count = fewest;; count *= 2) {
+    flexible::ModalModel model = flexible::modal_model_of(structure, count);
+    const bool all = model.modes.size() < count;
+    if (all || model.modes.back().frequency >= 3.0 * drive) return model;
+  }
 }
 
 JointLines lines_over_frequency(const flexible::ModalModel& model) {
@@ -89,16 +97,22 @@ JointLines lines_over_period(const FlexibleMotion& motion) {
 JointLines lines_after_start(const flexible::ModalModel& model) {
   const flexible::Mechanism& mechanism = *model.structure->mechanism;
   JointLines lines = named_lines(mechanism);
-  constexpr double periods = 8.0;
   double slowest = mechanism.frequency;
   for (const flexible::Mode& mode : model.modes) {
     if (mode.frequency > 0.0) slowest = std::min(slowest, mode.frequency);
   }
-  // Some periods of the drive, and three of the slowest vibration.
-  const double length = std::max(periods / mechanism.frequency, 3.0 / slowest);
-  constexpr double steps_per_period = 40.0;
-  const auto steps = static_cast<std::size_t>(steps_per_period * length * mechanism.frequency);
-  const flexible::SuddenStart start = flexible::sudden_start_of(model, length, steps);
+  double fastest = mechanism.frequency;
+  for (std::size_t i = 0; i < std::min(modes_drawn, model.modes.size()); ++i) {
+    fastest = std::max(fastest, model.modes[i].frequency);
+  }
+  // Some periods of the drive and of the slowest vibration, in steps that show the fastest one
+  // drawn; where these are too many it ends sooner.
+  constexpr double most_steps = 4000.0;
+  const double rate = 20.0 * fastest;
+  const double steps =
+      std::min(most_steps, std::ceil(rate * std::max(8.0 / mechanism.frequency, 3.0 / slowest)));
+  const flexible::SuddenStart start =
+      flexible::sudden_start_of(model, steps / rate, static_cast<std::size_t>(steps));
   lines.at = start.times;
   for (std::size_t j = 0; j < lines.names.size(); ++j) {
     for (const Eigen::Vector3d& force : start.joints[j]) {
@@ -120,7 +134,7 @@ ElasticFigures elastic_figures_of(const Project& project, const SituationRun& ru
   figures.motion = flexible_motion_of(as_solved);
   figures.rest =
       posture_figure(project, {&structure, {flexible::no_loads<double>(structure), {}}, 1.0}, "");
-  const flexible::ModalModel modes = flexible::modal_model_of(structure, modes_used);
+  const flexible::ModalModel modes = modal_model_beyond(structure, motion.response.frequency);
   figures.modes = mode_figures(project, structure, modes.modes);
   if (motion.response.frequency == 0.0) return figures;
   figures.over_frequency = lines_over_frequency(modes);

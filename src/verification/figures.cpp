@@ -6,10 +6,10 @@
 namespace boxbeam {
 namespace {
 
-constexpr int points_per_piece = 24;
-
 /// Stations along the beam for drawing, two at every border of the pieces.
 std::vector<Station> drawn_stations(const CutForceDiagram& diagram) {
+  // Elastic links have many short pieces.
+  const int points_per_piece = std::clamp(600 / static_cast<int>(diagram.pieces.size()), 2, 24);
   std::vector<Station> stations{{diagram.pieces.front().start, Side::before}};
   for (const CutForcePiece& piece : diagram.pieces) {
     for (int j = 0; j <= points_per_piece; ++j) {

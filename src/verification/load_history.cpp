@@ -170,10 +170,12 @@ TurningPoint StationHistory::refine(std::size_t instant, bool maximum,
       passage
           ? extremum_at_passage(middle, at_nodes, sign, f)
           : find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
-  if (middle != instant) {
-    // An open history may have its extremum at its very end.
-    const double at_end = sign * f(samples_[instant]);
-    if (at_end >= found.value) found = {instant < middle ? -1.0 : 1.0, at_end};
+  // The instant itself may be as high: at the very end of an open history, at a corner, or where
+  // nothing changes.
+  const double at_instant = sign * f(samples_[instant]);
+  if (at_instant >= found.value) {
+    const double u = instant == middle ? 0.0 : (instant < middle ? -1.0 : 1.0);
+    found = {u, at_instant};
   }
   // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
   const double offset = std::abs(found.at) < 1e-6 ? 0.0 : found.at;

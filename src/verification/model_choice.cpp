@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
@@ -60,6 +61,16 @@ ModelChoice choose_elastic(const Project& project) {
   return *costliest;
 }
 
+/// A joint that slides with Coulomb friction, by name; "" where there is none.
+std::string dry_friction_in(const planar::Mechanism& mechanism) {
+  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
+    if (contact.law.coulomb > 0.0) {
+      return mechanism.joints[static_cast<std::size_t>(contact.joint)].name;
+    }
+  }
+  return "";
+}
+
 /// Why the vibration of the beam is not estimated; "" where it is.
 std::string not_estimated(const Project& project, const std::deque<SituationRun>& rigid) {
   if (in_space(project)) return "elastic links are counted in the plane only";
@@ -75,6 +86,13 @@ std::string not_estimated(const Project& project, const std::deque<SituationRun>
           "joint {} couples two motions by a ratio, which no joint of elastic links "
           "does",
           obstacle);
+    }
+    const std::string rubbing = dry_friction_in(mechanism);
+    if (!rubbing.empty()) {
+      return fmt::format(
+          "dry friction in joint {} turns round with the elastic motion as well, which "
+          "small vibrations about a posture do not describe",
+          rubbing);
     }
     const planar::DegreesOfFreedom& freedom = planar_motion_of(run).freedom;
     if (freedom.undriven > 0) {
@@ -161,9 +179,11 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
   const VibrationEstimate estimate = worst_estimate(project, rigid);
   choice.frequencies = estimate.frequencies;
   choice.harmonics = estimate.harmonics;
-  ModelEstimate& by_rigid = choice.weighed.emplace_back();
-  by_rigid.basis = "harmonics of the loads against the modes of six postures";
-  by_rigid.error = estimate.without_modes.front();
+  const ModelEstimate by_rigid{{},
+                               "harmonics of the loads against the modes of six postures",
+                               estimate.without_modes.front(),
+                               {}};
+  choice.weighed.push_back(by_rigid);
   const std::string missed = fmt::format(
       "vibration is estimated to change the governing stress by {:.2g} %, tolerance {:.3g} %",
       percent(by_rigid.error), percent(choice.tolerance));

@@ -19,6 +19,10 @@ constexpr std::array divisions{2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 1
 /// The coarse division whose modes decide, and the parts of the better model at least.
 constexpr int scout_parts = 8;
 constexpr int fine_parts = 16;
+/// Rather another mode than a finer division than this.
+constexpr int most_parts_of_few = 32;
+
+double percent(double of) { return 100.0 * of; }
 
 bool is_elastic(const flexible::Link& link) { return link.kind != LinkKind::rigid; }
 
@@ -59,13 +63,15 @@ ElasticModel all_elements(int parts, bool axial) {
   return {ModelLevel::flexible, 0, parts, flexible::Element::corrected, axial};
 }
 
-/// Error of a division into n parts, error_8 (8/n)^order.
+/// Error of a division into n parts, error_8 (8/n)^order; of finer ones not better than the second
+/// order, which shear and rotary inertia have in the end.
 struct DivisionError {
   double at_scout = 0.0;
   double order = 2.0;
 
   double operator()(int parts) const {
-    return at_scout * std::pow(static_cast<double>(scout_parts) / parts, order);
+    const double coarser = static_cast<double>(scout_parts) / parts;
+    return at_scout * std::pow(coarser, coarser > 1.0 ? order : std::min(order, 2.0));
   }
 };
 
@@ -79,13 +85,14 @@ DivisionError division_error(double first_step, double second_step) {
 
 /// What is known of a case before any model is chosen.
 struct Scouting {
-  std::vector<double> frequencies;    ///< [Hz]
-  std::vector<double> without_modes;  ///< error of k modes, k = 0, 1, ...
-  DivisionError division;             ///< of all elements
-  DivisionError static_division;      ///< of elastic statics
-  double axial = 0.0;                 ///< error of axially rigid bending links
-  double static_axial = 0.0;
-  double shear = 0.0;  ///< error of links rigid in shear
+  std::vector<double> frequencies;  ///< [Hz]
+  /// Error of k modes, k = 0, 1, ..., with bending links as they are.
+  std::vector<double> of_modes;
+  std::vector<double> of_axial_modes;  ///< with their elasticity along the axis
+  DivisionError division;              ///< of all elements
+  DivisionError static_division;       ///< of elastic statics
+  double axial = 0.0;                  ///< error of axially rigid bending links
+  double shear = 0.0;                  ///< error of links rigid in shear
   /// Error of rigid links on the joints as they are; nothing where joints without play repeat each
   /// other, which rigid links cannot share a load between.
   std::optional<double> rigid;
@@ -105,13 +112,15 @@ VibratingStress stresses_of(const LadderCase& of, const ModelResponse& by,
       flexible::beam_response_of(structure, of.link, *of.beam, by.response, by.inertial), places);
 }
 
-/// Stresses of the same structure by ever more of its modes.
-std::vector<double> errors_of_modes(const LadderCase& of, const std::vector<ComparedPlace>& places,
-                                    const VibratingStress& all, Scouting& scouting) {
-  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(scout_parts, true));
+/// Errors by ever more modes of a coarse division.
+std::vector<double> errors_of_modes(const LadderCase& of, bool axial,
+                                    const std::vector<ComparedPlace>& places,
+                                    const VibratingStress& all, std::vector<double>& frequencies) {
+  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(scout_parts, axial));
   const flexible::Structure structure = flexible::structure_of(mechanism);
   const flexible::ModalModel model = flexible::modal_model_of(structure, most_modes(mechanism));
-  for (const flexible::Mode& mode : model.modes) scouting.frequencies.push_back(mode.frequency);
+  frequencies.clear();
+  for (const flexible::Mode& mode : model.modes) frequencies.push_back(mode.frequency);
   std::vector<double> errors;
   for (std::size_t k = 0; k <= model.modes.size(); ++k) {
     errors.push_back(difference_between(
@@ -152,12 +161,15 @@ Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
   }
   if (has_bending_links(*of.mechanism)) {
     scouting.axial = difference_between(by(scout_parts, false), middle);
-    scouting.static_axial = difference_between(statically(scout_parts, false), static_middle);
   }
   const flexible::Mechanism stiff = rigid_in_shear(*of.mechanism);
   scouting.shear = difference_between(
       stresses_by({&stiff, of.link, of.beam}, all_elements(scout_parts, true), places), middle);
-  scouting.without_modes = errors_of_modes(of, places, middle, scouting);
+  if (has_bending_links(*of.mechanism)) {
+    scouting.of_modes = errors_of_modes(of, false, places, middle, scouting.frequencies);
+  }
+  scouting.of_axial_modes = errors_of_modes(of, true, places, middle, scouting.frequencies);
+  if (scouting.of_modes.empty()) scouting.of_modes = scouting.of_axial_modes;
   return scouting;
 }
 
@@ -169,24 +181,22 @@ ModelEstimate estimate_of(const ElasticModel& model, const Scouting& scouting) {
     estimate.basis = "rigid links against elastic ones";
     return estimate;
   }
-  const bool dynamic = model.level == ModelLevel::modal || model.level == ModelLevel::flexible;
-  const double modes = model.level == ModelLevel::flexible
-                           ? 0.0
-                           : scouting.without_modes[static_cast<std::size_t>(model.modes)];
-  const double division = (dynamic ? scouting.division : scouting.static_division)(model.parts);
-  const double axial = model.axial ? 0.0 : dynamic ? scouting.axial : scouting.static_axial;
-  estimate.error = modes + division + axial;
-  if (model.level == ModelLevel::quasi_static) {
-    estimate.basis = fmt::format("vibration {:.2g} %", 100.0 * modes);
-  } else if (model.level == ModelLevel::modal) {
-    estimate.basis = fmt::format("modes left out {:.2g} %", 100.0 * modes);
+  const std::vector<double>& of_modes = model.axial ? scouting.of_axial_modes : scouting.of_modes;
+  double division = scouting.division(model.parts);
+  if (model.level == ModelLevel::flexible) {
+    const double axial = model.axial ? 0.0 : scouting.axial;
+    estimate.error = division + axial;
+    estimate.basis = fmt::format("division {:.2g} %", percent(division));
+    if (axial > 0.0) estimate.basis += fmt::format(", axial rigidity {:.2g} %", percent(axial));
+    return estimate;
   }
-  const auto add = [&](const char* name, double error) {
-    estimate.basis +=
-        fmt::format("{}{} {:.2g} %", estimate.basis.empty() ? "" : ", ", name, 100.0 * error);
-  };
-  add("division", division);
-  if (axial > 0.0) add("axial rigidity", axial);
+  if (model.level == ModelLevel::quasi_static) division = scouting.static_division(model.parts);
+  const double left_out = of_modes[static_cast<std::size_t>(model.modes)];
+  estimate.error = left_out + division;
+  estimate.basis = fmt::format("{}{} {:.2g} %, division {:.2g} %",
+                               model.modes > 0 ? "modes left out" : "vibration",
+                               model.axial || scouting.axial == 0.0 ? "" : " and axial rigidity",
+                               percent(left_out), percent(division));
   return estimate;
 }
 
@@ -197,14 +207,14 @@ std::vector<ElasticModel> rungs_of(const LadderCase& of, const Scouting& scoutin
   const bool both_kinds = has_bending_links(*of.mechanism);
   const auto add = [&](ModelLevel level, int modes) {
     for (const int parts : divisions) {
-      if (parts < modes) continue;
+      if (parts < modes || (level != ModelLevel::flexible && parts > most_parts_of_few)) continue;
       if (both_kinds) rungs.push_back({level, modes, parts, flexible::Element::corrected, false});
       rungs.push_back({level, modes, parts, flexible::Element::corrected, both_kinds});
     }
   };
   // Where balance decides, elastic statics give the forces of rigid links.
   if (!is_determinate(*of.mechanism)) add(ModelLevel::quasi_static, 0);
-  for (std::size_t k = 1; k < scouting.without_modes.size(); ++k) {
+  for (std::size_t k = 1; k < scouting.of_axial_modes.size(); ++k) {
     add(ModelLevel::modal, static_cast<int>(k));
   }
   add(ModelLevel::flexible, 0);
@@ -216,12 +226,12 @@ std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Sco
   std::string reason = fmt::format(
       "{}: error of the governing stress estimated {:.2g} % ({}), found {:.2g} % against all "
       "elements of a finer division, tolerance {:.3g} %",
-      describe(chosen.model), 100.0 * chosen.error, chosen.basis, 100.0 * *chosen.found,
-      100.0 * choice.tolerance);
+      describe(chosen.model), percent(chosen.error), chosen.basis, percent(*chosen.found),
+      percent(choice.tolerance));
   if (choice.weighed.size() > 1) {
     const ModelEstimate& cheaper = choice.weighed[choice.weighed.size() - 2];
     reason += fmt::format("; the next cheaper, {}, would miss by {:.2g} %", describe(cheaper.model),
-                          100.0 * cheaper.found.value_or(cheaper.error));
+                          percent(cheaper.found.value_or(cheaper.error)));
   }
   if (of.mechanism->frequency > 0.0 && !scouting.frequencies.empty()) {
     reason += fmt::format("; the load's {:.4g} Hz stand against natural frequencies of",
@@ -235,9 +245,9 @@ std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Sco
     reason += fmt::format(
         "; bending links taken as rigid along their axes would change it by "
         "{:.2g} %",
-        100.0 * scouting.axial);
+        percent(scouting.axial));
   }
-  reason += fmt::format("; links rigid in shear by {:.2g} %", 100.0 * scouting.shear);
+  reason += fmt::format("; links rigid in shear by {:.2g} %", percent(scouting.shear));
   return reason;
 }
 
@@ -288,6 +298,12 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
   choice.frequencies = scouting.frequencies;
   if (of.mechanism->frequency > 0.0) choice.harmonics = {{of.mechanism->frequency, 1.0}};
   for (const ElasticModel& rung : rungs_of(of, scouting)) {
+    // Where the finest division is not enough, the coarser ones need no word.
+    if (rung.parts > 0 && rung.parts < most_parts_of_few && rung.level != ModelLevel::flexible) {
+      ElasticModel finest = rung;
+      finest.parts = most_parts_of_few;
+      if (estimate_of(finest, scouting).error > tolerance) continue;
+    }
     ModelEstimate& estimate = choice.weighed.emplace_back(estimate_of(rung, scouting));
     if (estimate.error > tolerance) continue;
     const int better = std::max(2 * rung.parts, fine_parts);
@@ -303,7 +319,7 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
       {fmt::format("no model of the elastic links is known to be within {:.3g} % of the governing "
                    "stress: the load's {:.6g} Hz are too near a natural frequency for this; ask "
                    "for a larger tolerance, or give damping",
-                   100.0 * tolerance, of.mechanism->frequency),
+                   percent(tolerance), of.mechanism->frequency),
        "",
        {},
        choice.weighed.back().found,

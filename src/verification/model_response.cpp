@@ -1,5 +1,7 @@
 #include "boxbeam/verification/model_response.hpp"
 
+#include <numbers>
+
 namespace boxbeam {
 namespace {
 
@@ -13,6 +15,17 @@ ModelResponse static_part(const flexible::Structure& structure) {
   result.response.harmonic.motion = result.inertial;
   result.response.harmonic.joints =
       Eigen::Matrix3Xcd::Zero(3, static_cast<Eigen::Index>(structure.joints.size()));
+  return result;
+}
+
+/// Rigid links may stand still on joints without give, where there is no resonance to look for.
+ModelResponse rigid_response(const flexible::Structure& structure) {
+  ModelResponse result = static_part(structure);
+  const double omega = 2.0 * std::numbers::pi * result.response.frequency;
+  if (omega == 0.0) return result;
+  result.response.harmonic = flexible::DynamicStiffness<Complex>(structure, omega * omega, omega)
+                                 .solve(flexible::harmonic_loads(structure));
+  result.inertial = result.response.harmonic.motion;
   return result;
 }
 
@@ -39,7 +52,7 @@ ModelResponse response_of(const flexible::Structure& structure, const ElasticMod
     case ModelLevel::modal:
       return modal_response(
           flexible::modal_model_of(structure, static_cast<std::size_t>(model.modes)));
-    case ModelLevel::rigid:
+    case ModelLevel::rigid: return rigid_response(structure);
     case ModelLevel::flexible: break;
   }
   ModelResponse result = static_part(structure);

@@ -48,7 +48,7 @@ BeamLoads loads_of_mode(const flexible::Structure& structure, int link, const Ta
     response.harmonic.motion.emplace_back(motion.cast<flexible::Complex>());
   }
   response.harmonic.joints = mode.shape.joints.cast<flexible::Complex>();
-  return flexible::beam_response_of(structure, link, beam, response).sine;
+  return flexible::beam_response_of(structure, link, beam, response, response.harmonic.motion).sine;
 }
 
 /// N, V and couple of a diagram in the axes of a link: y of the beam points into the plane.

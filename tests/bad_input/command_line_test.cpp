@@ -94,8 +94,10 @@ TEST_CASE("a wrong option or value of one is refused", "[bad_input]") {
   refused({"verify", rig, "--out"}, {"--out"});
   refused({"verify", rig, "--dynamics", "fast"}, {"fast", "{rigorous,newton-chain}"});
   refused({"verify", rig, "--model", "soft"}, {"soft", "{auto,rigid,flexible}"});
-  refused({"verify", rig, "--model", "flexible"},
-          {"it has no flexible model", "use --model auto or --model rigid"});
+  for (const std::string value : {"1", "0", "-0.01", "1%", "nan", "small"}) {
+    refused({"verify", rig, "--tolerance=" + value},
+            {"\"" + value + "\" is no tolerance", "write a fraction, for example 0.01"});
+  }
   for (const std::string value : {"soon", "1 s", "1,5", "nan", "inf", "-inf", "1e300"}) {
     refused({"motion", rig, "--at=" + value, "--json", "motion.json"},
             {"--at: \"" + value + "\" is no instant", "write seconds without unit"});
@@ -109,6 +111,16 @@ TEST_CASE("what only the other kind of case has is refused", "[bad_input]") {
   refused({"motion", gear, "--axes", "moon"}, {"no body \"moon\"", "one of world, climb"});
   refused({"motion", gear, "--assemblies"}, {"one assembly", "leave out --assemblies"});
   refused({"motion", rig, "--axes", "beam"}, {"world axes only", "leave out --axes"});
+  refused({"verify", gear, "--model", "flexible"},
+          {"there is no flexible model", "use --model auto or --model rigid"});
+  const std::string published = test::project_file("sections/sledge-rig/published.toml");
+  refused({"verify", published, "--dynamics", "newton-chain", "--model", "flexible"},
+          {"is one of rigid bodies", "--dynamics rigorous"});
+  const std::string truck = test::project_file("sections/drill-truck/truck.toml");
+  refused({"motion", truck, "--at", "1"}, {"there are no instants to choose", "leave out --at"});
+  refused({"motion", truck, "--assemblies"}, {"only assembly", "leave out --assemblies"});
+  refused({"motion", truck, "--axes", "boom"}, {"world axes only", "leave out --axes"});
+  refused({"verify", truck, "--dynamics", "newton-chain"}, {"a Newton chain", "rigorous"});
 }
 
 TEST_CASE("a wrong override is refused as in the file", "[bad_input]") {

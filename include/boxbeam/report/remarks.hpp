@@ -11,7 +11,4 @@ namespace boxbeam {
 /// validity of formulas, values printed beside, what is not checked.
 std::vector<std::string> remarks_of(const Project& project, const Verification& verification);
 
-/// Which model was used, and why.
-std::string model_reason(const Project& project);
-
 }  // namespace boxbeam

@@ -56,13 +56,39 @@ struct AxisStiffness {
   }
 };
 
-/// A determinant that is nothing but round-off becomes that round-off: a part behind a spring in
-/// resonance by itself is no resonance of the whole.
+/// A part behind a spring may be in resonance by itself, the spring's far side held, though the
+/// whole is not: its pivot is taken for no less than this, relative, and what that changes is given
+/// back by refinement. So are digits where a pivot is less than `safe_pivot`. Source: Li, Demmel,
+/// ACM Transactions on Mathematical Software 29 (2003), static pivoting.
+constexpr double least_pivot = 1e-8;
+constexpr double safe_pivot = 1e-2;
+constexpr int refinements = 2;
+
+/// What a pivot lacks to be at least `least_pivot`, its sign kept.
 template <class Scalar>
-Scalar kept_from_zero(const Scalar& of, double size) {
-  const double least = std::numeric_limits<double>::epsilon() * size;
-  return std::abs(of) < least ? Scalar(least) : of;
+Scalar missing(const Scalar& of, double size) {
+  if (std::abs(of) >= least_pivot * size) return Scalar(0.0);
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return std::copysign(least_pivot * size, of) - of;
+  } else {
+    return least_pivot * size - of;
+  }
 }
+
+/// I + F D of bending.
+template <class Scalar>
+struct Pivot {
+  Scalar a11, a12, a21, a22, det;
+  double size;
+
+  Pivot(const Scalar& f11, const Scalar& f12, const Scalar& f22, const AxisStiffness<Scalar>& D)
+      : a11(1.0 + f11 * D.ww + f12 * D.wp),
+        a12(f11 * D.wp + f12 * D.pp),
+        a21(f12 * D.ww + f22 * D.wp),
+        a22(1.0 + f12 * D.wp + f22 * D.pp),
+        det(a11 * a22 - a12 * a21),
+        size(std::abs(a11 * a22) + std::abs(a12 * a21)) {}
+};
 
 }  // namespace
 
@@ -145,17 +171,29 @@ void DynamicStiffness<Scalar>::factor_link(std::size_t k) {
     D.wp -= e * D.ww;
     Step& step = steps[i];
     const Scalar f = damping * at.spring->axial;
-    const Scalar axial = kept_from_zero(1.0 + f * D.uu, 1.0);
+    const double axial_size = 1.0 + std::abs(f * D.uu);
+    const Scalar axial_lack = missing(Scalar(1.0 + f * D.uu), axial_size);
+    if (axial_lack != Scalar(0.0)) D.uu += axial_lack / f;
+    const Scalar axial = 1.0 + f * D.uu;
     step.axial = 1.0 / axial;
     const Scalar f11 = damping * at.spring->bending(0, 0);
     const Scalar f12 = damping * at.spring->bending(0, 1);
     const Scalar f22 = damping * at.spring->bending(1, 1);
-    const Scalar a11 = 1.0 + f11 * D.ww + f12 * D.wp;
-    const Scalar a12 = f11 * D.wp + f12 * D.pp;
-    const Scalar a21 = f12 * D.ww + f22 * D.wp;
-    const Scalar a22 = 1.0 + f12 * D.wp + f22 * D.pp;
-    const Scalar det =
-        kept_from_zero(a11 * a22 - a12 * a21, std::abs(a11 * a22) + std::abs(a12 * a21));
+    Pivot<Scalar> pivot(f11, f12, f22, D);
+    const Scalar lack = missing(pivot.det, pivot.size);
+    if (lack != Scalar(0.0)) {  // a little more or less of what D has anyway
+      const Scalar by_ww = f11 * pivot.a22 - f12 * pivot.a12;
+      const Scalar by_pp = f22 * pivot.a11 - f12 * pivot.a21;
+      if (std::abs(by_ww * D.ww) >= std::abs(by_pp * D.pp)) {
+        D.ww += lack / by_ww;
+      } else {
+        D.pp += lack / by_pp;
+      }
+      pivot = Pivot<Scalar>(f11, f12, f22, D);
+    }
+    const auto& [a11, a12, a21, a22, det, size] = pivot;
+    smallest_pivot_ =
+        std::min({smallest_pivot_, std::abs(axial) / axial_size, std::abs(det) / size});
     const Scalar inverse = 1.0 / det;
     step.b11 = a22 * inverse;
     step.b12 = -a12 * inverse;
@@ -288,7 +326,14 @@ void DynamicStiffness<Scalar>::factor_border() {
     border_.template block<1, 3>(row, at) -= port.sign * effect.transpose();
   }
   // Equilibrated: lengths, angles and forces become comparable, whatever the stiffnesses.
+  // Begun at the joints' own stiffnesses, so that those of stiff joints side by side count.
   scale_ = Eigen::VectorXd::Ones(size);
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    const double flexibility = std::abs(rows_[j].flexibility);
+    if (flexibility > 0.0) {
+      scale_[fixed + static_cast<Eigen::Index>(j)] = 1.0 / std::sqrt(flexibility);
+    }
+  }
   for (int pass = 0; pass < 8; ++pass) {
     for (Eigen::Index i = 0; i < size; ++i) {
       double largest = 0.0;
@@ -307,6 +352,30 @@ void DynamicStiffness<Scalar>::factor_border() {
 template <class Scalar>
 void DynamicStiffness<Scalar>::fail_singular() const {
   const std::vector<Link>& links = structure_->mechanism->links;
+  const auto fixed = static_cast<Eigen::Index>(3 * links.size());
+  Eigen::FullPivLU<Matrix> lu = lu_;
+  lu.setThreshold(no_pivot);
+  const Matrix kernel = lu.kernel();
+  // Forces in balance among themselves, without any motion: rigid joints that hold the same twice.
+  const auto part = [&](Eigen::Index from, Eigen::Index count) {
+    return count > 0 ? kernel.middleRows(from, count).cwiseAbs().maxCoeff() : 0.0;
+  };
+  if (part(0, fixed) < 1e-8 * part(fixed, kernel.rows() - fixed)) {
+    std::vector<std::string> joints;
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      const std::string& name = structure_->mechanism->joints[rows_[j].joint].name;
+      if (part(fixed + static_cast<Eigen::Index>(j), 1) < 1e-6) continue;
+      if (joints.empty() || joints.back() != name) joints.push_back(name);
+    }
+    throw AnalysisError(
+        {fmt::format("rigid joints hold the same motion more than once, so that their forces are "
+                     "not determined: {}; give one of them a stiffness there",
+                     fmt::join(joints, ", ")),
+         joints.empty() ? "" : joints.front(),
+         {},
+         {},
+         {}});
+  }
   if (square_ != 0.0) {
     const double frequency = std::sqrt(std::abs(square_)) / (2.0 * std::numbers::pi);
     throw AnalysisError(
@@ -319,10 +388,7 @@ void DynamicStiffness<Scalar>::fail_singular() const {
          {},
          {}});
   }
-  // The motion that nothing resists: what the smallest pivot leaves free.
-  Eigen::FullPivLU<Matrix> lu = lu_;
-  lu.setThreshold(no_pivot);
-  const Matrix kernel = lu.kernel();
+  // The motion that nothing resists.
   std::vector<std::string> names;
   for (std::size_t k = 0; k < links.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(3 * k);
@@ -348,10 +414,96 @@ void DynamicStiffness<Scalar>::fail_singular() const {
 
 template <class Scalar>
 Deformation<Scalar> DynamicStiffness<Scalar>::solve(const LinkColumns<Scalar>& loads) const {
+  assert(loads.size() == structure_->links.size());
+  Deformation<Scalar> result =
+      solve_once(loads, Vector::Zero(static_cast<Eigen::Index>(rows_.size())));
+  if (smallest_pivot_ >= safe_pivot) return result;
+  for (int pass = 0; pass < refinements; ++pass) refine(loads, result);
+  return result;
+}
+
+template <class Scalar>
+LinkColumns<Scalar> DynamicStiffness<Scalar>::with_joint_forces(
+    const LinkColumns<Scalar>& loads, const Deformation<Scalar>& of) const {
+  LinkColumns<Scalar> sum = loads;
+  for (const Port& port : ports_) {
+    const Row& row = rows_[port.row];
+    sum[port.link].col(static_cast<Eigen::Index>(port.element)) +=
+        port.sign * of.joints(row.axis, static_cast<Eigen::Index>(row.joint)) *
+        port.h.template cast<Scalar>();
+  }
+  return sum;
+}
+
+/// One step of iterative refinement. Forces of the springs are those that balance load, inertia and
+/// joints from the ends inwards; motion follows from them outwards, every spring's law fulfilled.
+/// What this motion has of inertia more than the one before is not in balance: a load.
+template <class Scalar>
+void DynamicStiffness<Scalar>::refine(const LinkColumns<Scalar>& loads,
+                                      Deformation<Scalar>& result) const {
   const std::size_t links = structure_->links.size();
-  assert(loads.size() == links);
+  LinkColumns<Scalar> borne = with_joint_forces(loads, result);
+  const LinkColumns<Scalar> inertia = mass_times(*structure_, result.motion);
+  LinkColumns<Scalar> change(links);
+  for (std::size_t k = 0; k < links; ++k) {
+    const DividedLink& link = structure_->links[k];
+    const Scalar damping = damped(1.0, k);
+    Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& force = borne[k];
+    force += square_ * inertia[k];
+    inward(link.elements.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+      const Between at = between(link, i, next);
+      auto own = force.col(static_cast<Eigen::Index>(i));
+      auto other = force.col(static_cast<Eigen::Index>(next));
+      own[2] -= at.to_place * own[1];
+      other += own;
+      other[2] += at.from_other * own[1];
+    });
+    Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion = result.motion[k];
+    change[k] = motion;
+    outward(link.elements.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+      const Between at = between(link, i, next);
+      const auto far = motion.col(static_cast<Eigen::Index>(next));
+      const Vector3 own = force.col(static_cast<Eigen::Index>(i));
+      const auto& F = at.spring->bending;
+      Vector3 moved = far;
+      moved[0] += damping * at.spring->axial * own[0];
+      moved[2] += damping * (F(1, 0) * own[1] + F(1, 1) * own[2]);
+      moved[1] += at.from_other * far[2] + damping * (F(0, 0) * own[1] + F(0, 1) * own[2]) -
+                  at.to_place * moved[2];
+      motion.col(static_cast<Eigen::Index>(i)) = moved;
+    });
+    change[k] = motion - change[k];
+  }
+  LinkColumns<Scalar> rest = mass_times(*structure_, change);
+  for (std::size_t k = 0; k < links; ++k) {
+    rest[k] *= square_;
+    rest[k].col(static_cast<Eigen::Index>(retained_[k])) =
+        borne[k].col(static_cast<Eigen::Index>(retained_[k]));
+  }
+  Vector gaps = Vector::Zero(static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    gaps[static_cast<Eigen::Index>(j)] =
+        rows_[j].flexibility *
+        result.joints(rows_[j].axis, static_cast<Eigen::Index>(rows_[j].joint));
+  }
+  for (const Port& port : ports_) {
+    gaps[static_cast<Eigen::Index>(port.row)] +=
+        port.sign * (port.h.transpose().template cast<Scalar>() *
+                     result.motion[port.link].col(static_cast<Eigen::Index>(port.element)))
+                        .value();
+  }
+  const Deformation<Scalar> more = solve_once(rest, gaps);
+  for (std::size_t k = 0; k < links; ++k) result.motion[k] += more.motion[k];
+  result.joints += more.joints;
+}
+
+template <class Scalar>
+Deformation<Scalar> DynamicStiffness<Scalar>::solve_once(const LinkColumns<Scalar>& loads,
+                                                         const Vector& gaps) const {
+  const std::size_t links = structure_->links.size();
   const auto fixed = static_cast<Eigen::Index>(3 * links);
   Vector right = Vector::Zero(border_.rows());
+  right.tail(gaps.size()) = gaps;
   std::vector<Gathered> gathered;
   gathered.reserve(links);
   std::vector<bool> inner(links, false);  // whether a joint holds an element that is gathered
@@ -383,15 +535,9 @@ Deformation<Scalar> DynamicStiffness<Scalar>::solve(const LinkColumns<Scalar>& l
     result.joints(rows_[j].axis, static_cast<Eigen::Index>(rows_[j].joint)) =
         unknown[fixed + static_cast<Eigen::Index>(j)];
   }
-  LinkColumns<Scalar> with_joints(links);
-  for (std::size_t k = 0; k < links; ++k) {
-    if (inner[k]) with_joints[k] = loads[k];
-  }
-  for (const Port& port : ports_) {
-    if (!inner[port.link]) continue;
-    with_joints[port.link].col(static_cast<Eigen::Index>(port.element)) +=
-        port.sign * unknown[fixed + static_cast<Eigen::Index>(port.row)] *
-        port.h.template cast<Scalar>();
+  LinkColumns<Scalar> with_joints;
+  if (std::find(inner.begin(), inner.end(), true) != inner.end()) {
+    with_joints = with_joint_forces(loads, result);
   }
   for (std::size_t k = 0; k < links; ++k) {
     const Vector3 retained = unknown.template segment<3>(static_cast<Eigen::Index>(3 * k));

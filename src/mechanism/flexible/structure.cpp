@@ -137,8 +137,9 @@ struct PartCache {
 PartLumps lumps_of(const Link& link, double from, double to) {
   const double length = to - from;
   const PieceMass of = mass_of(link, from, to, from);
-  const LinkStretch& first = stretch_at(link, from);
-  const LinkStretch& last = stretch_at(link, 0.5 * (from + to));
+  // Of the stretches within the part: its ends may be theirs, to round-off.
+  const LinkStretch& first = stretch_at(link, from + 1e-6 * length);
+  const LinkStretch& last = stretch_at(link, to - 1e-6 * length);
   PartLumps lumps;
   lumps.first_moment = {first.mass(from - first.start) * length * length / 12.0,
                         -last.mass(to - last.start) * length * length / 12.0};

@@ -88,6 +88,11 @@ class DynamicStiffness {
   Gathered gather(std::size_t link, const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& loads) const;
   void spread(std::size_t link, const Gathered& gathered, const Vector3& retained,
               Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion) const;
+  /// `gaps`: by which the equations of the joints' forces are not fulfilled.
+  Deformation<Scalar> solve_once(const LinkColumns<Scalar>& loads, const Vector& gaps) const;
+  void refine(const LinkColumns<Scalar>& loads, Deformation<Scalar>& result) const;
+  LinkColumns<Scalar> with_joint_forces(const LinkColumns<Scalar>& loads,
+                                        const Deformation<Scalar>& of) const;
   [[noreturn]] void fail_singular() const;
 
   const Structure* structure_;
@@ -101,6 +106,7 @@ class DynamicStiffness {
   Eigen::VectorXd scale_;  ///< of unknowns and equations of the border
   Eigen::FullPivLU<Matrix> lu_;
   std::size_t gathered_below_ = 0;  ///< negative pivots within links
+  double smallest_pivot_ = 1.0;     ///< within links, relative
 };
 
 /// No loads.
