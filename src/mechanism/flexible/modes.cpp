@@ -272,7 +272,7 @@ Mode finished(const Problem& problem, const VectorXd& q) {
          residual,
          {}});
   }
-  if (!(residual < 1e-9)) const double square = shifted - problem.below;
+  const double square = shifted - problem.below;
   if (square > no_strain * problem.below) {
     mode.frequency = std::sqrt(square) / (2.0 * std::numbers::pi);
   } else {

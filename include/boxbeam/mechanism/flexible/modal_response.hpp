@@ -9,10 +9,13 @@ namespace boxbeam::flexible {
 /// A structure reduced to its lowest modes, with what they leave of the static response added: mode
 /// acceleration,
 ///
-///     q = K^-1 f + sum over modes of phi_j (eta_j - p_j/omega_j^2),   p_j = phi_j^T f
+///     q = K^-1 (f - sum over modes of M phi_j eta_j'' + C phi_j eta_j')
+///       = K^-1 f - sum of phi_j eta_j''/omega_j^2 + K^-1 C phi_j eta_j'
 ///
-/// Damping of links and joints is projected on the modes, couplings included. Where a mode has no
-/// strain, K^-1 f is taken of the load that its inertia leaves.
+/// Joint forces are in balance with the loads and the inertia of the modes, however few. Damping of
+/// links and joints is projected on the modes, couplings included. Where modes are without strain,
+/// they enter as phi_j eta_j, and K^-1 is taken of what their inertia leaves of a load.
+/// Source: Craig, Kurdila, Fundamentals of Structural Dynamics (2006), mode-acceleration method.
 struct ModalModel {
   const Structure* structure = nullptr;
   std::vector<Mode> modes;
@@ -22,7 +25,8 @@ struct ModalModel {
 ModalModel modal_model_of(const Structure& structure, std::size_t count);
 
 /// Response to the structure's harmonic loads. `static_correction` false: the modes alone.
-/// Throws AnalysisError at a resonance without damping.
+/// Throws AnalysisError within a millionth of the frequency of a mode that the loads excite and
+/// nothing damps, and with static correction where the model leaves out motions without strain.
 Deformation<Complex> harmonic_response(const ModalModel& model, double frequency,
                                        bool static_correction = true);
 
