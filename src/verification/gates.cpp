@@ -231,4 +231,17 @@ std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun
   return gates.gates();
 }
 
+std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
+  std::vector<Gate> gates;
+  const bool neighbours = !project.pins.empty() || !project.rods.empty();
+  if (!is_flexible(project) && neighbours && model.chosen.level != ModelLevel::rigid) {
+    gates.push_back({"", "",
+                     "pins and rods are checked with the reactions of rigid bodies, in which the "
+                     "beam's vibration is missing: their forces may be larger, and those that pass "
+                     "are not proven",
+                     true});
+  }
+  return gates;
+}
+
 }  // namespace boxbeam

@@ -223,3 +223,17 @@ TEST_CASE("a check that fails comes before a gate: the verdict is fail") {
   project.strength.required = 1e6;
   CHECK(verify(project).verdict == Verdict::fail);
 }
+
+TEST_CASE("pins of rigid bodies prove nothing beside a beam that vibrates", "[model_choice]") {
+  ModelChoice rigid;
+  ModelChoice modal;
+  modal.chosen = {ModelLevel::modal, 1, 8, {}, false};
+  Project project = test::rig();
+  CHECK(model_gates_of(project, modal).empty());
+  project.pins.emplace_back();
+  CHECK(model_gates_of(project, rigid).empty());
+  const std::vector<Gate> gates = model_gates_of(project, modal);
+  REQUIRE(gates.size() == 1);
+  CHECK(gates.front().blocks);
+  CHECK(contains(gates.front().finding, "pins and rods"));
+}
