@@ -12,6 +12,7 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
 
 namespace boxbeam {
 namespace {
@@ -241,6 +242,18 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                      "are not proven",
                      true});
   }
+  // What was chosen is within the tolerance already.
+  if (project.model.demand == ModelDemand::automatic || model.weighed.empty()) return gates;
+  const ModelEstimate& demanded = model.weighed.back();
+  const double error = demanded.found.value_or(demanded.error);
+  if (error <= model.tolerance) return gates;
+  gates.push_back({"", "",
+                   fmt::format("the model that was demanded misses the governing stress by {}{}, "
+                               "tolerance {}: its factors are not those of the beam; take --model "
+                               "auto",
+                               demanded.found ? "" : "an estimated ", percent_text(error),
+                               percent_text(model.tolerance)),
+                   true});
   return gates;
 }
 

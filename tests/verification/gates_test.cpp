@@ -237,3 +237,18 @@ TEST_CASE("pins of rigid bodies prove nothing beside a beam that vibrates", "[mo
   CHECK(gates.front().blocks);
   CHECK(contains(gates.front().finding, "pins and rods"));
 }
+
+TEST_CASE("a demanded model beyond the tolerance blocks, a chosen one does not", "[model_choice]") {
+  ModelChoice choice;
+  choice.tolerance = 0.01;
+  choice.weighed = {{{}, "", 0.65, {}}};
+  Project project = test::rig();
+  CHECK(model_gates_of(project, choice).empty());
+  project.model.demand = ModelDemand::rigid;
+  const std::vector<Gate> gates = model_gates_of(project, choice);
+  REQUIRE(gates.size() == 1);
+  CHECK(gates.front().blocks);
+  CHECK(contains(gates.front().finding, "an estimated 65 %, tolerance 1 %"));
+  choice.weighed.front().found = 0.009;
+  CHECK(model_gates_of(project, choice).empty());
+}
