@@ -96,6 +96,7 @@ std::string not_estimated(const Project& project, const std::deque<SituationRun>
     if (freedom.undriven > 0) {
       return "forces decide the motion: with its drivers held the mechanism is free to move";
     }
+    if (!planar_motion_of(run).closed) return "the motion does not repeat";
     if (freedom.redundant > 0) {
       return fmt::format(
           "joints repeat each other ({}), and without play they leave elastic links no unique "
@@ -175,6 +176,16 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
   choice.tolerance = project.model.tolerance;
   const std::string obstacle = not_estimated(project, rigid);
   if (!obstacle.empty()) {
+    if (project.model.demand == ModelDemand::flexible) {
+      throw AnalysisError({fmt::format("the model that was demanded cannot be had, for the beam's "
+                                       "vibration is not computed here: {}; use --model auto or "
+                                       "--model rigid",
+                                       obstacle),
+                           "beam",
+                           {},
+                           {},
+                           {}});
+    }
     choice.reason = "rigid bodies; what vibration adds is not estimated: " + obstacle;
     return choice;
   }

@@ -302,3 +302,19 @@ TEST_CASE("the drill truck's links need their elasticity along the axes", "[mode
   CHECK_FALSE(written.chosen.axial);
   CHECK(written.weighed.back().error > 0.05);
 }
+
+TEST_CASE("a motion that does not repeat has no estimate, and a vibrating model is refused",
+          "[model_choice]") {
+  Project once = test::rig();
+  planar_of(once).duration.length = 1.0;
+  const ModelChoice choice = choose_model(once);
+  CHECK(choice.chosen.level == ModelLevel::rigid);
+  CHECK(choice.weighed.empty());
+  CHECK_THAT(choice.reason, Catch::Contains("not estimated: the motion does not repeat"));
+  once.model.demand = ModelDemand::flexible;
+  CHECK_THROWS_WITH(choose_model(once), Catch::Contains("the motion does not repeat"));
+
+  Project rubbing = read_project(test::project_file("sections/sledge-rig/friction.toml"));
+  rubbing.model.demand = ModelDemand::flexible;
+  CHECK_THROWS_WITH(choose_model(rubbing), Catch::Contains("dry friction in joint rail"));
+}
