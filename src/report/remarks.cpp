@@ -227,6 +227,38 @@ void add_warping(const Project& project, std::vector<std::string>& remarks) {
       "counted");
 }
 
+/// Elastic links: what a sudden start adds to the steady vibration, in the joint where it is most.
+void add_sudden_start(const Project& project, const Verification& verification,
+                      std::vector<std::string>& remarks) {
+  if (!verification.elastic || verification.elastic->after_start.at.empty()) return;
+  const JointLines& steady = verification.elastic->over_period;
+  const JointLines& started = verification.elastic->after_start;
+  const auto largest = [](const JointLines& lines, std::size_t joint) {
+    const std::vector<double>& force = lines.force[joint];
+    return force.empty() ? 0.0 : *std::max_element(force.begin(), force.end());
+  };
+  double size = 0.0;
+  for (std::size_t j = 0; j < steady.names.size(); ++j) size = std::max(size, largest(steady, j));
+  // Of a joint that bears next to nothing a ratio says nothing.
+  constexpr double bears = 0.01;
+  std::size_t worst = 0;
+  double ratio = 0.0;
+  for (std::size_t j = 0; j < steady.names.size(); ++j) {
+    const double force = largest(steady, j);
+    if (force <= bears * size || largest(started, j) <= ratio * force) continue;
+    worst = j;
+    ratio = largest(started, j) / force;
+  }
+  if (ratio <= 1.0) return;
+  const std::string& name = project.situations[verification.motions.front().situation].name;
+  const std::string where = name.empty() ? "" : fmt::format("situation \"{}\": ", name);
+  remarks.push_back(
+      fmt::format("{}steady vibration; after a sudden start joint {} reaches {} where the steady "
+                  "vibration has {}: strength and fatigue take the steady one",
+                  where, steady.names[worst], text::kN(largest(started, worst)),
+                  text::kN(largest(steady, worst))));
+}
+
 void add_missing_fatigue(const Verification& verification, std::vector<std::string>& remarks) {
   if (verification.governing(Criterion::fatigue) != nullptr) return;
   remarks.push_back("no point of the beam has a stress range: there is no fatigue check");
@@ -279,6 +311,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
       remarks[i] = fmt::format("situation \"{}\": {}", name, remarks[i]);
     }
   }
+  add_sudden_start(project, verification, remarks);
   add_missing_fatigue(verification, remarks);
   add_short_lives(project, remarks);
   add_beside(project, verification, remarks);

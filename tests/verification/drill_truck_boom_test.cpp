@@ -1,9 +1,11 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/report/remarks.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
@@ -152,6 +154,22 @@ TEST_CASE("Drill truck: the boom is verified for 5e7 cycles at category 100",
   CHECK(result.elastic->over_period.names.size() == 10);
   CHECK(result.postures.front().magnified == 1.0);
   CHECK(result.postures.size() == result.lines.size() + 1);
+}
+
+TEST_CASE("Drill truck: what a sudden start adds is remarked, without vibration it is not",
+          "[drill_truck][boom][whole]") {
+  const auto remarked = [](const Project& project) {
+    const std::vector<std::string> remarks = remarks_of(project, verify(project));
+    return std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+      return remark.find("after a sudden start joint") != std::string::npos;
+    });
+  };
+  Project project = read_project(truck);
+  CHECK(remarked(project));
+  flexible::Mechanism& mechanism = flexible_of(project);
+  mechanism.frequency = 0.0;
+  for (flexible::Load& load : mechanism.loads) load.amplitude.setZero();
+  CHECK_FALSE(remarked(project));
 }
 
 }  // namespace boxbeam
