@@ -295,12 +295,18 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
         percent_text(*by_modes.found));
     return choice;
   }
+  const std::string why =
+      estimate.left_out > choice.tolerance
+          ? fmt::format(
+                "what the beam's rotation couples with its vibration, of the order of {}, "
+                "is in none of them and is the least error that can be asked for",
+                percent_text(estimate.left_out))
+          : fmt::format("{} modes of the beam are not known to be within {} either",
+                        estimate.without_modes.size() - 1, percent_text(choice.tolerance));
   throw AnalysisError(
-      {fmt::format("rigid bodies miss an estimated {} of the governing stress, and {} modes "
-                   "of the beam are not known to be within {} either; ask for a larger "
-                   "tolerance, or use --model rigid to have the loads of rigid bodies",
-                   percent_text(by_rigid.error), estimate.without_modes.size() - 1,
-                   percent_text(choice.tolerance)),
+      {fmt::format("rigid bodies miss an estimated {} of the governing stress, and {}; ask for a "
+                   "larger tolerance, or use --model rigid to have the loads of rigid bodies",
+                   percent_text(by_rigid.error), why),
        "beam",
        {},
        choice.weighed.back().found.value_or(choice.weighed.back().error),

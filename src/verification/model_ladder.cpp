@@ -258,6 +258,32 @@ std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Sco
   return reason;
 }
 
+/// Why no model is good enough, with what to do.
+std::string why_none(const LadderCase& of, const Scouting& scouting) {
+  const double drive = of.mechanism->frequency;
+  if (drive == 0.0) {
+    return fmt::format("{} parts of every link run out before; ask for a larger tolerance",
+                       divisions.back());
+  }
+  constexpr double near = 0.05;
+  for (const double frequency : scouting.frequencies) {
+    if (std::abs(drive - frequency) > near * frequency) continue;
+    return fmt::format(
+        "the load's {:.6g} Hz are too near the natural frequency of {:.6g} Hz for this; ask for a "
+        "larger tolerance, or give damping",
+        drive, frequency);
+  }
+  std::vector<std::string> frequencies;
+  for (const double frequency : scouting.frequencies) {
+    frequencies.push_back(fmt::format("{:.4g}", frequency));
+  }
+  return fmt::format(
+      "at {:.6g} Hz, with natural frequencies of {} Hz, {} modes and {} parts of every link run "
+      "out "
+      "before; ask for a larger tolerance",
+      drive, fmt::join(frequencies, ", "), scouting.frequencies.size(), divisions.back());
+}
+
 }  // namespace
 
 std::string percent_text(double fraction) {
@@ -327,15 +353,13 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
     choice.reason = reason_of(choice, of, scouting);
     return choice;
   }
-  throw AnalysisError(
-      {fmt::format("no model of the elastic links is known to be within {} of the governing "
-                   "stress: the load's {:.6g} Hz are too near a natural frequency for this; ask "
-                   "for a larger tolerance, or give damping",
-                   percent_text(tolerance), of.mechanism->frequency),
-       "",
-       {},
-       choice.weighed.back().found,
-       {}});
+  throw AnalysisError({fmt::format("no model of the elastic links is known to be within {} of the "
+                                   "governing stress: {}",
+                                   percent_text(tolerance), why_none(of, scouting)),
+                       "",
+                       {},
+                       choice.weighed.back().found,
+                       {}});
 }
 
 }  // namespace boxbeam

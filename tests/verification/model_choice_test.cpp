@@ -349,3 +349,17 @@ TEST_CASE("one model serves all situations of elastic links", "[model_choice]") 
   CHECK(choice.harmonics.size() == 3);
   CHECK_THAT(choice.reason, Catch::Contains("situation \"at "));
 }
+
+TEST_CASE("where no model is good enough, what stands against it is named", "[model_choice]") {
+  Project truck = read_project(test::project_file("sections/drill-truck/truck.toml"));
+  truck.model.tolerance = 1e-9;
+  CHECK_THROWS_WITH(choose_model(truck),
+                    Catch::Contains("modes and 256 parts") && !Catch::Contains("too near"));
+  // Its fifth frequency is 12.76 Hz.
+  flexible_of(truck).frequency = 12.8;
+  CHECK_THROWS_WITH(choose_model(truck), Catch::Contains("too near the natural frequency of 12.7"));
+
+  Project slender = read_project(test::project_file("sections/sledge-rig/slender.toml"));
+  slender.model.tolerance = 1e-6;
+  CHECK_THROWS_WITH(choose_model(slender), Catch::Contains("what the beam's rotation couples"));
+}
