@@ -148,7 +148,7 @@ void meet_at_first(TableReader& table, const Mechanism& mechanism, Joint& joint)
     joint.b.p = place;
     return;
   }
-  const Link& link = mechanism.links[static_cast<std::size_t>(joint.b.link)];
+  const flexible::Link& link = mechanism.links[static_cast<std::size_t>(joint.b.link)];
   joint.b.p = Eigen::Rotation2Dd(-link.angle) * (place - link.origin);
   const double s = joint.b.p.x();
   const double slack = assembly_tolerance * size_of(mechanism);
