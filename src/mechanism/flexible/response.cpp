@@ -28,14 +28,17 @@ void add_loads(const Structure& structure, const auto& amount, auto& columns) {
   }
 }
 
-/// Length of a motion by the masses.
+/// Length of a motion by the masses and inertia in the nodes.
 double size_of(const Structure& structure, const LinkColumns<double>& motion) {
-  const LinkColumns<double> inertia = mass_times(structure, motion);
   double square = 0.0;
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    square += motion[k].cwiseProduct(inertia[k]).sum();
+    for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
+      const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
+      const auto q = motion[k].col(i);
+      square += of.mass * (q[0] * q[0] + q[1] * q[1]) + of.inertia * q[2] * q[2];
+    }
   }
-  return std::sqrt(std::max(square, 0.0));
+  return std::sqrt(square);
 }
 
 /// At least |omega_j^2 - omega^2|/omega^2 of the nearest mode that takes part in a response, and
