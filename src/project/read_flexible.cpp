@@ -192,7 +192,7 @@ void read_elastic_joints(TableReader& root, Mechanism& mechanism) {
     }
     table.finish();
     check_gap(table, kind, mechanism, joint);
-    if (kind == 1 && table.problems().size() == before) meet_at_first(table, mechanism, joint);
+    if (kind == 1 && table.problems().empty()) meet_at_first(table, mechanism, joint);
     const bool holds = std::any_of(joint.stiffness.begin(), joint.stiffness.end(),
                                    [](double stiffness) { return stiffness != 0.0; });
     if (!holds && table.problems().size() == before) {

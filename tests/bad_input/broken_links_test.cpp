@@ -71,7 +71,7 @@ TEST_CASE("links that cannot be are refused", "[bad_input][flexible]") {
       changed("section = \"telescope\"", "sections = [\"telescope\"]",
               {"a taper goes from one section to another", "or one \"section\""}),
       changed("parts = 8\npoints = { lift", "parts = 8\npoints = { end = [\"4 m\", \"0 m\"], lift",
-              {"\"end\" is the end of the link by itself", "another name"}),
+              {"\"end\" is the end of the link by itself", "another name"}, "points = { end"),
       changed("angle = \"25 deg\"\nparts = 8\npoints", "angle = \"25 deg\"\nparts = 0\npoints",
               {"a link has 1 to 1000000 parts", "parts = 8"}, "parts = 0"),
       changed("extra_mass = \"60 kg/m\"", "extra_mass = \"60 kg\"",
