@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
 #include "function_text.hpp"
 #include "text_layout.hpp"
 
@@ -136,13 +137,15 @@ std::string flexible_tables(const Mechanism& mechanism, const ElasticModel& mode
                                                    taken.substr(2) + "."));
 }
 
-std::string vibration_section(const ElasticFigures& figures) {
+std::string vibration_section(const ElasticFigures& figures, const ElasticModel& model) {
   const FlexibleMotionResult& motion = figures.motion;
   std::string out = layout::heading("Natural frequencies and joint forces");
   out += layout::paragraph(fmt::format(
-      "By all of {} rigid finite elements with {} generalised coordinates. Stated errors are those "
-      "of the division of the links, with a margin; they say nothing of the data.",
-      motion.elements, motion.degrees_of_freedom));
+      "By all of {} rigid finite elements with {} generalised coordinates, as many parts of every "
+      "link as the case says or the chosen model has, whichever is more. The loads on the beam "
+      "and all checks come from the chosen model itself: {}. Stated errors are those of the "
+      "division of the links, with a margin; they say nothing of the data.",
+      motion.elements, motion.degrees_of_freedom, describe(model)));
   Table frequencies({"mode", "frequency [Hz]", "stated error [Hz]"});
   for (std::size_t i = 0; i < motion.frequencies.size(); ++i) {
     const NaturalFrequency& of = motion.frequencies[i];
@@ -154,21 +157,33 @@ std::string vibration_section(const ElasticFigures& figures) {
   for (const JointVibration& joint : motion.joints) {
     size = std::max({size, joint.force.magnitude, joint.force.largest});
   }
-  Table joints({"joint", "on", "static F_x [kN]", "F_y [kN]", "length [kN]", "stated error [N]",
-                fmt::format("at {} Hz, largest [kN]", plain(motion.frequency)),
-                "stated error [N]"});
+  const bool vibrates = motion.frequency > 0.0;
+  std::vector<std::string> columns{"joint",    "on",          "static F_x [kN]",
+                                   "F_y [kN]", "length [kN]", "stated error [N]"};
+  if (vibrates) {
+    columns.push_back(fmt::format("at {} Hz, largest [kN]", plain(motion.frequency)));
+    columns.emplace_back("stated error [N]");
+  }
+  Table joints(std::move(columns));
   const auto kN = [&](double newtons) {
     return std::abs(newtons) <= 1e-12 * size ? "0" : text::significant(newtons * 1e-3, 5);
   };
   for (const JointVibration& joint : motion.joints) {
     const Vibration<3>& force = joint.force;
-    joints.row({joint.name, joint.on, kN(force.constant.x()), kN(force.constant.y()),
-                kN(force.magnitude), error_text(force.constant_error.error, size),
-                kN(force.largest), error_text(force.amplitude_error.error, size)});
+    std::vector<std::string> row{joint.name,
+                                 joint.on,
+                                 kN(force.constant.x()),
+                                 kN(force.constant.y()),
+                                 kN(force.magnitude),
+                                 error_text(force.constant_error.error, size)};
+    if (vibrates) {
+      row.push_back(kN(force.largest));
+      row.push_back(error_text(force.amplitude_error.error, size));
+    }
+    joints.row(std::move(row));
   }
-  return out + joints.text() +
-         "\n  World axes; what a joint does to the link that is named. Largest: length of the "
-         "vibrating force.\n\n";
+  return out + joints.text() + "\n  World axes; what a joint does to the link that is named." +
+         (vibrates ? " Largest: length of the vibrating force.\n\n" : "\n\n");
 }
 
 }  // namespace boxbeam

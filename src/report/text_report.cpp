@@ -144,7 +144,7 @@ std::string mechanism_section(const Project& project, const Verification& verifi
   if (in_space(project)) return out + chain_tables(spatial_of(project)) + "\n";
   if (verification.elastic) {
     return out + flexible_tables(flexible_of(project), verification.model.chosen) + "\n" +
-           vibration_section(*verification.elastic);
+           vibration_section(*verification.elastic, verification.model.chosen);
   }
   out += closure_text(planar_of(project), *verification.motions.front().closure);
   Table table({"body", "mass [kg]", "J about centre [kg m^2]"});

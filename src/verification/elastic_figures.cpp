@@ -122,15 +122,24 @@ JointLines lines_after_start(const flexible::ModalModel& model) {
   return lines;
 }
 
+/// The mechanism with all its elements, its links never divided coarser than the case says.
+flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model) {
+  flexible::Mechanism mechanism =
+      modelled(of, {ModelLevel::flexible, 0, 0, model.element, model.axial});
+  for (flexible::Link& link : mechanism.links) link.parts = std::max(link.parts, model.parts);
+  return mechanism;
+}
+
 }  // namespace
 
 ElasticFigures elastic_figures_of(const Project& project, const SituationRun& run,
                                   const ElasticModel& model) {
-  const FlexibleMotion& motion = flexible_motion_of(run);
+  Project as_solved = project;
+  flexible_of(as_solved) = with_all_elements(flexible_in(project, *run.situation), model);
+  const FlexibleMotion motion =
+      flexible_motion_of(flexible_of(as_solved), {ModelLevel::flexible, 0, 0, {}, false});
   const flexible::Structure& structure = *motion.structure;
   ElasticFigures figures;
-  Project as_solved = project;
-  flexible_of(as_solved) = modelled(flexible_in(project, *run.situation), model);
   figures.motion = flexible_motion_of(as_solved);
   figures.rest =
       posture_figure(project, {&structure, {flexible::no_loads<double>(structure), {}}, 1.0}, "");

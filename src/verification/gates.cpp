@@ -12,6 +12,7 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
 
 namespace boxbeam {
 namespace {
@@ -229,6 +230,31 @@ std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun
   }
   look_at_yield(checks, gates);
   return gates.gates();
+}
+
+std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
+  std::vector<Gate> gates;
+  const bool neighbours = !project.pins.empty() || !project.rods.empty();
+  if (!is_flexible(project) && neighbours && model.chosen.level != ModelLevel::rigid) {
+    gates.push_back({"", "",
+                     "pins and rods are checked with the reactions of rigid bodies, in which the "
+                     "beam's vibration is missing: their forces may be larger, and those that pass "
+                     "are not proven",
+                     true});
+  }
+  // What was chosen is within the tolerance already.
+  if (project.model.demand == ModelDemand::automatic || model.weighed.empty()) return gates;
+  const ModelEstimate& demanded = model.weighed.back();
+  const double error = demanded.found.value_or(demanded.error);
+  if (error <= model.tolerance) return gates;
+  gates.push_back({"", "",
+                   fmt::format("the model that was demanded misses the governing stress by {}{}, "
+                               "tolerance {}: its factors are not those of the beam; take --model "
+                               "auto",
+                               demanded.found ? "" : "an estimated ", percent_text(error),
+                               percent_text(model.tolerance)),
+                   true});
+  return gates;
 }
 
 }  // namespace boxbeam

@@ -377,6 +377,7 @@ Verification verify(const Project& project) {
   check_neighbours(project, runs, result);
   sort_worst_first(result.checks);
   if (computed) result.gates = gates_of(project, runs, stations, result.checks);
+  for (Gate& gate : model_gates_of(project, model)) result.gates.push_back(std::move(gate));
   result.verdict = verdict_of(result);
   result.codes = compare_codes(project, result.checks);
   result.critical_instants = critical_instants_of(project, result);

@@ -49,16 +49,6 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
   return samples_of(spectrum);
 }
 
-/// The same where loads do not repeat: twice their second derivative by omega^4.
-Eigen::VectorXd slow_part(const Eigen::VectorXd& p, double frequency, double step) {
-  Eigen::VectorXd part = Eigen::VectorXd::Zero(p.size());
-  const double omega = two_pi * frequency;
-  for (Eigen::Index i = 1; i + 1 < p.size(); ++i) {
-    part[i] = -2.0 * (p[i + 1] - 2.0 * p[i] + p[i - 1]) / (step * step * std::pow(omega, 4));
-  }
-  return part;
-}
-
 std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
                                        double base) {
   Eigen::VectorXd moment(static_cast<Eigen::Index>(history.instants()));
@@ -113,9 +103,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     for (Eigen::Index j = count; j-- > 0;) {
       const auto mode = static_cast<std::size_t>(j);
       const double frequency = modes.frequencies[mode];
-      const Eigen::VectorXd part =
-          motion.closed ? dynamic_part(p.col(j), frequency, modes.damping(j, j), base)
-                        : slow_part(p.col(j), frequency, history.step().value());
+      const Eigen::VectorXd part = dynamic_part(p.col(j), frequency, modes.damping(j, j), base);
       missed += part * fibre_stresses(modes.diagrams[mode], places).matrix().transpose();
       const double of_range = range > 0.0 ? largest_range(missed) / range : 0.0;
       raise(mode, std::max(missed.cwiseAbs().maxCoeff() / peak, of_range));
@@ -124,12 +112,10 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       estimate.frequencies = modes.frequencies;
     }
   }
-  if (motion.closed) {
-    Eigen::Index governing = 0;
-    (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
-    estimate.harmonics =
-        harmonics_of(history, places[static_cast<std::size_t>(governing / 2)].station, base);
-  }
+  Eigen::Index governing = 0;
+  (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
+  estimate.harmonics =
+      harmonics_of(history, places[static_cast<std::size_t>(governing / 2)].station, base);
   return estimate;
 }
 

@@ -38,6 +38,25 @@ TEST_CASE("Figures of elastic links agree with the joint forces of statics and v
   CHECK(figures.over_frequency.at.back() > figures.motion.frequency);
 }
 
+TEST_CASE("Frequencies of links do not depend on how few of them the model counts",
+          "[flexible][elastic_figures]") {
+  const Project project = read_project(test::project_file("sections/drill-truck/truck.toml"));
+  const auto figures_by = [&](const ElasticModel& model) {
+    const SituationRun run(project, project.situations.front(), model);
+    return elastic_figures_of(project, run, model).motion;
+  };
+  const FlexibleMotionResult own = flexible_motion_of(project);
+  for (const FlexibleMotionResult& motion :
+       {figures_by({}), figures_by({ModelLevel::modal, 3, 2, {}, false})}) {
+    CHECK(motion.degrees_of_freedom == own.degrees_of_freedom);
+    REQUIRE(motion.frequencies.size() == own.frequencies.size());
+    for (std::size_t i = 0; i < own.frequencies.size(); ++i) {
+      CHECK(motion.frequencies[i].frequency == Approx(own.frequencies[i].frequency).epsilon(1e-9));
+    }
+  }
+  CHECK(figures_by({ModelLevel::modal, 3, 32, {}, false}).elements > own.elements);
+}
+
 TEST_CASE("Displacements are drawn 1, 2 or 5 times a power of ten as large",
           "[flexible][elastic_figures]") {
   const Project project = read_project(test::project_file("sections/drill-truck/truck.toml"));

@@ -223,3 +223,32 @@ TEST_CASE("a check that fails comes before a gate: the verdict is fail") {
   project.strength.required = 1e6;
   CHECK(verify(project).verdict == Verdict::fail);
 }
+
+TEST_CASE("pins of rigid bodies prove nothing beside a beam that vibrates", "[model_choice]") {
+  ModelChoice rigid;
+  ModelChoice modal;
+  modal.chosen = {ModelLevel::modal, 1, 8, {}, false};
+  Project project = test::rig();
+  CHECK(model_gates_of(project, modal).empty());
+  project.pins.emplace_back();
+  CHECK(model_gates_of(project, rigid).empty());
+  const std::vector<Gate> gates = model_gates_of(project, modal);
+  REQUIRE(gates.size() == 1);
+  CHECK(gates.front().blocks);
+  CHECK(contains(gates.front().finding, "pins and rods"));
+}
+
+TEST_CASE("a demanded model beyond the tolerance blocks, a chosen one does not", "[model_choice]") {
+  ModelChoice choice;
+  choice.tolerance = 0.01;
+  choice.weighed = {{{}, "", 0.65, {}}};
+  Project project = test::rig();
+  CHECK(model_gates_of(project, choice).empty());
+  project.model.demand = ModelDemand::rigid;
+  const std::vector<Gate> gates = model_gates_of(project, choice);
+  REQUIRE(gates.size() == 1);
+  CHECK(gates.front().blocks);
+  CHECK(contains(gates.front().finding, "an estimated 65 %, tolerance 1 %"));
+  choice.weighed.front().found = 0.009;
+  CHECK(model_gates_of(project, choice).empty());
+}

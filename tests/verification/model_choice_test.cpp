@@ -302,3 +302,50 @@ TEST_CASE("the drill truck's links need their elasticity along the axes", "[mode
   CHECK_FALSE(written.chosen.axial);
   CHECK(written.weighed.back().error > 0.05);
 }
+
+TEST_CASE("a motion that does not repeat has no estimate, and a vibrating model is refused",
+          "[model_choice]") {
+  Project once = test::rig();
+  planar_of(once).duration.length = 1.0;
+  const ModelChoice choice = choose_model(once);
+  CHECK(choice.chosen.level == ModelLevel::rigid);
+  CHECK(choice.weighed.empty());
+  CHECK_THAT(choice.reason, Catch::Contains("not estimated: the motion does not repeat"));
+  once.model.demand = ModelDemand::flexible;
+  CHECK_THROWS_WITH(choose_model(once), Catch::Contains("the motion does not repeat"));
+
+  Project rubbing = read_project(test::project_file("sections/sledge-rig/friction.toml"));
+  rubbing.model.demand = ModelDemand::flexible;
+  CHECK_THROWS_WITH(choose_model(rubbing), Catch::Contains("dry friction in joint rail"));
+}
+
+TEST_CASE("one model serves all situations of elastic links", "[model_choice]") {
+  const Project one = read_project(test::project_file("sections/drill-truck/truck.toml"));
+  std::vector<Situation> situations;
+  std::vector<ElasticModel> alone;
+  Project project = one;
+  for (const double frequency : {3.0, 12.0, 25.0}) {
+    Situation& situation = situations.emplace_back(one.situations.front());
+    flexible::Mechanism mechanism = flexible_of(one);
+    mechanism.frequency = frequency;
+    situation.name = fmt::format("at {} Hz", frequency);
+    situation.changed = mechanism;
+    project.situations = {situation};
+    alone.push_back(choose_model(project).chosen);
+  }
+  project.situations = situations;
+  const ModelChoice choice = choose_model(project);
+  for (const ElasticModel& model : alone) {
+    CHECK(choice.chosen.level >= model.level);
+    CHECK(choice.chosen.parts >= model.parts);
+    CHECK(choice.chosen.axial >= model.axial);
+    CAPTURE(describe(model), choice.reason);
+    if (choice.chosen.level == ModelLevel::modal) CHECK(choice.chosen.modes >= model.modes);
+  }
+  for (const Situation& situation : project.situations) {
+    const LadderCase of{&flexible_in(project, situation), project.beam_body, &project.beam};
+    CHECK(error_of(of, choice.chosen) <= choice.tolerance);
+  }
+  CHECK(choice.harmonics.size() == 3);
+  CHECK_THAT(choice.reason, Catch::Contains("situation \"at "));
+}

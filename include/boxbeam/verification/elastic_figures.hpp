@@ -18,7 +18,7 @@ struct JointLines {
 };
 
 struct ElasticFigures {
-  FlexibleMotionResult motion;       ///< with its errors of division, of the model that is solved
+  FlexibleMotionResult motion;       ///< with its errors of division
   PostureFigure rest;                ///< without load
   std::vector<PostureFigure> modes;  ///< the lowest; `why` is the frequency
   JointLines over_frequency;         ///< largest over a period of what vibrates
@@ -26,7 +26,10 @@ struct ElasticFigures {
   JointLines after_start;            ///< the loads switched on at t = 0
 };
 
-/// Of the first situation. Throws AnalysisError.
+/// Of the first situation, by all elements: as many parts of every link as the case says or the
+/// model has, whichever is more, with the model's kind of element and elasticity along the axes.
+/// So links that the chosen model takes as rigid, or by few modes, still have their frequencies.
+/// Throws AnalysisError.
 ElasticFigures elastic_figures_of(const Project& project, const SituationRun& run,
                                   const ElasticModel& model);
 

@@ -6,6 +6,7 @@
 
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/model_choice.hpp"
 
 namespace boxbeam {
 
@@ -27,5 +28,10 @@ struct Gate {
 std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
                            const std::vector<Station>& stations,
                            const std::vector<CheckResult>& checks);
+
+/// What the model of the mechanism leaves out of the checks: pins and rods of a planar case, whose
+/// forces are those of rigid bodies, beside a beam that vibrates; a demanded model that is found or
+/// estimated to miss the tolerance.
+std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model);
 
 }  // namespace boxbeam

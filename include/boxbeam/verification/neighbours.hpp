@@ -18,7 +18,8 @@ struct NeighbourResult {
 };
 
 /// The pins a case names, under the largest force of their joint in any situation, times its load
-/// factor. The factor is one on the force. Source: EN 1993-1-8:2005, 3.13.2.
+/// factor. The factor is one on the force. Valid for rigid bodies, see `model_gates_of`. Source: EN
+/// 1993-1-8:2005, 3.13.2.
 std::vector<NeighbourResult> check_pins(const Project& project,
                                         const std::deque<SituationRun>& runs);
 

@@ -11,9 +11,9 @@ namespace boxbeam {
 ///
 ///     sum over harmonics h of p_jh/omega_j^2 (1/(1 - r^2 + 2 i zeta r) - 1),  r = h Omega/omega_j
 ///
-/// times the stresses of the mode; of a motion that does not repeat, twice the p_j''/omega_j^4 of
-/// slow loads. Added is the order of what the rotation of the beam couples,
-/// (omega_rotation/omega_1)^2.
+/// times the stresses of the mode. Added is the order of what the rotation of the beam couples,
+/// (omega_rotation/omega_1)^2. Valid for motions that repeat: others have no harmonics, and how
+/// they begin decides what vibrates.
 struct VibrationEstimate {
   /// As `difference_between`, of the worst posture, with none, one, ... of the modes counted; of
   /// the last, all that are looked at, what their number leaves out is not known.
