@@ -238,7 +238,7 @@ void add_points_of_link(Project& project) {
 /// The beam's link by name; where that is missing or misspelt, which is noted, the link without a
 /// profile is meant, so that reading goes on.
 std::string read_beam_link(TableReader& root, TableReader& beam) {
-  const std::string name = beam.text("link");
+  std::string name = beam.text("link");
   std::vector<std::string> names;
   std::string meant;
   for (const Node::Member& link : root.table("links", false).members()) {

@@ -141,19 +141,38 @@ double size_of(const Mechanism& mechanism) {
 
 /// Notes a joint whose parts do not meet in the posture that the case writes: how it would be
 /// strained to close it is not known.
+/// The contact of a sliding joint is where the first link's part is: there it acts on both.
+void meet_at_first(TableReader& table, const Mechanism& mechanism, Joint& joint) {
+  const Vector2d place = in_world(mechanism, joint.a);
+  if (joint.b.link == flexible::ground) {
+    joint.b.p = place;
+    return;
+  }
+  const flexible::Link& link = mechanism.links[static_cast<std::size_t>(joint.b.link)];
+  joint.b.p = Eigen::Rotation2Dd(-link.angle) * (place - link.origin);
+  const double s = joint.b.p.x();
+  const double slack = assembly_tolerance * size_of(mechanism);
+  if (link.kind == flexible::LinkKind::rigid || (s >= -slack && s <= link.length + slack)) return;
+  table.problem("connect",
+                fmt::format("the first part of the contact stands off link \"{}\", at s = {:.6g} m",
+                            link.name, s),
+                fmt::format("s goes from 0 to {:.6g} m", link.length));
+}
+
 void check_gap(TableReader& table, std::size_t kind, const Mechanism& mechanism,
                const Joint& joint) {
-  if (!table.problems().empty() || kind == 2) return;
+  if (!table.problems().empty()) return;
   const Vector2d gap = in_world(mechanism, joint.b) - in_world(mechanism, joint.a);
   const Vector2d along(std::cos(joint.angle), std::sin(joint.angle));
-  const double apart = kind == 0 ? gap.norm() : std::abs(along.x() * gap.y() - along.y() * gap.x());
+  const double apart = kind != 1 ? gap.norm() : std::abs(along.x() * gap.y() - along.y() * gap.x());
   if (apart <= assembly_tolerance * size_of(mechanism)) return;
-  table.problem("connect",
-                fmt::format("the two parts of the joint are {:.4g} mm apart in the unstressed "
-                            "posture{}",
-                            apart * 1e3, kind == 0 ? "" : ", across its axis"),
-                "move a link or a point so that they meet, or write kind = \"general\" where that "
-                "is meant");
+  table.problem(
+      "connect",
+      fmt::format("the two parts of the joint are {:.4g} mm apart in the unstressed "
+                  "posture{}",
+                  apart * 1e3, kind != 1 ? "" : ", across its axis"),
+      "move a link or a point so that they meet: a force that acts at two places is in no "
+      "balance");
 }
 
 void read_elastic_joints(TableReader& root, Mechanism& mechanism) {
@@ -173,6 +192,7 @@ void read_elastic_joints(TableReader& root, Mechanism& mechanism) {
     }
     table.finish();
     check_gap(table, kind, mechanism, joint);
+    if (kind == 1 && table.problems().empty()) meet_at_first(table, mechanism, joint);
     const bool holds = std::any_of(joint.stiffness.begin(), joint.stiffness.end(),
                                    [](double stiffness) { return stiffness != 0.0; });
     if (!holds && table.problems().size() == before) {

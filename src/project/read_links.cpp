@@ -120,7 +120,13 @@ void take_length(LinkDraft& draft, double length) {
     point.p.x() = std::clamp(s, 0.0, length);
   }
   for (const auto& [name, s] : {std::pair{"start", 0.0}, {"end", length}}) {
-    if (find_point(link, name) == nullptr) link.points.push_back({name, {s, 0.0}});
+    if (find_point(link, name) == nullptr) {
+      link.points.push_back({name, {s, 0.0}});
+    } else {
+      draft.table.table("points").problem(
+          name, fmt::format("\"{}\" is the {} of the link by itself", name, name),
+          "give the point another name");
+    }
   }
 }
 

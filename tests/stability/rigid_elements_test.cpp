@@ -190,6 +190,25 @@ TEST_CASE("resonance approached: digits are lost with 1/(1 - r), not more") {
   }
 }
 
+TEST_CASE("an antiresonance, where the load's own place stands still, is no resonance") {
+  // The tip of a cantilever near the first frequency of the same beam pinned there as well.
+  Mechanism mechanism = test::cantilever_of(test::Bar{}, 16, Element::corrected);
+  mechanism.loads = {test::load_at(1.0, Eigen::Vector3d::Zero(), {0.0, 1.0, 0.0})};
+  const Structure structure = structure_of(mechanism);
+  const auto tip = [&](double frequency) {
+    const Eigen::Matrix3Xcd motion = harmonic_response(structure, frequency).motion[0];
+    return motion(1, motion.cols() - 1).real() / motion.row(1).cwiseAbs().maxCoeff();
+  };
+  const double near = std::pow(3.9266023120479188, 2) / (2.0 * std::numbers::pi);
+  double low = 0.99 * near, high = 1.01 * near;
+  REQUIRE(tip(low) * tip(high) < 0.0);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (tip(middle) * tip(low) > 0.0 ? low : high) = middle;
+  }
+  CHECK(std::abs(tip(low)) < 1e-10);
+}
+
 TEST_CASE("resonance hit without damping is an error that names the frequency; damped it is not") {
   Mechanism mechanism;
   mechanism.links.resize(1);

@@ -165,6 +165,20 @@ TEST_CASE("drill truck: static reactions as in the independent model", "[flexibl
   }
 }
 
+TEST_CASE("drill truck: where a sliding contact is does not change what the ground carries",
+          "[flexible]") {
+  // The named point of the telescope stands anywhere along it: the contact is at the boom's end.
+  const auto with = [](const std::string& place) {
+    return flexible_motion_of(
+        shipped("bending", {"links.telescope.points.sleeve=[\"" + place + "\", \"0 m\"]"}));
+  };
+  const FlexibleMotionResult there = with("1.6 m"), elsewhere = with("0.4 m");
+  for (const char* axle : {"front_axle", "rear_axle"}) {
+    const Vector3d force = joint_of(there, axle).force.constant;
+    CHECK((joint_of(elsewhere, axle).force.constant - force).norm() < 1e-9 * force.norm());
+  }
+}
+
 TEST_CASE("drill truck: frequencies and 25 Hz amplitudes are as near as the program says",
           "[flexible]") {
   for (const auto& [name, kind] : kinds) {

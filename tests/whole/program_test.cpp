@@ -200,6 +200,8 @@ TEST_CASE("the committed reports are those of the committed cases") {
       {test::project_file("sections/four-bar-rocker/rocker.toml"), "reports/four-bar-rocker"},
       {test::project_file("sections/scissor-lift/lift.toml"), "reports/scissor-lift"},
       {test::project_file("sections/pump-jack/beam.toml"), "reports/pump-jack"},
+      {test::project_file("sections/drill-truck/truck.toml"), "reports/drill-truck"},
+      {test::project_file("sections/sledge-rig/slender.toml"), "reports/sledge-rig-slender"},
       {test::project_file("sections/landing-gear/retraction.toml"),
        "reports/landing-gear-retraction"}};
   for (const auto& [case_file, folder] : committed_runs) {

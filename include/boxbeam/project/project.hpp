@@ -199,8 +199,8 @@ struct Project {
   std::vector<HoleInput> hole_inputs;  ///< one per hole of the beam
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
-  spatial::BeamPlacement placement;  ///< of the beam in its body; in space only
   Dynamics dynamics = Dynamics::rigorous;
+  spatial::BeamPlacement placement;  ///< of the beam in its body; in space only
   ModelInput model;
   std::optional<planar::NewtonChain> chain;
   std::optional<EquivalentMassDemand> equivalent_mass;

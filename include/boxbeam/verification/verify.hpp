@@ -115,7 +115,7 @@ struct Verification {
   std::vector<CutForceLine> lines;     ///< at the critical instants
   std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
   std::vector<BeamLoadRow> loads;
-  std::vector<PostureFigure> postures;  ///< the first at the beginning, then the critical ones
+  std::vector<PostureFigure> postures;           ///< the first at the beginning or without load
   std::optional<LoadsOverTime> loads_over_time;  ///< at the governing station, in space
   std::optional<ElasticFigures> elastic;         ///< of elastic links
   MassProperties beam_mass;

@@ -23,6 +23,8 @@ using Eigen::VectorXd;
 constexpr Index few = 150;
 /// theta = |shift|/(omega^2 + |shift|) of a mode, over the largest, below which it is round-off.
 constexpr double no_mode = 1e-10;
+/// The same where no elasticity is left, so that all of them are.
+constexpr double least_mode = 1e-12;
 /// omega^2 over |shift|, below which a motion is without strain.
 constexpr double no_strain = 1e-8;
 /// Largest residual |q - (omega^2 - shift) (K - shift M)^-1 M q| of a mode, by its mass.
@@ -190,7 +192,8 @@ Found dense_modes(const Problem& problem) {
       root.eigenvectors() * root.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> first(symmetric(R.transpose() * mass_times(R)));
   const VectorXd& theta = first.eigenvalues();
-  const Index modes = (theta.array() > no_mode * theta[size - 1]).count();
+  const double floor = std::max(no_mode * theta[size - 1], least_mode);
+  const Index modes = (theta.array() > floor).count();
   if (modes == 0) return {MatrixXd(size, 0), VectorXd(0)};
   const MatrixXd q = R * first.eigenvectors().rightCols(modes) *
                      theta.tail(modes).cwiseSqrt().cwiseInverse().asDiagonal();
@@ -200,12 +203,12 @@ Found dense_modes(const Problem& problem) {
   return {q * second.eigenvectors().rowwise().reverse(), second.eigenvalues().reverse()};
 }
 
-/// Adds the `more` lowest modes beyond those found, of a repeated frequency perhaps only one.
-void add_lanczos_modes(const Problem& problem, Index more, Found& found) {
+/// Adds the `more` lowest modes beyond those found, of a repeated frequency perhaps only one. False
+/// where the search does not come to an end in so large a space.
+bool add_lanczos_modes(const Problem& problem, Index more, Index space, Found& found) {
   const Index size = problem.coordinates.size();
   Inverse inverse(problem, found.q, found.theta);
   Mass mass(problem);
-  const Index space = std::min(size, std::max<Index>(2 * more + 1, 20));
   Spectra::SymGEigsShiftSolver<Inverse, Mass, Spectra::GEigsMode::ShiftInvert> solver(
       inverse, mass, more, space, 0.0);
   // A start among the motions that loads can cause.
@@ -214,11 +217,13 @@ void add_lanczos_modes(const Problem& problem, Index more, Found& found) {
   for (double& load : loads) load = static_cast<double>(random()) / 4294967296.0 - 0.5;
   VectorXd start(size);
   inverse.perform_op(loads.data(), start.data());
-  solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestAlge, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
-  if (solver.info() != Spectra::CompInfo::Successful) {
-    fail("Lanczos' method does not converge; ask for fewer");
+  try {
+    solver.init(start.data());
+    solver.compute(Spectra::SortRule::LargestAlge, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
+  } catch (const std::runtime_error&) {
+    return false;  // Spectra throws where the small eigenproblem of a space does not converge
   }
+  if (solver.info() != Spectra::CompInfo::Successful) return false;
   Found all{MatrixXd(size, found.q.cols() + more), VectorXd(found.q.cols() + more)};
   all.q << found.q, solver.eigenvectors();
   all.theta << found.theta, solver.eigenvalues().cwiseInverse();  // solver: 1/theta
@@ -227,6 +232,7 @@ void add_lanczos_modes(const Problem& problem, Index more, Found& found) {
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return all.theta[a] > all.theta[b]; });
   found = {all.q(Eigen::all, order), all.theta(order)};
+  return true;
 }
 
 double square_of(const Problem& problem, double theta) {
@@ -237,8 +243,13 @@ double square_of(const Problem& problem, double theta) {
 Found lowest_modes(const Problem& problem, Index count) {
   Found found{MatrixXd(problem.coordinates.size(), 0), VectorXd(0)};
   Index missing = count;
+  const Index size = problem.coordinates.size();
   for (int run = 0; run < most_runs; ++run) {
-    add_lanczos_modes(problem, missing, found);
+    Index space = std::min(size, std::max<Index>(2 * missing + 1, 20));
+    while (!add_lanczos_modes(problem, missing, space, found)) {
+      if (space == size || space > 64 * (missing + 8)) fail("they do not converge; ask for fewer");
+      space = std::min(size, 2 * space + 3);
+    }
     const double last = std::max(0.0, square_of(problem, found.theta[count - 1]));
     const double limit = last + beyond * (last + problem.below);
     const auto there = static_cast<Index>(

@@ -28,17 +28,27 @@ void add_loads(const Structure& structure, const auto& amount, auto& columns) {
   }
 }
 
-/// (omega_j^2 - omega^2)/omega^2 of the mode that a response is made of.
-double distance_from_resonance(const Structure& structure, const LinkColumns<double>& loads,
-                               const LinkColumns<double>& motion, double omega) {
-  const LinkColumns<double> inertia = mass_times(structure, motion);
-  double work = 0.0;
-  double kinetic = 0.0;
+/// Length of a motion by the masses and inertia in the nodes.
+double size_of(const Structure& structure, const LinkColumns<double>& motion) {
+  double square = 0.0;
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    work += motion[k].cwiseProduct(loads[k]).sum();
-    kinetic += motion[k].cwiseProduct(inertia[k]).sum();
+    for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
+      const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
+      const auto q = motion[k].col(i);
+      square += of.mass * (q[0] * q[0] + q[1] * q[1]) + of.inertia * q[2] * q[2];
+    }
   }
-  return kinetic > 0.0 ? work / (omega * omega * kinetic) : 1.0;
+  return std::sqrt(square);
+}
+
+/// At least |omega_j^2 - omega^2|/omega^2 of the nearest mode that takes part in a response, and
+/// not much more where it is what the response is made of: one step of inverse iteration.
+double distance_from_resonance(const Structure& structure,
+                               const DynamicStiffness<double>& stiffness,
+                               const LinkColumns<double>& motion, double omega) {
+  const double size = size_of(structure, motion);
+  const double next = size_of(structure, stiffness.solve(mass_times(structure, motion)).motion);
+  return next > 0.0 ? size / (omega * omega * next) : 1.0;
 }
 
 Deformation<Complex> undamped_response(const Structure& structure,
@@ -55,7 +65,7 @@ Deformation<Complex> undamped_response(const Structure& structure,
           part, Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(structure.joints.size()))};
     }
     Deformation<double> result = stiffness.solve(part);
-    if (std::abs(distance_from_resonance(structure, part, result.motion, omega)) < resonance) {
+    if (distance_from_resonance(structure, stiffness, result.motion, omega) < resonance) {
       throw AnalysisError(
           {fmt::format("{:.6g} Hz is a natural frequency of the structure, which has no damping: "
                        "the amplitude has no limit; take another frequency or give damping to "

@@ -395,3 +395,23 @@ TEST_CASE("Stiffer joints raise all frequencies, more mass lowers them", "[flexi
     }
   }
 }
+
+TEST_CASE("rigid links on rigid joints have no modes") {
+  const Mechanism mechanism = test::beam_of(test::steel_bar(2.0, 0.1, 0.1), 8, End::pinned,
+                                            End::pinned, Element::corrected, LinkKind::rigid);
+  CHECK(modes_of(structure_of(mechanism), 6).empty());
+}
+
+TEST_CASE("two dozen modes are found, however many parts") {
+  // A steel cantilever that is rigid along its axis: two coordinates per part.
+  for (const int parts : {48, 50, 64, 65, 80, 100, 128}) {
+    INFO(parts);
+    const Mechanism mechanism =
+        test::cantilever_of(test::steel_bar(2.0, 0.1, 0.1), parts, Element::corrected);
+    const Structure structure = structure_of(mechanism);
+    const std::vector<Mode> modes = modes_of(structure, 24);
+    REQUIRE(modes.size() == 24);
+    const double beyond = std::pow(omega_of(modes.back()) * (1.0 + 1e-6), 2);
+    CHECK(DynamicStiffness<double>(structure, beyond, 0.0).frequencies_below() == 24);
+  }
+}

@@ -53,15 +53,16 @@ struct RigidMass {
 struct Link {
   std::string name;
   LinkKind kind = LinkKind::full;
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< world [m]
-  double angle = 0.0;                                ///< of its x, from the world's [rad]
-  double length = 0.0;                               ///< [m]
-  std::vector<LinkStretch> stretches;  ///< in order, without gaps; none in a rigid link
-  RigidMass rigid;                     ///< of a rigid link only
-  int parts = 8;                       ///< at least so many springs; none in a rigid link
+  int parts = 8;  ///< at least so many springs; none in a rigid link
   /// Kelvin-Voigt damping: viscosity over modulus, the same in all directions [s]. An elasticity c
   /// becomes c (1 + i omega tau).
   double retardation = 0.0;
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< world [m]
+  double angle = 0.0;                                ///< of its x, from the world's [rad]
+  double length = 0.0;                               ///< [m]
+  RigidMass rigid;                                   ///< of a rigid link only
+  /// In order, without gaps. A rigid link may have them, to tell how its mass lies.
+  std::vector<LinkStretch> stretches;
   std::vector<BodyPoint> points = {};  ///< its named places, in its axes from its origin
 };
 
