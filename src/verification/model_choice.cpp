@@ -248,6 +248,10 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
     return choice;
   }
   const VibrationEstimate estimate = worst_estimate(project, rigid);
+  if (estimate.frequencies.empty()) {
+    choice.reason = "rigid bodies: the beam bears no load that could make it vibrate";
+    return choice;
+  }
   choice.frequencies = estimate.frequencies;
   choice.harmonics = estimate.harmonics;
   const ModelEstimate by_rigid{{},

@@ -77,7 +77,10 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   const double peak = stresses.cwiseAbs().maxCoeff();
   const double base = 1.0 / motion.period;
   VibrationEstimate estimate;
-  if (peak == 0.0) return estimate;
+  if (peak == 0.0) {
+    estimate.without_modes = {0.0};
+    return estimate;
+  }
 
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
