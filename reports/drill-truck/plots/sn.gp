@@ -130,10 +130,10 @@ $line << e
 1.000000000e+09 4.047131645e+01 7.368062997e+01
 e
 $work << e
-5.000000000e+07 3.723448755e+00
+5.000000000e+07 3.734987602e+00
 e
 $needed << e
-5.000000000e+07 5.585173132e+00
+5.000000000e+07 5.602481403e+00
 e
 set title 'S-N diagram with the governing stress range: drill-truck' noenhanced
 set logscale xy
@@ -149,5 +149,5 @@ set label 'cut-off 40.5 MPa' at 1e8,4.047131645e+01 left offset 0.6,0.8 point pt
 set label 'm = 3' at 3e5,2.164382866e+02
 set label 'm = 5' at 2.5e7,5.981048888e+01
 set label 'category 100' at 2e6,1.000000000e+02 left offset 0.6,0.6 point pt 6
-set label '3.72 MPa' at 5.000000000e+07,3.723448755e+00 left offset 1,-0.7 tc rgb '#c8551b'
+set label '3.73 MPa' at 5.000000000e+07,3.734987602e+00 left offset 1,-0.7 tc rgb '#c8551b'
 plot $line using 1:2 with lines lw 2 lc rgb '#1f5fa8' title 'EN 1993-1-9:2005+AC:2009, category 100, spectrum', $line using 1:3 with lines lw 1.6 dt 2 lc rgb '#1f5fa8' title 'constant amplitude (7.1(2))', $work using 1:2 with points pt 7 ps 1 lc rgb '#c8551b' title 'governing range, partial factors applied', $needed using 1:2 with points pt 6 ps 1.2 lc rgb '#c8551b' title 'governing range x required factor 1.50'
