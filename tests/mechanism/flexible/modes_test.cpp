@@ -104,7 +104,9 @@ TEST_CASE("Frequencies of uniform beams converge to the closed ones in the order
                       held.without_strain + held.roots.size());
         std::vector<double> errors;
         for (std::size_t i = 0; i < held.without_strain; ++i) CHECK(omegas[i] == 0.0);
-        for (std::size_t i = 0; i < held.roots.size(); ++i) {
+        // Four parts may have fewer modes than there are roots.
+        const std::size_t there = std::min(held.roots.size(), omegas.size() - held.without_strain);
+        for (std::size_t i = 0; i < there; ++i) {
           const double exact = held.roots[i] * held.roots[i];
           errors.push_back(omegas[held.without_strain + i] / exact - 1.0);
         }
@@ -118,6 +120,8 @@ TEST_CASE("Frequencies of uniform beams converge to the closed ones in the order
       }
       const std::vector<double> coarse = errors_with(64);
       const std::vector<double> fine = errors_with(128);
+      REQUIRE(coarse.size() == held.roots.size());
+      REQUIRE(fine.size() == held.roots.size());
       for (std::size_t i = 0; i < fine.size(); ++i) {
         const double order = std::log2(std::abs(coarse[i] / fine[i]));
         CHECK(order == Approx(classical ? held.classical_order : held.corrected_order).margin(0.1));
