@@ -31,6 +31,17 @@ void sn(Script& gp, const Project& project, const Verification& verification) {
   for (const auto& [n, pascals] : figure.working) {
     fewest = std::min(fewest, std::pow(10.0, std::floor(std::log10(0.7 * n))));
   }
+  // Small ranges stand below the curves; the largest of them is always seen.
+  double lowest = 10.0;
+  if (range > 0.0) {
+    lowest = std::min(lowest, std::pow(10.0, std::floor(std::log10(0.7 * range))));
+  }
+  std::string small_tics;
+  for (double decade = lowest; decade < 9.0; decade *= 10.0) {
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      small_tics += fmt::format("{:.6g},", digit * decade);
+    }
+  }
   gp.block("work", work);
   gp.block("needed", needed);
   const bool en = !figure.published_step;
@@ -38,8 +49,9 @@ void sn(Script& gp, const Project& project, const Verification& verification) {
      << " noenhanced\n"
      << "set logscale xy\nset format x '10^{%T}'\nset xlabel 'cycles N'\nset ylabel 'stress range "
         "[MPa]'\n"
-     << "set xrange [" << fewest << ":1e9]\nset yrange [10:1000]\nset key bottom left\n"
-     << "set ytics (10,20,30,50,70,100,200,300,500,1000)\n";
+     << "set xrange [" << fewest << ":1e9]\nset yrange [" << lowest
+     << ":1000]\nset key bottom left\n"
+     << "set ytics (" << small_tics << "10,20,30,50,70,100,200,300,500,1000)\n";
   gp << "set label 'knee " << text::significant(figure.knee * 1e-6, 3) << " MPa' at 5e6,"
      << figure.knee * 1e-6 << " right offset -0.6,-0.9 point pt 6\n"
      << "set label '" << (en ? "cut-off " : "at 1e8: ")

@@ -141,9 +141,9 @@ set format x '10^{%T}'
 set xlabel 'cycles N'
 set ylabel 'stress range [MPa]'
 set xrange [1.000000000e+04:1e9]
-set yrange [10:1000]
+set yrange [1.000000000e+00:1000]
 set key bottom left
-set ytics (10,20,30,50,70,100,200,300,500,1000)
+set ytics (1,2,5,10,20,30,50,70,100,200,300,500,1000)
 set label 'knee 73.7 MPa' at 5e6,7.368062997e+01 right offset -0.6,-0.9 point pt 6
 set label 'cut-off 40.5 MPa' at 1e8,4.047131645e+01 left offset 0.6,0.8 point pt 6
 set label 'm = 3' at 3e5,2.164382866e+02

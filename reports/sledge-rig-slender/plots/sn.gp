@@ -141,7 +141,7 @@ set format x '10^{%T}'
 set xlabel 'cycles N'
 set ylabel 'stress range [MPa]'
 set xrange [1.000000000e+04:1e9]
-set yrange [10:1000]
+set yrange [1.000000000e+01:1000]
 set key bottom left
 set ytics (10,20,30,50,70,100,200,300,500,1000)
 set label 'knee 73.7 MPa' at 5e6,7.368062997e+01 right offset -0.6,-0.9 point pt 6

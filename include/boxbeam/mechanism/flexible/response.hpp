@@ -36,9 +36,11 @@ struct Deformation {
 /// recursion on the dynamic stiffness D of all that lies behind a spring of flexibility F,
 /// S = D (I + F D)^-1 (Riccati transfer). No stiffness is formed: rigid springs have F = 0, and
 /// statically S = 0, without round-off. What stays, one element of every link and the forces of the
-/// joints, is a small dense system. Work and memory grow linearly with the elements.
-/// Source: Horner, Pilkey, Journal of Mechanical Design 100 (1978), the Riccati transfer matrix
-/// method.
+/// joints, is a small dense system. Where a part is nearly in resonance by itself, I + F D loses
+/// digits: its pivot is kept from zero and the solution refined. Work and memory grow linearly with
+/// the elements.
+/// Sources: Horner, Pilkey, Journal of Mechanical Design 100 (1978), the Riccati transfer matrix
+/// method; Li, Demmel, ACM Transactions on Mathematical Software 29 (2003), static pivoting.
 template <class Scalar>
 class DynamicStiffness {
  public:
