@@ -5,10 +5,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*" >&2; }
 
-# Debian packages the build needs; gnuplot draws the plots, the Python standard library runs checks.
+# Debian packages the build needs; gnuplot draws the plots, pdflatex sets the PDF, the Python standard library runs checks.
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libboost-dev libboost-iostreams-dev
   libboost-filesystem-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev libmuparser-dev
-  libgnuplot-iostream-dev libspectra-dev gnuplot-nox)
+  libgnuplot-iostream-dev libspectra-dev gnuplot-nox
+  texlive-latex-base texlive-latex-recommended lmodern)
 test_packages=(catch2 librapidcheck-dev libbenchmark-dev python3)
 
 # Installs those of the named packages that are missing. Quick when none is.

@@ -31,7 +31,8 @@ void remove_figures(const std::string& folder) {
 }
 
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
-                                      const std::string& folder) {
+                                      const std::string& folder,
+                                      [[maybe_unused]] const std::string& pdf_folder) {
   std::vector<Figure> figures;
   const auto add = [&](const char* name, auto draw) {
     figures.push_back({name, [&, draw](plot::Script& gp) { draw(gp, project, verification); }});

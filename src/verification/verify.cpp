@@ -364,7 +364,7 @@ const CheckResult* Verification::governing(Criterion criterion) const {
   return nullptr;
 }
 
-Verification verify(const Project& project) {
+Verification verify(const Project& project, [[maybe_unused]] Figures figures) {
   const auto [model, runs] = run_by_chosen_model(project);
   const std::vector<Station> stations = stations_to_verify(project, runs);
 

@@ -7,13 +7,18 @@
 
 namespace boxbeam {
 
-/// Draws the figures of a verification into a folder by gnuplot: cut-forces.svg, mechanism.svg,
-/// loads.svg (in space only), stress.svg (computed stresses only) and sn.svg. The scripts stay in
-/// its folder "plots", with their data inside, so that a figure can be restyled: `gnuplot
-/// plots/cut-forces.gp`. Returns the names of what was written, relative to the folder. Throws
-/// OutputError where gnuplot is missing (naming the package) or fails.
+/// Names of the figures of a verification, in the order of a report: "mechanism", "motion",
+/// "cut-forces", ...
+std::vector<std::string> figures_of(const Project& project, const Verification& verification);
+
+/// Draws the figures of a verification into a folder by gnuplot, NAME.svg each, and where
+/// `pdf_folder` is not empty NAME.pdf there. The scripts stay in its folder "plots", with their
+/// data inside, so that a figure can be restyled: `gnuplot plots/cut-forces.gp`. Returns the names
+/// of the SVG files, relative to the folder. Throws OutputError where gnuplot is missing (naming
+/// the package) or fails.
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
-                                      const std::string& folder);
+                                      const std::string& folder,
+                                      const std::string& pdf_folder = "");
 
 /// Removes the figures of an earlier run, so that none stands beside a report it does not belong
 /// to.

@@ -12,6 +12,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/code_comparison.hpp"
+#include "boxbeam/verification/cycle_figure.hpp"
 #include "boxbeam/verification/elastic_figures.hpp"
 #include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/gates.hpp"
@@ -128,13 +129,20 @@ struct Verification {
   std::vector<TaperSlope> tapers;
   std::vector<PublishedConcentration> published_concentrations;
   std::optional<SnFigure> sn;
+  // Where figures are wanted:
+  std::optional<CycleFigure> cycle;
+  std::vector<DriverLine> drivers;
+  std::optional<SectionFigure> section;  ///< where the governing check rests on cut forces
 
   /// The check with the highest utilisation of a criterion, or nullptr.
   const CheckResult* governing(Criterion criterion) const;
 };
 
+/// Whether a verification brings what only pictures need.
+enum class Figures { without, with };
+
 /// Verifies a case: mechanism -> motion -> loads on the beam -> cut forces -> stress -> fatigue ->
 /// checks. Throws AnalysisError where a step cannot be done.
-Verification verify(const Project& project);
+Verification verify(const Project& project, Figures figures = Figures::without);
 
 }  // namespace boxbeam

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "boxbeam/verification/cycle_figure.hpp"
+
+/// A report as a value: what stands in it, in order. Text, HTML and PDF are written from it and add
+/// nothing. All strings are UTF-8 as the user wrote them; each writer makes them safe for itself.
+namespace boxbeam::report {
+
+/// How a row, a step or a verdict is to be marked.
+enum class Mark { none, passes, fails, not_applicable };
+
+struct Paragraph {
+  std::string text;
+};
+
+struct Bullets {
+  std::vector<std::string> items;
+};
+
+/// Names with what is said of each: the title block, the inputs.
+struct Facts {
+  std::vector<std::pair<std::string, std::string>> entries;
+};
+
+struct Cell {
+  std::string text;             ///< as it is shown, rounded
+  std::optional<double> value;  ///< by which a column sorts where its text would sort wrongly
+};
+
+struct Table {
+  std::string caption;
+  std::vector<std::string> header;  ///< with units: "s [m]"
+  /// As many cells as the header. Columns of which every cell begins with a digit, a sign or "-"
+  /// stand at the right.
+  std::vector<std::vector<Cell>> rows;
+  std::vector<Mark> marks;  ///< one per row, or none at all
+};
+
+/// A figure that stands as NAME.svg beside the report.
+struct Picture {
+  std::string name;     ///< "cut-forces"
+  std::string caption;  ///< one sentence that says what is to be seen
+};
+
+/// One step of a calculation, "symbol = formula = formula = value  (note)". Formulas are in the
+/// notation of formula.hpp.
+struct Step {
+  std::string symbol;                 ///< "sigma_max"
+  std::vector<std::string> formulas;  ///< "N/A_eff + M_y z/I_y,eff", then with values, then result
+  std::vector<std::string> notes;     ///< "at t = 0.3571 s", plain text, a line each
+};
+
+/// The derivation of one check, which a reader can follow with a pocket calculator.
+struct Sheet {
+  std::string id;     ///< of the check: "yield/4.2/fibre+z"
+  std::string title;  ///< "yield at s = 4.2 m, fibre +z"
+  std::vector<Step> steps;
+  std::string result;      ///< "factor 1.21, required 2.00, utilisation 165 %"
+  double utilisation = 0;  ///< drawn as a bar
+  Mark mark = Mark::none;
+  std::string source;  ///< standard, clause, equation
+};
+
+/// Text as it stands, line by line: the case file in the appendix.
+struct Listing {
+  std::string text;
+};
+
+/// The mechanism, its loads and the cut forces over the cycle, to be moved by the reader. Only HTML
+/// shows it.
+struct MovingPicture {
+  CycleFigure cycle;
+  std::string caption;
+};
+
+struct Subheading {
+  std::string text;
+};
+
+using Block = std::variant<Paragraph, Bullets, Facts, Table, Picture, Sheet, Listing, MovingPicture,
+                           Subheading>;
+
+struct Chapter {
+  std::string title;
+  std::vector<Block> blocks;
+};
+
+struct Document {
+  std::string title;     ///< name of the case
+  std::string subtitle;  ///< its title
+  std::string date;      ///< "2026-11-21"
+  std::string program;   ///< "boxbeam 0.1.0"
+  std::string input_sha256;
+  std::string verdict;  ///< "PASS", "FAIL", "NOT APPLICABLE"
+  Mark mark = Mark::none;
+  Facts facts;      ///< the rest of the title block
+  Table governing;  ///< under the verdict: the worst check of every criterion
+  std::vector<Chapter> chapters;
+};
+
+}  // namespace boxbeam::report

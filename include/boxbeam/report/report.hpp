@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/report/document.hpp"
+#include "boxbeam/verification/verify.hpp"
+
+namespace boxbeam {
+
+/// How much a report says.
+enum class ReportLevel {
+  summary,    ///< verdict, governing checks, remarks, the pictures that decide
+  governing,  ///< and everything that the governing checks rest on
+  full,       ///< and every check with its derivation, every table, the input
+};
+
+/// The report of a verification. Source of its date: SOURCE_DATE_EPOCH where it is set, else the
+/// clock (UTC).
+report::Document report_of(const Project& project, const Verification& verification,
+                           ReportLevel level = ReportLevel::governing);
+
+/// One check as formula, substituted values, result and source.
+report::Sheet sheet_of(const Project& project, const Verification& verification,
+                       const CheckResult& result);
+
+/// "2026-11-21" by SOURCE_DATE_EPOCH or the clock, UTC.
+std::string report_date();
+
+}  // namespace boxbeam
