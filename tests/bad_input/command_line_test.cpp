@@ -56,12 +56,12 @@ int exit_code_with_output(const std::string& output, Words arguments) {
   else
     posix_spawn_file_actions_addopen(&actions, 1, output.c_str(), O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-  arguments.insert(arguments.begin(), BOXBEAM_PROGRAM);
+  arguments.insert(arguments.begin(), test::program());
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());
   words.push_back(nullptr);
   pid_t pid = -1;
-  const int error = posix_spawn(&pid, BOXBEAM_PROGRAM, &actions, nullptr, words.data(), environ);
+  const int error = posix_spawn(&pid, words.front(), &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   REQUIRE(error == 0);
   int status = 0;

@@ -36,6 +36,8 @@ std::string read_file(const std::filesystem::path& path) {
   return text.str();
 }
 
+std::string program() { return BOXBEAM_PROGRAM; }
+
 std::string project_file(const std::string& path) {
   return std::string(BOXBEAM_SOURCE_DIR) + "/" + path;
 }
@@ -50,8 +52,9 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::vector<std::string> words{BOXBEAM_PROGRAM};
+  const std::string from = folder.empty() ? BOXBEAM_SOURCE_DIR : folder.string();
+  posix_spawn_file_actions_addchdir_np(&actions, from.c_str());
+  std::vector<std::string> words{program()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());

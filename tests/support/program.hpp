@@ -13,9 +13,13 @@ struct ProgramResult {
   std::string err;
 };
 
-/// Runs the program with arguments; no shell is involved. `folder`: its working directory.
+/// The built program.
+std::string program();
+
+/// Runs the program with arguments; no shell is involved. `folder`: its working directory; that of
+/// the project where none is given.
 ProgramResult run_program(const std::vector<std::string>& arguments,
-                          const std::filesystem::path& folder = BOXBEAM_SOURCE_DIR);
+                          const std::filesystem::path& folder = {});
 
 /// A folder under the system's temporary folder that is removed with all that is in it.
 class TemporaryFolder {

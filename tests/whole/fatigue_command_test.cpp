@@ -120,7 +120,7 @@ TEST_CASE("fatigue: the history from standard input, the result into a file") {
   const test::TemporaryFolder folder;
   const std::string history = folder.write("history.csv", miner_block);
   const std::string out = (folder.path() / "result.json").string();
-  const std::string command = std::string("'") + BOXBEAM_PROGRAM +
+  const std::string command = "'" + test::program() +
                               "' fatigue - --detail 56 --repetitions 1e5 --json '" + out + "' < '" +
                               history + "' > /dev/null";
   const int status = std::system(command.c_str());
