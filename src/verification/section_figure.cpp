@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/outline.hpp"
@@ -11,28 +12,41 @@ namespace {
 
 using Loop = std::vector<std::pair<double, double>>;
 
+/// The pieces of a border loop by loop. A hollow's pieces may stand in the other order than the one
+/// they are walked in.
+std::vector<std::deque<BorderPiece>> loops_of_pieces(const Outline& outline) {
+  std::vector<std::deque<BorderPiece>> loops;
+  const auto meet = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return (a - b).norm() <= 1e-12 + 1e-9 * a.norm();
+  };
+  bool closed = true;
+  for (const BorderPiece& piece : outline) {
+    if (!closed && meet(loops.back().back().to, piece.from))
+      loops.back().push_back(piece);
+    else if (!closed && meet(piece.to, loops.back().front().from))
+      loops.back().push_front(piece);
+    else
+      loops.push_back({piece});
+    closed = meet(loops.back().back().to, loops.back().front().from);
+  }
+  return loops;
+}
+
 /// The loops of a border as polygons: arcs in steps of at most three degrees.
 std::vector<Loop> loops_of(const Outline& outline) {
   constexpr double step = 0.05;  // [rad]
   std::vector<Loop> loops;
-  const BorderPiece* before = nullptr;
-  for (const BorderPiece& piece : outline) {
-    const double near = 1e-12 + 1e-9 * piece.from.norm();
-    const bool goes_on =
-        before != nullptr && (before->to - piece.from).norm() <= near &&
-        (piece.from - Eigen::Vector2d(loops.back().front().first, loops.back().front().second))
-                .norm() > near;
-    if (!goes_on) loops.emplace_back();
-    loops.back().emplace_back(piece.from.x(), piece.from.y());
-    if (piece.radius > 0.0) {
+  for (const std::deque<BorderPiece>& pieces : loops_of_pieces(outline)) {
+    Loop& loop = loops.emplace_back();
+    for (const BorderPiece& piece : pieces) {
       const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(piece.sweep) / step)));
+      loop.emplace_back(piece.from.x(), piece.from.y());
       for (int k = 1; k < parts; ++k) {
         const double angle = piece.angle + piece.sweep * k / parts;
-        loops.back().emplace_back(piece.centre.x() + piece.radius * std::cos(angle),
-                                  piece.centre.y() + piece.radius * std::sin(angle));
+        loop.emplace_back(piece.centre.x() + piece.radius * std::cos(angle),
+                          piece.centre.y() + piece.radius * std::sin(angle));
       }
     }
-    before = &piece;
   }
   return loops;
 }
