@@ -41,16 +41,16 @@ std::string visible(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
     if (length == 0) {
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
+      out += fmt::format("\\x{:02X}", static_cast<unsigned char>(text[i]));
       ++i;
       continue;
     }
     const std::string_view sequence = text.substr(i, length);
     const auto code = static_cast<std::uint32_t>(code_point(sequence));
     if (is_control(code)) {
-      out += fmt::format("\\x{:02x}", code);
+      out += fmt::format("\\x{:02X}", code);
     } else if (is_invisible(code)) {
-      out += fmt::format("\\u{{{:x}}}", code);
+      out += fmt::format("\\u{:04X}", code);
     } else {
       out += sequence;
     }

@@ -7,7 +7,7 @@
 namespace boxbeam::report::html {
 
 /// Text in which everything can be seen: control characters and bytes that are not UTF-8 as
-/// "\x07", marks of writing direction and the like as "\u{202e}". Line ends and tabs stay.
+/// "\x07", marks of writing direction and the like as "\u202E". Line ends and tabs stay.
 std::string visible(std::string_view text);
 
 /// Any text, made visible, for content and quoted attributes.
