@@ -8,11 +8,15 @@
 
 #include "boxbeam/core/error.hpp"
 #include "program/command_line.hpp"
+#include "program/completion.hpp"
 #include "program/exit_code.hpp"
 #include "program/fatigue_command.hpp"
+#include "program/init_command.hpp"
+#include "program/manual.hpp"
 #include "program/motion_command.hpp"
 #include "program/section_command.hpp"
 #include "program/terminal.hpp"
+#include "program/validate_command.hpp"
 #include "program/verify_command.hpp"
 #include "version.hpp"
 
@@ -82,6 +86,11 @@ CLI::Option* add_choice(CLI::App& command, const char* name, std::string& word,
   return command.add_option(name, word, says)->check(CLI::IsMember(std::move(words)));
 }
 
+void add_dynamics(CLI::App& command, std::string& word) {
+  add_choice(command, "--dynamics", word, {"rigorous", "newton-chain"},
+             "where the loads on the beam come from (default: as the case says)");
+}
+
 Entry verify_entry(CLI::App& app) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App& command = *app.add_subcommand("verify", "verify a case and write its report");
@@ -91,8 +100,7 @@ Entry verify_entry(CLI::App& app) {
       ->type_name("DIR");
   add_json(command, options->json, "results", "the summary");
   add_set(command, options->set);
-  add_choice(command, "--dynamics", options->dynamics, {"rigorous", "newton-chain"},
-             "where the loads on the beam come from");
+  add_dynamics(command, options->dynamics);
   add_choice(command, "--model", options->model, {"auto", "rigid", "flexible"},
              "auto: the cheapest sufficient one (default: as the case says, else auto)");
   command
@@ -191,6 +199,49 @@ Entry fatigue_entry(CLI::App& app) {
           }};
 }
 
+Entry init_entry(CLI::App& app) {
+  const auto options = std::make_shared<InitOptions>();
+  CLI::App& command =
+      *app.add_subcommand("init", "write a commented case that runs as it is, to begin from");
+  add_choice(command, "KIND", options->kind, {"planar", "spatial", "flexible"},
+             "rigid bodies in a plane (default), rigid bodies in space, or elastic links");
+  command
+      .add_option("FILE", options->file,
+                  "where to, which must not be there yet (default: KIND.toml); - for standard "
+                  "output")
+      ->type_name("FILE.toml");
+  return {&command, {"boxbeam init planar my.toml"}, [options] { return run_init(*options); }};
+}
+
+Entry validate_entry(CLI::App& app) {
+  const auto options = std::make_shared<ValidateOptions>();
+  CLI::App& command =
+      *app.add_subcommand("validate", "read a case; say what it is, or all that is wrong with it");
+  add_case(command, options->case_file);
+  add_set(command, options->set);
+  add_dynamics(command, options->dynamics);
+  return {&command, {"boxbeam validate my.toml"}, [options] { return run_validate(*options); }};
+}
+
+Entry completion_entry(CLI::App& app, const CommandLine& line) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App& command =
+      *app.add_subcommand("completion", "print the completion of the command line for a shell");
+  add_choice(command, "SHELL", *shell, {"bash", "zsh"}, "which one")->required();
+  return {&command, {"eval \"$(boxbeam completion bash)\""}, [shell, &line] {
+            put(completion_of(line, *shell));
+            return all_pass;
+          }};
+}
+
+Entry manual_entry(CLI::App& app, const CommandLine& line) {
+  CLI::App& command = *app.add_subcommand("manual", "print the manual page");
+  return {&command, {"boxbeam manual | man -l -"}, [&line] {
+            put(manual_of(line));
+            return all_pass;
+          }};
+}
+
 /// The words of "TEXT:{rigorous,newton-chain}".
 std::vector<std::string> words_in(const std::string& type) {
   const std::size_t begin = type.find('{');
@@ -229,9 +280,16 @@ int run(int argc, char** argv) {
   app.set_help_flag("--help,-h", "print this help");
   app.set_version_flag("--version", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
-  const std::vector<Entry> entries{verify_entry(app), motion_entry(app), section_entry(app),
-                                   fatigue_entry(app)};
-  const CommandLine line = line_of(app, entries);
+  CommandLine line;
+  const std::vector<Entry> entries{init_entry(app),
+                                   validate_entry(app),
+                                   verify_entry(app),
+                                   motion_entry(app),
+                                   section_entry(app),
+                                   fatigue_entry(app),
+                                   completion_entry(app, line),
+                                   manual_entry(app, line)};
+  line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {
       if (entry.app->parsed()) return &entry;

@@ -21,4 +21,8 @@ bool shows_colours();
 /// nothing: the words say it as well.
 std::string coloured(const std::string& text);
 
+/// A word as a shell takes it whole: in quotes where it holds anything but letters, digits and
+/// "._-/".
+std::string shell_word(const std::string& word);
+
 }  // namespace boxbeam::program

@@ -10,17 +10,13 @@
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/text_report.hpp"
 #include "boxbeam/verification/verify.hpp"
+#include "program/case_options.hpp"
 #include "program/exit_code.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
 
 namespace boxbeam::program {
 namespace {
-
-std::optional<Dynamics> dynamics_of(const std::string& word) {
-  if (word.empty()) return std::nullopt;
-  return word == "rigorous" ? Dynamics::rigorous : Dynamics::newton_chain;
-}
 
 /// Writes every output that can be written; returns what could not be, as text.
 std::string write_reports(const Project& project, const Verification& verification,
@@ -61,7 +57,7 @@ void take_model(const VerifyOptions& options, Project& project) {
 }  // namespace
 
 Project project_of(const VerifyOptions& options) {
-  Project project = read_project(options.case_file, options.set, dynamics_of(options.dynamics));
+  Project project = read_case(options.case_file, options.set, options.dynamics);
   take_model(options, project);
   return project;
 }
