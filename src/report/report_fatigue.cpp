@@ -95,11 +95,12 @@ Chapter fatigue_chapter(const Source& source) {
   Chapter chapter{"Fatigue", {}};
   add_pictures(source, {"sn"}, chapter.blocks);
   if (source.level == ReportLevel::summary) return chapter;
-  const CheckResult* governing = governing_fatigue(source.verification);
-  if (governing == nullptr) return chapter;
+  if (!source.verification.sn) return chapter;
   add_pictures(source, {"spectrum"}, chapter.blocks);
   chapter.blocks.emplace_back(demand_facts(source.project));
-  chapter.blocks.emplace_back(spectrum_table(source, *governing));
+  if (const CheckResult* governing = governing_fatigue(source.verification)) {
+    chapter.blocks.emplace_back(spectrum_table(source, *governing));
+  }
   add_codes(source.verification, chapter.blocks);
   return chapter;
 }

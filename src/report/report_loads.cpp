@@ -12,12 +12,14 @@ namespace {
 using text::Quantity;
 
 /// One table of all critical instants.
-void add_planar(const Verification& verification, std::vector<Block>& blocks) {
+void add_planar(const Source& source, std::vector<Block>& blocks) {
+  const bool several = source.project.situations.size() > 1;
   blocks.emplace_back(Paragraph{
       "Forces of the joints on the beam; world axes x right, y up; beam axes x along the axis, z "
       "its left normal. Weight and inertia act per length in between."});
   Table table = table_of("", {"t [s]", "at", "s [m]", "world F_x", "F_y [kN]", "beam F_x",
                               "F_z [kN]", "couple M_y [kN m]"});
+  if (several) table.header.emplace_back("situation");
   constexpr double nothing = 1e-6;  // N m: the lever arms' rounding
   for (const BeamLoadRow& row : verification.loads) {
     add_row(table,
@@ -25,7 +27,9 @@ void add_planar(const Verification& verification, std::vector<Block>& blocks) {
                    cell(Quantity::station, row.s.value()), cell(Quantity::force, row.world.x()),
                    cell(Quantity::force, row.world.y()), cell(Quantity::force, row.force.x()),
                    cell(Quantity::force, row.force.z()),
-                   cell(Quantity::moment, row.moment.y(), nothing)));
+                   cell(Quantity::moment, row.moment.y(), nothing));
+    if (several) cells.push_back(cell(source.project.situations[row.situation].name));
+    add_row(table, std::move(cells));
   }
   blocks.emplace_back(std::move(table));
 }
@@ -68,7 +72,7 @@ Chapter loads_chapter(const Source& source) {
   if (in_space(source.project)) {
     add_spatial(source, chapter.blocks);
   } else {
-    add_planar(source.verification, chapter.blocks);
+    add_planar(source, chapter.blocks);
   }
   double imbalance = 0.0;
   for (const MotionSummary& motion : source.verification.motions) {

@@ -83,16 +83,16 @@ Table worst_table(const StressMap& stresses) {
 }
 
 Table given_table(const Project& project) {
-  Table table = table_of("Given by the case, not computed here",
-                         {"point", "s [m]", "t [s]", "largest [MPa]", "of the other sign [MPa]",
-                          "plate [mm]", "note"});
+  Table table =
+      table_of("Given by the case, not computed here; what they come from stands in the remarks",
+               {"point", "s [m]", "t [s]", "largest [MPa]", "opposite [MPa]", "plate [mm]"});
   for (const GivenStress& given : project.given_stresses) {
     add_row(
         table,
         row_of(given.name, cell(Quantity::station, given.s.value()),
                cell(Quantity::time, given.time.value()), cell(Quantity::stress, given.peak.value()),
                given.opposite ? cell(Quantity::stress, given.opposite->value()) : cell("-"),
-               cell(Quantity::length, given.thickness.value()), given.note));
+               cell(Quantity::length, given.thickness.value())));
   }
   return table;
 }
