@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace {
 
 /// Width of the text [pt], set by the preamble.
 constexpr double text_width = 468;
-constexpr double bold = 1.16;  ///< of the header against the text
+constexpr double bold = 1.18;  ///< of the header against the text
 /// No word of a text keeps a column wider than this [em].
 constexpr double widest_unbroken = 11;
 
@@ -30,22 +31,29 @@ struct Type {
 constexpr std::array<Type, 3> types{
     {{"\\small", 9.26, 12, 12.5}, {"\\footnotesize", 8.51, 10, 11}, {"\\scriptsize", 8.0, 6, 9.5}}};
 
+/// Where the unit of a header stays with itself: "M max [kN m]" breaks before the bracket only.
+std::string with_whole_unit(std::string header) {
+  const std::size_t unit = header.rfind('[');
+  if (unit == std::string::npos) return header;
+  for (std::size_t at = unit; (at = header.find(' ', at)) != std::string::npos;)
+    header.replace(at, 1, "\u00A0");
+  return header;
+}
+
 /// What a column needs [em].
 struct Need {
-  double natural = 0;  ///< that nothing wraps but the header
+  double natural = 0;  ///< that nothing wraps
   double least = 0;    ///< that no word of normal length breaks
 };
 
 Need need_of(const Table& table, std::size_t column, bool numbers) {
-  Need need;
-  const double header = bold * latex_widest_word(table.header[column], widest_unbroken);
-  need.natural = need.least = header;
+  const std::string header = with_whole_unit(table.header[column]);
+  Need need{bold * latex_width(header), bold * latex_widest_word(header, widest_unbroken)};
   for (const std::vector<Cell>& row : table.rows) {
     const double width = latex_width(row[column].text);
+    const double word = latex_widest_word(row[column].text, widest_unbroken);
     need.natural = std::max(need.natural, width);
-    const bool whole = numbers && width < widest_unbroken;
-    need.least =
-        std::max(need.least, whole ? width : latex_widest_word(row[column].text, widest_unbroken));
+    need.least = std::max(need.least, numbers && width < widest_unbroken ? width : word);
   }
   return need;
 }
@@ -55,42 +63,50 @@ struct Layout {
   std::vector<double> widths;  ///< [pt]
 };
 
-double sum(const std::vector<Need>& needs, double Need::*of) {
-  return std::accumulate(needs.begin(), needs.end(), 0.0,
-                         [of](double total, const Need& need) { return total + need.*of; });
-}
-
-/// Widths of columns in a type, in an available width [pt]: what wraps least, so that the narrow
-/// columns keep what they need and the wide ones share the rest.
-std::vector<double> widths_in(const Type& type, const std::vector<Need>& needs, double available) {
-  const double natural = sum(needs, &Need::natural) * type.em;
-  const double least = sum(needs, &Need::least) * type.em;
+/// Widths of the columns [em] if none takes more than `most`, but for what it needs at least.
+std::vector<double> widths_within(const std::vector<Need>& needs, double most, double least) {
   std::vector<double> widths;
+  widths.reserve(needs.size());
   for (const Need& need : needs) {
-    double width = need.natural * type.em;
-    if (least > available) {
-      width = need.least * type.em * available / least;
-    } else if (natural > available) {
-      const double share = (available - least) / (natural - least);
-      width = (need.least + share * (need.natural - need.least)) * type.em;
-    }
-    widths.push_back(width);
+    widths.push_back(std::max(std::min(need.natural, most), std::min(need.least, least)));
   }
   return widths;
 }
 
-/// The largest type in which nothing is broken that should not be; a type smaller than the first
-/// only where texts would wrap over more than three lines otherwise.
+double total(const std::vector<double>& widths) {
+  return std::accumulate(widths.begin(), widths.end(), 0.0);
+}
+
+/// Widths [em] that fill what is available: the wide columns give way first.
+std::vector<double> fitting(const std::vector<Need>& needs, double available) {
+  constexpr double any = 1e6;
+  if (const auto natural = widths_within(needs, any, any); total(natural) <= available)
+    return natural;
+  const bool words_fit = total(widths_within(needs, 0, any)) <= available;
+  double low = 0;
+  double high = available;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    const auto widths =
+        words_fit ? widths_within(needs, middle, any) : widths_within(needs, 0, middle);
+    (total(widths) <= available ? low : high) = middle;
+  }
+  return words_fit ? widths_within(needs, low, any) : widths_within(needs, 0, low);
+}
+
+/// The largest type in which no word breaks and few texts wrap, else the smallest.
 Layout layout_of(const std::vector<Need>& needs, double mark_width) {
   const auto gaps = static_cast<double>(needs.size() - 1);
+  Layout layout;
   for (const Type& type : types) {
-    const double available = text_width - mark_width - gaps * type.gap;
-    const bool last = &type == &types.back();
-    const double lines = sum(needs, &Need::natural) * type.em / available;
-    if (last || (sum(needs, &Need::least) * type.em <= available && lines <= 2.0))
-      return {type, widths_in(type, needs, available)};
+    const double available = (text_width - mark_width - gaps * type.gap) / type.em;
+    layout = {type, fitting(needs, available)};
+    const double natural = total(widths_within(needs, 1e6, 0));
+    const double least = total(widths_within(needs, 0, 1e6));
+    if (least <= available && natural <= 1.8 * available) break;
   }
-  return {};
+  for (double& width : layout.widths) width *= layout.type.em;
+  return layout;
 }
 
 std::string mark_of(Mark mark) {
@@ -103,18 +119,18 @@ std::string mark_of(Mark mark) {
   return "";
 }
 
-/// Height that a table needs at most [pt]; good enough to keep small tables together.
-double height_of(const Table& table, const Layout& layout) {
-  double lines = 3;
+/// Lines that the rows of a table take, about.
+double lines_of(const Table& table, const Layout& layout) {
+  double lines = 0;
   for (const std::vector<Cell>& row : table.rows) {
     double most = 1;
     for (std::size_t k = 0; k < row.size(); ++k) {
       const double width = latex_width(row[k].text) * layout.type.em;
-      most = std::max(most, std::ceil(width / layout.widths[k]));
+      most = std::max(most, std::ceil(width / (1.001 * layout.widths[k])));
     }
     lines += most;
   }
-  return lines * layout.type.height * 1.1 + 20;
+  return lines;
 }
 
 }  // namespace
@@ -151,14 +167,17 @@ std::string latex_table(const Table& table) {
     if (k > 0) columns_spec += fmt::format("@{{\\hskip{:.1f}pt}}", layout.type.gap);
     columns_spec +=
         fmt::format(">{{\\{}}}p{{{:.2f}pt}}", numbers[k] ? "Right" : "Left", layout.widths[k]);
-    header +=
-        fmt::format("{}\\bfseries {}", k > 0 ? " & " : "",
-                    latex_breakable(table.header[k], layout.widths[k] / layout.type.em / bold));
+    header += fmt::format("{}\\bfseries {}", k > 0 ? " & " : "",
+                          latex_breakable(with_whole_unit(table.header[k]),
+                                          1.001 * layout.widths[k] / layout.type.em / bold));
   }
   columns_spec += "@{}";
   header += "\\tabularnewline\n\\midrule\n";
 
-  const double height = height_of(table, layout);
+  const double lines = lines_of(table, layout);
+  const auto rows = static_cast<double>(table.rows.size());
+  const bool wrapped = lines > rows;
+  const double height = (lines + 3) * layout.type.height * 1.1 + (wrapped ? 2.5 * rows : 0) + 20;
   std::string out = fmt::format("\\need{{{:.0f}pt}}\n", height < 200 ? height : 90.0);
   out += fmt::format("{{{}\\begin{{longtable}}[l]{{{}}}\n", layout.type.command, columns_spec);
   if (!table.caption.empty()) {
@@ -173,9 +192,10 @@ std::string latex_table(const Table& table) {
     if (marked) out += mark_of(i < table.marks.size() ? table.marks[i] : Mark::none) + " & ";
     for (std::size_t k = 0; k < columns; ++k) {
       if (k > 0) out += " & ";
-      out += latex_breakable(table.rows[i][k].text, layout.widths[k] / layout.type.em);
+      out += latex_breakable(table.rows[i][k].text, 1.001 * layout.widths[k] / layout.type.em);
     }
     out += "\\tabularnewline\n";
+    if (wrapped && i + 1 < table.rows.size()) out += "\\addlinespace[2.5pt]\n";
   }
   out += "\\end{longtable}}\n";
   return out;
