@@ -54,11 +54,13 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\Left}{\raggedright\arraybackslash\hskip0pt\relax}
 \newcommand{\Right}{\raggedleft\arraybackslash\hskip0pt\relax}
 
-% A new page where so much height is not left.
-\newcommand{\need}[1]{\par\penalty0\relax
+% A new page where so much height is not left; never between a heading and what it heads.
+\makeatletter
+\newcommand{\need}[1]{\par\if@nobreak\@nobreakfalse\else\penalty0\relax
   \ifdim\pagetotal>0pt
     \ifdim\dimexpr\pagegoal-\pagetotal\relax<\dimexpr#1\relax\newpage\fi
-  \fi}
+  \fi\fi}
+\makeatother
 
 % Head and foot of the pages; the second run knows how many there are.
 \providecommand{\lastpage}{?}
@@ -73,7 +75,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \makeatother
 
 % \chapter{number}{title}{title as a string of the PDF}
-\newcommand{\chapterline}[3]{\need{110pt}\section{\hbox to0pt{\pdfdest name{c#1} xyz\hss}#1\hskip0.8em #2}%
+\newcommand{\chapterline}[3]{\section{\hbox to0pt{\pdfdest name{c#1} xyz\hss}#1\hskip0.8em #2}%
   \pdfoutline goto name{c#1} count 0{#3}\label{c#1}\nopagebreak}
 \newcommand{\contentsentry}[2]{\hbox to\linewidth{\pdfstartlink attr{/Border[0 0 0]} goto name{c#1}%
   \hbox to1.8em{#1\hfil}#2\ \color{pale}\leaders\hbox to.6em{\hss.\hss}\hfil\ \color{black}\pageref{c#1}\pdfendlink}}
@@ -81,13 +83,14 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\tablecaption}[1]{\raggedright\sffamily\footnotesize\color{quiet}#1}
 
 % A figure, never larger than it is, and what is to be seen on it.
-\newcommand{\shownfigure}[2]{%
-  \setbox0\hbox{\includegraphics{#1}}%
-  \ifdim\wd0>\linewidth\setbox0\hbox{\resizebox{\linewidth}{!}{\box0}}\fi
-  \ifdim\ht0>.8\textheight\setbox0\hbox{\resizebox{!}{.8\textheight}{\box0}}\fi
-  \need{\dimexpr\ht0+40pt\relax}%
-  \vskip6pt\hbox to\linewidth{\hfil\box0\hfil}\nopagebreak\vskip4pt
-  {\leftskip=2em plus 1fil\rightskip=2em plus 1fil\parfillskip=0pt\noindent\sffamily\footnotesize\color{quiet}#2\par}%
+\newsavebox{\figurebox}
+\newcommand{\takefigure}[1]{%
+  \setbox\figurebox\hbox{\includegraphics{#1}}%
+  \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
+  \ifdim\ht\figurebox>.8\textheight\setbox\figurebox\hbox{\resizebox{!}{.8\textheight}{\box\figurebox}}\fi}
+\newcommand{\showfigure}[1]{%
+  \vskip6pt\hbox to\linewidth{\hfil\box\figurebox\hfil}\nopagebreak\vskip4pt
+  {\leftskip=2em plus 1fil\rightskip=2em plus 1fil\parfillskip=0pt\noindent\sffamily\footnotesize\color{quiet}#1\par}%
   \vskip8pt}
 )"
                                    R"(
@@ -96,18 +99,25 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\sheetpart}{\hbox{{\color{\sheetcolour}\vrule width2.5pt}\vbox{{\color{pale}\hrule height.5pt}%
   \hbox to\dimexpr\textwidth-3pt\relax{\hskip8pt\vbox{\vskip5pt\unvbox2\vskip5pt}\hss{\color{pale}\vrule width.5pt}}%
   {\color{pale}\hrule height.5pt}}}}
+\makeatletter
 \newcommand{\sheetrest}{%
   \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal\else\textheight\fi-\pagetotal-16pt\relax
   \ifdim\dimexpr\ht\sheetbox+\dp\sheetbox\relax<\dimen0
     \setbox2\vbox{\unvbox\sheetbox}\sheetpart\vskip8pt
   \else
     \splittopskip=8pt\splitmaxdepth=0pt\relax
-    \setbox2\vsplit\sheetbox to\dimen0\setbox2\vbox{\unvbox2}\sheetpart\newpage\null\vskip-\baselineskip\penalty0\sheetrest
+    \setbox4\copy\sheetbox
+    \setbox2\vsplit\sheetbox to\dimen0\setbox2\vbox{\unvbox2}%
+    \ifdim\ht2>\dimen0\ifdim\pagetotal>0pt % no break so early: all of it on the next page
+      \setbox\sheetbox\box4\setbox2\box\voidb@x\fi\fi
+    \ifvoid2\else\sheetpart\fi
+    \newpage\null\vskip-\baselineskip\penalty0\sheetrest
   \fi}
+\makeatother
 \newenvironment{sheet}[1]{\par\def\sheetcolour{#1}\sheetindent=0pt
   \setbox\sheetbox\vbox\bgroup\hsize=\dimexpr\textwidth-20pt\relax\linewidth=\hsize\textwidth=\hsize
   \columnwidth=\hsize\parskip=0pt\lineskip=3pt\lineskiplimit=2pt\relax}
- {\par\egroup\need{90pt}\vskip4pt\sheetrest}
+ {\par\egroup\vskip4pt\sheetrest}
 \newcommand{\sheethead}[3]{\hbox to\linewidth{\vtop{\hsize=.78\linewidth\raggedright\sffamily\bfseries#1\par
   \normalfont\ttfamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
 \newdimen\sheetindent

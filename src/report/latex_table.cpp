@@ -16,7 +16,8 @@ namespace {
 
 /// Width of the text [pt], set by the preamble.
 constexpr double text_width = 468;
-constexpr double bold = 1.18;  ///< of the header against the text
+constexpr double bold = 1.18;      ///< of the header against the text
+constexpr double mark_width = 10;  ///< of the column of marks [pt]
 /// No word of a text keeps a column wider than this [em].
 constexpr double widest_unbroken = 11;
 
@@ -60,7 +61,13 @@ Need need_of(const Table& table, std::size_t column, bool numbers) {
 
 struct Layout {
   Type type;
-  std::vector<double> widths;  ///< [pt]
+  std::vector<double> widths;  ///< of the columns [pt]
+  std::vector<bool> numbers;   ///< which columns stand at the right
+  bool marked = false;         ///< a column of marks stands before them
+  bool wraps = false;          ///< some row takes more than a line
+
+  /// Of a column, in em, and a little more: what just fits need not break.
+  double room(std::size_t column) const { return 1.001 * widths[column] / type.em; }
 };
 
 /// Widths of the columns [em] if none takes more than `most`, but for what it needs at least.
@@ -94,21 +101,6 @@ std::vector<double> fitting(const std::vector<Need>& needs, double available) {
   return words_fit ? widths_within(needs, low, any) : widths_within(needs, 0, low);
 }
 
-/// The largest type in which no word breaks and few texts wrap, else the smallest.
-Layout layout_of(const std::vector<Need>& needs, double mark_width) {
-  const auto gaps = static_cast<double>(needs.size() - 1);
-  Layout layout;
-  for (const Type& type : types) {
-    const double available = (text_width - mark_width - gaps * type.gap) / type.em;
-    layout = {type, fitting(needs, available)};
-    const double natural = total(widths_within(needs, 1e6, 0));
-    const double least = total(widths_within(needs, 0, 1e6));
-    if (least <= available && natural <= 1.8 * available) break;
-  }
-  for (double& width : layout.widths) width *= layout.type.em;
-  return layout;
-}
-
 std::string mark_of(Mark mark) {
   switch (mark) {
     case Mark::fails: return "\\textcolor{fails}{\\textbf{!}}";
@@ -124,13 +116,45 @@ double lines_of(const Table& table, const Layout& layout) {
   double lines = 0;
   for (const std::vector<Cell>& row : table.rows) {
     double most = 1;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const double width = latex_width(row[k].text) * layout.type.em;
-      most = std::max(most, std::ceil(width / (1.001 * layout.widths[k])));
-    }
+    for (std::size_t k = 0; k < row.size(); ++k)
+      most = std::max(most, std::ceil(latex_width(row[k].text) / layout.room(k)));
     lines += most;
   }
   return lines;
+}
+
+/// In the largest type in which no word breaks and few texts wrap, else the smallest.
+Layout layout_of(const Table& table) {
+  Layout layout;
+  layout.marked = std::any_of(table.marks.begin(), table.marks.end(),
+                              [](Mark mark) { return !mark_of(mark).empty(); });
+  std::vector<Need> needs;
+  for (std::size_t k = 0; k < table.header.size(); ++k) {
+    layout.numbers.push_back(holds_numbers(table, k));
+    needs.push_back(need_of(table, k, layout.numbers[k]));
+  }
+  const double natural = total(widths_within(needs, 1e6, 0));
+  const double least = total(widths_within(needs, 0, 1e6));
+  const auto gaps = static_cast<double>(needs.size()) - 1;
+  for (const Type& type : types) {
+    const double width = text_width - (layout.marked ? mark_width : 0) - gaps * type.gap;
+    const double available = width / type.em;
+    layout.type = type;
+    layout.widths = fitting(needs, available);
+    if (least <= available && natural <= 1.8 * available) break;
+  }
+  for (double& width : layout.widths) width *= layout.type.em;
+  layout.wraps = lines_of(table, layout) > static_cast<double>(table.rows.size());
+  return layout;
+}
+
+double height_of(const Table& table, const Layout& layout) {
+  constexpr double most = 200;
+  constexpr double of_a_long_one = 90;
+  const auto rows = static_cast<double>(table.rows.size());
+  const double lines = lines_of(table, layout) + 3;
+  const double height = lines * layout.type.height * 1.1 + (layout.wraps ? 2.5 * rows : 0) + 20;
+  return height < most ? height : of_a_long_one;
 }
 
 }  // namespace
@@ -146,56 +170,44 @@ bool holds_numbers(const Table& table, std::size_t column) {
   return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), number);
 }
 
+double latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
+
 std::string latex_table(const Table& table) {
   const std::size_t columns = table.header.size();
   if (columns == 0) return "";
-  const bool marked = std::any_of(table.marks.begin(), table.marks.end(),
-                                  [](Mark mark) { return !mark_of(mark).empty(); });
-  std::vector<Need> needs;
-  std::vector<bool> numbers;
-  for (std::size_t k = 0; k < columns; ++k) {
-    numbers.push_back(holds_numbers(table, k));
-    needs.push_back(need_of(table, k, numbers[k]));
-  }
-  const double mark_width = marked ? 10 : 0;
-  const Layout layout = layout_of(needs, mark_width);
+  const Layout layout = layout_of(table);
 
   std::string columns_spec = "@{}";
-  if (marked) columns_spec += fmt::format("p{{{:.1f}pt}}@{{}}", mark_width);
-  std::string header = marked ? " & " : "";
+  if (layout.marked) columns_spec += fmt::format("p{{{:.1f}pt}}@{{}}", mark_width);
+  std::string header = layout.marked ? " & " : "";
   for (std::size_t k = 0; k < columns; ++k) {
     if (k > 0) columns_spec += fmt::format("@{{\\hskip{:.1f}pt}}", layout.type.gap);
-    columns_spec +=
-        fmt::format(">{{\\{}}}p{{{:.2f}pt}}", numbers[k] ? "Right" : "Left", layout.widths[k]);
+    columns_spec += fmt::format(">{{\\{}}}p{{{:.2f}pt}}", layout.numbers[k] ? "Right" : "Left",
+                                layout.widths[k]);
     header += fmt::format("{}\\bfseries {}", k > 0 ? " & " : "",
-                          latex_breakable(with_whole_unit(table.header[k]),
-                                          1.001 * layout.widths[k] / layout.type.em / bold));
+                          latex_breakable(with_whole_unit(table.header[k]), layout.room(k) / bold));
   }
   columns_spec += "@{}";
   header += "\\tabularnewline\n\\midrule\n";
 
-  const double lines = lines_of(table, layout);
-  const auto rows = static_cast<double>(table.rows.size());
-  const bool wrapped = lines > rows;
-  const double height = (lines + 3) * layout.type.height * 1.1 + (wrapped ? 2.5 * rows : 0) + 20;
-  std::string out = fmt::format("\\need{{{:.0f}pt}}\n", height < 200 ? height : 90.0);
-  out += fmt::format("{{{}\\begin{{longtable}}[l]{{{}}}\n", layout.type.command, columns_spec);
+  std::string out =
+      fmt::format("{{{}\\begin{{longtable}}[l]{{{}}}\n", layout.type.command, columns_spec);
   if (!table.caption.empty()) {
     out += fmt::format(
         "\\multicolumn{{{}}}{{@{{}}p{{\\linewidth}}@{{}}}}{{\\tablecaption{{{}}}}}"
         "\\tabularnewline\n",
-        columns + (marked ? 1 : 0), latex_breakable(table.caption, 20));
+        columns + (layout.marked ? 1 : 0), latex_breakable(table.caption, 20));
   }
   out += fmt::format("\\toprule\n{0}\\endfirsthead\n\\toprule\n{0}\\endhead\n", header);
   out += "\\bottomrule\n\\endfoot\n\\bottomrule\n\\endlastfoot\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (marked) out += mark_of(i < table.marks.size() ? table.marks[i] : Mark::none) + " & ";
+    if (layout.marked) out += mark_of(i < table.marks.size() ? table.marks[i] : Mark::none) + " & ";
     for (std::size_t k = 0; k < columns; ++k) {
       if (k > 0) out += " & ";
-      out += latex_breakable(table.rows[i][k].text, 1.001 * layout.widths[k] / layout.type.em);
+      out += latex_breakable(table.rows[i][k].text, layout.room(k));
     }
     out += "\\tabularnewline\n";
-    if (wrapped && i + 1 < table.rows.size()) out += "\\addlinespace[2.5pt]\n";
+    if (layout.wraps && i + 1 < table.rows.size()) out += "\\addlinespace[2.5pt]\n";
   }
   out += "\\end{longtable}}\n";
   return out;
