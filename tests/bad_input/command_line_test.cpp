@@ -74,9 +74,7 @@ int exit_code_with_output(const std::string& output, Words arguments) {
 TEST_CASE("a wrong or missing command is refused with what to write", "[bad_input]") {
   const std::string help = "Run boxbeam --help";
   refused({},
-          {"write boxbeam verify CASE.toml, boxbeam motion CASE.toml, boxbeam section PROFILE or "
-           "boxbeam fatigue HISTORY.csv",
-           help});
+          {"write boxbeam verify CASE.toml, or one of the commands ", "motion", "section", help});
   refused({"verifi", rig}, {"did you mean \"boxbeam verify\"?", help});
   refused({"moton", rig}, {"did you mean \"boxbeam motion\"?", help});
   refused({"frobnicate", rig}, {"write boxbeam verify CASE.toml", help});
