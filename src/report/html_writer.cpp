@@ -1,0 +1,314 @@
+#include "boxbeam/report/html_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <type_traits>
+
+#include "html_cycle.hpp"
+#include "html_text.hpp"
+#include "report_assets.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+using html::escaped;
+
+/// Tables with more rows are folded away.
+constexpr std::size_t rows_shown = 24;
+
+struct MarkWords {
+  const char* style;  ///< class in the style sheet
+  const char* words;
+};
+
+MarkWords words_of(Mark mark) {
+  switch (mark) {
+    case Mark::passes: return {"passes", "passes"};
+    case Mark::fails: return {"fails", "FAILS"};
+    case Mark::not_applicable: return {"unclear", "not applicable"};
+    case Mark::none: break;
+  }
+  return {"", ""};
+}
+
+std::string badge(Mark mark) {
+  if (mark == Mark::none) return "";
+  const MarkWords of = words_of(mark);
+  return fmt::format("<span class=\"badge {}\">{}</span>", of.style, of.words);
+}
+
+bool is_number_like(const std::string& text) {
+  const char first = text.front();
+  return (first >= '0' && first <= '9') || first == '+' || first == '-';
+}
+
+/// Whether a column stands at the right: all that stands in it looks like numbers.
+bool at_right(const Table& table, std::size_t column) {
+  bool any = false;
+  for (const auto& row : table.rows) {
+    const std::string& text = row[column].text;
+    if (text.empty()) continue;
+    if (!is_number_like(text)) return false;
+    any = true;
+  }
+  return any;
+}
+
+class Writer {
+ public:
+  Writer(const Document& document, const Pictures& pictures)
+      : document_(document), pictures_(pictures) {
+    for (const Chapter& chapter : document.chapters) {
+      for (const Block& block : chapter.blocks) {
+        const auto* sheet = std::get_if<Sheet>(&block);
+        if (sheet != nullptr) sheets_.try_emplace(sheet->id, sheets_.size() + 1);
+        moves_ = moves_ || std::holds_alternative<MovingPicture>(block);
+      }
+    }
+  }
+
+  std::string page() {
+    head();
+    contents();
+    out_ += "<main id=\"top\">\n";
+    title();
+    for (std::size_t i = 0; i < document_.chapters.size(); ++i) chapter(i);
+    out_ += fmt::format("</main>\n</div>\n<footer><p>{} · {} · input {}</p></footer>\n",
+                        escaped(document_.title), escaped(document_.program),
+                        escaped(document_.input_sha256));
+    for (const std::string& script : scripts_) out_ += "<script>" + script + "</script>\n";
+    out_ += "</body>\n</html>\n";
+    return std::move(out_);
+  }
+
+ private:
+  void head() {
+    // What looks like markup to an XML reader is set apart in a way that HTML takes for a comment.
+    const auto apart = [](const char* text) {
+      return fmt::format("/*<![CDATA[*/\n{}/*]]>*/", text);
+    };
+    scripts_.push_back(apart(report_assets::script));
+    if (moves_) scripts_.push_back(apart(report_assets::cycle_script));
+    std::string allowed;
+    for (const std::string& script : scripts_) allowed += " " + html::policy_hash(script);
+    out_ += fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+        "style-src 'unsafe-inline'; script-src{}; base-uri 'none'; form-action 'none'\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+        "<meta name=\"generator\" content=\"{}\"/>\n<link rel=\"icon\" href=\"data:,\"/>\n"
+        "<title>{}: {}</title>\n<style>{}</style>\n</head>\n<body>\n"
+        "<a class=\"skip\" href=\"#top\">Skip to the verdict</a>\n<div class=\"page\">\n",
+        allowed, escaped(document_.program), escaped(document_.title), escaped(document_.verdict),
+        apart(report_assets::style));
+  }
+
+  void contents() {
+    out_ += "<nav aria-label=\"Contents\">\n<h2>Contents</h2>\n<ol>\n";
+    for (std::size_t i = 0; i < document_.chapters.size(); ++i) {
+      out_ += fmt::format("<li><a href=\"#chapter-{}\">{}</a></li>\n", i + 1,
+                          escaped(document_.chapters[i].title));
+    }
+    out_ += "</ol>\n</nav>\n";
+  }
+
+  void title() {
+    out_ +=
+        fmt::format("<header>\n<p class=\"program\">{} · {}</p>\n<h1>{}</h1>\n",
+                    escaped(document_.program), escaped(document_.date), escaped(document_.title));
+    if (!document_.subtitle.empty()) {
+      out_ += fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(document_.subtitle));
+    }
+    out_ += fmt::format(
+        "</header>\n<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
+        "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong></h2>\n",
+        words_of(document_.mark).style, escaped(document_.verdict));
+    if (!document_.governing.rows.empty()) write(document_.governing);
+    out_ += "</section>\n";
+    Facts block = document_.facts;
+    block.entries.emplace_back("input sha256", document_.input_sha256);
+    block.entries.emplace_back("program", document_.program);
+    block.entries.emplace_back("date", document_.date);
+    write(block);
+  }
+
+  void chapter(std::size_t i) {
+    const Chapter& of = document_.chapters[i];
+    out_ += fmt::format(
+        "<section class=\"chapter\" id=\"chapter-{0}\" aria-labelledby=\"title-{0}\">\n"
+        "<h2 id=\"title-{0}\"><span class=\"number\">{0}</span> {1}</h2>\n",
+        i + 1, escaped(of.title));
+    for (const Block& block : of.blocks) {
+      std::visit([&](const auto& one) { write(one); }, block);
+    }
+    out_ += "</section>\n";
+  }
+
+  void write(const Paragraph& paragraph) {
+    out_ += fmt::format("<p>{}</p>\n", escaped(paragraph.text));
+  }
+
+  void write(const Subheading& heading) {
+    out_ += fmt::format("<h3>{}</h3>\n", escaped(heading.text));
+  }
+
+  void write(const Bullets& bullets) {
+    out_ += "<ul>\n";
+    for (const std::string& item : bullets.items) {
+      out_ += fmt::format("<li>{}</li>\n", escaped(item));
+    }
+    out_ += "</ul>\n";
+  }
+
+  void write(const Facts& facts) {
+    if (facts.entries.empty()) return;
+    out_ += "<dl>\n";
+    for (const auto& [name, text] : facts.entries) {
+      out_ += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(name), escaped(text));
+    }
+    out_ += "</dl>\n";
+  }
+
+  void write(const Table& table) {
+    const bool folded = table.rows.size() > rows_shown;
+    const std::string caption = escaped(table.caption);
+    if (folded) {
+      out_ += fmt::format("<details>\n<summary>{} <span>{} rows</span></summary>\n",
+                          caption.empty() ? "Table" : caption, table.rows.size());
+    }
+    out_ += fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n",
+                        caption.empty() ? "Table" : caption);
+    out_ += "<table class=\"data\">\n";
+    if (!caption.empty() && !folded) out_ += fmt::format("<caption>{}</caption>\n", caption);
+    std::vector<const char*> side(table.header.size(), "");
+    for (std::size_t c = 0; c < side.size(); ++c) {
+      if (at_right(table, c)) side[c] = " class=\"right\"";
+    }
+    out_ += "<thead><tr>";
+    if (!table.marks.empty()) out_ += "<th scope=\"col\">result</th>";
+    for (std::size_t c = 0; c < side.size(); ++c) {
+      out_ += fmt::format("<th scope=\"col\"{}>{}</th>", side[c], escaped(table.header[c]));
+    }
+    out_ += "</tr></thead>\n<tbody>\n";
+    for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, side);
+    out_ += "</tbody>\n</table>\n</div>\n";
+    if (folded) out_ += "</details>\n";
+  }
+
+  void row(const Table& table, std::size_t r, const std::vector<const char*>& side) {
+    const Mark mark = table.marks.empty() ? Mark::none : table.marks[r];
+    out_ += mark == Mark::none ? "<tr>" : fmt::format("<tr class=\"{}\">", words_of(mark).style);
+    if (!table.marks.empty()) out_ += fmt::format("<td>{}</td>", badge(mark));
+    const auto sheet = table.sheets.empty() ? sheets_.end() : sheets_.find(table.sheets[r]);
+    for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+      const Cell& cell = table.rows[r][c];
+      const char* element = c == 0 ? "th" : "td";
+      out_ += fmt::format("<{}{}{}", element, c == 0 ? " scope=\"row\"" : "", side[c]);
+      if (cell.value && std::isfinite(*cell.value)) {
+        out_ += fmt::format(" data-value=\"{}\"", *cell.value);
+      }
+      const std::string text = escaped(cell.text);
+      if (c == 0 && sheet != sheets_.end()) {
+        out_ += fmt::format("><a href=\"#sheet-{}\">{}</a></{}>", sheet->second, text, element);
+      } else {
+        out_ += fmt::format(">{}</{}>", text, element);
+      }
+    }
+    out_ += "</tr>\n";
+  }
+
+  void write(const Picture& picture) {
+    const std::optional<std::string> svg = pictures_(picture.name);
+    if (!svg) return;
+    ++figures_;
+    out_ += fmt::format(
+        "<figure id=\"figure-{0}\">\n<img alt=\"{1}\" src=\"data:image/svg+xml;base64,{2}\"/>\n"
+        "<figcaption><b>Figure {0}.</b> {1}</figcaption>\n</figure>\n",
+        figures_, escaped(picture.caption), html::base64(*svg));
+  }
+
+  void write(const MovingPicture& picture) {
+    if (picture.cycle.frames.empty()) return;
+    ++figures_;
+    out_ += html::cycle_figure(picture, figures_);
+  }
+
+  void write(const Sheet& sheet) {
+    const std::size_t number = sheets_.at(sheet.id);
+    out_ += fmt::format(
+        "<section class=\"sheet {0}\" id=\"sheet-{1}\" aria-labelledby=\"sheet-title-{1}\">\n"
+        "<h3 id=\"sheet-title-{1}\">{2} {3}</h3>\n<table class=\"steps\">\n<tbody>\n",
+        words_of(sheet.mark).style, number, escaped(sheet.title), badge(sheet.mark));
+    for (const Step& step : sheet.steps) write(step);
+    out_ += "</tbody>\n</table>\n";
+    utilisation(sheet);
+    out_ += fmt::format("<p class=\"source\">{} <code>{}</code></p>\n</section>\n",
+                        escaped(sheet.source), escaped(sheet.id));
+  }
+
+  void write(const Step& step) {
+    const auto math = [](const std::string& formula) {
+      return fmt::format("<span class=\"formula\">{}</span>", escaped(formula));
+    };
+    std::string notes;
+    for (const std::string& note : step.notes) {
+      notes += fmt::format("<span class=\"note\">{}</span>", escaped(note));
+    }
+    const std::size_t lines = std::max<std::size_t>(1, step.formulas.size());
+    for (std::size_t i = 0; i < lines; ++i) {
+      const bool first = i == 0;
+      out_ += first ? "<tr class=\"first\">" : "<tr>";
+      out_ += fmt::format("<th scope=\"row\">{}</th>", first ? math(step.symbol) : "");
+      if (i < step.formulas.size()) {
+        out_ += fmt::format("<td class=\"sign\">=</td><td>{}</td>", math(step.formulas[i]));
+      } else {
+        out_ += "<td></td><td></td>";
+      }
+      if (first) out_ += fmt::format("<td rowspan=\"{}\">{}</td>", lines, notes);
+      out_ += "</tr>\n";
+    }
+  }
+
+  /// The result with a bar from 0 to 200 %, whose middle is the limit.
+  void utilisation(const Sheet& sheet) {
+    const double part = std::clamp(sheet.utilisation, 0.0, 2.0) / 2.0;
+    out_ += fmt::format(
+        "<div class=\"result\"><p>{}</p><div class=\"bar {}{}\" aria-hidden=\"true\">"
+        "<span style=\"width:{:.2f}%\"></span></div></div>\n",
+        escaped(sheet.result), words_of(sheet.mark).style, sheet.utilisation > 2.0 ? " beyond" : "",
+        100.0 * part);
+  }
+
+  void write(const Listing& listing) {
+    out_ += "<pre class=\"listing\" tabindex=\"0\">";
+    std::string_view rest = listing.text;
+    while (!rest.empty()) {
+      const std::size_t end = rest.find('\n');
+      std::string_view line = rest.substr(0, end);
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      out_ += fmt::format("<span>{}\n</span>", escaped(line));
+      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    out_ += "</pre>\n";
+  }
+
+  const Document& document_;
+  const Pictures& pictures_;
+  std::map<std::string, std::size_t> sheets_;  ///< number by id
+  std::vector<std::string> scripts_;
+  std::string out_;
+  std::size_t figures_ = 0;
+  bool moves_ = false;
+};
+
+}  // namespace
+
+std::string html_of(const Document& document, const Pictures& pictures) {
+  return Writer(document, pictures).page();
+}
+
+}  // namespace boxbeam::report

@@ -1,16 +1,13 @@
 #include "boxbeam/verification/verify.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
-#include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/verification/critical_instants.hpp"
 #include "boxbeam/verification/deflection.hpp"
-#include "boxbeam/verification/elastic_posture.hpp"
+#include "boxbeam/verification/pictures.hpp"
 
 namespace boxbeam {
 namespace {
@@ -58,90 +55,6 @@ void sort_worst_first(std::vector<CheckResult>& checks) {
   });
 }
 
-std::vector<CriticalInstant> critical_instants_of(const Project& project,
-                                                  const Verification& verification) {
-  std::vector<CriticalInstant> instants;
-  const auto add = [&](const CutForceName& quantity, Extreme Envelope::*end) {
-    const StationEnvelope* best = nullptr;
-    // Outside the beam, at the first and the last of the stations, nothing is cut.
-    const std::span inside =
-        std::span(verification.stations).subspan(1, verification.stations.size() - 2);
-    for (const StationEnvelope& station : inside) {
-      const double value = (station.of[quantity.which].*end).value;
-      if (best == nullptr) best = &station;
-      const double so_far = (best->of[quantity.which].*end).value;
-      if (end == &Envelope::largest ? value > so_far : value < so_far) best = &station;
-    }
-    const Extreme& at = best->of[quantity.which].*end;
-    instants.push_back({quantity.name, best->station, at.time, at.value, at.situation});
-  };
-  for (const auto end : {&Envelope::largest, &Envelope::smallest}) {
-    for (const CutForceName& quantity : cut_forces_looked_at(project)) add(quantity, end);
-  }
-  const CheckResult* governing = verification.governing(Criterion::fatigue);
-  if (governing == nullptr || !governing->basis)
-    governing = verification.governing(Criterion::yield);
-  if (governing != nullptr && governing->basis) {
-    const auto add_stress = [&](const Extreme& at) {
-      instants.push_back({"stress", governing->check.station, at.time, at.value, at.situation});
-    };
-    add_stress(governing->basis->highest);
-    if (governing->check.criterion == Criterion::fatigue) add_stress(governing->basis->lowest);
-  }
-  return instants;
-}
-
-/// Whether an extreme is the upper or the lower one of its quantity, and what to call it; "" where
-/// it is smaller than a share of the other, `nothing`.
-std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
-                            const CriticalInstant& instant, double nothing) {
-  double highest = instant.value;
-  double size = 0.0;
-  for (const CriticalInstant& other : instants) {
-    if (other.quantity != instant.quantity) continue;
-    highest = std::max(highest, other.value);
-    size = std::max(size, std::abs(other.value));
-  }
-  if (std::abs(instant.value) < nothing * size) return "";
-  const bool upper = instant.value == highest;
-  if (upper) return (instant.value > 0.0 ? "largest " : "least negative ") + instant.quantity;
-  return (instant.value > 0.0 ? "smallest " : "most negative ") + instant.quantity;
-}
-
-/// The distinct times of the extremes of bending and stress: the instants worth drawing.
-struct ShownInstant {
-  std::size_t situation;
-  Time time;
-  std::string why;
-};
-
-std::vector<ShownInstant> instants_to_show(const Project& project,
-                                           const Verification& verification) {
-  // In space two moments and several situations compete for the place.
-  const double nothing = in_space(project) ? 1e-2 : 1e-6;
-  std::vector<ShownInstant> shown;
-  for (const CriticalInstant& instant : verification.critical_instants) {
-    if (!instant.quantity.starts_with("M") && instant.quantity != "stress") continue;
-    const std::string why = name_of_extreme(verification.critical_instants, instant, nothing);
-    if (why.empty()) continue;
-    const auto motion =
-        std::find_if(verification.motions.begin(), verification.motions.end(),
-                     [&](const MotionSummary& of) { return of.situation == instant.situation; });
-    const auto same = std::find_if(shown.begin(), shown.end(), [&](const ShownInstant& other) {
-      return other.situation == instant.situation &&
-             abs(other.time - instant.time) < 0.01 * motion->period;
-    });
-    if (same == shown.end())
-      shown.push_back({instant.situation, instant.time, why});
-    else
-      same->why += ", " + why;
-  }
-  std::sort(shown.begin(), shown.end(), [](const ShownInstant& a, const ShownInstant& b) {
-    return std::pair(a.situation, a.time) < std::pair(b.situation, b.time);
-  });
-  return shown;
-}
-
 ChainComparison compare_chain(const Project& project, const planar::State& state) {
   const planar::NewtonChain& chain = *project.chain;
   ChainComparison comparison;
@@ -165,85 +78,15 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   return comparison;
 }
 
-DeformedPosture deformed_at(const SituationRun& run, Time time) {
-  constexpr double part = 0.06;
-  const FlexibleMotion& motion = flexible_motion_of(run);
-  const double largest = largest_displacement(motion.response);
-  return {motion.structure.get(), flexible::at(motion.response, time.value()),
-          magnification_of(*motion.structure, largest, part)};
-}
-
-/// The mechanism as it stands at a time of a situation, with the loads on the beam.
-PostureFigure posture_at(const Project& project, const SituationRun& run, Time time,
-                         const std::string& why) {
-  const BeamLoads loads = run.loads.loads_at(time);
-  PostureFigure posture;
-  if (is_flexible(project)) {
-    const DeformedPosture deformed = deformed_at(run, time);
-    posture = posture_figure(project, deformed, why);
-    posture.time = time;
-    posture.loads = load_rows(project, deformed, loads);
-  } else if (in_space(project)) {
-    const spatial::Mechanism& mechanism = spatial_in(project, *run.situation);
-    const spatial::State state = spatial::Chain(mechanism).at(time.value());
-    posture = posture_figure(project, mechanism, state, why);
-    posture.loads = load_rows(project, mechanism, loads, state);
-  } else {
-    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
-    planar::StateFinder finder(mechanism, planar_motion_of(run));
-    const planar::State state = finder.at(time.value());
-    posture = posture_figure(project, mechanism, state, why);
-    posture.loads = load_rows(project, loads, state);
-  }
-  posture.situation = run.situation->name;
-  for (BeamLoadRow& row : posture.loads) {
-    row.time = time;
-    row.situation = index_of(project, *run.situation);
-  }
-  return posture;
-}
-
-/// The station of the worst check that rests on cut forces.
-const Station* governing_station_of(const Verification& verification) {
-  for (const CheckResult& result : verification.checks) {
-    if (result.basis) return &result.check.station;
-  }
-  return nullptr;
-}
-
-/// What the report shows of the instants that decide.
-void describe_instants(const Project& project, const std::deque<SituationRun>& runs,
-                       Verification& result) {
-  result.envelope = envelope_lines(runs);
-  if (is_flexible(project)) {
-    result.elastic = elastic_figures_of(project, runs.front(), result.model.chosen);
-    result.postures.push_back(result.elastic->rest);
-  } else {
-    result.postures.push_back(
-        posture_at(project, runs.front(), runs.front().loads.begin(), "beginning"));
-  }
-  for (const auto& [index, time, why] : instants_to_show(project, result)) {
-    const Situation& situation = project.situations[index];
-    const SituationRun& run = run_of(runs, situation);
-    const std::string label =
-        situation.name.empty() ? why : fmt::format("{} ({})", why, situation.name);
-    result.lines.push_back(cut_force_line(run, time, label));
-    result.postures.push_back(posture_at(project, run, time, label));
-    const std::vector<BeamLoadRow>& rows = result.postures.back().loads;
-    result.loads.insert(result.loads.end(), rows.begin(), rows.end());
-  }
-  const Station* governing = governing_station_of(result);
-  if (in_space(project) && governing != nullptr) {
-    result.loads_over_time = loads_over_time(project, runs, *governing);
-  }
-  if (project.chain) {
-    const auto largest_M =
-        std::find_if(result.critical_instants.begin(), result.critical_instants.end(),
-                     [](const CriticalInstant& c) { return c.quantity == "M"; });
-    const SituationRun& run = run_of(runs, project.situations[largest_M->situation]);
-    planar::StateFinder finder(planar_in(project, *run.situation), planar_motion_of(run));
-    result.chain = compare_chain(project, finder.at(largest_M->time.value()));
-  }
+/// The published chain beside the rigorous loads, at the instant of the largest M.
+ChainComparison chain_comparison_of(const Project& project, const std::deque<SituationRun>& runs,
+                                    const std::vector<CriticalInstant>& instants) {
+  const auto largest_M =
+      std::find_if(instants.begin(), instants.end(),
+                   [](const CriticalInstant& instant) { return instant.quantity == "M"; });
+  const SituationRun& run = run_of(runs, project.situations[largest_M->situation]);
+  planar::StateFinder finder(planar_in(project, *run.situation), planar_motion_of(run));
+  return compare_chain(project, finder.at(largest_M->time.value()));
 }
 
 DigitsLeft digits_left_over(const planar::Mechanism& mechanism, const planar::Motion& motion) {
@@ -364,7 +207,7 @@ const CheckResult* Verification::governing(Criterion criterion) const {
   return nullptr;
 }
 
-Verification verify(const Project& project, [[maybe_unused]] Figures figures) {
+Verification verify(const Project& project, Figures figures) {
   const auto [model, runs] = run_by_chosen_model(project);
   const std::vector<Station> stations = stations_to_verify(project, runs);
 
@@ -381,7 +224,10 @@ Verification verify(const Project& project, [[maybe_unused]] Figures figures) {
   result.verdict = verdict_of(result);
   result.codes = compare_codes(project, result.checks);
   result.critical_instants = critical_instants_of(project, result);
-  describe_instants(project, runs, result);
+  add_pictures(project, runs, figures, result);
+  if (project.chain) {
+    result.chain = chain_comparison_of(project, runs, result.critical_instants);
+  }
   describe_beam(project, result);
   if (const CheckResult* fatigue = result.governing(Criterion::fatigue)) {
     result.sn = sn_figure(project, *fatigue);

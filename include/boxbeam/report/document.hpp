@@ -40,6 +40,8 @@ struct Table {
   /// stand at the right.
   std::vector<std::vector<Cell>> rows;
   std::vector<Mark> marks;  ///< one per row, or none at all
+  /// The id of the sheet that derives a row, "" for none; one per row, or none at all.
+  std::vector<std::string> sheets = {};
 };
 
 /// A figure that stands as NAME.svg beside the report.

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/verify.hpp"
+
+namespace boxbeam {
+
+/// Where and when the cut forces and the stress of the governing check have their extremes, from
+/// the stations and the checks of a verification.
+std::vector<CriticalInstant> critical_instants_of(const Project& project,
+                                                  const Verification& verification);
+
+/// An instant worth drawing.
+struct ShownInstant {
+  std::size_t situation = 0;  ///< index in the case
+  Time time;
+  std::string why;  ///< "largest M, largest stress"
+};
+
+/// The distinct times of the extremes of bending and stress, in order.
+std::vector<ShownInstant> instants_to_show(const Project& project,
+                                           const Verification& verification);
+
+}  // namespace boxbeam
