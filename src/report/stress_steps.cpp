@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "boxbeam/report/format.hpp"
 #include "hole_steps.hpp"
@@ -32,6 +33,17 @@ std::string coefficient_text(double influence, std::size_t which) {
                               : scientific(influence * 1e-9, 4) + " mm^-3";
 }
 
+std::string name_of(std::size_t which, bool space) {
+  return space ? in_all[which] : in_the_plane[which];
+}
+
+/// "k_Vy": the normal stress per V_y; "c_Vy" the shear stress.
+std::string coefficient_name(char letter, std::size_t which, bool space) {
+  std::string index = name_of(which, space);
+  std::erase(index, '_');
+  return fmt::format("{}_{}", letter, index);
+}
+
 /// A cut force, what it contributes to a stress, and how that is written.
 struct Contribution {
   std::size_t which = 0;
@@ -42,16 +54,13 @@ struct Contribution {
 
 /// The cut forces that have a part in a stress above round-off, with their coefficients.
 std::vector<Contribution> contributions_of(const std::array<double, cut_force::count>& influence,
-                                           const CutForces& cut, bool space) {
-  const auto& names = space ? in_all : in_the_plane;
+                                           char letter, const CutForces& cut, bool space) {
   std::vector<Contribution> parts;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const double force = value_of(cut, static_cast<cut_force::Index>(k));
     if (force == 0.0 || std::abs(influence[k] * force) < no_stress) continue;
-    const std::string name = names[k];
-    std::string index = name;
-    std::erase(index, '_');
-    parts.push_back({k, influence[k] * force, fmt::format("{} k_{}", name, index),
+    parts.push_back({k, influence[k] * force,
+                     fmt::format("{} {}", name_of(k, space), coefficient_name(letter, k, space)),
                      fmt::format("{} x {}", term(cut_force_text(cut, k)),
                                  term(coefficient_text(influence[k], k)))});
   }
@@ -84,6 +93,26 @@ Step sum_step(const std::string& symbol, const std::vector<Contribution>& parts,
   if (parts.size() > 1) step.formulas.push_back(sum.terms);
   step.formulas.push_back(parts.size() > 1 ? sum.sum : text::MPa(stresses.front()));
   return step;
+}
+
+/// The coefficients of a stress as steps, without those that are round-off.
+Steps coefficient_steps(const std::array<double, cut_force::count>& influence, char letter,
+                        bool space, const std::function<std::string(std::size_t)>& note) {
+  Steps steps;
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    if (!space && k != cut_force::N && k != cut_force::V_z && k != cut_force::M_y) continue;
+    const bool force = k < cut_force::T;
+    double largest = 0.0;
+    for (std::size_t other = 0; other < cut_force::count; ++other) {
+      if ((other < cut_force::T) == force) largest = std::max(largest, std::abs(influence[other]));
+    }
+    constexpr double round_off = 1e-9;
+    const std::string words = note(k);
+    if (words.empty() || std::abs(influence[k]) <= round_off * largest) continue;
+    steps.push_back(
+        {coefficient_name(letter, k, space), {coefficient_text(influence[k], k)}, {words}});
+  }
+  return steps;
 }
 
 /// "_eff", "_net" or nothing: which section the normal stress is taken from.
@@ -180,14 +209,12 @@ Steps bending_steps(const std::string& symbol, const StressPoint& point, const C
   return steps;
 }
 
-/// Where the axes are not principal ones.
-Steps skew_bending_steps(const std::string& symbol, const StressPoint& point, const CutForces& cut,
-                         bool space) {
-  Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
-  step.notes.push_back(fmt::format(
-      "k: stress at (y, z) = ({}, {}) per cut force, from A, I_y, I_z and I_yz about the centroid",
-      text::mm(point.y.value()), text::mm(point.z.value())));
-  return {step};
+/// Per cut force, where the axes are not principal ones.
+Steps skew_coefficient_steps(const StressPoint& point, bool space) {
+  return coefficient_steps(point.influence.normal, 'k', space, [&](std::size_t which) {
+    return fmt::format("normal stress per {} at y = {}, z = {}, by the moments about both axes",
+                       name_of(which, space), text::mm(point.y.value()), text::mm(point.z.value()));
+  });
 }
 
 /// The dimensions of a box whose flanges are alike, and whose area is that of its four plates.
@@ -253,8 +280,10 @@ Steps shear_lag_steps(const ShearLag& lag, const char* of, const std::string& in
                       fmt::format("{} x {}/{}", text::significant(alpha), b_0, L_e)};
   }
   kappa.formulas.push_back(text::significant(lag.kappa));
-  kappa.notes.push_back(fmt::format(
-      "shear lag of the {}: b_0 half the width, L_e between zero moments; EN 1993-1-5, 3.2.1", of));
+  kappa.notes.push_back(
+      fmt::format("shear lag of the {}: half their width over the length between zero moments; EN "
+                  "1993-1-5, 3.2.1",
+                  of));
   steps.push_back(kappa);
   const std::string formula = shear_lag_formula(lag);
   const std::string value = text::significant(lag.beta);
@@ -334,9 +363,6 @@ double throat_of(const StressPoint& point) {
   return (point.y.value() < 0.0 ? box.right_web : box.left_web).value();
 }
 
-const char* const taper_note =
-    "k of N and M: what the change of the section along the taper adds, per cut force";
-
 bool is_free(const StressPoint& point, const CutForces& cut) {
   return std::abs(stress_at(point.influence, cut).shear.value()) < no_stress;
 }
@@ -345,16 +371,11 @@ bool is_free(const StressPoint& point, const CutForces& cut) {
 Steps planar_shear_steps(const std::string& symbol, const Project& project,
                          const StressPoint& point, const CutForces& cut) {
   if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
-  std::vector<Contribution> parts = contributions_of(point.influence.shear, cut, false);
+  std::vector<Contribution> parts = contributions_of(point.influence.shear, 'c', cut, false);
   const SectionProperties net = net_without_lag(project, point);
   const std::string I_y = net.area == point.gross.area ? "I_y" : "I_y,net";
-  bool tapers = false;
-  bool level = false;
   for (Contribution& part : parts) {
-    if (part.which != cut_force::V_z) {
-      tapers = true;
-      continue;
-    }
+    if (part.which != cut_force::V_z) continue;
     const std::string V = term(kN(cut.V_z.value()));
     if (point.on_throat) {
       const double a = throat_of(point);
@@ -362,32 +383,34 @@ Steps planar_shear_steps(const std::string& symbol, const Project& project,
       part.symbols = fmt::format("V S/({} a)", I_y);
       part.values =
           fmt::format("{} x {}/({} x {})", V, term(mm3(S)), mm4(net.I_y.value()), text::mm(a));
-      level = true;
     } else if (const auto at = level_shear_of(project, point, net)) {
       part.symbols = fmt::format("V S/({} b)", I_y);
       part.values =
           fmt::format("{} x {}/({} x {})", V, mm3(at->S), mm4(net.I_y.value()), text::mm(at->b));
-      level = true;
     }
   }
-  Step step = sum_step(symbol, parts);
-  if (!level) step.notes.emplace_back("k of V: S/(I_y t) of the wall");
-  if (tapers) step.notes.emplace_back(taper_note);
-  return {step};
+  return {sum_step(symbol, parts)};
 }
 
 Steps spatial_shear_steps(const std::string& symbol, const StressPoint& point,
                           const CutForces& cut) {
   if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
-  Step step = sum_step(symbol, contributions_of(point.influence.shear, cut, true));
-  step.notes.push_back(fmt::format(
-      "k of V_y and V_z: S/(I {0}); of T: 1/(2 A_m {0}) around a cell; flow of the closed section",
-      point.on_throat ? "a" : "t"));
-  const auto& shear = point.influence.shear;
-  if (shear[cut_force::N] != 0.0 || shear[cut_force::M_y] != 0.0 || shear[cut_force::M_z] != 0.0) {
-    step.notes.emplace_back(taper_note);
+  return {sum_step(symbol, contributions_of(point.influence.shear, 'c', cut, true))};
+}
+
+/// What a coefficient of shear stress means.
+std::string shear_coefficient_note(std::size_t which, bool space, bool on_throat) {
+  const char* const where = on_throat ? "in the throat" : "in the wall";
+  switch (which) {
+    case cut_force::V_y:
+    case cut_force::V_z:
+      return fmt::format("shear stress per {} {}, by the flow of the section",
+                         name_of(which, space), where);
+    case cut_force::T: return fmt::format("shear stress per T {}, by Bredt's flow in cells", where);
+    default:
+      return fmt::format("shear stress per {} {}: the section changes along the taper",
+                         name_of(which, space), where);
   }
-  return {step};
 }
 
 }  // namespace
@@ -416,6 +439,7 @@ Steps section_steps(const Project& project, const StressPoint& point) {
   }
   if (point.net.I_yz.value() != 0.0) {
     steps.push_back({inertia_symbol("I_yz", point), {mm4(point.net.I_yz.value())}, {}});
+    append(steps, skew_coefficient_steps(point, space));
   }
   return steps;
 }
@@ -424,34 +448,41 @@ Steps normal_stress_steps(const std::string& symbol, const Project& project,
                           const StressPoint& point, const CutForces& cut) {
   const bool space = in_space(project);
   if (point.concentration) {
-    Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
-    return {step};
+    return {sum_step(symbol, contributions_of(point.influence.normal, 'k', cut, space))};
   }
-  if (point.net.I_yz.value() != 0.0) return skew_bending_steps(symbol, point, cut, space);
+  if (point.net.I_yz.value() != 0.0) {
+    return {sum_step(symbol, contributions_of(point.influence.normal, 'k', cut, space))};
+  }
   return bending_steps(symbol, point, cut, space);
 }
 
 Steps shear_section_steps(const Project& project, const StressPoint& point) {
-  if (in_space(project)) return {};
-  Steps steps;
+  const bool space = in_space(project);
   const SectionProperties net = net_without_lag(project, point);
   const auto at = level_shear_of(project, point, net);
-  if (!at && !point.on_throat) return steps;
-  const bool whole = net.area == point.gross.area;
-  steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
-  if (point.on_throat) {
+  const bool by_S = !space && (at || point.on_throat);
+  Steps steps;
+  if (by_S) {
+    const bool whole = net.area == point.gross.area;
+    steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
+  }
+  if (by_S && point.on_throat) {
     const double a = throat_of(point);
     steps.push_back({"S",
                      {mm3(point.influence.shear[cut_force::V_z] * a * net.I_y.value())},
                      {"first moment of what hangs on this seam, along the walls' mid-lines"}});
     steps.push_back({"a", {text::mm(a)}, {"throat of the seam, all its welds together"}});
-    return steps;
+  } else if (by_S) {
+    steps.push_back({"S",
+                     {mm3(at->S)},
+                     {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
+                                  text::mm(point.z.value()))}});
+    steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
   }
-  steps.push_back({"S",
-                   {mm3(at->S)},
-                   {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
-                                text::mm(point.z.value()))}});
-  steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
+  append(steps, coefficient_steps(point.influence.shear, 'c', space, [&](std::size_t which) {
+           if (by_S && which == cut_force::V_z) return std::string();
+           return shear_coefficient_note(which, space, point.on_throat);
+         }));
   return steps;
 }
 
