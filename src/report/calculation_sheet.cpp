@@ -3,216 +3,247 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
-#include "stress_lines.hpp"
+#include "boxbeam/report/report.hpp"
+#include "boxbeam/report/text_writer.hpp"
+#include "fatigue_steps.hpp"
+#include "neighbour_steps.hpp"
+#include "stress_steps.hpp"
 
 namespace boxbeam {
+
+using namespace report;
+
 namespace {
 
-std::string place_line(const Project& project, const Check& check, const CheckBasis& basis) {
-  if (in_space(project)) {
-    return fmt::format("    at s = {} m, {} (y = {}, z = {})\n", to_text(check.station),
-                       check.point, text::mm(basis.point.y.value()),
-                       text::mm(basis.point.z.value()));
-  }
-  return fmt::format("    at s = {} m, {} (z = {}, section height {})\n", to_text(check.station),
-                     check.point, text::mm(basis.point.z.value()),
-                     text::mm(2.0 * basis.point.gross.z_top.value()));
+/// The factor of a check as "formula = values = result".
+Step factor_step(const Check& check, const std::string& formula, const std::string& values) {
+  return {"factor", {formula, values, text::significant(check.safety_factor, 4)}, {}};
 }
 
-std::string factor_line(const Check& check, const std::string& formula) {
-  return line(
-      "factor",
-      fmt::format("{} = {}   required {}   utilisation {}   {}", formula,
-                  text::significant(check.safety_factor, 4), text::significant(check.required, 3),
-                  text::percent(check.utilisation()), check.passes() ? "passes" : "FAILS"));
+std::string at_extreme(const Project& project, const Extreme& extreme) {
+  const std::string& name = project.situations[extreme.situation].name;
+  return fmt::format("at t = {}{}", text::seconds(extreme.time.value()),
+                     name.empty() ? "" : fmt::format(" ({})", name));
 }
 
-std::string yield_lines(const Project& project, const Check& check, const CheckBasis& basis) {
-  std::string out = place_line(project, check, basis);
-  out += line("t", text::seconds(check.time.value()) + ", where the equivalent stress is largest");
-  out += normal_stress_lines("sigma", basis.point, basis.cut_at_time, in_space(project));
-  out += shear_stress_lines("tau", basis.point, basis.cut_at_time, in_space(project));
-  const double load_factor = project.situations[basis.running].load_factor;
-  out += line("sigma_v",
-              fmt::format("{}sqrt(sigma^2 + 3 tau^2) = {}{}",
-                          load_factor == 1.0 ? "" : text::significant(load_factor, 3) + " x ",
-                          text::MPa(check.acting.value()),
-                          check.situation.empty() ? "" : " (" + check.situation + ")"));
-  out += line("f_y", fmt::format("{} ({}, plate {})", text::MPa(basis.point.yield_strength.value()),
-                                 project.material.name, text::mm(basis.point.plate.value())));
-  out += factor_line(
-      check, fmt::format("f_y/(gamma_M0 sigma_v), gamma_M0 = {}:  {}/{}",
-                         text::significant(project.strength.gamma_M0, 3),
-                         text::MPa(check.resisting.value()), text::MPa(check.acting.value())));
-  return out;
+Step time_step(const Check& check, const char* what) {
+  return {"t",
+          {text::seconds(check.time.value())},
+          {fmt::format("{}{}", what, check.situation.empty() ? "" : " (" + check.situation + ")")}};
 }
 
-/// Both extremes of the stress that a fatigue check looks at.
-std::string extreme_lines(const Project& project, const Check& check, const CheckBasis& basis) {
-  std::string out;
-  const bool space = in_space(project);
-  const auto at = [&](const Extreme& extreme) {
-    const std::string& name = project.situations[extreme.situation].name;
-    return after(fmt::format("at t = {}{}", text::seconds(extreme.time.value()),
-                             name.empty() ? "" : fmt::format(" ({})", name)));
+/// "1.10 x " for loads taken with a factor, "" else.
+std::string load_factor_text(const Project& project, const CheckBasis& basis) {
+  const double factor = project.situations[basis.running].load_factor;
+  return factor == 1.0 ? "" : number(factor) + " x ";
+}
+
+Step yield_strength_step(const Project& project, Stress strength, Length plate) {
+  return {"f_y",
+          {text::MPa(strength.value())},
+          {fmt::format("{}, plate {}", project.material.name, text::mm(plate.value()))}};
+}
+
+Steps yield_steps(const Project& project, const Check& check, const CheckBasis& basis) {
+  Steps steps{time_step(check, "where the equivalent stress is largest")};
+  const bool sheared =
+      std::abs(basis.stress_at_time.shear.value()) >= 1e-12 * basis.point.yield_strength.value();
+  append(steps, section_steps(project, basis.point));
+  append(steps, normal_stress_steps("sigma", project, basis.point, basis.cut_at_time));
+  if (sheared) append(steps, shear_section_steps(project, basis.point));
+  append(steps, shear_stress_steps("tau", project, basis.point, basis.cut_at_time));
+  const std::string gamma = load_factor_text(project, basis);
+  const std::string sigma = text::MPa(basis.stress_at_time.normal.value());
+  const std::string tau = sheared ? text::MPa(basis.stress_at_time.shear.value()) : "0 MPa";
+  const std::string acting = text::MPa(check.acting.value());
+  Step equivalent{"sigma_v",
+                  {(gamma.empty() ? "" : "gamma_F ") + std::string("sqrt(sigma^2 + 3 tau^2)"),
+                   fmt::format("{}sqrt(({})^2 + 3 x ({})^2)", gamma, sigma, tau), acting},
+                  {}};
+  if (!gamma.empty()) equivalent.notes.emplace_back("gamma_F: load factor of the situation");
+  steps.push_back(equivalent);
+  steps.push_back(yield_strength_step(project, basis.point.yield_strength, basis.point.plate));
+  steps.push_back(
+      factor_step(check, "f_y/(gamma_M0 sigma_v)",
+                  fmt::format("{}/({} x {})", text::MPa(basis.point.yield_strength.value()),
+                              number(project.strength.gamma_M0), acting)));
+  return steps;
+}
+
+/// Both extremes of a stress and their range.
+Steps range_steps(const Project& project, const CheckBasis& basis, bool shear) {
+  const StressPoint& point = basis.point;
+  Steps steps = shear ? shear_section_steps(project, point) : section_steps(project, point);
+  const auto stress = [&](const std::string& symbol, const Extreme& extreme, const CutForces& cut) {
+    Steps of = shear ? shear_stress_steps(symbol, project, point, cut)
+                     : normal_stress_steps(symbol, project, point, cut);
+    of.back().notes.insert(of.back().notes.begin(), at_extreme(project, extreme));
+    append(steps, of);
   };
-  if (check.criterion == Criterion::shear_fatigue) {
-    out +=
-        shear_stress_lines("tau_max", basis.point, basis.cut_at_highest, space) + at(basis.highest);
-    out +=
-        shear_stress_lines("tau_min", basis.point, basis.cut_at_lowest, space) + at(basis.lowest);
-    return out + line("range", fmt::format("tau_max - tau_min = {}",
-                                           text::MPa(basis.highest.value - basis.lowest.value)));
+  const std::string name = shear ? "tau" : "sigma";
+  stress(name + "_max", basis.highest, basis.cut_at_highest);
+  stress(name + "_min", basis.lowest, basis.cut_at_lowest);
+  const double factor = shear ? 1.0 : point.detail->stress_factor;
+  const StressSum difference =
+      difference_of(basis.highest.value / factor, basis.lowest.value / factor);
+  Step range{"d_" + name,
+             {fmt::format("{0}_max - {0}_min", name), difference.terms},
+             {fmt::format("range of the {} stress", shear ? "shear" : "direct")}};
+  if (factor != 1.0) {
+    range.formulas = {fmt::format("k_f ({0}_max - {0}_min)", name),
+                      fmt::format("{} x ({})", number(factor), difference.terms)};
+    range.notes.emplace_back("k_f: stress of the detail over the nominal one, 6.3");
   }
-  out += normal_stress_lines("sigma_max", basis.point, basis.cut_at_highest, space) +
-         at(basis.highest);
-  out +=
-      normal_stress_lines("sigma_min", basis.point, basis.cut_at_lowest, space) + at(basis.lowest);
-  const double factor = basis.point.detail->stress_factor;
-  out += line("range", fmt::format("{}(sigma_max - sigma_min) = {}",
-                                   factor == 1.0 ? "" : text::significant(factor, 4) + " ",
-                                   text::MPa(basis.highest.value - basis.lowest.value)));
-  if (basis.point.lag && !basis.point.concentration) {
+  range.formulas.push_back(text::MPa(basis.highest.value - basis.lowest.value));
+  if (!shear && point.lag && !point.concentration) {
     const auto whole = [&](const CutForces& cut) {
-      return stress_at(basis.point.prismatic, cut).normal.value();
+      return stress_at(point.prismatic, cut).normal.value();
     };
-    out += after(fmt::format("{} without shear lag (beta = {}, L_e = {} m)",
-                             text::MPa(whole(basis.cut_at_highest) - whole(basis.cut_at_lowest)),
-                             text::significant(basis.point.lag->beta, 3),
-                             text::significant(basis.point.lag->effective_length.value(), 3)));
+    range.notes.push_back(fmt::format(
+        "{} without shear lag",
+        text::MPa(factor * (whole(basis.cut_at_highest) - whole(basis.cut_at_lowest)))));
   }
-  return out;
+  steps.push_back(range);
+  return steps;
 }
 
-std::string curve_lines(const Project& project, const CheckBasis& basis) {
-  std::string out;
+/// 60 % of compression, where the detail is not welded.
+Steps compression_steps(const CheckBasis& basis) {
+  const double high = basis.highest.value, low = basis.lowest.value;
+  if (low >= 0.0) return {};
+  const double tensile = std::max(high, 0.0);
+  const double compressive = std::min(high, 0.0) - low;
+  const std::string symbols = high > 0.0 ? "sigma_max - 0.6 sigma_min" : "0.6 d_sigma";
+  const std::string values =
+      high > 0.0 ? fmt::format("{} + 0.6 x {}", text::MPa(tensile), text::MPa(compressive))
+                 : fmt::format("0.6 x {}", text::MPa(compressive));
+  return {{"d_sigma_red",
+           {symbols, values, text::MPa(tensile + 0.6 * compressive)},
+           {"compression counts 60 %, 7.2.1: so do the ranges of all cycles"}}};
+}
+
+Steps fatigue_steps(const Project& project, const Check& check, const CheckBasis& basis) {
+  const bool shear = check.criterion == Criterion::shear_fatigue;
+  Steps steps = range_steps(project, basis, shear);
+  if (!shear && basis.point.compression_reduced) append(steps, compression_steps(basis));
   for (const SnCurve& curve : basis.curves) {
-    const bool direct = curve.kind == StressKind::direct;
-    std::string category =
-        fmt::format("{} ({}), {} at 2e6 cycles", curve.name, direct ? "direct" : "shear",
-                    text::MPa(strength_at(curve, 2e6, Loading::spectrum).value()));
-    if (direct && basis.point.detail != nullptr) {
-      const Detail& detail = basis.point.detail->detail;
-      if (!detail.row.empty()) category += fmt::format(", row {}: {}", detail.row, detail.name);
-      if (detail.size_factor != 1.0)
-        category += fmt::format(", k_s = {}", text::significant(detail.size_factor));
-      if (detail.compression_reduced) category += ", compression 60 %";
-      if (!basis.point.detail->assumed.empty()) category += ", ASSUMED";
-    }
-    if (curve.unconfirmed) category += ", UNCONFIRMED";
-    out += line("category", category);
-    if (project.fatigue.published_step) continue;
-    if (curve.constant_amplitude_limit) {
-      out += line("d_sigma_D", fmt::format("{} at {} (constant-amplitude limit)",
-                                           text::MPa(knee_of(curve).value()),
-                                           text::cycles(*curve.constant_amplitude_limit)));
-    }
-    if (curve.cut_off) {
-      out += line(direct ? "d_sigma_L" : "d_tau_L",
-                  fmt::format("{} at {} (cut-off)", text::MPa(cut_off_of(curve).value()),
-                              text::cycles(*curve.cut_off)));
-    }
+    append(steps,
+           curve_steps(curve, curve.kind == StressKind::direct ? basis.point.detail : nullptr));
   }
-  return out;
+  append(steps, life_steps(project, check, basis));
+  return steps;
 }
 
-/// Each size of cycle in the life, the loads taken safety_factor times.
-std::string spectrum_lines(const CheckBasis& basis) {
-  std::string out;
-  for (const SpectrumRow& row : basis.spectrum) {
-    const double n = row.cycle.count;
-    const double N = row.endured;
-    out += more(fmt::format(
-        "{}range {}: n = {}, N = {}, n/N = {}{}",
-        basis.curves.size() > 1 ? (row.kind == StressKind::direct ? "direct " : "shear ") : "",
-        text::MPa(row.cycle.range.value()), text::cycles(n),
-        std::isfinite(N) ? text::cycles(N) : "unlimited", text::significant(n / N, 3),
-        row.situation.empty() ? "" : " (" + row.situation + ")"));
-  }
-  return out;
+Steps stress_range_steps(const Project& project, const Check& check, const CheckBasis& basis) {
+  const double f_y = basis.point.yield_strength.value();
+  // Which of the two ranges governs shows in the limit.
+  const bool shear = check.resisting.value() < 1.4 * f_y;
+  Steps steps = range_steps(project, basis, shear);
+  steps.push_back(yield_strength_step(project, basis.point.yield_strength, basis.point.plate));
+  const std::string limit = text::MPa(check.resisting.value());
+  steps.push_back({"limit",
+                   {shear ? "1.5 f_y/sqrt(3)" : "1.5 f_y",
+                    fmt::format("1.5 x {}{}", text::MPa(f_y), shear ? "/sqrt(3)" : ""), limit},
+                   {}});
+  steps.push_back(
+      factor_step(check, shear ? "limit/(gamma_Ff d_tau)" : "limit/(gamma_Ff d_sigma)",
+                  fmt::format("{}/({} x {})", limit, number(project.fatigue.demand.gamma_Ff),
+                              text::MPa(basis.highest.value - basis.lowest.value))));
+  return steps;
 }
 
-std::string fatigue_lines(const Project& project, const Check& check, const CheckBasis& basis) {
+Steps throat_steps(const Project& project, const Check& check, const CheckBasis& basis) {
+  Steps steps{time_step(check, "where the shear flow is largest")};
+  append(steps, shear_section_steps(project, basis.point));
+  append(steps, shear_stress_steps("tau_par", project, basis.point, basis.cut_at_time));
+  const std::string f_u =
+      text::MPa(tensile_strength_of(project.material, basis.point.plate)->value());
+  steps.push_back(
+      {"f_u",
+       {f_u},
+       {fmt::format("{}, plate {}", project.material.name, text::mm(basis.point.plate.value()))}});
+  const std::string limit = text::MPa(check.resisting.value());
+  steps.push_back({"limit",
+                   {"f_u/(sqrt(3) beta_w gamma_M2)",
+                    fmt::format("{}/(sqrt(3) x {} x {})", f_u, number(project.material.beta_w),
+                                number(project.strength.gamma_M2)),
+                    limit},
+                   {}});
+  const std::string gamma = load_factor_text(project, basis);
+  const std::string tau = text::MPa(basis.stress_at_time.shear.value());
+  steps.push_back(factor_step(check,
+                              gamma.empty() ? "limit/abs(tau_par)" : "limit/(gamma_F abs(tau_par))",
+                              gamma.empty() ? fmt::format("{}/abs({})", limit, tau)
+                                            : fmt::format("{}/({}abs({}))", limit, gamma, tau)));
+  return steps;
+}
+
+Steps given_yield_steps(const Project& project, const Check& check, const GivenStress& given) {
+  const std::string sigma = text::MPa(given.peak.value());
+  const Stress f_y = *yield_strength_of(project.material, given.thickness);
+  return {{"sigma", {sigma}, {"given, largest"}},
+          yield_strength_step(project, f_y, given.thickness),
+          factor_step(check, "f_y/(gamma_M0 sigma)",
+                      fmt::format("{}/({} x {})", text::MPa(f_y.value()),
+                                  number(project.strength.gamma_M0), sigma))};
+}
+
+Steps given_fatigue_steps(const Project& project, const Check& check, const GivenStress& given) {
   const FatigueInput& fatigue = project.fatigue;
-  std::string out = place_line(project, check, basis) + extreme_lines(project, check, basis);
-  out += curve_lines(project, basis);
+  const SnCurve curve = curve_of(fatigue.beam.detail);
+  const std::string range = text::MPa(check.acting.value());
+  Steps steps{
+      {"d_sigma",
+       {"sigma_1 + sigma_2",
+        fmt::format("{} + {}", text::MPa(given.peak.value()), text::MPa(given.opposite->value())),
+        range},
+       {"range of the direct stress, both extremes given as positive numbers"}}};
+  append(steps, curve_steps(curve, &fatigue.beam));
+  Step strength = strength_step(curve, most_cycles_of(project), fatigue.demand.loading);
+  const double rounded_strength =
+      check.resisting.value() * fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf;
+  const std::string R = text::MPa(rounded_strength);
+  if (fatigue.round_strength_to) {
+    strength.notes.push_back(fmt::format("taken as {}, rounded to multiples of {} as published", R,
+                                         text::MPa(fatigue.round_strength_to->value())));
+  }
+  steps.push_back(std::move(strength));
   const std::string gammas =
-      fmt::format("gamma_Ff = {}, gamma_Mf = {}", text::significant(fatigue.demand.gamma_Ff, 3),
-                  text::significant(fatigue.demand.gamma_Mf, 3));
-  if (basis.spectrum.size() == 1) {
-    out += line("allowed",
-                fmt::format("{} for {} cycles, {} applied", text::MPa(check.resisting.value()),
-                            text::cycles(basis.spectrum.front().cycle.count), gammas));
-    out +=
-        factor_line(check, fmt::format("allowed/range = {}/{}", text::MPa(check.resisting.value()),
-                                       text::MPa(check.acting.value())));
-  } else {
-    out += line(
-        "factor k",
-        fmt::format("the largest with sum n/N <= 1, N for k gamma_Ff gamma_Mf range; {}", gammas));
-    out += spectrum_lines(basis);
-    out += factor_line(check, "k");
-  }
-  out += line("damage", fmt::format("{} in the wanted life", text::significant(basis.damage, 3)));
-  if (basis.equivalent.value() > 0.0) {
-    out += after(fmt::format("as much as 2e6 cycles of {}", text::MPa(basis.equivalent.value())));
-  }
-  if (basis.curves.front().constant_amplitude_limit) {
-    out += line("beside", fmt::format("{} under constant amplitude (7.1(2): limit d_sigma_D)",
-                                      text::significant(basis.constant_amplitude_factor, 4)));
-  }
-  return out;
+      fmt::format("{} x {}", number(fatigue.demand.gamma_Ff), number(fatigue.demand.gamma_Mf));
+  const std::string limit = text::MPa(check.resisting.value());
+  steps.push_back({"d_sigma_Rd",
+                   {"d_sigma_R/(gamma_Ff gamma_Mf)", fmt::format("{}/({})", R, gammas), limit},
+                   {"limit: the range that the life allows"}});
+  steps.push_back(factor_step(check, "d_sigma_Rd/d_sigma", fmt::format("{}/{}", limit, range)));
+  return steps;
 }
 
-std::string range_lines(const Project& project, const Check& check, const CheckBasis& basis) {
-  return place_line(project, check, basis) +
-         line("range",
-              fmt::format("gamma_Ff (highest - lowest) = {} x ({} - {}) = {}",
-                          text::significant(project.fatigue.demand.gamma_Ff, 3),
-                          text::MPa(basis.highest.value), term(text::MPa(basis.lowest.value)),
-                          text::MPa(check.acting.value()))) +
-         line("limit", fmt::format("1.5 f_y (direct), 1.5 f_y/sqrt(3) (shear) = {}, f_y = {}",
-                                   text::MPa(check.resisting.value()),
-                                   text::MPa(basis.point.yield_strength.value()))) +
-         factor_line(check, "limit/range");
+Steps given_steps(const Project& project, const Check& check) {
+  const auto given =
+      std::find_if(project.given_stresses.begin(), project.given_stresses.end(),
+                   [&](const GivenStress& stress) { return stress.name == check.point; });
+  return check.criterion == Criterion::yield ? given_yield_steps(project, check, *given)
+                                             : given_fatigue_steps(project, check, *given);
 }
 
-std::string throat_lines(const Project& project, const Check& check, const CheckBasis& basis) {
-  return place_line(project, check, basis) +
-         line("t", text::seconds(check.time.value()) + ", where the shear flow is largest") +
-         shear_stress_lines("tau_par", basis.point, basis.cut_at_time, in_space(project)) +
-         line("limit", fmt::format("f_u/(sqrt(3) beta_w gamma_M2) = {}, beta_w = {}, gamma_M2 = {}",
-                                   text::MPa(check.resisting.value()),
-                                   text::significant(project.material.beta_w, 3),
-                                   text::significant(project.strength.gamma_M2, 3))) +
-         factor_line(check, "limit/tau_par");
-}
-
-std::string given_lines(const Project& project, const Check& check) {
-  std::string out = fmt::format("    at s = {} m, point {}, stresses given\n",
-                                to_text(check.station), check.point);
-  for (const GivenStress& given : project.given_stresses) {
-    if (given.name != check.point) continue;
-    if (check.criterion == Criterion::yield) {
-      out += line("sigma", text::MPa(check.acting.value()) + " (given)");
-      out += line("f_y", fmt::format("{} ({}, plate {})", text::MPa(check.resisting.value()),
-                                     project.material.name, text::mm(given.thickness.value())));
-    } else {
-      out += line("range",
-                  fmt::format("{} + {} = {} (given)", text::MPa(given.peak.value()),
-                              text::MPa(given.opposite->value()), text::MPa(check.acting.value())));
-      out += line("d_sigma_R", fmt::format("d_sigma_C (5e6/N)^(1/5) = {} at {} cycles",
-                                           text::MPa(check.resisting.value()),
-                                           text::cycles(most_cycles_of(project))));
-    }
-  }
-  return out + factor_line(check, fmt::format("{}/{}", text::MPa(check.resisting.value()),
-                                              text::MPa(check.acting.value())));
+Steps deflection_steps(const Project& project, const Check& check) {
+  const DeflectionInput& input = *project.deflection;
+  const std::string w = text::mm(check.acting.value());
+  const std::string limit = text::mm(check.resisting.value());
+  return {{"w",
+           {"int m M/(E I_y) ds + int v V/(G A_v) ds", w},
+           {fmt::format("at s = {} m, t = {}{}", to_text(check.station),
+                        text::seconds(check.time.value()),
+                        check.situation.empty() ? "" : " (" + check.situation + ")"),
+            fmt::format("m, v: cut forces of a unit force there; E = {}, G = {}",
+                        text::MPa(input.youngs_modulus.value()),
+                        text::MPa(input.shear_modulus.value()))}},
+          {"w_lim", {limit}, {"limit, given by the case"}},
+          factor_step(check, "w_lim/w", fmt::format("{}/{}", limit, w))};
 }
 
 const NeighbourResult& neighbour_of(const Verification& verification, const Check& check) {
@@ -221,88 +252,61 @@ const NeighbourResult& neighbour_of(const Verification& verification, const Chec
       [&](const NeighbourResult& neighbour) { return neighbour.check.id == check.id; });
 }
 
-template <class Inputs>
-const auto& named(const Inputs& inputs, const std::string& name) {
-  return *std::find_if(inputs.begin(), inputs.end(),
-                       [&](const auto& input) { return input.name == name; });
-}
-
-std::string pin_lines(const Project& project, const NeighbourResult& result) {
+Steps steps_of(const Project& project, const Verification& verification,
+               const CheckResult& result) {
   const Check& check = result.check;
-  const PinInput& pin = named(project.pins, check.point);
-  const PinJoint& joint = pin.geometry;
-  std::string out =
-      line("F", fmt::format("{} at t = {}, the largest force of the joint",
-                            text::kN(check.acting.value()), text::seconds(check.time.value())));
-  out +=
-      line("pin", fmt::format("d = {}, plates b = {} (inner) and a = {} (outer), gap c = {}",
-                              text::mm(joint.diameter.value()), text::mm(joint.inner_plate.value()),
-                              text::mm(joint.outer_plate.value()), text::mm(joint.gap.value())));
-  const auto use = [&](const char* name, const char* formula, double value) {
-    out += line(name, fmt::format("{} = {}", formula, text::significant(value, 3)));
-  };
-  use("shear", "F/2 / (0.6 A f_up/gamma_M2)", result.pin.shear);
-  use("bearing", "F/(1.5 b d f_y/gamma_M0), inner plate", result.pin.bearing_inner);
-  use("bearing", "F/2 / (1.5 a d f_y/gamma_M0), outer plates", result.pin.bearing_outer);
-  use("bending", "F/8 (b + 4c + 2a) / (1.5 W_el f_yp/gamma_M0)", result.pin.bending);
-  use("combined", "bending^2 + shear^2", result.pin.combined);
-  return out + factor_line(check, "1/largest (square root of combined)");
-}
-
-std::string rod_lines(const Project& project, const NeighbourResult& result) {
-  const Check& check = result.check;
-  const RodInput& rod = named(project.rods, check.point);
-  std::string out =
-      line("N", fmt::format("{} at t = {}, the largest compression", text::kN(check.acting.value()),
-                            text::seconds(check.time.value())));
-  out += line("lambda",
-              fmt::format("sqrt(A f_y/N_cr) = {}, L_cr = {}, about the {} axis",
-                          text::significant(result.slenderness, 3),
-                          text::mm(rod.buckling_length.value()), result.weak_axis ? "z" : "y"));
-  out +=
-      line("chi",
-           fmt::format("{}, curve {}", text::significant(result.reduction, 3),
-                       std::array{"a0", "a", "b", "c", "d"}[static_cast<std::size_t>(rod.curve)]));
-  out += line("N_b,Rd",
-              fmt::format("chi A f_y/gamma_M1 = {} (f_y = {}, gamma_M1 = {})",
-                          text::kN(check.resisting.value()), text::MPa(rod.yield_strength.value()),
-                          text::significant(rod.gamma_M1, 3)));
-  return out + factor_line(check, "N_b,Rd/N");
-}
-
-std::string deflection_lines(const Project& project, const Check& check) {
-  const DeflectionInput& input = *project.deflection;
-  return line("w", fmt::format("{} at s = {} m, t = {}", text::mm(check.acting.value()),
-                               to_text(check.station), text::seconds(check.time.value()))) +
-         line("", fmt::format("int m M/(E I_y) ds + int v V/(G A_v) ds, E = {}, G = {}",
-                              text::MPa(input.youngs_modulus.value()),
-                              text::MPa(input.shear_modulus.value()))) +
-         line("limit", text::mm(check.resisting.value())) + factor_line(check, "limit/w");
-}
-
-std::string lines_of(const Project& project, const Check& check, const CheckBasis& basis) {
   switch (check.criterion) {
-    case Criterion::yield: return yield_lines(project, check, basis);
-    case Criterion::stress_range: return range_lines(project, check, basis);
-    case Criterion::weld: return throat_lines(project, check, basis);
-    default: return fatigue_lines(project, check, basis);
+    case Criterion::pin: return pin_steps(project, neighbour_of(verification, check));
+    case Criterion::buckling: return rod_steps(project, neighbour_of(verification, check));
+    case Criterion::deflection: return deflection_steps(project, check);
+    default: break;
   }
+  if (!result.basis) return given_steps(project, check);
+  const CheckBasis& basis = *result.basis;
+  switch (check.criterion) {
+    case Criterion::yield: return yield_steps(project, check, basis);
+    case Criterion::stress_range: return stress_range_steps(project, check, basis);
+    case Criterion::weld: return throat_steps(project, check, basis);
+    default: return fatigue_steps(project, check, basis);
+  }
+}
+
+std::string title_of(const Project& project, const CheckResult& result) {
+  const Check& check = result.check;
+  if (!check.on_beam) return fmt::format("{} {}", to_text(check.criterion), check.point);
+  std::string title = fmt::format("{} at s = {} m, {}", to_text(check.criterion),
+                                  to_text(check.station), check.point);
+  if (!result.basis) {
+    return check.criterion == Criterion::deflection ? title : title + ", stresses given";
+  }
+  const StressPoint& point = result.basis->point;
+  return in_space(project) ? fmt::format("{} (y = {}, z = {})", title, text::mm(point.y.value()),
+                                         text::mm(point.z.value()))
+                           : fmt::format("{} (z = {})", title, text::mm(point.z.value()));
 }
 
 }  // namespace
 
+Sheet sheet_of(const Project& project, const Verification& verification,
+               const CheckResult& result) {
+  const Check& check = result.check;
+  Sheet sheet;
+  sheet.id = check.id;
+  sheet.title = title_of(project, result);
+  sheet.steps = steps_of(project, verification, result);
+  sheet.result =
+      fmt::format("factor {}, required {}, utilisation {}: {}",
+                  text::significant(check.safety_factor, 4), text::significant(check.required, 3),
+                  text::percent(check.utilisation()), check.passes() ? "passes" : "FAILS");
+  sheet.utilisation = check.utilisation();
+  sheet.mark = check.passes() ? Mark::passes : Mark::fails;
+  sheet.source = check.source;
+  return sheet;
+}
+
 std::string calculation_sheet(const Project& project, const Verification& verification,
                               const CheckResult& result) {
-  const Check& check = result.check;
-  std::string out = fmt::format("  {}\n", check.id);
-  switch (check.criterion) {
-    case Criterion::pin: out += pin_lines(project, neighbour_of(verification, check)); break;
-    case Criterion::buckling: out += rod_lines(project, neighbour_of(verification, check)); break;
-    case Criterion::deflection: out += deflection_lines(project, check); break;
-    default:
-      out += result.basis ? lines_of(project, check, *result.basis) : given_lines(project, check);
-  }
-  return out + fmt::format("    source: {}\n", check.source);
+  return text_of(sheet_of(project, verification, result));
 }
 
 }  // namespace boxbeam

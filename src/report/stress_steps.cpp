@@ -1,0 +1,466 @@
+#include "stress_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "boxbeam/report/format.hpp"
+#include "hole_steps.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+constexpr std::array<const char*, cut_force::count> in_the_plane{"N", "V_y", "V", "T", "M", "M_z"};
+constexpr std::array<const char*, cut_force::count> in_all{"N", "V_y", "V_z", "T", "M_y", "M_z"};
+
+std::string cut_force_text(const CutForces& cut, std::size_t which) {
+  const double value = value_of(cut, static_cast<cut_force::Index>(which));
+  return which < cut_force::T ? text::kN(value) : text::kNm(value);
+}
+
+/// Stress per cut force, "4.572e-4 mm^-2".
+std::string coefficient_text(double influence, std::size_t which) {
+  return which < cut_force::T ? scientific(influence * 1e-6, 4) + " mm^-2"
+                              : scientific(influence * 1e-9, 4) + " mm^-3";
+}
+
+/// A cut force, what it contributes to a stress, and how that is written.
+struct Contribution {
+  std::size_t which = 0;
+  double stress = 0.0;  ///< [Pa]
+  std::string symbols;  ///< "V S/(I_y b)"
+  std::string values;   ///< "104.8 kN x 2.1500e6 mm^3/(3.8657e9 mm^4 x 40.00 mm)"
+};
+
+/// The cut forces that have a part in a stress above round-off, with their coefficients.
+std::vector<Contribution> contributions_of(const std::array<double, cut_force::count>& influence,
+                                           const CutForces& cut, bool space) {
+  const auto& names = space ? in_all : in_the_plane;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    const double force = value_of(cut, static_cast<cut_force::Index>(k));
+    if (force != 0.0) largest = std::max(largest, std::abs(influence[k] * force));
+  }
+  std::vector<Contribution> parts;
+  constexpr double round_off = 1e-9;
+  constexpr double nothing = 1e-3;  // Pa
+  if (largest < nothing) return parts;
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    const double force = value_of(cut, static_cast<cut_force::Index>(k));
+    if (force == 0.0 || std::abs(influence[k] * force) <= round_off * largest) continue;
+    const std::string name = names[k];
+    std::string index = name;
+    std::erase(index, '_');
+    parts.push_back({k, influence[k] * force, fmt::format("{} k_{}", name, index),
+                     fmt::format("{} x {}", term(cut_force_text(cut, k)),
+                                 term(coefficient_text(influence[k], k)))});
+  }
+  return parts;
+}
+
+/// The sum of contributions as a step: symbols where none are given, values, stresses, sum.
+Step sum_step(const std::string& symbol, const std::vector<Contribution>& parts,
+              std::string symbols = "") {
+  Step step{symbol, {}, {}};
+  if (parts.empty()) {
+    if (!symbols.empty()) step.formulas.push_back(symbols);
+    step.formulas.emplace_back("0 MPa");
+    return step;
+  }
+  const bool own = symbols.empty();
+  std::string values;
+  std::vector<double> stresses;
+  for (const Contribution& part : parts) {
+    if (own) {
+      if (!symbols.empty()) symbols += " + ";
+      symbols += part.symbols;
+    }
+    if (!values.empty()) values += " + ";
+    // "(-27.66 kN) x ..." needs its brackets only behind another sign.
+    values += part.values;
+    stresses.push_back(part.stress);
+  }
+  const StressSum sum = sum_of(stresses);
+  step.formulas = {symbols, values};
+  if (parts.size() > 1) step.formulas.push_back(sum.terms);
+  step.formulas.push_back(parts.size() > 1 ? sum.sum : text::MPa(stresses.front()));
+  return step;
+}
+
+/// "_eff", "_net" or nothing: which section the normal stress is taken from.
+std::string kind_of(const StressPoint& point) {
+  if (point.lag || point.web_lag) return "eff";
+  return point.net.area == point.gross.area ? "" : "net";
+}
+
+std::string area_symbol(const StressPoint& point) {
+  const std::string kind = kind_of(point);
+  return kind.empty() ? "A" : "A_" + kind;
+}
+
+std::string inertia_symbol(const char* of, const StressPoint& point) {
+  const std::string kind = kind_of(point);
+  return kind.empty() ? of : fmt::format("{},{}", of, kind);
+}
+
+/// Whether the centroid lies on the beam axis.
+bool is_central(const SectionProperties& properties) {
+  constexpr double nothing = 1e-12;
+  return std::abs(properties.centroid_y.value()) < nothing &&
+         std::abs(properties.centroid_z.value()) < nothing;
+}
+
+/// Steps that lead from the beam axis to the centroid: moments about it, distances from it.
+Steps centroid_steps(const StressPoint& point, const CutForces& cut, bool space) {
+  Steps steps;
+  const double y_c = point.net.centroid_y.value();
+  const double z_c = point.net.centroid_z.value();
+  const double N = cut.N.value();
+  const auto distance = [&](const char* symbol, const char* formula, double at, double centre) {
+    steps.push_back({symbol,
+                     {formula, fmt::format("{} - {}", text::mm(at * 1.0), term(text::mm(centre))),
+                      text::mm(at - centre)},
+                     {}});
+  };
+  const auto moment = [&](const char* symbol, const char* formula, double M, double sign,
+                          double centre) {
+    steps.push_back({symbol,
+                     {formula,
+                      fmt::format("{} {} {} x {}", text::kNm(M), sign > 0.0 ? "+" : "-",
+                                  term(text::kN(N)), term(text::mm(centre))),
+                      text::kNm(M + sign * N * centre)},
+                     {"about the centroid"}});
+  };
+  moment(space ? "M_yc" : "M_c", space ? "M_y - N z_c" : "M - N z_c", cut.M_y.value(), -1.0, z_c);
+  distance("e_z", "z - z_c", point.z.value(), z_c);
+  if (!space && y_c == 0.0) return steps;
+  moment("M_zc", "M_z + N y_c", cut.M_z.value(), 1.0, y_c);
+  distance("e_y", "y - y_c", point.y.value(), y_c);
+  return steps;
+}
+
+/// N/A + M_y z/I_y - M_z y/I_z about the centroid.
+Steps bending_steps(const std::string& symbol, const StressPoint& point, const CutForces& cut,
+                    bool space) {
+  const SectionProperties& net = point.net;
+  const bool central = is_central(net);
+  const double N = cut.N.value();
+  const double z = (point.z - net.centroid_z).value();
+  const double y = (point.y - net.centroid_y).value();
+  const double M_y = cut.M_y.value() - N * net.centroid_z.value();
+  const double M_z = cut.M_z.value() + N * net.centroid_y.value();
+  Steps steps;
+  if (!central) append(steps, centroid_steps(point, cut, space));
+  const std::string A = area_symbol(point);
+  const std::string I_y = inertia_symbol("I_y", point);
+  std::vector<Contribution> parts;
+  parts.push_back({cut_force::N, N / net.area.value(), "N/" + A,
+                   fmt::format("{}/{}", text::kN(N), mm2(net.area.value()))});
+  const std::string M = central ? (space ? "M_y" : "M") : (space ? "M_yc" : "M_c");
+  parts.push_back(
+      {cut_force::M_y, M_y * z / net.I_y.value(),
+       fmt::format("{} {}/{}", M, central ? "z" : "e_z", I_y),
+       fmt::format("{} x {}/{}", term(text::kNm(M_y)), term(text::mm(z)), mm4(net.I_y.value()))});
+  std::string symbols = fmt::format("{} + {}", parts[0].symbols, parts[1].symbols);
+  if (space || M_z != 0.0) {
+    // The minus stands before the term, so that the values read like the formula.
+    const std::string I_z = inertia_symbol("I_z", point);
+    symbols += fmt::format(" - {}/{}", central ? "M_z y" : "M_zc e_y", I_z);
+    parts.push_back(
+        {cut_force::M_z, -M_z * y / net.I_z.value(), "",
+         fmt::format("{} x {}/{}", term(text::kNm(M_z)), term(text::mm(y)), mm4(net.I_z.value()))});
+  }
+  std::string values = fmt::format("{} + {}", parts[0].values, parts[1].values);
+  std::vector<double> stresses{parts[0].stress, parts[1].stress};
+  if (parts.size() > 2) {
+    values += " - " + parts[2].values;
+    stresses.push_back(parts[2].stress);
+  }
+  const StressSum sum = sum_of(stresses);
+  steps.push_back({symbol, {symbols, values, sum.terms, sum.sum}, {}});
+  return steps;
+}
+
+/// Where the axes are not principal ones.
+Steps skew_bending_steps(const std::string& symbol, const StressPoint& point, const CutForces& cut,
+                         bool space) {
+  Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
+  step.notes.push_back(fmt::format(
+      "k: stress at (y, z) = ({}, {}) per cut force, from A, I_y, I_z and I_yz about the centroid",
+      text::mm(point.y.value()), text::mm(point.z.value())));
+  return {step};
+}
+
+/// The dimensions of a box whose flanges are alike, and whose area is that of its four plates.
+struct PlainBox {
+  double B, H, b, h, t;  ///< outside, inside, flange [m]
+};
+
+std::optional<PlainBox> plain_box_of(const Section& section) {
+  const auto* box = std::get_if<Box>(&section.outer);
+  if (box == nullptr || section.inner || !box->stiffeners.empty()) return std::nullopt;
+  if (box->top_flange != box->bottom_flange || box->left_web != box->right_web) return std::nullopt;
+  const double t = box->top_flange.value();
+  return PlainBox{box->width.value(), box->height.value(),
+                  box->width.value() - 2.0 * box->left_web.value(), box->height.value() - 2.0 * t,
+                  t};
+}
+
+Steps plain_box_steps(const PlainBox& box, const SectionProperties& gross) {
+  const std::string B = text::mm(box.B), H = text::mm(box.H), b = text::mm(box.b),
+                    h = text::mm(box.h);
+  return {{"A",
+           {"B H - b h", fmt::format("{} x {} - {} x {}", B, H, b, h), mm2(gross.area.value())},
+           {"outside B x H, inside b x h"}},
+          {"I_y",
+           {"(B H^3 - b h^3)/12", fmt::format("({} x ({})^3 - {} x ({})^3)/12", B, H, b, h),
+            mm4(gross.I_y.value())},
+           {}}};
+}
+
+/// The branch of EN 1993-1-5 table 3.1 that gave beta.
+std::string shear_lag_formula(const ShearLag& lag) {
+  const bool wide = lag.kappa > 0.7;
+  if (lag.beta == shear_lag_factor(lag.kappa, BendingRegion::sagging)) {
+    return wide ? "1/(5.9 kappa)" : "1/(1 + 6.4 kappa^2)";
+  }
+  return wide ? "1/(8.6 kappa)" : "1/(1 + 6 (kappa - 1/(2500 kappa)) + 1.6 kappa^2)";
+}
+
+std::string with(std::string formula, const std::string& symbol, const std::string& value) {
+  for (std::size_t at = formula.find(symbol); at != std::string::npos;
+       at = formula.find(symbol, at + value.size())) {
+    // A product of two numbers needs its sign.
+    const bool behind_number = at > 0 && formula[at - 1] == ' ' && at > 1 &&
+                               (std::isdigit(static_cast<unsigned char>(formula[at - 2])) != 0);
+    formula.replace(at, symbol.size(), (behind_number ? "x " : "") + value);
+  }
+  return formula;
+}
+
+Steps shear_lag_steps(const ShearLag& lag, const char* of) {
+  Steps steps;
+  const std::string b_0 = text::mm(lag.b_0.value());
+  const std::string L_e = text::mm(lag.effective_length.value());
+  const double alpha = lag.kappa * (lag.effective_length / lag.b_0);
+  const bool stiffened = std::abs(alpha - 1.0) > 1e-9;
+  Step kappa{"kappa", {"b_0/L_e", fmt::format("{}/{}", b_0, L_e)}, {}};
+  if (stiffened) {
+    steps.push_back({"alpha_0",
+                     {"sqrt(1 + A_sl/(b_0 t))", text::significant(alpha)},
+                     {fmt::format("stiffeners of the {}", of)}});
+    kappa.formulas = {"alpha_0 b_0/L_e",
+                      fmt::format("{} x {}/{}", text::significant(alpha), b_0, L_e)};
+  }
+  kappa.formulas.push_back(text::significant(lag.kappa));
+  kappa.notes.push_back(fmt::format(
+      "shear lag of the {}: b_0 half the width, L_e between zero moments; EN 1993-1-5, 3.2.1", of));
+  steps.push_back(kappa);
+  const std::string formula = shear_lag_formula(lag);
+  const std::string value = text::significant(lag.beta);
+  if (lag.kappa <= 0.02) {
+    steps.push_back({"beta", {value}, {"kappa up to 0.02"}});
+  } else {
+    steps.push_back(
+        {"beta", {formula, with(formula, "kappa", text::significant(lag.kappa)), value}, {}});
+  }
+  return steps;
+}
+
+/// What shear lag leaves of a plain box without holes: idle strips in the middle of its flanges.
+Steps effective_box_steps(const PlainBox& box, const StressPoint& point) {
+  const double idle = 2.0 * (1.0 - point.lag->beta) * point.lag->b_0.value();
+  const std::string b_i = text::mm(idle), t = text::mm(box.t), H = text::mm(box.H);
+  return {{"b_i",
+           {"2 (1 - beta) b_0",
+            fmt::format("2 x (1 - {}) x {}", text::significant(point.lag->beta),
+                        text::mm(point.lag->b_0.value())),
+            b_i},
+           {"idle width of each flange"}},
+          {"A_eff",
+           {"A - 2 b_i t_f", fmt::format("{} - 2 x {} x {}", mm2(point.gross.area.value()), b_i, t),
+            mm2(point.net.area.value())},
+           {}},
+          {"I_y,eff",
+           {"I_y - b_i (H^3 - h^3)/12",
+            fmt::format("{} - {} x (({})^3 - ({})^3)/12", mm4(point.gross.I_y.value()), b_i, H,
+                        text::mm(box.h)),
+            mm4(point.net.I_y.value())},
+           {}}};
+}
+
+bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
+
+/// Whether idle strips alone make the difference between gross and effective section.
+bool by_strips(const PlainBox& box, const StressPoint& point) {
+  const double idle = 2.0 * (1.0 - point.lag->beta) * point.lag->b_0.value();
+  return !point.web_lag &&
+         near(point.gross.area.value() - 2.0 * idle * box.t, point.net.area.value()) &&
+         near(point.gross.I_y.value() - idle * (std::pow(box.H, 3) - std::pow(box.h, 3)) / 12.0,
+              point.net.I_y.value());
+}
+
+/// The wall that a level crosses, and the first moment beyond it, in a section in the plane.
+struct LevelShear {
+  double S, b;
+};
+
+const SectionProperties net_without_lag(const Project& project, const StressPoint& point) {
+  return properties_of(point.section, holes_at(project.beam, point.station.s));
+}
+
+/// S and b for which V S/(I_y b) is the stress of a level; nothing where the flow at the point is
+/// not that of a level across equal walls.
+std::optional<LevelShear> level_shear_of(const Project& project, const StressPoint& point,
+                                         const SectionProperties& net) {
+  if (in_space(project) || point.on_throat || !is_symmetric_about_z(point.section)) {
+    return std::nullopt;
+  }
+  const std::vector<Hole> holes = holes_at(project.beam, point.station.s);
+  const double b = width_at(point.section, holes, point.z).value();
+  const double S = point.prismatic.shear[cut_force::V_z] * net.I_y.value() * b;
+  const double exact = first_moment_beyond(point.section, holes, point.z, net.centroid_z).value();
+  // Mid-lines of walls leave out what is of second order in the thickness.
+  constexpr double second_order = 0.05;
+  if (b <= 0.0 || S <= 0.0 || std::abs(S - exact) > second_order * exact) return std::nullopt;
+  return LevelShear{S, b};
+}
+
+double throat_of(const StressPoint& point) {
+  const auto& box = std::get<Box>(point.section.outer);
+  if (box.seam_throat.value() > 0.0) return box.seam_throat.value();
+  return (point.y.value() < 0.0 ? box.right_web : box.left_web).value();
+}
+
+const char* const taper_note =
+    "k of N and M: what the change of the section along the taper adds, per cut force";
+
+bool is_nothing(const StressPoint& point, const CutForces& cut) {
+  constexpr double round_off = 1e-12;
+  return std::abs(stress_at(point.influence, cut).shear.value()) <
+         round_off * point.yield_strength.value();
+}
+
+/// V S/(I_y b) and, in a taper, what N and M add.
+Steps planar_shear_steps(const std::string& symbol, const Project& project,
+                         const StressPoint& point, const CutForces& cut) {
+  if (is_nothing(point, cut)) return {{symbol, {"0 MPa"}, {"no material beyond the point"}}};
+  std::vector<Contribution> parts = contributions_of(point.influence.shear, cut, false);
+  const SectionProperties net = net_without_lag(project, point);
+  const std::string I_y = net.area == point.gross.area ? "I_y" : "I_y,net";
+  bool tapers = false;
+  bool level = false;
+  for (Contribution& part : parts) {
+    if (part.which != cut_force::V_z) {
+      tapers = true;
+      continue;
+    }
+    const std::string V = term(text::kN(cut.V_z.value()));
+    if (point.on_throat) {
+      const double a = throat_of(point);
+      const double S = point.influence.shear[cut_force::V_z] * a * net.I_y.value();
+      part.symbols = fmt::format("V S/({} a)", I_y);
+      part.values =
+          fmt::format("{} x {}/({} x {})", V, term(mm3(S)), mm4(net.I_y.value()), text::mm(a));
+      level = true;
+    } else if (const auto at = level_shear_of(project, point, net)) {
+      part.symbols = fmt::format("V S/({} b)", I_y);
+      part.values =
+          fmt::format("{} x {}/({} x {})", V, mm3(at->S), mm4(net.I_y.value()), text::mm(at->b));
+      level = true;
+    }
+  }
+  Step step = sum_step(symbol, parts);
+  if (!level) step.notes.emplace_back("k of V: S/(I_y t) of the wall");
+  if (tapers) step.notes.emplace_back(taper_note);
+  return {step};
+}
+
+Steps spatial_shear_steps(const std::string& symbol, const StressPoint& point,
+                          const CutForces& cut) {
+  if (is_nothing(point, cut)) return {{symbol, {"0 MPa"}, {"no material beyond the point"}}};
+  Step step = sum_step(symbol, contributions_of(point.influence.shear, cut, true));
+  step.notes.push_back(fmt::format(
+      "k of V_y and V_z: S/(I {0}); of T: 1/(2 A_m {0}) around a cell; flow of the closed section",
+      point.on_throat ? "a" : "t"));
+  const auto& shear = point.influence.shear;
+  if (shear[cut_force::N] != 0.0 || shear[cut_force::M_y] != 0.0 || shear[cut_force::M_z] != 0.0) {
+    step.notes.emplace_back(taper_note);
+  }
+  return {step};
+}
+
+}  // namespace
+
+Steps section_steps(const Project& project, const StressPoint& point) {
+  if (point.concentration) return hole_factor_steps(project, point);
+  Steps steps;
+  const std::optional<PlainBox> box = plain_box_of(point.section);
+  const bool space = in_space(project);
+  const std::string kind = kind_of(point);
+  if (box && !space) append(steps, plain_box_steps(*box, point.gross));
+  if (point.lag) append(steps, shear_lag_steps(*point.lag, "flanges"));
+  if (point.web_lag) append(steps, shear_lag_steps(*point.web_lag, "webs"));
+  if (kind.empty() && box && !space) return steps;
+  if (point.lag && box && !space && by_strips(*box, point)) {
+    append(steps, effective_box_steps(*box, point));
+    return steps;
+  }
+  const std::string note =
+      kind == "eff" ? "without the idle strips of shear lag and the holes"
+                    : (kind == "net" ? "without the holes" : "along the border of the section");
+  steps.push_back({area_symbol(point), {mm2(point.net.area.value())}, {note}});
+  steps.push_back({inertia_symbol("I_y", point), {mm4(point.net.I_y.value())}, {}});
+  if (space || point.net.I_yz.value() != 0.0) {
+    steps.push_back({inertia_symbol("I_z", point), {mm4(point.net.I_z.value())}, {}});
+  }
+  if (point.net.I_yz.value() != 0.0) {
+    steps.push_back({inertia_symbol("I_yz", point), {mm4(point.net.I_yz.value())}, {}});
+  }
+  return steps;
+}
+
+Steps normal_stress_steps(const std::string& symbol, const Project& project,
+                          const StressPoint& point, const CutForces& cut) {
+  const bool space = in_space(project);
+  if (point.concentration) {
+    Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
+    return {step};
+  }
+  if (point.net.I_yz.value() != 0.0) return skew_bending_steps(symbol, point, cut, space);
+  return bending_steps(symbol, point, cut, space);
+}
+
+Steps shear_section_steps(const Project& project, const StressPoint& point) {
+  if (in_space(project)) return {};
+  Steps steps;
+  const SectionProperties net = net_without_lag(project, point);
+  const auto at = level_shear_of(project, point, net);
+  if (!at && !point.on_throat) return steps;
+  const bool whole = net.area == point.gross.area;
+  steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
+  if (point.on_throat) {
+    const double a = throat_of(point);
+    steps.push_back({"S",
+                     {mm3(point.influence.shear[cut_force::V_z] * a * net.I_y.value())},
+                     {"first moment of what hangs on this seam, along the walls' mid-lines"}});
+    steps.push_back({"a", {text::mm(a)}, {"throat of the seam, all its welds together"}});
+    return steps;
+  }
+  steps.push_back({"S",
+                   {mm3(at->S)},
+                   {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
+                                text::mm(point.z.value()))}});
+  steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
+  return steps;
+}
+
+Steps shear_stress_steps(const std::string& symbol, const Project& project,
+                         const StressPoint& point, const CutForces& cut) {
+  return in_space(project) ? spatial_shear_steps(symbol, point, cut)
+                           : planar_shear_steps(symbol, project, point, cut);
+}
+
+}  // namespace boxbeam::report
