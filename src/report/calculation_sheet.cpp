@@ -8,7 +8,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
-#include "boxbeam/report/sheet_text.hpp"
+#include "boxbeam/report/text_writer.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
 #include "stress_steps.hpp"

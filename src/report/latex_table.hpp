@@ -10,4 +10,8 @@ namespace boxbeam::report {
 /// and long texts wrap until it fits. Rows that fail have a red "!" before them.
 std::string latex_table(const Table& table);
 
+/// Height of what of a table should stand on one page, about [pt]: all of a short one, else its
+/// head and some rows.
+double latex_table_height(const Table& table);
+
 }  // namespace boxbeam::report

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "boxbeam/report/latex_writer.hpp"
@@ -35,16 +36,20 @@ constexpr std::array text_signs{
     Sign{U'\u202F', "\\,"}, Sign{U'\u013F', "L\\textperiodcentered{}"},
     Sign{U'\u0140', "l\\textperiodcentered{}"}, Sign{U'Ș', "\\textcommabelow{S}"},
     Sign{U'ș', "\\textcommabelow{s}"}, Sign{U'Ț', "\\textcommabelow{T}"},
-    Sign{U'ț', "\\textcommabelow{t}"}, Sign{U'ẞ', "\\SS{}"},
+    Sign{U'ț', "\\textcommabelow{t}"},
     Sign{U'‐', "-{}"}, Sign{U'‑', "\\mbox{-}"}, Sign{U'–', "\\textendash{}"},
     Sign{U'—', "\\textemdash{}"}, Sign{U'‘', "\\textquoteleft{}"},
     Sign{U'’', "\\textquoteright{}"}, Sign{U'‚', "\\quotesinglbase{}"},
     Sign{U'“', "\\textquotedblleft{}"}, Sign{U'”', "\\textquotedblright{}"},
     Sign{U'„', "\\quotedblbase{}"}, Sign{U'†', "\\textdagger{}"}, Sign{U'‡', "\\textdaggerdbl{}"},
-    Sign{U'•', "\\textbullet{}"}, Sign{U'…', "\\textellipsis{}"},
+    Sign{U'•', "\\textbullet{}"},
     Sign{U'‰', "\\textperthousand{}"}, Sign{U'‹', "\\guilsinglleft{}"},
     Sign{U'›', "\\guilsinglright{}"}, Sign{U'€', "\\texteuro{}"}, Sign{U'№', "\\textnumero{}"},
-    Sign{U'™', "\\texttrademark{}"}, Sign{U'℃', "\\textdegree{}C"},
+    Sign{U'™', "\\texttrademark{}"}};
+
+/// Signs of text whose glyphs are those of others: what is copied must be told.
+constexpr std::array copied_signs{
+    Sign{U'…', "\\textellipsis{}"}, Sign{U'℃', "\\textdegree{}C"},
     Sign{U'⁰', "\\textsuperscript{0}"}, Sign{U'⁴', "\\textsuperscript{4}"},
     Sign{U'⁵', "\\textsuperscript{5}"}, Sign{U'⁶', "\\textsuperscript{6}"},
     Sign{U'⁷', "\\textsuperscript{7}"}, Sign{U'⁸', "\\textsuperscript{8}"},
@@ -131,6 +136,11 @@ struct Glyph {
   double width = 0;  ///< [em]
 };
 
+/// A sign by glyphs of others, copied as what it is.
+std::string copied_as(char32_t point, const std::string& code) {
+  return fmt::format("\\as{{{:04X}}}{{{}}}", static_cast<unsigned>(point), code);
+}
+
 Glyph glyph_of(char32_t point) {
   if (is_space(point)) return {" ", 0.5};
   if (is_control(point) || is_byte(point)) {
@@ -141,10 +151,11 @@ Glyph glyph_of(char32_t point) {
     return {code != nullptr ? std::string(code) : std::string(1, static_cast<char>(point)),
             ascii_widths[point - 0x20] / 1000.0};
   }
+  if (const char* code = find(copied_signs, point)) return {copied_as(point, code), 0.8};
   if (const char* code = find(text_signs, point)) return {code, 0.8};
   if (is_latin(point)) return {two_bytes(point), 0.8};
   if (const char* code = find(mathematical_signs, point))
-    return {fmt::format("\\ensuremath{{{}}}", code), 0.8};
+    return {copied_as(point, fmt::format("\\ensuremath{{{}}}", code)), 0.8};
   return {fmt::format("{{\\scriptsize U+{:04X}}}", static_cast<unsigned>(point)), 3.7};
 }
 
@@ -172,12 +183,22 @@ bool is_punctuation(char32_t point) {
   return punctuation.find(point) != std::u32string_view::npos;
 }
 
+/// A hyphen that is meant as a minus: before a number or the name of an axis.
+bool is_minus(const std::u32string& word, std::size_t i) {
+  constexpr std::u32string_view before = U"([=/";
+  constexpr std::u32string_view axes = U"xyz";
+  if (word[i] != U'-' || i + 1 == word.size()) return false;
+  if (i > 0 && before.find(word[i - 1]) == std::u32string_view::npos) return false;
+  const bool number = word[i + 1] >= U'0' && word[i + 1] <= U'9';
+  const bool axis = axes.find(word[i + 1]) != std::u32string_view::npos &&
+                    (i + 2 == word.size() || is_punctuation(word[i + 2]));
+  return number || axis;
+}
+
 }  // namespace
 
 std::string latex_escaped(const std::string& text) {
-  std::string out;
-  for (const char32_t point : code_points_of(text)) out += glyph_of(point).code;
-  return out;
+  return latex_breakable(text, std::numeric_limits<double>::infinity());
 }
 
 std::string latex_breakable(const std::string& text, double limit) {
@@ -188,7 +209,7 @@ std::string latex_breakable(const std::string& text, double limit) {
     first = false;
     const bool long_word = width_of(word) > limit;
     for (std::size_t i = 0; i < word.size(); ++i) {
-      out += glyph_of(word[i]).code;
+      out += is_minus(word, i) ? copied_as(U'-', "\\textminus") : glyph_of(word[i]).code;
       if (long_word && i + 1 < word.size()) out += is_punctuation(word[i]) ? "\\brk{}" : "\\Brk{}";
     }
   }

@@ -73,8 +73,19 @@ double bar_length(double utilisation) {
 std::string block(const Paragraph& paragraph) { return running(paragraph.text) + "\\par\n"; }
 
 std::string block(const Subheading& heading) {
-  return fmt::format("\\need{{60pt}}\\subsection{{{}}}\n", running(heading.text));
+  return fmt::format("\\subsection{{{}}}\n", running(heading.text));
 }
+
+std::string block(const Table& table) { return latex_table(table); }
+
+std::string block(const Facts& entries) { return facts(entries); }
+
+/// The figure itself has been taken when its room was looked for.
+std::string block(const Picture& picture) {
+  return fmt::format("\\showfigure{{{}}}\n", running(picture.caption));
+}
+
+std::string block(const MovingPicture& /*on paper nothing moves*/) { return ""; }
 
 std::string block(const Bullets& bullets) {
   std::string out;
@@ -137,6 +148,57 @@ std::string title_page(const Document& document) {
   return out + contents(document.chapters);
 }
 
+/// Height that a block needs on its page [pt], what a heading heads included; the figure among them
+/// is appended to `figure`, its height is known by TeX only.
+double height_needed(const std::vector<Block>& blocks, std::size_t i, std::string& figure) {
+  if (i == blocks.size()) return 0;
+  if (std::holds_alternative<Subheading>(blocks[i]))
+    return 35 + height_needed(blocks, i + 1, figure);
+  if (const auto* table = std::get_if<Table>(&blocks[i])) return latex_table_height(*table);
+  if (std::holds_alternative<Sheet>(blocks[i])) return 130;
+  if (const auto* picture = std::get_if<Picture>(&blocks[i])) {
+    figure = picture->name;
+    return 40;
+  }
+  return 28;
+}
+
+std::string room_for(double height, const std::string& figure) {
+  if (figure.empty()) return fmt::format("\\need{{{:.0f}pt}}\n", height);
+  return fmt::format("\\takefigure{{{}.pdf}}\\need{{\\dimexpr{:.0f}pt+\\ht\\figurebox\\relax}}\n",
+                     figure, height);
+}
+
+/// What a chapter has for paper.
+std::vector<Block> printed(const std::vector<Block>& blocks,
+                           const std::function<bool(const std::string&)>& has_picture) {
+  std::vector<Block> kept;
+  for (const Block& each : blocks) {
+    const auto* picture = std::get_if<Picture>(&each);
+    const bool left_out = picture != nullptr ? !has_picture(picture->name)
+                                             : std::holds_alternative<MovingPicture>(each);
+    if (!left_out) kept.push_back(each);
+  }
+  return kept;
+}
+
+std::string latex_chapter(std::size_t number, const Chapter& chapter,
+                          const std::function<bool(const std::string&)>& has_picture) {
+  const std::vector<Block> blocks = printed(chapter.blocks, has_picture);
+  std::string figure;
+  const double height = 50 + height_needed(blocks, 0, figure);
+  std::string out = room_for(height, figure);
+  out += fmt::format("\\chapterline{{{}}}{{{}}}{{{}}}\n", number, running(chapter.title),
+                     latex_pdf_string(chapter.title));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    figure.clear();
+    const double needed = height_needed(blocks, i, figure);
+    out += room_for(needed, figure);
+    out += std::visit([](const auto& each) { return block(each); }, blocks[i]);
+  }
+  return out;
+}
+
 std::string head_and_foot(const Document& document) {
   std::string out = fmt::format("\\def\\headleft{{{}}}\n", latex_shortened(document.title, 36));
   out += fmt::format("\\def\\headright{{input sha256 {}}}\n",
@@ -152,31 +214,12 @@ std::string head_and_foot(const Document& document) {
 
 std::string latex_of(const Document& document,
                      const std::function<bool(const std::string& name)>& has_picture) {
-  const auto written = [&](const Block& any) {
-    if (const auto* table = std::get_if<Table>(&any)) return latex_table(*table);
-    if (const auto* entries = std::get_if<Facts>(&any)) return facts(*entries);
-    if (const auto* picture = std::get_if<Picture>(&any)) {
-      if (!has_picture(picture->name)) return std::string();
-      return fmt::format("\\shownfigure{{{}.pdf}}{{{}}}\n", picture->name,
-                         running(picture->caption));
-    }
-    return std::visit(
-        [](const auto& each) {
-          if constexpr (requires { block(each); }) return block(each);
-          return std::string();
-        },
-        any);
-  };
   std::string out = latex_preamble;
   out += head_and_foot(document);
   out += "\\begin{document}\n\\pagestyle{report}\n" + title_page(document);
   if (!document.chapters.empty()) out += "\\newpage\n";
-  for (std::size_t i = 0; i < document.chapters.size(); ++i) {
-    const Chapter& chapter = document.chapters[i];
-    out += fmt::format("\\chapterline{{{}}}{{{}}}{{{}}}\n", i + 1, running(chapter.title),
-                       latex_pdf_string(chapter.title));
-    for (const Block& any : chapter.blocks) out += written(any);
-  }
+  for (std::size_t i = 0; i < document.chapters.size(); ++i)
+    out += latex_chapter(i + 1, document.chapters[i], has_picture);
   return out + "\\end{document}\n";
 }
 

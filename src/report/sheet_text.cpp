@@ -1,4 +1,4 @@
-#include "boxbeam/report/sheet_text.hpp"
+#include "boxbeam/report/text_writer.hpp"
 
 #include <fmt/format.h>
 
