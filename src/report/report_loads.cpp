@@ -21,13 +21,12 @@ void add_planar(const Source& source, std::vector<Block>& blocks) {
                               "F_z [kN]", "couple M_y [kN m]"});
   if (several) table.header.emplace_back("situation");
   constexpr double nothing = 1e-6;  // N m: the lever arms' rounding
-  for (const BeamLoadRow& row : verification.loads) {
-    add_row(table,
-            row_of(cell(Quantity::time, row.time.value()), row.name,
-                   cell(Quantity::station, row.s.value()), cell(Quantity::force, row.world.x()),
-                   cell(Quantity::force, row.world.y()), cell(Quantity::force, row.force.x()),
-                   cell(Quantity::force, row.force.z()),
-                   cell(Quantity::moment, row.moment.y(), nothing));
+  for (const BeamLoadRow& row : source.verification.loads) {
+    std::vector<Cell> cells = row_of(
+        cell(Quantity::time, row.time.value()), row.name, cell(Quantity::station, row.s.value()),
+        cell(Quantity::force, row.world.x()), cell(Quantity::force, row.world.y()),
+        cell(Quantity::force, row.force.x()), cell(Quantity::force, row.force.z()),
+        cell(Quantity::moment, row.moment.y(), nothing));
     if (several) cells.push_back(cell(source.project.situations[row.situation].name));
     add_row(table, std::move(cells));
   }
