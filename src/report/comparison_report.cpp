@@ -16,16 +16,6 @@ namespace {
 using report::Cell;
 using report::Mark;
 
-/// Rows that a reason explains are neither good nor bad.
-Mark mark_of(Agreement agreement) {
-  switch (agreement) {
-    case Agreement::agrees: return Mark::passes;
-    case Agreement::explained: return Mark::none;
-    case Agreement::differs: return Mark::fails;
-  }
-  return Mark::none;
-}
-
 /// "18.1e3" of "18.1e3 mm^2".
 std::string number_of(const std::string& written, const std::string& unit) {
   std::string number = written.substr(0, written.size() - unit.size());
@@ -102,7 +92,7 @@ report::Table table_of(const Comparison& comparison, Agreement agreement,
          Cell{ours_text(row), row.ours}, Cell{difference_text(row), row.difference},
          Cell{tolerance_text(published), row.tolerance}, Cell{published.unit, {}},
          Cell{published.source, {}}, Cell{note_of(published.reason, reasons), {}}});
-    table.marks.push_back(mark_of(agreement));
+    if (agreement == Agreement::differs) table.marks.push_back(Mark::fails);
   }
   return table;
 }
@@ -133,7 +123,7 @@ report::Chapter comparison_chapter(const Comparison& comparison) {
   for (const Agreement status : {Agreement::differs, Agreement::explained, Agreement::agrees}) {
     report::Table table = table_of(comparison, status, reasons);
     if (table.rows.empty()) continue;
-    chapter.blocks.push_back(report::Subheading{heading_of(status)});
+    table.caption = heading_of(status);
     chapter.blocks.push_back(std::move(table));
   }
   if (reasons.empty()) return chapter;
@@ -169,7 +159,6 @@ report::Document comparison_document(const Project& project, const Comparison& c
     document.governing.rows.push_back(
         {report::Cell{heading_of(status), {}},
          report::Cell{std::to_string(count), static_cast<double>(count)}});
-    document.governing.marks.push_back(count > 0 ? mark_of(status) : Mark::none);
   }
   document.chapters.push_back(comparison_chapter(comparison));
   return document;
