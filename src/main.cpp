@@ -108,8 +108,9 @@ Entry verify_entry(CLI::App& app) {
   command
       .add_option("--out", options->out, "folder of the report (default: reports/NAME of the case)")
       ->type_name("DIR");
-  add_choice(command, "--level", options->level, {"summary", "governing", "full"},
-             "how much the report says (default: governing, all that the governing checks rest on)");
+  add_choice(
+      command, "--level", options->level, {"summary", "governing", "full"},
+      "how much the report says (default: governing, all that the governing checks rest on)");
   command.add_flag("--no-plots", options->no_plots, "draw no figures");
   command.add_flag("--no-html", options->no_html, "write no report.html");
   command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");
@@ -157,8 +158,8 @@ Entry compare_entry(CLI::App& app) {
 
 Entry schema_entry(CLI::App& app) {
   const auto document = std::make_shared<std::string>("case");
-  CLI::App& command =
-      *app.add_subcommand("schema", "print the JSON Schema of a case or of what the program writes");
+  CLI::App& command = *app.add_subcommand(
+      "schema", "print the JSON Schema of a case or of what the program writes");
   add_choice(command, "DOCUMENT", *document, schema_names(), "of which one (default: case)");
   return {&command, {"boxbeam schema results"}, [document] {
             put(schema_of(*document));
@@ -329,17 +330,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
   CommandLine line;
-  const std::vector<Entry> entries{init_entry(app),
-                                   validate_entry(app),
-                                   verify_entry(app),
-                                   explain_entry(app),
-                                   compare_entry(app),
-                                   motion_entry(app),
-                                   section_entry(app),
-                                   fatigue_entry(app),
-                                   schema_entry(app),
-                                   completion_entry(app, line),
-                                   manual_entry(app, line)};
+  const std::vector<Entry> entries{
+      init_entry(app),    validate_entry(app),         verify_entry(app),      explain_entry(app),
+      compare_entry(app), motion_entry(app),           section_entry(app),     fatigue_entry(app),
+      schema_entry(app),  completion_entry(app, line), manual_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {

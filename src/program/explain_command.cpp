@@ -31,13 +31,12 @@ std::string list_of(const Verification& verification) {
 /// The check of an id, or the worst one of those whose ids begin with its parts: "fatigue/4.2".
 const CheckResult* find_check(const Verification& verification, const std::string& id) {
   if (id == "governing") return &verification.checks.front();
-  const auto same =
-      std::find_if(verification.checks.begin(), verification.checks.end(),
-                   [&](const CheckResult& result) { return result.check.id == id; });
+  const auto same = std::find_if(verification.checks.begin(), verification.checks.end(),
+                                 [&](const CheckResult& result) { return result.check.id == id; });
   if (same != verification.checks.end()) return &*same;
-  const auto below =
-      std::find_if(verification.checks.begin(), verification.checks.end(),
-                   [&](const CheckResult& result) { return result.check.id.starts_with(id + "/"); });
+  const auto below = std::find_if(
+      verification.checks.begin(), verification.checks.end(),
+      [&](const CheckResult& result) { return result.check.id.starts_with(id + "/"); });
   return below == verification.checks.end() ? nullptr : &*below;
 }
 
