@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "blocks.hpp"
-#include "calculation_sheet.hpp"
 #include "report_parts.hpp"
 
 namespace boxbeam::report {
@@ -66,7 +65,7 @@ std::size_t checks_above(const Verification& verification, double utilisation, s
 }
 
 void add_sheet(const Source& source, const CheckResult& result, std::vector<Block>& blocks) {
-  blocks.emplace_back(Listing{calculation_sheet(source.project, source.verification, result)});
+  blocks.emplace_back(sheet_of(source.project, source.verification, result));
 }
 
 }  // namespace
@@ -91,12 +90,12 @@ std::vector<const CheckResult*> governing_checks(const Verification& verificatio
 Table governing_table(const Source& source) {
   const bool several = source.project.situations.size() > 1;
   Table table = table_of(
-      "", {"criterion", "result", "use [%]", "factor", "required", "s [m]", "point", "t [s]"});
+      "", {"result", "criterion", "use [%]", "factor", "required", "s [m]", "point", "t [s]"});
   if (several) table.header.emplace_back("situation");
   for (const CheckResult* result : governing_checks(source.verification)) {
     const Check& check = result->check;
     std::vector<Cell> row =
-        row_of(to_text(check.criterion), check.passes() ? "passes" : "FAILS",
+        row_of(check.passes() ? "passes" : "FAILS", to_text(check.criterion),
                cell(Quantity::utilisation, check.utilisation()),
                cell(Quantity::factor, check.safety_factor), cell(Quantity::factor, check.required),
                station_cell(check), check.point, cell(Quantity::time, check.time.value()));

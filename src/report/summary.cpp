@@ -36,7 +36,8 @@ std::string remarks_summary(const Project& project, const Verification& verifica
 }  // namespace
 
 std::string summary(const Project& project, const Verification& verification) {
-  const report::Document document = report_of(project, verification, ReportLevel::summary);
+  report::Document document = report_of(project, verification, ReportLevel::summary);
+  document.governing.marks.clear();  // its first column says the same
   std::string out = fmt::format("{}  {}\n", document.verdict, project.title);
   out += report::table_text(document.governing, layout::width);
   out += "\nRemarks:\n" + remarks_summary(project, verification);

@@ -77,7 +77,7 @@ struct BlockText {
   std::string operator()(const Picture& picture) const {
     return hanging("  ", "  ", fmt::format("[{}.svg] {}", picture.name, picture.caption));
   }
-  std::string operator()(const Sheet& sheet) const { return sheet.id; }
+  std::string operator()(const Sheet& sheet) const { return text_of(sheet); }
   std::string operator()(const Listing& listing) const { return listing_text(listing.text); }
   std::string operator()(const MovingPicture&) const { return ""; }
   std::string operator()(const Subheading& subheading) const {
