@@ -1,14 +1,10 @@
-#include "calculation_sheet.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
-#include "boxbeam/report/text_writer.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
 #include "stress_steps.hpp"
@@ -302,11 +298,6 @@ Sheet sheet_of(const Project& project, const Verification& verification,
   sheet.mark = check.passes() ? Mark::passes : Mark::fails;
   sheet.source = check.source;
   return sheet;
-}
-
-std::string calculation_sheet(const Project& project, const Verification& verification,
-                              const CheckResult& result) {
-  return text_of(sheet_of(project, verification, result));
 }
 
 }  // namespace boxbeam
