@@ -18,8 +18,12 @@ std::string mathml_of(const FormulaNode& node);
 
 std::string sign(const std::string& text) { return "<mo>" + text + "</mo>"; }
 std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
-/// What is inside has a row of its own, so that a minus at its beginning is no difference.
-std::string bracketed(const std::string& inside) { return sign("(") + row(inside) + sign(")"); }
+/// Brackets as tall as what they hold. What is inside has a row of its own, so that a minus at its
+/// beginning is no difference.
+std::string bracketed(const std::string& inside, bool tall) {
+  const std::string begin = tall ? "<mo>" : "<mo stretchy=\"false\">";
+  return begin + "(</mo>" + row(inside) + begin + ")</mo>";
+}
 
 /// A single letter slants by itself, a word stands upright.
 std::string word_of(const std::string& word) {
@@ -94,7 +98,8 @@ std::string call_of(const FormulaNode& node) {
   const Kind kind = node.parts.front().kind;
   const bool angle = node.text == "sin" || node.text == "cos" || node.text == "tan";
   const bool bare = angle && (kind == Kind::name || kind == Kind::number || kind == Kind::product);
-  return row("<mi>" + node.text + "</mi>" + (bare ? thin_space + inside : bracketed(inside)));
+  return row("<mi>" + node.text + "</mi>" +
+             (bare ? thin_space + inside : bracketed(inside, is_tall(node))));
 }
 
 /// A group that is the whole of a place needs its brackets no longer.
@@ -141,7 +146,7 @@ std::string mathml_of(const FormulaNode& node) {
     case Kind::negative: return row(sign(minus_sign) + mathml_of(node.parts.front()));
     case Kind::power:
       return "<msup>" + row(mathml_of(node.parts[0])) + exponent_of(node.parts[1]) + "</msup>";
-    case Kind::group: return row(bracketed(mathml_of(node.parts.front())));
+    case Kind::group: return row(bracketed(mathml_of(node.parts.front()), is_tall(node)));
     case Kind::call: return call_of(node);
     case Kind::derivative:
       return "<mfrac><mi mathvariant=\"normal\">d</mi>" +
