@@ -221,7 +221,8 @@ std::string harmless(std::string json) {
   return out;
 }
 
-std::string data_of(const CycleFigure& cycle, std::size_t frame, std::size_t station) {
+std::string data_of(const MovingPicture& picture, std::size_t frame, std::size_t station) {
+  const CycleFigure& cycle = picture.cycle;
   const bool in_space = is_in_space(cycle);
   Json times = Json::array();
   for (const CycleFrame& of : cycle.frames) {
@@ -233,7 +234,8 @@ std::string data_of(const CycleFigure& cycle, std::size_t frame, std::size_t sta
     stations.push_back(Json::parse(fmt::format("{:.6g}", finite(at.s.value()))));
     sides += to_text(at.side);
   }
-  const Json data = {{"frame", frame},
+  const Json data = {{"repeats", picture.repeats},
+                     {"frame", frame},
                      {"station", station},
                      {"situation", visible(cycle.situation)},
                      {"times", std::move(times)},
@@ -260,7 +262,7 @@ std::string cycle_figure(const MovingPicture& picture, std::size_t number) {
       "<script type=\"application/json\">{3}</script>\n"
       "<figcaption><b>Figure {0}.</b> {4}</figcaption>\n</figure>\n",
       number, posture_svg(cycle, frame, "Mechanism at t = " + time), time,
-      data_of(cycle, frame, station), escaped(picture.caption));
+      data_of(picture, frame, station), escaped(picture.caption));
 }
 
 }  // namespace boxbeam::report::html

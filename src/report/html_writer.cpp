@@ -7,9 +7,11 @@
 #include <map>
 #include <type_traits>
 
+#include "boxbeam/report/formula.hpp"
 #include "html_cycle.hpp"
 #include "html_text.hpp"
 #include "report_assets.hpp"
+#include "table_columns.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -38,23 +40,6 @@ std::string badge(Mark mark) {
   if (mark == Mark::none) return "";
   const MarkWords of = words_of(mark);
   return fmt::format("<span class=\"badge {}\">{}</span>", of.style, of.words);
-}
-
-bool is_number_like(const std::string& text) {
-  const char first = text.front();
-  return (first >= '0' && first <= '9') || first == '+' || first == '-';
-}
-
-/// Whether a column stands at the right: all that stands in it looks like numbers.
-bool at_right(const Table& table, std::size_t column) {
-  bool any = false;
-  for (const auto& row : table.rows) {
-    const std::string& text = row[column].text;
-    if (text.empty()) continue;
-    if (!is_number_like(text)) return false;
-    any = true;
-  }
-  return any;
 }
 
 class Writer {
@@ -127,7 +112,7 @@ class Writer {
         "</header>\n<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
         "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong></h2>\n",
         words_of(document_.mark).style, escaped(document_.verdict));
-    if (!document_.governing.rows.empty()) write(document_.governing);
+    if (!document_.governing.rows.empty()) write(document_.governing, true);
     out_ += "</section>\n";
     Facts block = document_.facts;
     block.entries.emplace_back("input sha256", document_.input_sha256);
@@ -173,7 +158,8 @@ class Writer {
     out_ += "</dl>\n";
   }
 
-  void write(const Table& table) {
+  /// `named`: every cell says of what it is, for where there is no room for a header.
+  void write(const Table& table, bool named = false) {
     const bool folded = table.rows.size() > rows_shown;
     const std::string caption = escaped(table.caption);
     if (folded) {
@@ -186,7 +172,7 @@ class Writer {
     if (!caption.empty() && !folded) out_ += fmt::format("<caption>{}</caption>\n", caption);
     std::vector<const char*> side(table.header.size(), "");
     for (std::size_t c = 0; c < side.size(); ++c) {
-      if (at_right(table, c)) side[c] = " class=\"right\"";
+      if (holds_numbers(table, c)) side[c] = " class=\"right\"";
     }
     out_ += "<thead><tr>";
     if (!table.marks.empty()) out_ += "<th scope=\"col\">result</th>";
@@ -194,12 +180,12 @@ class Writer {
       out_ += fmt::format("<th scope=\"col\"{}>{}</th>", side[c], escaped(table.header[c]));
     }
     out_ += "</tr></thead>\n<tbody>\n";
-    for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, side);
+    for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, side, named);
     out_ += "</tbody>\n</table>\n</div>\n";
     if (folded) out_ += "</details>\n";
   }
 
-  void row(const Table& table, std::size_t r, const std::vector<const char*>& side) {
+  void row(const Table& table, std::size_t r, const std::vector<const char*>& side, bool named) {
     const Mark mark = table.marks.empty() ? Mark::none : table.marks[r];
     out_ += mark == Mark::none ? "<tr>" : fmt::format("<tr class=\"{}\">", words_of(mark).style);
     if (!table.marks.empty()) out_ += fmt::format("<td>{}</td>", badge(mark));
@@ -211,6 +197,7 @@ class Writer {
       if (cell.value && std::isfinite(*cell.value)) {
         out_ += fmt::format(" data-value=\"{}\"", *cell.value);
       }
+      if (named) out_ += fmt::format(" data-label=\"{}\"", escaped(table.header[c]));
       const std::string text = escaped(cell.text);
       if (c == 0 && sheet != sheets_.end()) {
         out_ += fmt::format("><a href=\"#sheet-{}\">{}</a></{}>", sheet->second, text, element);
@@ -252,7 +239,7 @@ class Writer {
 
   void write(const Step& step) {
     const auto math = [](const std::string& formula) {
-      return fmt::format("<span class=\"formula\">{}</span>", escaped(formula));
+      return fmt::format("<math>{}</math>", mathml_of_formula(formula));
     };
     std::string notes;
     for (const std::string& note : step.notes) {

@@ -194,7 +194,11 @@ std::string posture_svg(const CycleFigure& cycle, std::size_t frame, const std::
   for (const auto& rod : posture.rods) {
     out += line("rod", sheet.at(rod.from), sheet.at(rod.to));
   }
-  for (const auto& of : posture.bodies) out += body(sheet, of);
+  for (const bool front : {false, true}) {  // the beam in front of the others
+    for (const auto& of : posture.bodies) {
+      if (of.beam == front) out += body(sheet, of);
+    }
+  }
   std::vector<Point> labels;
   for (const BeamLoadRow& of : posture.loads) out += load(sheet, of, labels);
   return out + "</svg>\n";

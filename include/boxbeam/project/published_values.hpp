@@ -19,6 +19,9 @@ struct PublishedValue {
   std::string key;  ///< "governing.fatigue.safety_factor", "motion[1.071].bodies.4.x"
   ParsedQuantity value;
   std::string written;  ///< as it stands in the file: "16.3 MPa"
+  std::string unit;     ///< of that: "MPa", "" without
+  double scale = 1.0;   ///< SI value of one of it
+  int digits = 0;       ///< of the number, without leading zeros
   PublishedTolerance tolerance;
   std::string reason;  ///< why it differs; "" where it is meant to agree
   std::string source;  ///< where it is published
@@ -29,7 +32,7 @@ struct PublishedValue {
 
 struct PublishedValues {
   std::string path;
-  std::vector<PublishedValue> rows;  ///< in the order of the file, at least one, each key once
+  std::vector<PublishedValue> rows;  ///< in the order of the file, at least one
 };
 
 /// Reads a table of published values, comma-separated, of which the first line names the columns:
@@ -39,7 +42,8 @@ struct PublishedValues {
 ///
 /// The columns reason and source may be missing; their order does not matter. Parts may stand in
 /// quotes ("" is a quote in quotes); lines that begin with "#" are comments. A number has a unit
-/// where its result has one; a tolerance is "1 %" of the published value, or absolute.
+/// where its result has one; a tolerance is "1 %" of the published value, or absolute. A result may
+/// stand more than once where the sources differ.
 /// Throws InputError with all problems and their places.
 PublishedValues read_published(const std::string& path);
 

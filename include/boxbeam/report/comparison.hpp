@@ -22,7 +22,7 @@ const char* to_text(Agreement agreement);
 /// A published value beside that of the program, SI.
 struct ComparedValue {
   PublishedValue published;
-  std::string key;  ///< in full
+  std::string key;   ///< in full
   std::string unit;  ///< SI unit of the numbers: "Pa", "1"
   double ours = 0.0;
   double difference = 0.0;  ///< ours - published
@@ -31,7 +31,7 @@ struct ComparedValue {
 };
 
 struct Comparison {
-  std::string path;  ///< of the table
+  std::string path;                 ///< of the table
   std::vector<ComparedValue> rows;  ///< in its order
 
   std::size_t count(Agreement agreement) const;

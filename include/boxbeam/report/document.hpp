@@ -79,6 +79,7 @@ struct Listing {
 struct MovingPicture {
   CycleFigure cycle;
   std::string caption;
+  bool repeats = true;  ///< behind the last frame comes the first; else the motion ends there
 };
 
 struct Subheading {

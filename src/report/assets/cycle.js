@@ -59,9 +59,11 @@
     static line(of, a, b) { Svg.set(of, { x1: a[0], y1: a[1], x2: b[0], y2: b[1] }); }
   }
 
+  // Numbers between two frames.
+  const between = (a, b, part) => (part === 0 ? a : a.map((x, i) => x + part * (b[i] - x)));
+
   // The coordinates of a frame, read in the order in which they were written.
-  const posture = (data, frame) => {
-    const numbers = data.frames[frame];
+  const posture = (data, numbers) => {
     let at = 0;
     const vector = (digit) => {
       const x = numbers[at++] * digit, y = numbers[at++] * digit;
@@ -81,7 +83,7 @@
   };
 
   // Loads of a frame: name, place [m], force [kN].
-  const loads_of = (data, frame) => data.loads.frames[frame].map((row) => {
+  const loads_of = (data, rows) => rows.map((row) => {
     const { space, digit } = data.mechanism;
     const n = space ? 3 : 2;
     const vector = (from, unit) => [0, 1, 2].map((i) => (i < n ? row[from + i] * unit : 0));
@@ -94,9 +96,8 @@
     constructor(svg, data) {
       this.ink = new Svg(svg);
       this.data = data;
-      const frames = data.times.map((_, i) => i);
-      this.postures = frames.map((i) => posture(data.mechanism, i));
-      this.loads = frames.map((i) => loads_of(data, i));
+      this.postures = data.mechanism.frames.map((numbers) => posture(data.mechanism, numbers));
+      this.loads = data.loads.frames.map((rows) => loads_of(data, rows));
       this.view = data.mechanism.space ? VIEWS.oblique : PLANE;
     }
 
@@ -119,7 +120,8 @@
       for (const load of all) take(this.tail(load));
       const margin = 30;
       const extent = [0, 1].map((i) => Math.max(high[i] - low[i], 1e-3 * size));
-      const height = clamp((width - 2 * margin) * extent[1] / extent[0] + 2 * margin, 220, 460);
+      const height = clamp((width - 2 * margin) * extent[1] / extent[0] + 2 * margin, 220,
+        Math.min(460, 1.15 * width));
       this.scale = Math.min((width - 2 * margin) / extent[0], (height - 2 * margin) / extent[1]);
       this.middle = [0, 1].map((i) => 0.5 * (low[i] + high[i]));
       this.ink.size(width, height);
@@ -141,7 +143,7 @@
       this.guides = many(of.guides, "line", "guide");
       this.grounds = many(of.grounds, "path", "ground");
       this.rods = many(of.rods, "line", "rod");
-      this.bodies = of.bodies.map((body, i) => {
+      const made = (body, i) => {
         const style = data.mechanism.bodies[i].beam ? "beam" : "body";
         const single = body.points.length === 1;
         const chain = body.strokes.length === 0 ? body.points.slice(1) : body.strokes;
@@ -150,21 +152,33 @@
           block: single ? ink.make("rect", "block", { width: 14, height: 14 }) : null,
           points: single ? [] : body.points.map(() => ink.make("circle", "joint", { r: 3.5 })),
         };
-      });
+      };
+      // The beam in front of the others.
+      this.bodies = [];
+      for (const front of [false, true]) {
+        of.bodies.forEach((body, i) => {
+          if (data.mechanism.bodies[i].beam === front) this.bodies[i] = made(body, i);
+        });
+      }
       this.mark = ink.make("circle", "cursor", { r: 6 });
       const most = Math.max(0, ...this.loads.map((list) => list.length));
       this.arrows = Array.from({ length: most }, () => ({
         line: ink.make("line", "load"), head: ink.make("path", "head"),
       }));
-      this.names = this.arrows.map(() => ink.make("text", "", { "text-anchor": "middle" }));
+      this.names = this.arrows.map(() => ink.make("text"));
       this.rule();
     }
 
-    // A length to measure by; in space also the axes.
+    // A length to measure by, how displacements are drawn, and in space the axes.
     rule() {
       const { ink } = this;
-      const size = round_size(0.2 * ink.width / this.scale);
       const y = ink.height - 6;
+      const { magnified } = this.data.mechanism;
+      if (magnified > 0) {
+        ink.make("text", "small", { x: ink.width - 6, y, "text-anchor": "end" },
+          `displacements ${Number(significant(magnified))} times as large`);
+      }
+      const size = round_size(0.2 * ink.width / this.scale);
       ink.make("path", "rule", { d: `M8 ${y - 4}v4h${(size * this.scale).toFixed(2)}v-4` });
       ink.make("text", "small", { x: 12, y: y - 6 }, `${Number(size.toPrecision(1))} m`);
       if (!this.data.mechanism.space) return;
@@ -178,8 +192,10 @@
       });
     }
 
-    show(frame, station) {
-      const of = this.postures[frame];
+    // An instant is a frame, the next one, and how far it is on the way.
+    show({ frame, next, part }, station) {
+      const { mechanism, loads } = this.data;
+      const of = posture(mechanism, between(mechanism.frames[frame], mechanism.frames[next], part));
       of.guides.forEach(([place, along], i) => Svg.line(this.guides[i],
         this.at(plus(place, along, -this.guide)), this.at(plus(place, along, this.guide))));
       of.rods.forEach(([a, b], i) => Svg.line(this.rods[i], this.at(a), this.at(b)));
@@ -189,7 +205,9 @@
       });
       of.bodies.forEach((body, i) => this.show_body(body, this.bodies[i]));
       this.show_mark(of, station);
-      this.show_loads(this.loads[frame]);
+      const [here, there] = [loads.frames[frame], loads.frames[next]];
+      const alike = here.length === there.length && here.every((row, i) => row[0] === there[i][0]);
+      this.show_loads(loads_of(this.data, alike ? here.map((row, i) => between(row, there[i], part)) : here));
     }
 
     show_body(body, drawn) {
@@ -212,9 +230,18 @@
       const beam = mechanism.bodies.findIndex((body) => body.beam && body.strokes > 0);
       this.mark.style.display = beam < 0 ? "none" : "";
       if (beam < 0) return;
-      const [from, to] = of.bodies[beam].strokes[0];
-      const part = stations[station] / stations[stations.length - 1];
-      const [x, y] = this.at(plus(from, plus(to, from, -1), part));
+      // Along its axis, which its first strokes are.
+      let rest = stations[station];
+      let place = null;
+      for (const [from, to] of of.bodies[beam].strokes) {
+        if (place && length(plus(from, place, -1)) > 1e-6) break;
+        const way = plus(to, from, -1);
+        const part = Math.min(1, rest / (length(way) || 1));
+        place = plus(from, way, part);
+        rest -= length(way);
+        if (rest <= 0) break;
+      }
+      const [x, y] = this.at(place);
       Svg.set(this.mark, { cx: x, cy: y });
     }
 
@@ -236,13 +263,15 @@
         const corners = [tip, plus(back, side), plus(back, side, -1)];
         Svg.set(arrow.head, { d: `M${corners.map((p) => p.map((x) => x.toFixed(2)).join(" ")).join("L")}z` });
         const words = `${load.name}  ${significant(length(load.force))} kN`;
-        const half = Math.min(3.6 * words.length, 0.5 * width - 4);
-        const x = clamp(tail[0] - 12 * along[0], half + 4, width - half - 4);
-        let y = clamp(tail[1] - 12 * along[1] + 4, 15, height - 22);
-        const crowded = () => taken.some(([a, b, h]) => Math.abs(a - x) < h + half && Math.abs(b - y) < 15);
+        // Beyond the tail, beside the arrow where that is not upright, never over another name.
+        const wide = Math.min(7.2 * words.length, width - 8);
+        const part = along[0] > 0.4 ? 1 : along[0] < -0.4 ? 0 : 0.5;
+        const x = clamp(tail[0] - 6 * along[0] - part * wide, 4, width - wide - 4);
+        let y = clamp(tail[1] - 12 * along[1] + 4, 15, height - 32);
+        const crowded = () => taken.some(([a, b, w]) => x < a + w && a < x + wide && Math.abs(b - y) < 15);
         while (crowded() && y > 30) y -= 15;
-        while (crowded() && y < height - 37) y += 15;
-        taken.push([x, y, half]);
+        while (crowded() && y < height - 47) y += 15;
+        taken.push([x, y, wide]);
         this.names[i].textContent = words;
         Svg.set(this.names[i], { x, y });
       });
@@ -258,7 +287,7 @@
 
     layout(width) {
       const { ink, data } = this;
-      const [left, right, title, high, bottom] = [58, 16, 20, this.panels.length > 3 ? 74 : 96, 36];
+      const [left, right, title, high, bottom] = [58, 16, 26, this.panels.length > 3 ? 70 : 92, 36];
       const end = data.stations[data.stations.length - 1];
       this.left = left;
       this.per_metre = (width - left - right) / end;
@@ -272,7 +301,7 @@
         const span = up - low || 1;
         panel.y = (v) => top + high * (1 - (v - low) / span);
         panel.top = top;
-        ink.make("text", "name", { x: 4, y: top - 7 }, `${of.name} [${of.unit}]`);
+        ink.make("text", "name", { x: left, y: top - 7 }, `${of.name} [${of.unit}]`);
         const there = data.stations.map((_, i) => [this.x(i), panel.y(value(of.high, i))]);
         const back = data.stations.map((_, i) => [this.x(i), panel.y(value(of.low, i))]).reverse();
         ink.make("path", "band", { d: `${Diagrams.path([...there, ...back])}z` });
@@ -305,7 +334,7 @@
         ink.make("text", "small", { x, y: base + 25, "text-anchor": "middle" },
           String(Number((k * step).toPrecision(6))));
       }
-      ink.make("text", "name", { x: 4, y: base + 25 }, "s [m]");
+      ink.make("text", "name", { x: this.left - 12, y: base + 25, "text-anchor": "end" }, "s [m]");
     }
 
     x(station) { return this.left + this.data.stations[station] * this.per_metre; }
@@ -322,13 +351,13 @@
 
     static path(points) { return `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`; }
 
-    show(frame, station) {
+    show({ frame, next, part }, station) {
       const { data } = this;
       const x = this.x(station);
       Svg.set(this.cursor, { x1: x, x2: x });
       const last = data.stations.length - 1;
       for (const { of, value, y, area, curve, dot, text, top } of this.panels) {
-        const numbers = of.frames[frame];
+        const numbers = between(of.frames[frame], of.frames[next], part);
         const line = Diagrams.path(numbers.map((_, i) => [this.x(i), y(value(numbers, i))]));
         Svg.set(curve, { d: line });
         Svg.set(area, { d: `M${this.x(0).toFixed(1)} ${y(0).toFixed(1)}L${line.slice(1)}L${this.x(last).toFixed(1)} ${y(0).toFixed(1)}z` });
@@ -337,7 +366,7 @@
         const before = x > 0.6 * this.ink.width;
         text.textContent = significant(v);
         Svg.set(text, {
-          x: x + (before ? -8 : 8), y: Math.max(y(v) - 6, top - 4), "text-anchor": before ? "end" : "start",
+          x: x + (before ? -8 : 8), y: Math.max(y(v) - 6, top + 11), "text-anchor": before ? "end" : "start",
         });
       }
     }
@@ -352,9 +381,8 @@
       this.frame = data.frame;
       this.station = data.station;
       const n = data.times.length;
-      const same = JSON.stringify(data.mechanism.frames[0]) === JSON.stringify(data.mechanism.frames[n - 1]);
-      this.count = same && n > 1 ? n - 1 : n;
-      this.period = (data.times[n - 1] - data.times[0]) * (same || n < 2 ? 1 : n / (n - 1));
+      this.last = n - (data.repeats ? 0 : 1);  // where the motion ends or begins again, in frames
+      this.period = n < 2 ? 0 : ((data.times[n - 1] - data.times[0]) * this.last) / (n - 1);
       this.build();
       this.show();
     }
@@ -474,9 +502,8 @@
       const duration = 1000 * clamp(this.period, 3, 12);
       let begin;
       const tick = (now) => {
-        begin ??= now - duration * (this.frame % this.count) / this.count;
-        const frame = Math.floor(((now - begin) / duration) * this.count) % this.count;
-        if (frame !== this.frame) this.go(frame);
+        begin ??= now - duration * (this.frame / this.last);
+        this.go((((now - begin) / duration) % 1) * this.last);
         this.playing = requestAnimationFrame(tick);
       };
       this.playing = requestAnimationFrame(tick);
@@ -490,27 +517,41 @@
       this.playing = 0;
       this.play.textContent = "Play";
       this.play.setAttribute("aria-label", "Play the cycle");
+      this.go(Math.round(this.frame) % this.data.times.length);
     }
 
+    // The frame may be between two while the cycle is played.
     show() {
-      const { data, frame, station } = this;
-      this.mechanism.show(frame, station);
-      this.diagrams.show(frame, station);
-      const part = (data.times[frame] - data.times[0]) / this.period;
-      this.time.textContent = `t = ${data.times[frame].toFixed(4)} s, ${(100 * part).toFixed(1)} % of the cycle (${(360 * part).toFixed(0)}\u00b0)`;
-      this.slider.value = frame;
-      this.slider.setAttribute("aria-valuetext", this.time.textContent);
+      const { data, station } = this;
+      const frame = Math.floor(this.frame);
+      const next = (frame + 1) % data.times.length;
+      const at = { frame, next, part: this.frame - frame };
+      this.mechanism.show(at, station);
+      this.diagrams.show(at, station);
+      this.show_time();
       const side = { "-": ", just before", "+": ", just behind" }[data.sides[station]] || "";
       this.place.textContent = `s = ${Number(data.stations[station].toPrecision(4))} m${side}`;
       this.places.value = station;
       this.places.setAttribute("aria-valuetext", this.place.textContent);
-      data.cut.forEach((of, k) => [of.frames[frame], of.low, of.high].forEach((numbers, c) => {
-        this.cells[k][c].textContent = significant(numbers[station] * of.digit);
-      }));
+      data.cut.forEach((of, k) => {
+        const now = between(of.frames[frame], of.frames[next], at.part);
+        [now, of.low, of.high].forEach((numbers, c) => {
+          this.cells[k][c].textContent = significant(numbers[station] * of.digit);
+        });
+      });
       const sizes = new Map(this.mechanism.loads[frame].map((load) => [load.name, length(load.force)]));
       data.loads.names.forEach((name, i) => {
         this.load_cells[i].textContent = sizes.has(name) ? significant(sizes.get(name)) : "-";
       });
+    }
+
+    show_time() {
+      const part = this.frame / this.last;
+      const time = (this.data.times[0] + part * this.period).toFixed(4);
+      const phase = this.data.repeats ? `of the cycle (${(360 * part).toFixed(0)}\u00b0)` : "of the motion";
+      this.time.textContent = `t = ${time} s, ${(100 * part).toFixed(1)} % ${phase}`;
+      this.slider.value = this.frame;
+      this.slider.setAttribute("aria-valuetext", this.time.textContent);
     }
   }
 

@@ -1,14 +1,13 @@
-#include "mechanism_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "blocks.hpp"
 #include "function_text.hpp"
-#include "text_layout.hpp"
+#include "report_parts.hpp"
 
-namespace boxbeam {
+namespace boxbeam::report {
 namespace {
 
 using planar::Attachment;
@@ -169,30 +168,63 @@ struct ForceText {
 
 }  // namespace
 
-std::string mechanism_text(const Mechanism& mechanism) {
+Entries planar_entries(const Mechanism& mechanism) {
   const Names names{mechanism};
-  std::string out;
+  Entries entries;
   for (const planar::Joint& joint : mechanism.joints) {
-    out +=
-        layout::entry(planar::is_driver(joint) ? "driver" : "joint",
-                      fmt::format("{}: {}", joint.name, std::visit(JointText{names}, joint.kind)));
+    entries.emplace_back(
+        planar::is_driver(joint) ? "driver" : "joint",
+        fmt::format("{}: {}", joint.name, std::visit(JointText{names}, joint.kind)));
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
-    out += layout::entry(
+    entries.emplace_back(
         "force", fmt::format("{}: {}", force.name, std::visit(ForceText{names}, force.kind)));
   }
   for (const Body& body : mechanism.bodies) {
     const Eigen::Vector3d& v = body.start_velocity;
     if (v.isZero(0.0)) continue;
-    out += layout::entry("start", fmt::format("{}: centre at ({}, {}) m/s, turning at {} rad/s",
+    entries.emplace_back("start", fmt::format("{}: centre at ({}, {}) m/s, turning at {} rad/s",
                                               body.name, plain(v.x()), plain(v.y()), plain(v.z())));
   }
-  if (mechanism.duration.length > 0.0) {
-    out += layout::entry(
-        "motion", fmt::format("{} s looked at, after {} s left out",
-                              plain(mechanism.duration.length), plain(mechanism.duration.settle)));
-  }
-  return out;
+  add_duration(mechanism.duration, entries);
+  return entries;
 }
 
-}  // namespace boxbeam
+std::vector<Block> planar_blocks(const Project& project, const ClosureSummary& closure) {
+  const Mechanism& mechanism = planar_of(project);
+  const planar::DegreesOfFreedom& freedom = closure.freedom;
+  Facts facts;
+  const auto add = [&](const char* name, std::string text) {
+    facts.entries.emplace_back(name, std::move(text));
+  };
+  add("degrees of freedom",
+      fmt::format("{} by Gruebler, {} by the rank of the Jacobian; {} driver{}", freedom.gruebler,
+                  freedom.by_rank, freedom.drivers, freedom.drivers == 1 ? "" : "s"));
+  if (freedom.redundant > 0) {
+    add("redundant",
+        fmt::format("{} equations, shared by {}", freedom.redundant,
+                    fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", ")));
+  }
+  if (freedom.undriven > 0) {
+    add("moved by forces", fmt::format("{} degree{} of freedom, integrated over time",
+                                       freedom.undriven, freedom.undriven == 1 ? "" : "s"));
+  } else {
+    add("digits left",
+        fmt::format("{:.0f} of velocities, at worst (t = {})", std::floor(closure.digits.left),
+                    text::seconds(closure.digits.time.value())));
+  }
+  for (std::size_t i = 0; i < closure.branch.size(); ++i) {
+    add("branch",
+        fmt::format("loop {}: {}", mechanism.loops[i].name, closure.branch[i] > 0 ? "+" : "-"));
+  }
+  add("joints closed to",
+      fmt::format("{:.1e} of the mechanism's size at all instants", closure.largest_residual));
+  Table table = table_of("", {"body", "mass [kg]", "J about centre [kg m^2]"});
+  for (const Body& body : mechanism.bodies) {
+    add_row(table, row_of(body.name, cell(text::Quantity::mass, body.mass),
+                          cell(text::Quantity::inertia, body.inertia)));
+  }
+  return {std::move(facts), std::move(table)};
+}
+
+}  // namespace boxbeam::report

@@ -1,81 +1,40 @@
-#include "inputs_text.hpp"
-
 #include <fmt/format.h>
 
-#include "boxbeam/project/detail_catalogue.hpp"
-#include "boxbeam/report/format.hpp"
-#include "chain_text.hpp"
-#include "flexible_text.hpp"
-#include "function_text.hpp"
-#include "mechanism_text.hpp"
-#include "text_layout.hpp"
+#include <algorithm>
 
-namespace boxbeam {
+#include "blocks.hpp"
+#include "boxbeam/project/detail_catalogue.hpp"
+#include "function_text.hpp"
+#include "profile_text.hpp"
+#include "report_parts.hpp"
+
+namespace boxbeam::report {
 namespace {
 
-/// An input as the user wrote it: millimetres without trailing zeros.
-std::string plain_mm(Length x) { return fmt::format("{:.6g}", x.value() * 1e3); }
-
-std::string text_of(const Box& box) {
-  std::string out = fmt::format("box {} x {}", plain_mm(box.width), plain_mm(box.height));
-  if (box.top_flange == box.bottom_flange)
-    out += fmt::format(", flanges {}", plain_mm(box.top_flange));
-  else
-    out += fmt::format(", flanges {} (top), {}", plain_mm(box.top_flange),
-                       plain_mm(box.bottom_flange));
-  if (box.left_web == box.right_web)
-    out += fmt::format(", webs {}", plain_mm(box.left_web));
-  else
-    out += fmt::format(", webs {} (left), {}", plain_mm(box.left_web), plain_mm(box.right_web));
-  if (!box.stiffeners.empty()) out += fmt::format(", {} stiffeners", box.stiffeners.size());
-  return out;
-}
-
-std::string text_of(const RectangularTube& tube) {
-  std::string out = fmt::format("rectangular tube {} x {}, wall {}", plain_mm(tube.width),
-                                plain_mm(tube.height), plain_mm(tube.wall));
-  if (tube.outer_radius.value() > 0.0) {
-    out += fmt::format(", radii {}/{}", plain_mm(tube.outer_radius), plain_mm(tube.inner_radius));
-  }
-  return out;
-}
-
-std::string text_of(const RoundTube& tube) {
-  return fmt::format("round {}, wall {}", plain_mm(tube.diameter), plain_mm(tube.wall));
-}
-
-std::string text_of(const Plate& plate) {
-  return fmt::format("plate {} x {}", plain_mm(plate.width), plain_mm(plate.height));
-}
-
-std::string text_of(const Polygon& polygon) {
-  return fmt::format("polygon of {} corners, {} hollows", polygon.outer.size(),
-                     polygon.hollows.size());
-}
-
-std::string text_of(const ThinWalled& path) {
-  return fmt::format("{} thin walls between {} nodes", path.walls.size(), path.nodes.size());
-}
-
-std::string beam_inputs(const TaperedBeam& beam) {
-  layout::Table table({"segment", "s [m]", "width x height, plates [mm]", "inside [mm]"});
+Table beam_table(const TaperedBeam& beam) {
+  Table table = table_of("", {"segment", "s [m]", "width x height, plates [mm]", "inside [mm]"});
   const auto row = [&](const std::string& name, Length s, const Section& section) {
-    table.row({name, fmt::format("{:.6g}", s.value()), profile_text(section.outer),
-               section.inner ? profile_text(*section.inner) : ""});
+    add_row(table, row_of(name, cell(fmt::format("{:.6g}", s.value())), profile_text(section.outer),
+                          section.inner ? profile_text(*section.inner) : std::string()));
   };
   for (const Segment& segment : beam.segments) {
     row(segment.name, segment.start, segment.from);
     row("", segment.end(), segment.to);
   }
-  return table.text();
+  const bool inside =
+      std::any_of(beam.segments.begin(), beam.segments.end(),
+                  [](const Segment& segment) { return segment.from.inner || segment.to.inner; });
+  if (inside) return table;
+  table.header.pop_back();
+  for (auto& cells : table.rows) cells.pop_back();
+  return table;
 }
 
-std::string hole_inputs(const Project& project) {
-  std::string out;
+void add_holes(const Project& project, Entries& entries) {
   for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
     const BeamHole& at = project.beam.holes[i];
     const bool webs = at.hole.walls == HoleWalls::webs;
-    out += layout::entry(
+    entries.emplace_back(
         "hole", fmt::format("{}: {} mm through both {} at s = {:.6g} m, {} {} mm, case \"{}\"",
                             at.hole.name, plain_mm(at.hole.diameter), webs ? "webs" : "flanges",
                             at.s.value(), webs ? "z =" : "y = +-", plain_mm(at.hole.position),
@@ -83,7 +42,6 @@ std::string hole_inputs(const Project& project) {
                                 ? to_text(*project.hole_inputs[i].concentration)
                                 : "net section"));
   }
-  return out;
 }
 
 std::string place_text(const BeamDetail& detail) {
@@ -155,66 +113,81 @@ std::string situation_text(const Project& project, const Situation& situation) {
   return out;
 }
 
-std::string mechanism_inputs(const Project& project) {
+void append(Entries more, Entries& entries) {
+  entries.insert(entries.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+}
+
+void add_mechanism(const Project& project, Entries& entries) {
   if (in_space(project)) {
-    const spatial::Mechanism& mechanism = spatial_of(project);
-    const Eigen::Vector3d& g = mechanism.gravity;
-    return layout::entry("gravity", fmt::format("({}, {}, {}) m/s^2", plain(g.x()), plain(g.y()),
-                                                plain(g.z()))) +
-           chain_inputs(mechanism, project.placement);
+    const Eigen::Vector3d& g = spatial_of(project).gravity;
+    entries.emplace_back(
+        "gravity", fmt::format("({}, {}, {}) m/s^2", plain(g.x()), plain(g.y()), plain(g.z())));
+    append(spatial_entries(project), entries);
+    return;
   }
   const Eigen::Vector2d& g =
       is_flexible(project) ? flexible_of(project).gravity : planar_of(project).gravity;
-  return layout::entry("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y())) +
-         (is_flexible(project) ? flexible_inputs(flexible_of(project))
-                               : mechanism_text(planar_of(project)));
+  entries.emplace_back("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y()));
+  append(is_flexible(project) ? flexible_entries(flexible_of(project))
+                              : planar_entries(planar_of(project)),
+         entries);
+}
+
+void add_demands(const Project& project, Entries& entries) {
+  const FatigueInput& fatigue = project.fatigue;
+  entries.emplace_back("steel",
+                       fmt::format("{} ({})", project.material.name, project.material.source));
+  entries.emplace_back("strength", fmt::format("gamma_M0 = {}, required factor {}",
+                                               text::factor(project.strength.gamma_M0),
+                                               text::factor(project.strength.required)));
+  entries.emplace_back(
+      "fatigue",
+      fmt::format("{}, gamma_Ff = {}, gamma_Mf = {}{}, required factor {}",
+                  fatigue.demand.loading == Loading::spectrum ? "spectrum" : "constant amplitude",
+                  text::factor(fatigue.demand.gamma_Ff), text::factor(fatigue.demand.gamma_Mf),
+                  in_brackets(fatigue.gamma_Mf_source), text::factor(fatigue.required)));
+  entries.emplace_back("detail", detail_text(fatigue.beam, "whole beam"));
+  for (const BeamDetail& detail : fatigue.details) {
+    entries.emplace_back("detail", detail_text(detail, place_text(detail)));
+  }
+  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
+    if (!project.hole_inputs[i].detail) continue;
+    entries.emplace_back("detail", detail_text(*project.hole_inputs[i].detail,
+                                               "hole " + project.beam.holes[i].hole.name));
+  }
+  for (const Situation& situation : project.situations) {
+    entries.emplace_back(situation.name.empty() ? "cycles" : "situation",
+                         situation_text(project, situation));
+  }
 }
 
 }  // namespace
 
-std::string profile_text(const Profile& profile) {
-  return std::visit([](const auto& shape) { return text_of(shape); }, profile);
+void add_duration(const Duration& duration, Entries& entries) {
+  if (duration.length == 0.0) return;
+  entries.emplace_back("motion", fmt::format("{} s looked at, after {} s left out",
+                                             plain(duration.length), plain(duration.settle)));
 }
 
-std::string inputs_text(const Project& project) {
-  const FatigueInput& fatigue = project.fatigue;
-  std::string out = beam_inputs(project.beam) + "\n" + hole_inputs(project);
-  out += layout::entry(
+Chapter inputs_chapter(const Source& source) {
+  if (source.level == ReportLevel::summary) return {"Inputs", {}};
+  const Project& project = source.project;
+  Entries beam, mechanism, demands;
+  add_holes(project, beam);
+  beam.emplace_back(
       "density",
       fmt::format("{:.6g} kg/m^3{}", project.beam.density.value(),
                   project.beam.rotary_inertia ? ", rotary inertia of the sections counted" : ""));
-  out += mechanism_inputs(project);
+  add_mechanism(project, mechanism);
   for (const InputFile& table : project.tables) {
-    out += layout::entry("table", fmt::format("{}, sha256 {}", table.written, table.sha256));
+    mechanism.emplace_back("table", fmt::format("{}, sha256 {}", table.written, table.sha256));
   }
-  out += layout::entry("steel",
-                       fmt::format("{} ({})", project.material.name, project.material.source));
-  out += layout::entry("strength", fmt::format("gamma_M0 = {}, required factor {}",
-                                               text::significant(project.strength.gamma_M0, 3),
-                                               text::significant(project.strength.required, 3)));
-  out += layout::entry(
-      "fatigue",
-      fmt::format(
-          "{}, gamma_Ff = {}, gamma_Mf = {}{}, required factor {}",
-          fatigue.demand.loading == Loading::spectrum ? "spectrum" : "constant amplitude",
-          text::significant(fatigue.demand.gamma_Ff, 3),
-          text::significant(fatigue.demand.gamma_Mf, 3),
-          fatigue.gamma_Mf_source.empty() ? "" : fmt::format(" ({})", fatigue.gamma_Mf_source),
-          text::significant(fatigue.required, 3)));
-  out += layout::entry("detail", detail_text(fatigue.beam, "whole beam"));
-  for (const BeamDetail& detail : fatigue.details) {
-    out += layout::entry("detail", detail_text(detail, place_text(detail)));
-  }
-  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
-    if (!project.hole_inputs[i].detail) continue;
-    out += layout::entry("detail", detail_text(*project.hole_inputs[i].detail,
-                                               "hole " + project.beam.holes[i].hole.name));
-  }
-  for (const Situation& situation : project.situations) {
-    out += layout::entry(situation.name.empty() ? "cycles" : "situation",
-                         situation_text(project, situation));
-  }
-  return out;
+  add_demands(project, demands);
+  return {"Inputs",
+          {Subheading{"Beam"}, beam_table(project.beam), Facts{std::move(beam)},
+           Subheading{"Mechanism and loads"}, Facts{std::move(mechanism)}, Subheading{"Demands"},
+           Facts{std::move(demands)}}};
 }
 
-}  // namespace boxbeam
+}  // namespace boxbeam::report

@@ -1,16 +1,14 @@
-#include "chain_text.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "blocks.hpp"
 #include "boxbeam/mechanism/spatial/rotation.hpp"
-#include "boxbeam/report/format.hpp"
 #include "function_text.hpp"
-#include "text_layout.hpp"
+#include "report_parts.hpp"
 
-namespace boxbeam {
+namespace boxbeam::report {
 namespace {
 
 using spatial::Mechanism;
@@ -58,47 +56,52 @@ std::string turn_text(const Eigen::Matrix3d& R) {
   return fmt::format("{} rad about {}", plain(angle), direction_text(turn / angle));
 }
 
-std::string joints_table(const Mechanism& mechanism) {
-  layout::Table table(
-      {"joint", "kind", "carries", "on", "at [m]", "axis, of the carried body", "turned at zero"});
+Table joints_table(const Mechanism& mechanism) {
+  Table table = table_of("", {"joint", "kind", "carries", "on", "at [m]",
+                              "axis, of the carried body", "turned at zero"});
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const spatial::Joint& joint = mechanism.joints[i];
     const bool fixed = joint.kind == spatial::JointKind::fixed;
-    table.row({joint.name, spatial::to_text(joint.kind), mechanism.bodies[i].name,
-               body_name(mechanism, joint.parent), triple(joint.at),
-               fixed ? "-" : direction_text(joint.turn.transpose() * joint.axis),
-               turn_text(joint.turn)});
+    add_row(table,
+            row_of(joint.name, spatial::to_text(joint.kind), mechanism.bodies[i].name,
+                   body_name(mechanism, joint.parent), triple(joint.at),
+                   fixed ? std::string("-") : direction_text(joint.turn.transpose() * joint.axis),
+                   turn_text(joint.turn)));
   }
-  return table.text();
+  return table;
 }
 
-std::string bodies_table(const Mechanism& mechanism) {
-  layout::Table table({"body", "mass [kg]", "centre, body axes [m]",
-                       "principal inertias about the centre [kg m^2]"});
+Table bodies_table(const Mechanism& mechanism) {
+  Table table = table_of("", {"body", "mass [kg]", "centre, body axes [m]",
+                              "principal inertias about the centre [kg m^2]"});
   for (const spatial::Body& body : mechanism.bodies) {
     if (body.mass == 0.0) {
-      table.row({body.name, "0", "-", "- (a frame that turns or shifts what it carries)"});
+      add_row(table, row_of(body.name, cell(text::Quantity::mass, 0.0), "-",
+                            "none: a frame that turns or shifts what it carries"));
       continue;
     }
     const Eigen::Vector3d principal =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia, Eigen::EigenvaluesOnly)
             .eigenvalues();
-    table.row(
-        {body.name, text::significant(body.mass, 5), triple(body.centre),
-         fmt::format("{}, {}, {}", text::significant(principal[2], 5),
-                     text::significant(principal[1], 5), text::significant(principal[0], 5))});
+    const auto inertia = [](double J) { return text::rounded(text::Quantity::inertia, J); };
+    add_row(table, row_of(body.name, cell(text::Quantity::mass, body.mass), triple(body.centre),
+                          fmt::format("{}, {}, {}", inertia(principal[2]), inertia(principal[1]),
+                                      inertia(principal[0]))));
   }
-  return table.text();
+  return table;
 }
 
 }  // namespace
 
-std::string chain_tables(const Mechanism& mechanism) {
-  return joints_table(mechanism) + "\n" + bodies_table(mechanism);
+std::vector<Block> spatial_blocks(const Mechanism& mechanism) {
+  return {joints_table(mechanism), bodies_table(mechanism)};
 }
 
-std::string chain_inputs(const Mechanism& mechanism, const spatial::BeamPlacement& placement) {
-  std::string out = layout::entry(
+Entries spatial_entries(const Project& project) {
+  const Mechanism& mechanism = spatial_of(project);
+  const spatial::BeamPlacement& placement = project.placement;
+  Entries entries;
+  entries.emplace_back(
       "beam",
       fmt::format("in body {}: from {} m, x along {}, z along {} of its axes",
                   body_name(mechanism, placement.body), triple(placement.start),
@@ -106,12 +109,12 @@ std::string chain_inputs(const Mechanism& mechanism, const spatial::BeamPlacemen
   for (const spatial::Joint& joint : mechanism.joints) {
     if (joint.kind == spatial::JointKind::fixed) continue;
     const bool turns = joint.kind == spatial::JointKind::revolute;
-    out += layout::entry("driver", fmt::format("{}: {} = {}", joint.name, turns ? "angle" : "shift",
+    entries.emplace_back("driver", fmt::format("{}: {} = {}", joint.name, turns ? "angle" : "shift",
                                                function_text(joint.driver, turns ? "rad" : "m")));
   }
   for (const spatial::AppliedLoad& load : mechanism.loads) {
     const bool force = load.kind == spatial::LoadKind::force;
-    out += layout::entry(
+    entries.emplace_back(
         "load", fmt::format("{}: {} on {}, {} {}, along {} of {}, = {}", load.name,
                             force ? "force" : "couple", body_name(mechanism, load.on),
                             force ? "acting at" : "entering at", place_text(mechanism, load.at),
@@ -119,19 +122,15 @@ std::string chain_inputs(const Mechanism& mechanism, const spatial::BeamPlacemen
                             function_text(load.size, force ? "N" : "N m")));
   }
   for (const spatial::LineForce& line : mechanism.line_forces) {
-    out += layout::entry(
+    entries.emplace_back(
         "load",
         fmt::format("{}: force per length on {}, from {} to {}, along {} of {}, = {}", line.name,
                     body_name(mechanism, line.on), place_text(mechanism, {line.on, line.from}),
                     place_text(mechanism, {line.on, line.to}), direction_text(line.direction),
                     axes_text(mechanism, line.axes), function_text(line.size, "N/m")));
   }
-  if (mechanism.duration.length > 0.0) {
-    out += layout::entry(
-        "motion", fmt::format("{} s looked at, after {} s left out",
-                              plain(mechanism.duration.length), plain(mechanism.duration.settle)));
-  }
-  return out;
+  add_duration(mechanism.duration, entries);
+  return entries;
 }
 
-}  // namespace boxbeam
+}  // namespace boxbeam::report

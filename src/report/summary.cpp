@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxbeam/report/remarks.hpp"
+#include "boxbeam/report/text_report.hpp"
+#include "boxbeam/report/text_writer.hpp"
+#include "report_parts.hpp"
+#include "text_layout.hpp"
+#include "text_table.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// A gate that blocks is always shown, of the rest the first few.
+std::string remarks_summary(const Project& project, const Verification& verification) {
+  constexpr std::size_t most = 3;
+  std::string out;
+  std::size_t others = 0;
+  std::size_t hidden = 0;
+  for (const std::string& remark : remarks_of(project, verification)) {
+    if (remark.starts_with("assumed: ")) {
+      ++hidden;
+    } else if (remark.starts_with("not applicable: ") || others++ < most) {
+      out += layout::item(remark);
+    } else {
+      ++hidden;
+    }
+  }
+  if (hidden > 0) {
+    out += layout::item(fmt::format("{} more remarks and assumptions stand in the report", hidden));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string summary(const Project& project, const Verification& verification) {
+  report::Document document = report_of(project, verification, ReportLevel::summary);
+  document.governing.marks.clear();  // its first column says the same
+  std::string out = fmt::format("{}  {}\n", document.verdict, project.title);
+  out += report::table_text(document.governing, layout::width);
+  out += "\nRemarks:\n" + remarks_summary(project, verification);
+  return out;
+}
+
+std::string text_report(const Project& project, const Verification& verification) {
+  return report::text_of(report_of(project, verification));
+}
+
+}  // namespace boxbeam
