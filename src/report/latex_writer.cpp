@@ -56,12 +56,19 @@ std::string facts(const Facts& facts) {
 
 std::string step(const Step& step) {
   std::string out = fmt::format("\\symbolof{{{}}}\n", latex_of_formula(step.symbol));
-  for (std::size_t i = 0; i < step.formulas.size(); ++i) {
-    if (i > 0) out += "\\nextformula";
-    out += fmt::format("\\formula{{{}}}\n", latex_of_formula(step.formulas[i]));
-  }
   if (step.formulas.empty()) out += "\\noindent\\box4\\par\n";
-  for (const std::string& note : step.notes) out += fmt::format("\\note{{{}}}\n", running(note));
+  std::size_t noted = 0;
+  for (std::size_t i = 0; i < step.formulas.size(); ++i) {
+    const std::string formula = latex_of_formula(step.formulas[i]);
+    if (i > 0) out += "\\nextformula";
+    if (i + 1 == step.formulas.size() && !step.notes.empty()) {
+      out += fmt::format("\\notedformula{{{}}}{{{}}}\n", formula, running(step.notes[noted++]));
+    } else {
+      out += fmt::format("\\formula{{{}}}\n", formula);
+    }
+  }
+  for (; noted < step.notes.size(); ++noted)
+    out += fmt::format("\\note{{{}}}\n", running(step.notes[noted]));
   return out;
 }
 

@@ -116,4 +116,13 @@ report::Document report_of(const Project& project, const Verification& verificat
   return document;
 }
 
+report::Document without_pictures(report::Document document) {
+  for (Chapter& chapter : document.chapters) {
+    std::erase_if(chapter.blocks,
+                  [](const Block& block) { return std::holds_alternative<Picture>(block); });
+  }
+  std::erase_if(document.chapters, [](const Chapter& chapter) { return chapter.blocks.empty(); });
+  return document;
+}
+
 }  // namespace boxbeam

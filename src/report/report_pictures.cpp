@@ -83,11 +83,11 @@ std::string loads_caption(const Source& source) {
 }
 
 std::string stress_caption(const Source& source) {
-  const std::string what = "Largest and smallest normal stress along the beam";
-  const CriticalInstant* stress = largest_of(source, "stress");
-  if (stress == nullptr) return what + ".";
-  return fmt::format("{}: {} at s = {} m, t = {}.", what, text::MPa(stress->value),
-                     to_text(stress->station), text::seconds(stress->time.value()));
+  const std::string what = "Normal stress over the cycle at the places with the largest ranges";
+  const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
+  if (fatigue == nullptr) return what + ".";
+  return fmt::format("{}: at {} it changes by {}.", what, place_of(fatigue->check),
+                     text::MPa(fatigue->check.acting.value()));
 }
 
 std::string section_caption(const Source& source) {

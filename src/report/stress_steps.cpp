@@ -15,9 +15,15 @@ namespace {
 constexpr std::array<const char*, cut_force::count> in_the_plane{"N", "V_y", "V", "T", "M", "M_z"};
 constexpr std::array<const char*, cut_force::count> in_all{"N", "V_y", "V_z", "T", "M_y", "M_z"};
 
+/// Stresses below are round-off [Pa].
+constexpr double no_stress = 1.0;
+
+std::string kN(double force) { return text::kN(std::abs(force) < 1e-3 ? 0.0 : force); }
+std::string kNm(double moment) { return text::kNm(std::abs(moment) < 1e-3 ? 0.0 : moment); }
+
 std::string cut_force_text(const CutForces& cut, std::size_t which) {
   const double value = value_of(cut, static_cast<cut_force::Index>(which));
-  return which < cut_force::T ? text::kN(value) : text::kNm(value);
+  return which < cut_force::T ? kN(value) : kNm(value);
 }
 
 /// Stress per cut force, "4.572e-4 mm^-2".
@@ -38,18 +44,10 @@ struct Contribution {
 std::vector<Contribution> contributions_of(const std::array<double, cut_force::count>& influence,
                                            const CutForces& cut, bool space) {
   const auto& names = space ? in_all : in_the_plane;
-  double largest = 0.0;
-  for (std::size_t k = 0; k < cut_force::count; ++k) {
-    const double force = value_of(cut, static_cast<cut_force::Index>(k));
-    if (force != 0.0) largest = std::max(largest, std::abs(influence[k] * force));
-  }
   std::vector<Contribution> parts;
-  constexpr double round_off = 1e-9;
-  constexpr double nothing = 1e-3;  // Pa
-  if (largest < nothing) return parts;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const double force = value_of(cut, static_cast<cut_force::Index>(k));
-    if (force == 0.0 || std::abs(influence[k] * force) <= round_off * largest) continue;
+    if (force == 0.0 || std::abs(influence[k] * force) < no_stress) continue;
     const std::string name = names[k];
     std::string index = name;
     std::erase(index, '_');
@@ -78,7 +76,6 @@ Step sum_step(const std::string& symbol, const std::vector<Contribution>& parts,
       symbols += part.symbols;
     }
     if (!values.empty()) values += " + ";
-    // "(-27.66 kN) x ..." needs its brackets only behind another sign.
     values += part.values;
     stresses.push_back(part.stress);
   }
@@ -128,9 +125,9 @@ Steps centroid_steps(const StressPoint& point, const CutForces& cut, bool space)
                           double centre) {
     steps.push_back({symbol,
                      {formula,
-                      fmt::format("{} {} {} x {}", text::kNm(M), sign > 0.0 ? "+" : "-",
-                                  term(text::kN(N)), term(text::mm(centre))),
-                      text::kNm(M + sign * N * centre)},
+                      fmt::format("{} {} {} x {}", kNm(M), sign > 0.0 ? "+" : "-", term(kN(N)),
+                                  term(text::mm(centre))),
+                      kNm(M + sign * N * centre)},
                      {"about the centroid"}});
   };
   moment(space ? "M_yc" : "M_c", space ? "M_y - N z_c" : "M - N z_c", cut.M_y.value(), -1.0, z_c);
@@ -157,12 +154,12 @@ Steps bending_steps(const std::string& symbol, const StressPoint& point, const C
   const std::string I_y = inertia_symbol("I_y", point);
   std::vector<Contribution> parts;
   parts.push_back({cut_force::N, N / net.area.value(), "N/" + A,
-                   fmt::format("{}/{}", text::kN(N), mm2(net.area.value()))});
+                   fmt::format("{}/{}", kN(N), mm2(net.area.value()))});
   const std::string M = central ? (space ? "M_y" : "M") : (space ? "M_yc" : "M_c");
   parts.push_back(
       {cut_force::M_y, M_y * z / net.I_y.value(),
        fmt::format("{} {}/{}", M, central ? "z" : "e_z", I_y),
-       fmt::format("{} x {}/{}", term(text::kNm(M_y)), term(text::mm(z)), mm4(net.I_y.value()))});
+       fmt::format("{} x {}/{}", term(kNm(M_y)), term(text::mm(z)), mm4(net.I_y.value()))});
   std::string symbols = fmt::format("{} + {}", parts[0].symbols, parts[1].symbols);
   if (space || M_z != 0.0) {
     // The minus stands before the term, so that the values read like the formula.
@@ -170,7 +167,7 @@ Steps bending_steps(const std::string& symbol, const StressPoint& point, const C
     symbols += fmt::format(" - {}/{}", central ? "M_z y" : "M_zc e_y", I_z);
     parts.push_back(
         {cut_force::M_z, -M_z * y / net.I_z.value(), "",
-         fmt::format("{} x {}/{}", term(text::kNm(M_z)), term(text::mm(y)), mm4(net.I_z.value()))});
+         fmt::format("{} x {}/{}", term(kNm(M_z)), term(text::mm(y)), mm4(net.I_z.value()))});
   }
   std::string values = fmt::format("{} + {}", parts[0].values, parts[1].values);
   std::vector<double> stresses{parts[0].stress, parts[1].stress};
@@ -230,23 +227,24 @@ std::string shear_lag_formula(const ShearLag& lag) {
 }
 
 std::string with(std::string formula, const std::string& symbol, const std::string& value) {
+  const bool number = std::isdigit(static_cast<unsigned char>(value.front())) != 0;
   for (std::size_t at = formula.find(symbol); at != std::string::npos;
        at = formula.find(symbol, at + value.size())) {
     // A product of two numbers needs its sign.
-    const bool behind_number = at > 0 && formula[at - 1] == ' ' && at > 1 &&
+    const bool behind_number = number && at > 1 && formula[at - 1] == ' ' &&
                                (std::isdigit(static_cast<unsigned char>(formula[at - 2])) != 0);
     formula.replace(at, symbol.size(), (behind_number ? "x " : "") + value);
   }
   return formula;
 }
 
-Steps shear_lag_steps(const ShearLag& lag, const char* of) {
+Steps shear_lag_steps(const ShearLag& lag, const char* of, const std::string& index) {
   Steps steps;
   const std::string b_0 = text::mm(lag.b_0.value());
   const std::string L_e = text::mm(lag.effective_length.value());
   const double alpha = lag.kappa * (lag.effective_length / lag.b_0);
   const bool stiffened = std::abs(alpha - 1.0) > 1e-9;
-  Step kappa{"kappa", {"b_0/L_e", fmt::format("{}/{}", b_0, L_e)}, {}};
+  Step kappa{"kappa" + index, {"b_0/L_e", fmt::format("{}/{}", b_0, L_e)}, {}};
   if (stiffened) {
     steps.push_back({"alpha_0",
                      {"sqrt(1 + A_sl/(b_0 t))", text::significant(alpha)},
@@ -261,10 +259,12 @@ Steps shear_lag_steps(const ShearLag& lag, const char* of) {
   const std::string formula = shear_lag_formula(lag);
   const std::string value = text::significant(lag.beta);
   if (lag.kappa <= 0.02) {
-    steps.push_back({"beta", {value}, {"kappa up to 0.02"}});
+    steps.push_back({"beta" + index, {value}, {"kappa up to 0.02"}});
   } else {
-    steps.push_back(
-        {"beta", {formula, with(formula, "kappa", text::significant(lag.kappa)), value}, {}});
+    steps.push_back({"beta" + index,
+                     {with(formula, "kappa", "kappa" + index),
+                      with(formula, "kappa", text::significant(lag.kappa)), value},
+                     {}});
   }
   return steps;
 }
@@ -337,16 +337,14 @@ double throat_of(const StressPoint& point) {
 const char* const taper_note =
     "k of N and M: what the change of the section along the taper adds, per cut force";
 
-bool is_nothing(const StressPoint& point, const CutForces& cut) {
-  constexpr double round_off = 1e-12;
-  return std::abs(stress_at(point.influence, cut).shear.value()) <
-         round_off * point.yield_strength.value();
+bool is_free(const StressPoint& point, const CutForces& cut) {
+  return std::abs(stress_at(point.influence, cut).shear.value()) < no_stress;
 }
 
 /// V S/(I_y b) and, in a taper, what N and M add.
 Steps planar_shear_steps(const std::string& symbol, const Project& project,
                          const StressPoint& point, const CutForces& cut) {
-  if (is_nothing(point, cut)) return {{symbol, {"0 MPa"}, {"no material beyond the point"}}};
+  if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
   std::vector<Contribution> parts = contributions_of(point.influence.shear, cut, false);
   const SectionProperties net = net_without_lag(project, point);
   const std::string I_y = net.area == point.gross.area ? "I_y" : "I_y,net";
@@ -357,7 +355,7 @@ Steps planar_shear_steps(const std::string& symbol, const Project& project,
       tapers = true;
       continue;
     }
-    const std::string V = term(text::kN(cut.V_z.value()));
+    const std::string V = term(kN(cut.V_z.value()));
     if (point.on_throat) {
       const double a = throat_of(point);
       const double S = point.influence.shear[cut_force::V_z] * a * net.I_y.value();
@@ -380,7 +378,7 @@ Steps planar_shear_steps(const std::string& symbol, const Project& project,
 
 Steps spatial_shear_steps(const std::string& symbol, const StressPoint& point,
                           const CutForces& cut) {
-  if (is_nothing(point, cut)) return {{symbol, {"0 MPa"}, {"no material beyond the point"}}};
+  if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
   Step step = sum_step(symbol, contributions_of(point.influence.shear, cut, true));
   step.notes.push_back(fmt::format(
       "k of V_y and V_z: S/(I {0}); of T: 1/(2 A_m {0}) around a cell; flow of the closed section",
@@ -401,8 +399,8 @@ Steps section_steps(const Project& project, const StressPoint& point) {
   const bool space = in_space(project);
   const std::string kind = kind_of(point);
   if (box && !space) append(steps, plain_box_steps(*box, point.gross));
-  if (point.lag) append(steps, shear_lag_steps(*point.lag, "flanges"));
-  if (point.web_lag) append(steps, shear_lag_steps(*point.web_lag, "webs"));
+  if (point.lag) append(steps, shear_lag_steps(*point.lag, "flanges", ""));
+  if (point.web_lag) append(steps, shear_lag_steps(*point.web_lag, "webs", "_web"));
   if (kind.empty() && box && !space) return steps;
   if (point.lag && box && !space && by_strips(*box, point)) {
     append(steps, effective_box_steps(*box, point));

@@ -20,6 +20,9 @@ enum class ReportLevel {
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level = ReportLevel::governing);
 
+/// The same without its figures, for where none are drawn; what moves stays.
+report::Document without_pictures(report::Document document);
+
 /// One check as formula, substituted values, result and source.
 report::Sheet sheet_of(const Project& project, const Verification& verification,
                        const CheckResult& result);
