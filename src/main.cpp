@@ -7,9 +7,12 @@
 #include <optional>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/case_schema.hpp"
 #include "program/command_line.hpp"
+#include "program/compare_command.hpp"
 #include "program/completion.hpp"
 #include "program/exit_code.hpp"
+#include "program/explain_command.hpp"
 #include "program/fatigue_command.hpp"
 #include "program/init_command.hpp"
 #include "program/manual.hpp"
@@ -56,21 +59,11 @@ std::string instant_trouble(const std::string& text) {
   return "\"" + text + "\" is no instant; write seconds without unit, for example 1.071";
 }
 
-void add_case(CLI::App& command, std::string& file) {
-  command.add_option("CASE", file, "case file")->required()->type_name("FILE.toml");
-}
-
 /// Options of which one value belongs to one mention.
 template <class Value>
 CLI::Option* add_repeated(CLI::App& command, const char* name, std::vector<Value>& values,
                           const char* says, const char* type) {
   return command.add_option(name, values, says)->allow_extra_args(false)->type_name(type);
-}
-
-void add_set(CLI::App& command, std::vector<std::string>& set) {
-  add_repeated(command, "--set", set,
-               "override a key of the case, --set bodies.sledge.mass=\"20 t\"; may be repeated",
-               "KEY=VALUE");
 }
 
 void add_json(CLI::App& command, std::string& file, const char* what, const char* instead) {
@@ -86,33 +79,92 @@ CLI::Option* add_choice(CLI::App& command, const char* name, std::string& word,
   return command.add_option(name, word, says)->check(CLI::IsMember(std::move(words)));
 }
 
-void add_dynamics(CLI::App& command, std::string& word) {
-  add_choice(command, "--dynamics", word, {"rigorous", "newton-chain"},
+/// The case and what may be changed of it.
+void add_case(CLI::App& command, CaseOptions& options) {
+  command.add_option("CASE", options.file, "case file")->required()->type_name("FILE.toml");
+  add_repeated(command, "--set", options.set,
+               "override a key of the case, --set bodies.sledge.mass=\"20 t\"; may be repeated",
+               "KEY=VALUE");
+}
+
+/// Likewise, of what is verified.
+void add_verified_case(CLI::App& command, CaseOptions& options) {
+  add_case(command, options);
+  add_choice(command, "--dynamics", options.dynamics, {"rigorous", "newton-chain"},
              "where the loads on the beam come from (default: as the case says)");
+  add_choice(command, "--model", options.model, {"auto", "rigid", "flexible"},
+             "auto: the cheapest sufficient one (default: as the case says, else auto)");
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "of --model auto, on the governing stress: 0.01 for 1 % (default: as the case "
+                  "says, else 0.01)")
+      ->check(tolerance_trouble)
+      ->type_name("FRACTION");
 }
 
 Entry verify_entry(CLI::App& app) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App& command = *app.add_subcommand("verify", "verify a case and write its report");
-  add_case(command, options->case_file);
   command
       .add_option("--out", options->out, "folder of the report (default: reports/NAME of the case)")
       ->type_name("DIR");
-  add_json(command, options->json, "results", "the summary");
-  add_set(command, options->set);
-  add_dynamics(command, options->dynamics);
-  add_choice(command, "--model", options->model, {"auto", "rigid", "flexible"},
-             "auto: the cheapest sufficient one (default: as the case says, else auto)");
-  command
-      .add_option("--tolerance", options->tolerance,
-                  "of --model auto, on the governing stress: 0.01 for 1 % (default: as the case "
-                  "says, else 0.01)")
-      ->check(tolerance_trouble)
-      ->type_name("FRACTION");
+  add_choice(
+      command, "--level", options->level, {"summary", "governing", "full"},
+      "how much the report says (default: governing, all that the governing checks rest on)");
   command.add_flag("--no-plots", options->no_plots, "draw no figures");
+  command.add_flag("--no-html", options->no_html, "write no report.html");
+  command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");
+  add_json(command, options->json, "results", "the summary");
+  command.add_flag("--quiet", options->quiet, "print the verdict only, in one line");
+  add_verified_case(command, options->of_case);
   return {&command,
           {"boxbeam verify rig.toml", "boxbeam verify rig.toml --set strength.required=2.5"},
           [options] { return run_verify(*options); }};
+}
+
+Entry explain_entry(CLI::App& app) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App& command =
+      *app.add_subcommand("explain", "show how a check comes about, formula by formula");
+  command
+      .add_option("CHECK", options->check,
+                  "id of the check as the report shows it; or its beginning (fatigue, fatigue/4.2) "
+                  "for the worst of these, governing for the worst of all, list for all ids")
+      ->required()
+      ->type_name("ID");
+  add_verified_case(command, options->of_case);
+  return {&command,
+          {"boxbeam explain fatigue rig.toml", "boxbeam explain list rig.toml"},
+          [options] { return run_explain(*options); }};
+}
+
+Entry compare_entry(CLI::App& app) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "compare", "compare published or hand-calculated values with those of the program");
+  add_verified_case(command, options->of_case);
+  command
+      .add_option("PUBLISHED", options->published,
+                  "table: result, published, tolerance, reason, source")
+      ->required()
+      ->type_name("FILE.csv");
+  add_json(command, options->json, "comparison", "the text");
+  command.add_option("--html", options->html, "also write it as HTML to this file")
+      ->type_name("FILE");
+  return {&command,
+          {"boxbeam compare published.toml thesis.csv --dynamics newton-chain"},
+          [options] { return run_compare(*options); }};
+}
+
+Entry schema_entry(CLI::App& app) {
+  const auto document = std::make_shared<std::string>("case");
+  CLI::App& command = *app.add_subcommand(
+      "schema", "print the JSON Schema of a case or of what the program writes");
+  add_choice(command, "DOCUMENT", *document, schema_names(), "of which one (default: case)");
+  return {&command, {"boxbeam schema results"}, [document] {
+            put(schema_of(*document));
+            return all_pass;
+          }};
 }
 
 Entry motion_entry(CLI::App& app) {
@@ -121,7 +173,7 @@ Entry motion_entry(CLI::App& app) {
       "motion",
       "positions, velocities, accelerations and reactions of the mechanism alone; of elastic links "
       "frequencies, static and harmonic response");
-  add_case(command, options->case_file);
+  add_case(command, options->of_case);
   add_repeated(command, "--at", options->at,
                "instant in seconds; may be repeated (default: twelve instants of the period)",
                "TIME")
@@ -133,7 +185,6 @@ Entry motion_entry(CLI::App& app) {
                   "in space: give vectors in the axes of this body (default: world)")
       ->type_name("BODY");
   add_json(command, options->json, "motion", "the tables");
-  add_set(command, options->set);
   return {
       &command, {"boxbeam motion rig.toml --at 1.071"}, [options] { return run_motion(*options); }};
 }
@@ -214,12 +265,10 @@ Entry init_entry(CLI::App& app) {
 }
 
 Entry validate_entry(CLI::App& app) {
-  const auto options = std::make_shared<ValidateOptions>();
+  const auto options = std::make_shared<CaseOptions>();
   CLI::App& command =
       *app.add_subcommand("validate", "read a case; say what it is, or all that is wrong with it");
-  add_case(command, options->case_file);
-  add_set(command, options->set);
-  add_dynamics(command, options->dynamics);
+  add_verified_case(command, *options);
   return {&command, {"boxbeam validate my.toml"}, [options] { return run_validate(*options); }};
 }
 
@@ -281,14 +330,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
   CommandLine line;
-  const std::vector<Entry> entries{init_entry(app),
-                                   validate_entry(app),
-                                   verify_entry(app),
-                                   motion_entry(app),
-                                   section_entry(app),
-                                   fatigue_entry(app),
-                                   completion_entry(app, line),
-                                   manual_entry(app, line)};
+  const std::vector<Entry> entries{
+      init_entry(app),    validate_entry(app),         verify_entry(app),      explain_entry(app),
+      compare_entry(app), motion_entry(app),           section_entry(app),     fatigue_entry(app),
+      schema_entry(app),  completion_entry(app, line), manual_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,9 +8,16 @@
 
 namespace boxbeam::program {
 
-/// A case with what the command line changes of it; `dynamics` is "" where it is as the case says.
-/// Throws InputError with all problems.
-Project read_case(const std::string& path, const std::vector<std::string>& set,
-                  const std::string& dynamics = "");
+/// A case and what the command line changes of it.
+struct CaseOptions {
+  std::string file;
+  std::vector<std::string> set;
+  std::string dynamics;             ///< "": as the case says
+  std::string model;                ///< likewise
+  std::optional<double> tolerance;  ///< of the model, likewise
+};
+
+/// The case so changed. Throws InputError with all problems.
+Project read_case(const CaseOptions& options);
 
 }  // namespace boxbeam::program

@@ -7,7 +7,6 @@
 #include "boxbeam/verification/chain_motion_result.hpp"
 #include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
-#include "program/case_options.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
 
@@ -48,7 +47,7 @@ int run_flexible_motion(const Project& project, const MotionOptions& options) {
 int run_motion(const MotionOptions& options) {
   // The mechanism alone: where the beam's loads come from does not matter, so that a case made for
   // the chain can be moved as well.
-  const Project project = read_case(options.case_file, options.set);
+  const Project project = read_case(options.of_case);
   if (is_flexible(project)) return run_flexible_motion(project, options);
   if (options.assemblies) return run_assemblies(project, options);
   if (in_space(project)) {

@@ -3,15 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "program/case_options.hpp"
+
 namespace boxbeam::program {
 
 struct MotionOptions {
-  std::string case_file;
+  CaseOptions of_case;
   std::vector<double> at;
   bool assemblies = false;
   std::string axes;
   std::string json;
-  std::vector<std::string> set;
 };
 
 /// `boxbeam motion`: the mechanism alone. Returns the exit code.

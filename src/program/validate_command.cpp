@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "boxbeam/project/project.hpp"
-#include "program/case_options.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
 
@@ -112,9 +111,9 @@ std::string text_of(const Project& project) {
 
 }  // namespace
 
-int run_validate(const ValidateOptions& options) {
-  const Project project = read_case(options.case_file, options.set, options.dynamics);
-  put(fmt::format("{}: nothing is wrong\n{}", options.case_file, text_of(project)));
+int run_validate(const CaseOptions& options) {
+  const Project project = read_case(options);
+  put(fmt::format("{}: nothing is wrong\n{}", options.file, text_of(project)));
   return all_pass;
 }
 

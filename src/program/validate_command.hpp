@@ -1,18 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "program/case_options.hpp"
 
 namespace boxbeam::program {
 
-struct ValidateOptions {
-  std::string case_file;
-  std::vector<std::string> set;
-  std::string dynamics;  ///< "": as the case says
-};
-
 /// `boxbeam validate`: reads a case, and says what it is or everything that is wrong with it.
 /// Returns the exit code.
-int run_validate(const ValidateOptions& options);
+int run_validate(const CaseOptions& options);
 
 }  // namespace boxbeam::program

@@ -2,88 +2,159 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
+#include "boxbeam/report/format.hpp"
+#include "boxbeam/report/html_writer.hpp"
 #include "boxbeam/report/json.hpp"
+#include "boxbeam/report/pdf.hpp"
 #include "boxbeam/report/plots.hpp"
+#include "boxbeam/report/report.hpp"
 #include "boxbeam/report/text_report.hpp"
+#include "boxbeam/report/text_writer.hpp"
 #include "boxbeam/verification/verify.hpp"
-#include "program/case_options.hpp"
 #include "program/exit_code.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
+#include "report/process.hpp"
 
 namespace boxbeam::program {
 namespace {
 
-/// Writes every output that can be written; returns what could not be, as text.
-std::string write_reports(const Project& project, const Verification& verification,
-                          const std::string& folder, bool plots,
-                          std::vector<std::string>& written) {
-  remove_figures(folder);
-  write_file(folder + "/report.txt", text_report(project, verification));
-  write_file(folder + "/results.json", results_json(project, verification));
-  written = {"report.txt", "results.json"};
-  if (!plots) return "";
-  try {
-    for (std::string& name : draw_figures(project, verification, folder))
-      written.push_back(std::move(name));
-  } catch (const OutputError& error) {
-    return error.what();
+namespace fs = std::filesystem;
+
+/// What a run has written, and what it could not write.
+struct Outputs {
+  std::vector<std::string> written;  ///< in the folder, or as the user named them
+  std::vector<std::string> figures;  ///< their files
+  std::vector<std::string> troubles;
+  std::string results;  ///< results.json
+};
+
+/// Removes what an earlier run has written: nothing of it may stand beside the new report.
+void remove_outputs(const std::string& folder) {
+  std::error_code ignored;
+  for (const char* name :
+       {"report.txt", "report.html", "report.pdf", "report.log", "results.json"}) {
+    fs::remove(fs::path(folder) / name, ignored);
   }
-  return "";
+  remove_figures(folder);
+  fs::remove(fs::path(folder) / "plots", ignored);  // where nothing else is in it
 }
 
-/// Takes over which model is asked for.
-void take_model(const VerifyOptions& options, Project& project) {
-  if (options.tolerance) project.model.tolerance = *options.tolerance;
-  if (options.model.empty()) return;
-  project.model.demand = options.model == "auto"    ? ModelDemand::automatic
-                         : options.model == "rigid" ? ModelDemand::rigid
-                                                    : ModelDemand::flexible;
-  if (project.model.demand != ModelDemand::flexible) return;
-  if (in_space(project)) {
-    throw InputError("the bodies of a mechanism in space are rigid; there is no flexible model",
-                     "use --model auto or --model rigid");
+/// Without the pictures that have not been drawn.
+report::Document with_figures(report::Document document, const std::vector<std::string>& figures) {
+  const auto missing = [&](const report::Block& block) {
+    const auto* picture = std::get_if<report::Picture>(&block);
+    return picture != nullptr &&
+           std::find(figures.begin(), figures.end(), picture->name + ".svg") == figures.end();
+  };
+  for (report::Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
+  return document;
+}
+
+ReportLevel level_of(const std::string& word) {
+  if (word == "summary") return ReportLevel::summary;
+  return word == "full" ? ReportLevel::full : ReportLevel::governing;
+}
+
+/// Writes the report and its figures. What needs another program may fail without the rest.
+Outputs write_outputs(const Project& project, const Verification& verification,
+                      const VerifyOptions& options, const std::string& folder, Progress& progress) {
+  Outputs outputs;
+  const auto attempt = [&](const auto& write) {
+    try {
+      write();
+    } catch (const OutputError& error) {
+      outputs.troubles.emplace_back(error.what());
+    }
+  };
+  const auto write = [&](const char* name, const std::string& content) {
+    write_file(folder + "/" + name, content);
+    outputs.written.emplace_back(name);
+  };
+  remove_outputs(folder);
+  std::optional<report::ScratchFolder> twins;  // the figures as PDF
+  if (!options.no_plots) {
+    progress.now("drawing the figures");
+    if (!options.no_pdf) twins.emplace(folder);
+    attempt([&] {
+      outputs.figures =
+          draw_figures(project, verification, folder, twins ? twins->path().string() : "");
+    });
   }
-  if (project.dynamics == Dynamics::newton_chain) {
-    throw InputError("the published Newton chain is one of rigid bodies",
-                     "use --model auto or --model rigid, or --dynamics rigorous");
+  const report::Document document =
+      with_figures(report_of(project, verification, level_of(options.level)), outputs.figures);
+  write("report.txt", report::text_of(document));
+  outputs.results = results_json(project, verification);
+  write("results.json", outputs.results);
+  if (!options.no_html) {
+    const auto picture = [&](const std::string& name) -> std::optional<std::string> {
+      std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
+      if (!file) return std::nullopt;
+      return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    attempt([&] { write("report.html", report::html_of(document, picture)); });
   }
+  if (!options.no_pdf) {
+    progress.now("setting the PDF");
+    attempt([&] {
+      report::write_pdf(document, twins ? twins->path().string() : "", folder + "/report.pdf");
+      outputs.written.emplace_back("report.pdf");
+    });
+  }
+  if (!options.json.empty() && options.json != "-") {
+    attempt([&] {
+      write_file(options.json, outputs.results);
+      outputs.written.push_back(options.json);
+    });
+  }
+  return outputs;
+}
+
+std::string written_line(const std::string& folder, const Outputs& outputs) {
+  std::string line = fmt::format("\nWritten to {}: {}", folder, fmt::join(outputs.written, ", "));
+  if (!outputs.figures.empty()) line += fmt::format(", {} figures", outputs.figures.size());
+  return line + "\n";
+}
+
+/// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".
+std::string verdict_line(const Project& project, const Verification& verification) {
+  const char* verdict = verification.verdict == Verdict::pass   ? "PASS"
+                        : verification.verdict == Verdict::fail ? "FAIL"
+                                                                : "NOT APPLICABLE";
+  const Check& worst = verification.checks.front().check;
+  return fmt::format("{}  {}: {}, utilisation {}\n", verdict, project.name, worst.id,
+                     text::percent(worst.utilisation()));
 }
 
 }  // namespace
 
-Project project_of(const VerifyOptions& options) {
-  Project project = read_case(options.case_file, options.set, options.dynamics);
-  take_model(options, project);
-  return project;
-}
-
 int run_verify(const VerifyOptions& options) {
-  const Project project = project_of(options);
-  const Verification verification = verify(project);
-
+  const Project project = read_case(options.of_case);
   const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
-  std::vector<std::string> written;
-  const std::string trouble =
-      write_reports(project, verification, folder, !options.no_plots, written);
-  if (!options.json.empty() && options.json != "-") {
-    write_file(options.json, results_json(project, verification));
-    written.push_back(options.json);
+  Verification verification;
+  Outputs outputs;
+  {
+    Progress progress(!options.quiet);
+    progress.now("verifying");
+    verification = verify(project, options.no_plots ? Figures::without : Figures::with);
+    outputs = write_outputs(project, verification, options, folder, progress);
   }
   if (options.json == "-") {
-    put(results_json(project, verification));
+    put(outputs.results);
+  } else if (options.quiet) {
+    put(coloured(verdict_line(project, verification)));
   } else {
-    put(coloured(summary(project, verification)) +
-        fmt::format("\nWritten to {}: {}\n", folder, fmt::join(written, ", ")));
+    put(coloured(summary(project, verification) + written_line(folder, outputs)));
   }
-  if (!trouble.empty()) {
-    std::cerr << "boxbeam: " << trouble << "\n";
-    return output_failed;
-  }
+  for (const std::string& trouble : outputs.troubles) std::cerr << "boxbeam: " << trouble << "\n";
+  if (!outputs.troubles.empty()) return output_failed;
   return verification.verdict == Verdict::pass ? all_pass : check_fails;
 }
 

@@ -89,14 +89,16 @@ class ResultBook {
     std::vector<std::string> keys;
     for (const ResultValue& value : values_) keys.push_back(value.key);
     const std::string near = nearest_word(key, keys);
-    if (!near.empty()) return fmt::format("did you mean {}?", near);
-    for (std::size_t end = key.find_last_of(".["); end != std::string::npos && end > 0;
-         end = key.find_last_of(".[", end - 1)) {
+    std::string hint = near.empty() ? "" : fmt::format("did you mean {}?", near);
+    const std::size_t last = key.find_last_of(".[");
+    for (const std::size_t end : {key.size(), last}) {
       const std::vector<std::string> next = continuations_of(key.substr(0, end));
       if (next.empty()) continue;
-      return fmt::format("behind \"{}\" stands one of {}", key.substr(0, end),
-                         fmt::join(next, ", "));
+      if (!hint.empty()) hint += " ";
+      return hint + fmt::format("Behind \"{}\" stands one of {}", key.substr(0, end),
+                                fmt::join(next, ", "));
     }
+    if (!hint.empty()) return hint;
     return "keys are paths into what boxbeam verify --json and boxbeam motion --json print, for "
            "example beam.mass or motion[0].bodies.beam.x";
   }

@@ -34,7 +34,8 @@ void refused(const Words& arguments, const Words& said, int exit_code = 2) {
 
 nlohmann::json results_of(const Words& more) {
   const test::TemporaryFolder folder;
-  Words arguments{"verify", rig, "--no-plots", "--out", folder.path().string(), "--json", "-"};
+  Words arguments{"verify", rig, "--no-plots", "--no-pdf", "--out", folder.path().string(),
+                  "--json", "-"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const test::ProgramResult result = test::run_program(arguments);
   INFO(result.err);
@@ -173,9 +174,10 @@ TEST_CASE("output that cannot be written ends with 4", "[bad_input]") {
   const std::string out = (folder.path() / "out").string();
   for (const std::string output : {"/dev/full", ""}) {
     INFO("standard output: " << output);
-    CHECK(exit_code_with_output(output, {"verify", rig, "--no-plots", "--out", out}) == 4);
-    CHECK(exit_code_with_output(output,
-                                {"verify", rig, "--no-plots", "--out", out, "--json", "-"}) == 4);
+    CHECK(exit_code_with_output(output, {"verify", rig, "--no-plots", "--no-pdf", "--out", out}) ==
+          4);
+    CHECK(exit_code_with_output(
+              output, {"verify", rig, "--no-plots", "--no-pdf", "--out", out, "--json", "-"}) == 4);
     CHECK(exit_code_with_output(output, {"motion", rig}) == 4);
     CHECK(exit_code_with_output(output, {"motion", rig, "--json", "-"}) == 4);
     CHECK(exit_code_with_output(output, {"--help"}) == 4);

@@ -43,7 +43,7 @@ def main(cmake, build, source, flags=""):
         # The installed program and the user's own agree on the installed case.
         case = prefix / "share/boxbeam" / CASE
         printed = run(user / "front_page", case, wanted=(1,))
-        results = json.loads(run(prefix / "bin/boxbeam", "verify", case, "--no-plots", "--out",
+        results = json.loads(run(prefix / "bin/boxbeam", "verify", case, "--no-plots", "--no-pdf", "--out",
                                  user / "report", "--json", "-", wanted=(1,)))
         worst = max(results["checks"], key=lambda check: check["utilisation"])
         found = re.fullmatch(r"(.*): (\S+) has factor ([\d.]+), required ([\d.]+) \((.*)\)\n", printed)
