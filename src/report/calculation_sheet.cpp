@@ -27,13 +27,13 @@ Step factor_step(const Check& check, const std::string& formula, const std::stri
 std::string at_extreme(const Project& project, const Extreme& extreme) {
   const std::string& name = project.situations[extreme.situation].name;
   return fmt::format("at t = {}{}", text::seconds(extreme.time.value()),
-                     name.empty() ? "" : fmt::format(" ({})", name));
+                     name.empty() ? "" : ", " + name);
 }
 
 Step time_step(const Check& check, const char* what) {
   return {"t",
           {text::seconds(check.time.value())},
-          {fmt::format("{}{}", what, check.situation.empty() ? "" : " (" + check.situation + ")")}};
+          {fmt::format("{}{}", what, check.situation.empty() ? "" : ", " + check.situation)}};
 }
 
 /// "1.10 x " for loads taken with a factor, "" else.
@@ -50,8 +50,8 @@ Step yield_strength_step(const Project& project, Stress strength, Length plate) 
 
 Steps yield_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   Steps steps{time_step(check, "where the equivalent stress is largest")};
-  const bool sheared =
-      std::abs(basis.stress_at_time.shear.value()) >= 1e-12 * basis.point.yield_strength.value();
+  constexpr double no_stress = 1.0;  // Pa
+  const bool sheared = std::abs(basis.stress_at_time.shear.value()) >= no_stress;
   append(steps, section_steps(project, basis.point));
   append(steps, normal_stress_steps("sigma", project, basis.point, basis.cut_at_time));
   if (sheared) append(steps, shear_section_steps(project, basis.point));
@@ -238,7 +238,7 @@ Steps deflection_steps(const Project& project, const Check& check) {
            {"int m M/(E I_y) ds + int v V/(G A_v) ds", w},
            {fmt::format("at s = {} m, t = {}{}", to_text(check.station),
                         text::seconds(check.time.value()),
-                        check.situation.empty() ? "" : " (" + check.situation + ")"),
+                        check.situation.empty() ? "" : ", " + check.situation),
             fmt::format("m, v: cut forces of a unit force there; E = {}, G = {}",
                         text::MPa(input.youngs_modulus.value()),
                         text::MPa(input.shear_modulus.value()))}},

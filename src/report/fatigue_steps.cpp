@@ -137,7 +137,7 @@ Gammas gammas_of(const FatigueDemand& demand) {
 }
 
 std::string in_situation(const SpectrumRow& row) {
-  return row.situation.empty() ? "" : " (" + row.situation + ")";
+  return row.situation.empty() ? "" : ", " + row.situation;
 }
 
 std::string counted(const Row& row) {
@@ -201,8 +201,8 @@ Step endured_step(const Row& row, double k, const Gammas& gammas) {
            fmt::format("{} x ({}/({} x {} x {}))^{:g}", text::cycles(corner.cycles),
                        text::MPa(corner.strength), text::significant(k), gammas.values,
                        text::MPa(row.row->cycle.range.value()), slope),
-           text::cycles(N)},
-          {fmt::format("{}", counted(row))}};
+           scientific(N, 4)},
+          {counted(row)}};
 }
 
 /// The damage sum with the loads taken k times, row by row.
@@ -235,7 +235,7 @@ Steps damage_sum_steps(const std::vector<Row>& rows, double k, const Gammas& gam
     steps.push_back(endured_step(row, k, gammas));
     if (!shares.empty()) shares += " + ", terms += " + ";
     shares +=
-        fmt::format("{}/{}", text::cycles(row.row->cycle.count), text::cycles(row.row->endured));
+        fmt::format("{}/{}", text::cycles(row.row->cycle.count), scientific(row.row->endured, 4));
     terms += text::significant(row.harm());
   }
   if (rest > 0.0) {
@@ -286,9 +286,9 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
                         fmt::format("{} x ({}/({} x {}))^{:g}", text::cycles(corner.cycles),
                                     text::MPa(corner.strength), gammas.values,
                                     text::MPa(rows.front().row->cycle.range.value()), slope),
-                        text::cycles(N)},
+                        scientific(N, 4)},
                        {"cycles to failure"}});
-      damage.formulas = {"n/N", fmt::format("{}/{}", text::cycles(n), text::cycles(N))};
+      damage.formulas = {"n/N", fmt::format("{}/{}", text::cycles(n), scientific(N, 4))};
     }
     damage.formulas.push_back(text::significant(basis.damage));
   } else {
@@ -301,10 +301,12 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
   const double m = curve.branches.front().slope;
   const std::string prefix = prefix_of(curve);
   const bool at_reference = curve.reference_cycles == 2e6;
+  const std::string D = text::significant(basis.damage);
   const std::string ratio =
       at_reference ? "" : fmt::format(" x {}/2e6", text::cycles(curve.reference_cycles));
   steps.push_back({prefix + "_E,2",
-                   {fmt::format("{}_C (D{})^(1/{:g})/({})", prefix, ratio, m, gammas.symbols),
+                   {fmt::format("{}_C {}^(1/{:g})/({})", prefix,
+                                ratio.empty() ? "D" : "(D" + ratio + ")", m, gammas.symbols),
                     fmt::format("{} x ({}{})^(1/{:g})/({})", text::MPa(curve.reference.value()),
                                 text::significant(basis.damage), ratio, m, gammas.values),
                     text::MPa(basis.equivalent.value())},
@@ -314,10 +316,12 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
 
 /// The factor under constant amplitude, for comparison.
 Steps constant_amplitude_steps(const CheckBasis& basis, const std::vector<Row>& rows,
-                               const Gammas& gammas) {
+                               const Gammas& gammas, double factor) {
   const SnCurve& curve = basis.curves.front();
-  if (!curve.constant_amplitude_limit) return {};
   const double k = basis.constant_amplitude_factor;
+  // Before the knee both are the same.
+  if (!curve.constant_amplitude_limit || text::significant(k) == text::significant(factor))
+    return {};
   Step step{"factor_CA", {text::significant(k)}, {"beside: under constant amplitude, 7.1(2)"}};
   const double limit = knee_of(curve).value();
   for (const Row& row : rows) {
@@ -383,8 +387,8 @@ Step strength_step(const SnCurve& curve, double cycles, Loading loading) {
     if ((limit || corner.what == "cut-off") && cycles >= corner.cycles) {
       return {symbol,
               {corner.symbol, text::MPa(strength)},
-              {fmt::format("{} cycles are not less than {}: no smaller range does damage",
-                           text::cycles(cycles), text::cycles(corner.cycles))}};
+              {fmt::format("at {} cycles and beyond, the {}: no smaller range does damage",
+                           text::cycles(corner.cycles), corner.what)}};
     }
   }
   const double slope = slope_at(curve, cycles);
@@ -399,7 +403,7 @@ Steps life_steps(const Project& project, const Check& check, const CheckBasis& b
   const double k = check.safety_factor;
   const std::vector<Row> rows = rows_of(basis);
   Steps steps = damage_steps(basis, rows, gammas);
-  append(steps, constant_amplitude_steps(basis, rows, gammas));
+  append(steps, constant_amplitude_steps(basis, rows, gammas, k));
   if (rows.size() == 1) {
     append(steps, alone_steps(project, check, rows.front(), gammas));
     return steps;
@@ -417,7 +421,7 @@ Steps life_steps(const Project& project, const Check& check, const CheckBasis& b
   if (alone != rows.end()) {
     append(steps, alone_steps(project, check, *alone, gammas));
     steps.back().notes.push_back(
-        "with it these cycles alone use up the life; the others do no damage yet");
+        "with it these cycles alone use up the life; no other range does damage yet");
     return steps;
   }
   if (reached) {
@@ -428,8 +432,8 @@ Steps life_steps(const Project& project, const Check& check, const CheckBasis& b
                                   text::MPa(row.row->cycle.range.value())),
                       result},
                      {fmt::format("loads taken k times: this range reaches the {}; above it its {} "
-                                  "do damage and D_k > 1",
-                                  reached->limit.what, counted(row))}});
+                                  "cycles do damage, and D_k > 1",
+                                  reached->limit.what, text::cycles(row.row->cycle.count))}});
     append(steps, damage_sum_steps(rows, k, gammas));
   } else {
     steps.push_back({"k", {result}, {"loads taken k times: the largest k with D_k <= 1"}});

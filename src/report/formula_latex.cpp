@@ -74,8 +74,8 @@ std::string number_of(const FormulaNode& node) {
     out += "\\," + (unit.name == "%" ? "\\%" : upright(unit.name));
     if (!unit.exponent.empty()) out += "^{" + unit.exponent + "}";
   }
-  // In braces: a number and its unit stay together.
-  return "{" + out + "}";
+  // In braces a number stays together with its power and unit.
+  return out == node.text ? out : "{" + out + "}";
 }
 
 std::string joined(const std::vector<FormulaNode>& parts, const std::string& between, Level level) {

@@ -20,7 +20,7 @@ const auto& named(const Inputs& inputs, const std::string& name) {
 
 std::string at_time(const Check& check, const std::string& what) {
   return fmt::format("at t = {}{}, {}", text::seconds(check.time.value()),
-                     check.situation.empty() ? "" : " (" + check.situation + ")", what);
+                     check.situation.empty() ? "" : ", " + check.situation, what);
 }
 
 }  // namespace

@@ -28,6 +28,12 @@ int decimals_of(const std::vector<double>& terms, double sum) {
   return std::max(0, std::min(wanted, decimals_for(largest, 7)));
 }
 
+/// Round-off of a stress of zero is zero.
+double in_MPa(double pascals) {
+  constexpr double round_off = 1.0;
+  return std::abs(pascals) < round_off ? 0.0 : pascals * 1e-6;
+}
+
 std::string with_decimals(double value, int decimals) {
   std::string text = fmt::format("{:.{}f} MPa", value, decimals);
   // A negative number that rounds to zero is no longer negative.
@@ -54,7 +60,12 @@ std::string scientific(double value, int digits) {
   return fmt::format("{}e{}", text.substr(0, e), exponent);
 }
 
-std::string mm2(double m2) { return text::significant(m2 * 1e6, 5) + " mm^2"; }
+std::string mm2(double m2) {
+  // 9999.9999999 has as many digits before the point as 10000.
+  const double rounded = std::stod(fmt::format("{:.4e}", m2 * 1e6));
+  return text::significant(rounded, 5) + " mm^2";
+}
+
 std::string mm3(double m3) { return scientific(m3 * 1e9, 5) + " mm^3"; }
 std::string mm4(double m4) { return scientific(m4 * 1e12, 5) + " mm^4"; }
 
@@ -68,8 +79,8 @@ StressSum sum_of(const std::vector<double>& pascals) {
   std::vector<double> stresses;
   double sum = 0.0;
   for (const double value : pascals) {
-    stresses.push_back(value * 1e-6);
-    sum += value * 1e-6;
+    stresses.push_back(in_MPa(value));
+    sum += stresses.back();
   }
   const int decimals = decimals_of(stresses, sum);
   StressSum text;
@@ -83,8 +94,8 @@ StressSum sum_of(const std::vector<double>& pascals) {
 }
 
 StressSum difference_of(double minuend, double subtrahend) {
-  const double a = minuend * 1e-6;
-  const double b = subtrahend * 1e-6;
+  const double a = in_MPa(minuend);
+  const double b = in_MPa(subtrahend);
   const int decimals = decimals_of({a, b}, a - b);
   return {with_decimals(a, decimals) + " - " + term(with_decimals(b, decimals)),
           with_decimals(a - b, decimals)};

@@ -1,44 +1,89 @@
-#include "boxbeam/report/text_writer.hpp"
-
 #include <fmt/format.h>
+
+#include "boxbeam/report/text_writer.hpp"
 
 namespace boxbeam::report {
 namespace {
 
-constexpr std::size_t widest = 100;
+constexpr std::size_t widest = 104;
 
-std::string text_of(const Step& step) {
-  std::string out;
-  std::string line = fmt::format("    {:<11} ", step.symbol);
-  const std::string margin(line.size(), ' ');
-  bool first = true;
-  for (const std::string& formula : step.formulas) {
-    const bool fits = line.size() + formula.size() + 3 <= widest;
-    if (!first && !fits) {
-      out += line + "\n";
-      line = margin;
-    }
-    line += (first || !fits ? "= " : " = ") + formula;
-    first = false;
+/// Where a text that is too wide goes on below: a formula before a plus, minus or times outside of
+/// its brackets, a note between words.
+std::size_t break_of(const std::string& text, std::size_t room, bool formula) {
+  std::size_t at = std::string::npos;
+  int depth = 0;
+  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == '[') ++depth;
+    if (text[i] == ')' || text[i] == ']') --depth;
+    if (text[i] != ' ') continue;
+    const char next = text[i + 1];
+    const bool sign = (next == '+' || next == '-') && text[i + 2] == ' ' && depth == 0;
+    if (formula && !sign) continue;
+    if (i > room && at != std::string::npos) break;
+    if (i > 0) at = i;
+    if (i > room) break;
   }
-  for (const std::string& note : step.notes) {
-    // A short note stands beside a short step.
-    const bool beside = &note == &step.notes.front() && line.size() + note.size() + 4 <= widest;
-    if (beside) {
-      line += "   (" + note + ")";
-    } else {
-      out += line + "\n";
-      line = margin + "  (" + note + ")";
-    }
-  }
-  return out + line + "\n";
+  return at;
 }
+
+/// Lines of a step as they grow.
+class StepLines {
+ public:
+  explicit StepLines(const std::string& symbol)
+      : line_(fmt::format("    {:<11} ", symbol)), margin_(line_.size(), ' ') {}
+
+  void add(const std::string& formula) {
+    const bool fits = line_.size() + formula.size() + 3 <= widest;
+    if (!first_ && !fits) next();
+    const bool beside = !first_ && fits;
+    write((beside ? " = " : "= "), formula, true);
+    first_ = false;
+  }
+
+  void note(const std::string& note, bool may_be_beside) {
+    if (may_be_beside && line_.size() + note.size() + 5 <= widest) {
+      line_ += "   (" + note + ")";
+      return;
+    }
+    next();
+    write("  ", "(" + note + ")", false);
+  }
+
+  std::string text() const { return out_ + line_ + "\n"; }
+
+ private:
+  void next() {
+    out_ += line_ + "\n";
+    line_ = margin_;
+  }
+
+  void write(const std::string& before, std::string text, bool formula) {
+    line_ += before;
+    while (line_.size() + text.size() > widest) {
+      const std::size_t at = break_of(text, widest - line_.size(), formula);
+      if (at == std::string::npos) break;
+      line_ += text.substr(0, at);
+      text.erase(0, at + 1);
+      next();
+      line_ += "   ";
+    }
+    line_ += text;
+  }
+
+  std::string line_, margin_, out_;
+  bool first_ = true;
+};
 
 }  // namespace
 
 std::string text_of(const Sheet& sheet) {
   std::string out = fmt::format("  {}\n    {}\n", sheet.id, sheet.title);
-  for (const Step& step : sheet.steps) out += text_of(step);
+  for (const Step& step : sheet.steps) {
+    StepLines lines(step.symbol);
+    for (const std::string& formula : step.formulas) lines.add(formula);
+    for (const std::string& note : step.notes) lines.note(note, &note == &step.notes.front());
+    out += lines.text();
+  }
   return out + fmt::format("    {}\n    source: {}\n", sheet.result, sheet.source);
 }
 

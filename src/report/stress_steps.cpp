@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "boxbeam/report/format.hpp"
 #include "hole_steps.hpp"
@@ -15,15 +16,32 @@ namespace {
 constexpr std::array<const char*, cut_force::count> in_the_plane{"N", "V_y", "V", "T", "M", "M_z"};
 constexpr std::array<const char*, cut_force::count> in_all{"N", "V_y", "V_z", "T", "M_y", "M_z"};
 
+/// Stresses below are round-off [Pa].
+constexpr double no_stress = 1.0;
+
+std::string kN(double force) { return text::kN(std::abs(force) < 1e-3 ? 0.0 : force); }
+std::string kNm(double moment) { return text::kNm(std::abs(moment) < 1e-3 ? 0.0 : moment); }
+
 std::string cut_force_text(const CutForces& cut, std::size_t which) {
   const double value = value_of(cut, static_cast<cut_force::Index>(which));
-  return which < cut_force::T ? text::kN(value) : text::kNm(value);
+  return which < cut_force::T ? kN(value) : kNm(value);
 }
 
 /// Stress per cut force, "4.572e-4 mm^-2".
 std::string coefficient_text(double influence, std::size_t which) {
   return which < cut_force::T ? scientific(influence * 1e-6, 4) + " mm^-2"
                               : scientific(influence * 1e-9, 4) + " mm^-3";
+}
+
+std::string name_of(std::size_t which, bool space) {
+  return space ? in_all[which] : in_the_plane[which];
+}
+
+/// "k_Vy": the normal stress per V_y; "c_Vy" the shear stress.
+std::string coefficient_name(char letter, std::size_t which, bool space) {
+  std::string index = name_of(which, space);
+  std::erase(index, '_');
+  return fmt::format("{}_{}", letter, index);
 }
 
 /// A cut force, what it contributes to a stress, and how that is written.
@@ -36,24 +54,13 @@ struct Contribution {
 
 /// The cut forces that have a part in a stress above round-off, with their coefficients.
 std::vector<Contribution> contributions_of(const std::array<double, cut_force::count>& influence,
-                                           const CutForces& cut, bool space) {
-  const auto& names = space ? in_all : in_the_plane;
-  double largest = 0.0;
-  for (std::size_t k = 0; k < cut_force::count; ++k) {
-    const double force = value_of(cut, static_cast<cut_force::Index>(k));
-    if (force != 0.0) largest = std::max(largest, std::abs(influence[k] * force));
-  }
+                                           char letter, const CutForces& cut, bool space) {
   std::vector<Contribution> parts;
-  constexpr double round_off = 1e-9;
-  constexpr double nothing = 1e-3;  // Pa
-  if (largest < nothing) return parts;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const double force = value_of(cut, static_cast<cut_force::Index>(k));
-    if (force == 0.0 || std::abs(influence[k] * force) <= round_off * largest) continue;
-    const std::string name = names[k];
-    std::string index = name;
-    std::erase(index, '_');
-    parts.push_back({k, influence[k] * force, fmt::format("{} k_{}", name, index),
+    if (force == 0.0 || std::abs(influence[k] * force) < no_stress) continue;
+    parts.push_back({k, influence[k] * force,
+                     fmt::format("{} {}", name_of(k, space), coefficient_name(letter, k, space)),
                      fmt::format("{} x {}", term(cut_force_text(cut, k)),
                                  term(coefficient_text(influence[k], k)))});
   }
@@ -78,7 +85,6 @@ Step sum_step(const std::string& symbol, const std::vector<Contribution>& parts,
       symbols += part.symbols;
     }
     if (!values.empty()) values += " + ";
-    // "(-27.66 kN) x ..." needs its brackets only behind another sign.
     values += part.values;
     stresses.push_back(part.stress);
   }
@@ -87,6 +93,26 @@ Step sum_step(const std::string& symbol, const std::vector<Contribution>& parts,
   if (parts.size() > 1) step.formulas.push_back(sum.terms);
   step.formulas.push_back(parts.size() > 1 ? sum.sum : text::MPa(stresses.front()));
   return step;
+}
+
+/// The coefficients of a stress as steps, without those that are round-off.
+Steps coefficient_steps(const std::array<double, cut_force::count>& influence, char letter,
+                        bool space, const std::function<std::string(std::size_t)>& note) {
+  Steps steps;
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    if (!space && k != cut_force::N && k != cut_force::V_z && k != cut_force::M_y) continue;
+    const bool force = k < cut_force::T;
+    double largest = 0.0;
+    for (std::size_t other = 0; other < cut_force::count; ++other) {
+      if ((other < cut_force::T) == force) largest = std::max(largest, std::abs(influence[other]));
+    }
+    constexpr double round_off = 1e-9;
+    const std::string words = note(k);
+    if (words.empty() || std::abs(influence[k]) <= round_off * largest) continue;
+    steps.push_back(
+        {coefficient_name(letter, k, space), {coefficient_text(influence[k], k)}, {words}});
+  }
+  return steps;
 }
 
 /// "_eff", "_net" or nothing: which section the normal stress is taken from.
@@ -128,9 +154,9 @@ Steps centroid_steps(const StressPoint& point, const CutForces& cut, bool space)
                           double centre) {
     steps.push_back({symbol,
                      {formula,
-                      fmt::format("{} {} {} x {}", text::kNm(M), sign > 0.0 ? "+" : "-",
-                                  term(text::kN(N)), term(text::mm(centre))),
-                      text::kNm(M + sign * N * centre)},
+                      fmt::format("{} {} {} x {}", kNm(M), sign > 0.0 ? "+" : "-", term(kN(N)),
+                                  term(text::mm(centre))),
+                      kNm(M + sign * N * centre)},
                      {"about the centroid"}});
   };
   moment(space ? "M_yc" : "M_c", space ? "M_y - N z_c" : "M - N z_c", cut.M_y.value(), -1.0, z_c);
@@ -157,12 +183,12 @@ Steps bending_steps(const std::string& symbol, const StressPoint& point, const C
   const std::string I_y = inertia_symbol("I_y", point);
   std::vector<Contribution> parts;
   parts.push_back({cut_force::N, N / net.area.value(), "N/" + A,
-                   fmt::format("{}/{}", text::kN(N), mm2(net.area.value()))});
+                   fmt::format("{}/{}", kN(N), mm2(net.area.value()))});
   const std::string M = central ? (space ? "M_y" : "M") : (space ? "M_yc" : "M_c");
   parts.push_back(
       {cut_force::M_y, M_y * z / net.I_y.value(),
        fmt::format("{} {}/{}", M, central ? "z" : "e_z", I_y),
-       fmt::format("{} x {}/{}", term(text::kNm(M_y)), term(text::mm(z)), mm4(net.I_y.value()))});
+       fmt::format("{} x {}/{}", term(kNm(M_y)), term(text::mm(z)), mm4(net.I_y.value()))});
   std::string symbols = fmt::format("{} + {}", parts[0].symbols, parts[1].symbols);
   if (space || M_z != 0.0) {
     // The minus stands before the term, so that the values read like the formula.
@@ -170,7 +196,7 @@ Steps bending_steps(const std::string& symbol, const StressPoint& point, const C
     symbols += fmt::format(" - {}/{}", central ? "M_z y" : "M_zc e_y", I_z);
     parts.push_back(
         {cut_force::M_z, -M_z * y / net.I_z.value(), "",
-         fmt::format("{} x {}/{}", term(text::kNm(M_z)), term(text::mm(y)), mm4(net.I_z.value()))});
+         fmt::format("{} x {}/{}", term(kNm(M_z)), term(text::mm(y)), mm4(net.I_z.value()))});
   }
   std::string values = fmt::format("{} + {}", parts[0].values, parts[1].values);
   std::vector<double> stresses{parts[0].stress, parts[1].stress};
@@ -183,14 +209,12 @@ Steps bending_steps(const std::string& symbol, const StressPoint& point, const C
   return steps;
 }
 
-/// Where the axes are not principal ones.
-Steps skew_bending_steps(const std::string& symbol, const StressPoint& point, const CutForces& cut,
-                         bool space) {
-  Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
-  step.notes.push_back(fmt::format(
-      "k: stress at (y, z) = ({}, {}) per cut force, from A, I_y, I_z and I_yz about the centroid",
-      text::mm(point.y.value()), text::mm(point.z.value())));
-  return {step};
+/// Per cut force, where the axes are not principal ones.
+Steps skew_coefficient_steps(const StressPoint& point, bool space) {
+  return coefficient_steps(point.influence.normal, 'k', space, [&](std::size_t which) {
+    return fmt::format("normal stress per {} at y = {}, z = {}, by the moments about both axes",
+                       name_of(which, space), text::mm(point.y.value()), text::mm(point.z.value()));
+  });
 }
 
 /// The dimensions of a box whose flanges are alike, and whose area is that of its four plates.
@@ -230,23 +254,24 @@ std::string shear_lag_formula(const ShearLag& lag) {
 }
 
 std::string with(std::string formula, const std::string& symbol, const std::string& value) {
+  const bool number = std::isdigit(static_cast<unsigned char>(value.front())) != 0;
   for (std::size_t at = formula.find(symbol); at != std::string::npos;
        at = formula.find(symbol, at + value.size())) {
     // A product of two numbers needs its sign.
-    const bool behind_number = at > 0 && formula[at - 1] == ' ' && at > 1 &&
+    const bool behind_number = number && at > 1 && formula[at - 1] == ' ' &&
                                (std::isdigit(static_cast<unsigned char>(formula[at - 2])) != 0);
     formula.replace(at, symbol.size(), (behind_number ? "x " : "") + value);
   }
   return formula;
 }
 
-Steps shear_lag_steps(const ShearLag& lag, const char* of) {
+Steps shear_lag_steps(const ShearLag& lag, const char* of, const std::string& index) {
   Steps steps;
   const std::string b_0 = text::mm(lag.b_0.value());
   const std::string L_e = text::mm(lag.effective_length.value());
   const double alpha = lag.kappa * (lag.effective_length / lag.b_0);
   const bool stiffened = std::abs(alpha - 1.0) > 1e-9;
-  Step kappa{"kappa", {"b_0/L_e", fmt::format("{}/{}", b_0, L_e)}, {}};
+  Step kappa{"kappa" + index, {"b_0/L_e", fmt::format("{}/{}", b_0, L_e)}, {}};
   if (stiffened) {
     steps.push_back({"alpha_0",
                      {"sqrt(1 + A_sl/(b_0 t))", text::significant(alpha)},
@@ -255,16 +280,20 @@ Steps shear_lag_steps(const ShearLag& lag, const char* of) {
                       fmt::format("{} x {}/{}", text::significant(alpha), b_0, L_e)};
   }
   kappa.formulas.push_back(text::significant(lag.kappa));
-  kappa.notes.push_back(fmt::format(
-      "shear lag of the {}: b_0 half the width, L_e between zero moments; EN 1993-1-5, 3.2.1", of));
+  kappa.notes.push_back(
+      fmt::format("shear lag of the {}: half their width over the length between zero moments; EN "
+                  "1993-1-5, 3.2.1",
+                  of));
   steps.push_back(kappa);
   const std::string formula = shear_lag_formula(lag);
   const std::string value = text::significant(lag.beta);
   if (lag.kappa <= 0.02) {
-    steps.push_back({"beta", {value}, {"kappa up to 0.02"}});
+    steps.push_back({"beta" + index, {value}, {"kappa up to 0.02"}});
   } else {
-    steps.push_back(
-        {"beta", {formula, with(formula, "kappa", text::significant(lag.kappa)), value}, {}});
+    steps.push_back({"beta" + index,
+                     {with(formula, "kappa", "kappa" + index),
+                      with(formula, "kappa", text::significant(lag.kappa)), value},
+                     {}});
   }
   return steps;
 }
@@ -334,62 +363,54 @@ double throat_of(const StressPoint& point) {
   return (point.y.value() < 0.0 ? box.right_web : box.left_web).value();
 }
 
-const char* const taper_note =
-    "k of N and M: what the change of the section along the taper adds, per cut force";
-
-bool is_nothing(const StressPoint& point, const CutForces& cut) {
-  constexpr double round_off = 1e-12;
-  return std::abs(stress_at(point.influence, cut).shear.value()) <
-         round_off * point.yield_strength.value();
+bool is_free(const StressPoint& point, const CutForces& cut) {
+  return std::abs(stress_at(point.influence, cut).shear.value()) < no_stress;
 }
 
 /// V S/(I_y b) and, in a taper, what N and M add.
 Steps planar_shear_steps(const std::string& symbol, const Project& project,
                          const StressPoint& point, const CutForces& cut) {
-  if (is_nothing(point, cut)) return {{symbol, {"0 MPa"}, {"no material beyond the point"}}};
-  std::vector<Contribution> parts = contributions_of(point.influence.shear, cut, false);
+  if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
+  std::vector<Contribution> parts = contributions_of(point.influence.shear, 'c', cut, false);
   const SectionProperties net = net_without_lag(project, point);
   const std::string I_y = net.area == point.gross.area ? "I_y" : "I_y,net";
-  bool tapers = false;
-  bool level = false;
   for (Contribution& part : parts) {
-    if (part.which != cut_force::V_z) {
-      tapers = true;
-      continue;
-    }
-    const std::string V = term(text::kN(cut.V_z.value()));
+    if (part.which != cut_force::V_z) continue;
+    const std::string V = term(kN(cut.V_z.value()));
     if (point.on_throat) {
       const double a = throat_of(point);
       const double S = point.influence.shear[cut_force::V_z] * a * net.I_y.value();
       part.symbols = fmt::format("V S/({} a)", I_y);
       part.values =
           fmt::format("{} x {}/({} x {})", V, term(mm3(S)), mm4(net.I_y.value()), text::mm(a));
-      level = true;
     } else if (const auto at = level_shear_of(project, point, net)) {
       part.symbols = fmt::format("V S/({} b)", I_y);
       part.values =
           fmt::format("{} x {}/({} x {})", V, mm3(at->S), mm4(net.I_y.value()), text::mm(at->b));
-      level = true;
     }
   }
-  Step step = sum_step(symbol, parts);
-  if (!level) step.notes.emplace_back("k of V: S/(I_y t) of the wall");
-  if (tapers) step.notes.emplace_back(taper_note);
-  return {step};
+  return {sum_step(symbol, parts)};
 }
 
 Steps spatial_shear_steps(const std::string& symbol, const StressPoint& point,
                           const CutForces& cut) {
-  if (is_nothing(point, cut)) return {{symbol, {"0 MPa"}, {"no material beyond the point"}}};
-  Step step = sum_step(symbol, contributions_of(point.influence.shear, cut, true));
-  step.notes.push_back(fmt::format(
-      "k of V_y and V_z: S/(I {0}); of T: 1/(2 A_m {0}) around a cell; flow of the closed section",
-      point.on_throat ? "a" : "t"));
-  const auto& shear = point.influence.shear;
-  if (shear[cut_force::N] != 0.0 || shear[cut_force::M_y] != 0.0 || shear[cut_force::M_z] != 0.0) {
-    step.notes.emplace_back(taper_note);
+  if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
+  return {sum_step(symbol, contributions_of(point.influence.shear, 'c', cut, true))};
+}
+
+/// What a coefficient of shear stress means.
+std::string shear_coefficient_note(std::size_t which, bool space, bool on_throat) {
+  const char* const where = on_throat ? "in the throat" : "in the wall";
+  switch (which) {
+    case cut_force::V_y:
+    case cut_force::V_z:
+      return fmt::format("shear stress per {} {}, by the flow of the section",
+                         name_of(which, space), where);
+    case cut_force::T: return fmt::format("shear stress per T {}, by Bredt's flow in cells", where);
+    default:
+      return fmt::format("shear stress per {} {}: the section changes along the taper",
+                         name_of(which, space), where);
   }
-  return {step};
 }
 
 }  // namespace
@@ -401,8 +422,8 @@ Steps section_steps(const Project& project, const StressPoint& point) {
   const bool space = in_space(project);
   const std::string kind = kind_of(point);
   if (box && !space) append(steps, plain_box_steps(*box, point.gross));
-  if (point.lag) append(steps, shear_lag_steps(*point.lag, "flanges"));
-  if (point.web_lag) append(steps, shear_lag_steps(*point.web_lag, "webs"));
+  if (point.lag) append(steps, shear_lag_steps(*point.lag, "flanges", ""));
+  if (point.web_lag) append(steps, shear_lag_steps(*point.web_lag, "webs", "_web"));
   if (kind.empty() && box && !space) return steps;
   if (point.lag && box && !space && by_strips(*box, point)) {
     append(steps, effective_box_steps(*box, point));
@@ -418,6 +439,7 @@ Steps section_steps(const Project& project, const StressPoint& point) {
   }
   if (point.net.I_yz.value() != 0.0) {
     steps.push_back({inertia_symbol("I_yz", point), {mm4(point.net.I_yz.value())}, {}});
+    append(steps, skew_coefficient_steps(point, space));
   }
   return steps;
 }
@@ -426,34 +448,41 @@ Steps normal_stress_steps(const std::string& symbol, const Project& project,
                           const StressPoint& point, const CutForces& cut) {
   const bool space = in_space(project);
   if (point.concentration) {
-    Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
-    return {step};
+    return {sum_step(symbol, contributions_of(point.influence.normal, 'k', cut, space))};
   }
-  if (point.net.I_yz.value() != 0.0) return skew_bending_steps(symbol, point, cut, space);
+  if (point.net.I_yz.value() != 0.0) {
+    return {sum_step(symbol, contributions_of(point.influence.normal, 'k', cut, space))};
+  }
   return bending_steps(symbol, point, cut, space);
 }
 
 Steps shear_section_steps(const Project& project, const StressPoint& point) {
-  if (in_space(project)) return {};
-  Steps steps;
+  const bool space = in_space(project);
   const SectionProperties net = net_without_lag(project, point);
   const auto at = level_shear_of(project, point, net);
-  if (!at && !point.on_throat) return steps;
-  const bool whole = net.area == point.gross.area;
-  steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
-  if (point.on_throat) {
+  const bool by_S = !space && (at || point.on_throat);
+  Steps steps;
+  if (by_S) {
+    const bool whole = net.area == point.gross.area;
+    steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
+  }
+  if (by_S && point.on_throat) {
     const double a = throat_of(point);
     steps.push_back({"S",
                      {mm3(point.influence.shear[cut_force::V_z] * a * net.I_y.value())},
                      {"first moment of what hangs on this seam, along the walls' mid-lines"}});
     steps.push_back({"a", {text::mm(a)}, {"throat of the seam, all its welds together"}});
-    return steps;
+  } else if (by_S) {
+    steps.push_back({"S",
+                     {mm3(at->S)},
+                     {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
+                                  text::mm(point.z.value()))}});
+    steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
   }
-  steps.push_back({"S",
-                   {mm3(at->S)},
-                   {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
-                                text::mm(point.z.value()))}});
-  steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
+  append(steps, coefficient_steps(point.influence.shear, 'c', space, [&](std::size_t which) {
+           if (by_S && which == cut_force::V_z) return std::string();
+           return shear_coefficient_note(which, space, point.on_throat);
+         }));
   return steps;
 }
 
