@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "boxbeam/report/plots.hpp"
-#include "boxbeam/report/text_report.hpp"
+#include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "catch.hpp"
 #include "support/rig.hpp"
@@ -198,9 +198,14 @@ TEST_CASE("a report shows the figures that are drawn and no others, each once", 
                         [](char c) { return c >= '0' && c <= '9'; }));
     });
     CHECK(count == shown.size());
-    CHECK(pictures_of(without_pictures(document)).empty());
+    CHECK(pictures_of(with_pictures(document, {})).empty());
+    CHECK(pictures_of(with_pictures(document, {"mechanism"})) ==
+          std::set<std::string>{"mechanism"});
     // A summary shows what decides.
     const Document summary = report_of(of.project, of.verification, ReportLevel::summary);
+    for (const Chapter& chapter : with_pictures(summary, {}).chapters) {
+      CHECK_FALSE(chapter.blocks.empty());
+    }
     for (const std::string& name : pictures_of(summary)) {
       CHECK((name == "mechanism" || name == "cut-forces" || name == "utilisation" || name == "sn"));
     }
@@ -275,9 +280,9 @@ TEST_CASE("the appendix is the case file as it was read, also where the file is 
 }
 
 TEST_CASE("a stress range is never called an amplitude", "[report]") {
-  // EN 1993-1-9 has "constant amplitude" in the names of its loading and its limit; a driver has
-  // one by its key.
-  const std::regex allowed("([Cc]onstant[- ]|[.])$");
+  // The codes have "constant amplitude" and "variable amplitude" in the names of loading, limit and
+  // curve; a driver has one by its key.
+  const std::regex allowed("([Cc]onstant[- ]|variable |[.])$");
   const std::regex word("amplitude", std::regex::icase);
   for (const test::ShippedCase& of : test::shipped_cases()) {
     INFO(of.path);
