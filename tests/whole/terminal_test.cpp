@@ -135,6 +135,8 @@ TEST_CASE("colour: only on a terminal that wants it, and never without the word"
   }
   CHECK(on_terminal(verify, {{"NO_COLOR", ""}}).find(red) != std::string::npos);
   CHECK(test::run_program(verify).out.find('\033') == std::string::npos);
+  CHECK(on_terminal({"explain", "governing", rig}, {}).find(": \033[1;31mFAILS\033[0m") !=
+        std::string::npos);
   ::setenv("CLICOLOR_FORCE", "1", 1);
   const std::string forced = test::run_program(verify).out;
   ::unsetenv("CLICOLOR_FORCE");
