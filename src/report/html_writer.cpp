@@ -262,10 +262,13 @@ class Writer {
     out_ += fmt::format("<tr><th scope=\"row\"><math>{}</math></th><td class=\"chain\">",
                         mathml_of_formula(step.symbol));
     for (const std::string& formula : step.formulas) {
-      out_ += fmt::format(
-          "<span><math displaystyle=\"true\"><mo "
-          "form=\"infix\">=</mo><mrow>{}</mrow></math></span> ",
-          mathml_of_formula(formula));
+      out_ += "<span>";
+      const char* equals = "<mo form=\"infix\">=</mo>";
+      for (const std::string& piece : mathml_pieces_of_formula(formula)) {
+        out_ += fmt::format("<math displaystyle=\"true\">{}<mrow>{}</mrow></math> ", equals, piece);
+        equals = "";
+      }
+      out_ += "</span> ";
     }
     out_ += "</td><td class=\"notes\">";
     for (const std::string& note : step.notes) out_ += fmt::format("<p>{}</p>", escaped(note));

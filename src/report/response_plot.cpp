@@ -68,8 +68,6 @@ void frequency_response(Script& gp, const Project&, const Verification& verifica
   std::vector<LegendEntry> legend;
   for (std::size_t j = 0; j < lines.names.size(); ++j) {
     legend.push_back({lines.names[j], line_style(j, 1.4)});
-    // More joints than colours go on with thicker lines.
-    if (j >= 6) legend.back().style = line_style(j, 2.4);
   }
   constexpr double height = 330.0;
   const double below = footing_room + height_of_legend(legend);
