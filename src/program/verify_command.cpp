@@ -15,7 +15,7 @@
 #include "boxbeam/report/pdf.hpp"
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/report.hpp"
-#include "boxbeam/report/text_report.hpp"
+#include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "blocks.hpp"
@@ -14,11 +15,6 @@ namespace boxbeam {
 namespace {
 
 using namespace report;
-
-std::string upper(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
 
 Mark mark_of(Verdict verdict) {
   switch (verdict) {
@@ -93,6 +89,12 @@ Chapter input_chapter(const Source& source) {
 
 }  // namespace
 
+std::string report::verdict_text(Verdict verdict) {
+  std::string text = to_text(verdict);
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level) {
   const Source source{project, verification, level, drawn(project, verification)};
@@ -102,7 +104,7 @@ report::Document report_of(const Project& project, const Verification& verificat
   document.date = report_date();
   document.program = fmt::format("boxbeam {}", version);
   document.input_sha256 = project.sha256;
-  document.verdict = upper(to_text(verification.verdict));
+  document.verdict = verdict_text(verification.verdict);
   document.mark = mark_of(verification.verdict);
   document.facts = title_facts(project, verification);
   document.governing = governing_table(source);
@@ -116,11 +118,13 @@ report::Document report_of(const Project& project, const Verification& verificat
   return document;
 }
 
-report::Document without_pictures(report::Document document) {
-  for (Chapter& chapter : document.chapters) {
-    std::erase_if(chapter.blocks,
-                  [](const Block& block) { return std::holds_alternative<Picture>(block); });
-  }
+report::Document with_pictures(report::Document document, const std::vector<std::string>& names) {
+  const auto missing = [&](const Block& block) {
+    const auto* picture = std::get_if<Picture>(&block);
+    return picture != nullptr &&
+           std::find(names.begin(), names.end(), picture->name) == names.end();
+  };
+  for (Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
   std::erase_if(document.chapters, [](const Chapter& chapter) { return chapter.blocks.empty(); });
   return document;
 }

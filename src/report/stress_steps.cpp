@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "boxbeam/report/format.hpp"
 #include "hole_steps.hpp"
+#include "section_steps.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -32,6 +34,17 @@ std::string coefficient_text(double influence, std::size_t which) {
                               : scientific(influence * 1e-9, 4) + " mm^-3";
 }
 
+std::string name_of(std::size_t which, bool space) {
+  return space ? in_all[which] : in_the_plane[which];
+}
+
+/// "k_Vy": the normal stress per V_y; "c_Vy" the shear stress.
+std::string coefficient_name(char letter, std::size_t which, bool space) {
+  std::string index = name_of(which, space);
+  std::erase(index, '_');
+  return fmt::format("{}_{}", letter, index);
+}
+
 /// A cut force, what it contributes to a stress, and how that is written.
 struct Contribution {
   std::size_t which = 0;
@@ -42,16 +55,13 @@ struct Contribution {
 
 /// The cut forces that have a part in a stress above round-off, with their coefficients.
 std::vector<Contribution> contributions_of(const std::array<double, cut_force::count>& influence,
-                                           const CutForces& cut, bool space) {
-  const auto& names = space ? in_all : in_the_plane;
+                                           char letter, const CutForces& cut, bool space) {
   std::vector<Contribution> parts;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const double force = value_of(cut, static_cast<cut_force::Index>(k));
     if (force == 0.0 || std::abs(influence[k] * force) < no_stress) continue;
-    const std::string name = names[k];
-    std::string index = name;
-    std::erase(index, '_');
-    parts.push_back({k, influence[k] * force, fmt::format("{} k_{}", name, index),
+    parts.push_back({k, influence[k] * force,
+                     fmt::format("{} {}", name_of(k, space), coefficient_name(letter, k, space)),
                      fmt::format("{} x {}", term(cut_force_text(cut, k)),
                                  term(coefficient_text(influence[k], k)))});
   }
@@ -86,20 +96,24 @@ Step sum_step(const std::string& symbol, const std::vector<Contribution>& parts,
   return step;
 }
 
-/// "_eff", "_net" or nothing: which section the normal stress is taken from.
-std::string kind_of(const StressPoint& point) {
-  if (point.lag || point.web_lag) return "eff";
-  return point.net.area == point.gross.area ? "" : "net";
-}
-
-std::string area_symbol(const StressPoint& point) {
-  const std::string kind = kind_of(point);
-  return kind.empty() ? "A" : "A_" + kind;
-}
-
-std::string inertia_symbol(const char* of, const StressPoint& point) {
-  const std::string kind = kind_of(point);
-  return kind.empty() ? of : fmt::format("{},{}", of, kind);
+/// The coefficients of a stress as steps, without those that are round-off.
+Steps coefficient_steps(const std::array<double, cut_force::count>& influence, char letter,
+                        bool space, const std::function<std::string(std::size_t)>& note) {
+  Steps steps;
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    if (!space && k != cut_force::N && k != cut_force::V_z && k != cut_force::M_y) continue;
+    const bool force = k < cut_force::T;
+    double largest = 0.0;
+    for (std::size_t other = 0; other < cut_force::count; ++other) {
+      if ((other < cut_force::T) == force) largest = std::max(largest, std::abs(influence[other]));
+    }
+    constexpr double round_off = 1e-9;
+    const std::string words = note(k);
+    if (words.empty() || std::abs(influence[k]) <= round_off * largest) continue;
+    steps.push_back(
+        {coefficient_name(letter, k, space), {coefficient_text(influence[k], k)}, {words}});
+  }
+  return steps;
 }
 
 /// Whether the centroid lies on the beam axis.
@@ -180,126 +194,12 @@ Steps bending_steps(const std::string& symbol, const StressPoint& point, const C
   return steps;
 }
 
-/// Where the axes are not principal ones.
-Steps skew_bending_steps(const std::string& symbol, const StressPoint& point, const CutForces& cut,
-                         bool space) {
-  Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
-  step.notes.push_back(fmt::format(
-      "k: stress at (y, z) = ({}, {}) per cut force, from A, I_y, I_z and I_yz about the centroid",
-      text::mm(point.y.value()), text::mm(point.z.value())));
-  return {step};
-}
-
-/// The dimensions of a box whose flanges are alike, and whose area is that of its four plates.
-struct PlainBox {
-  double B, H, b, h, t;  ///< outside, inside, flange [m]
-};
-
-std::optional<PlainBox> plain_box_of(const Section& section) {
-  const auto* box = std::get_if<Box>(&section.outer);
-  if (box == nullptr || section.inner || !box->stiffeners.empty()) return std::nullopt;
-  if (box->top_flange != box->bottom_flange || box->left_web != box->right_web) return std::nullopt;
-  const double t = box->top_flange.value();
-  return PlainBox{box->width.value(), box->height.value(),
-                  box->width.value() - 2.0 * box->left_web.value(), box->height.value() - 2.0 * t,
-                  t};
-}
-
-Steps plain_box_steps(const PlainBox& box, const SectionProperties& gross) {
-  const std::string B = text::mm(box.B), H = text::mm(box.H), b = text::mm(box.b),
-                    h = text::mm(box.h);
-  return {{"A",
-           {"B H - b h", fmt::format("{} x {} - {} x {}", B, H, b, h), mm2(gross.area.value())},
-           {"outside B x H, inside b x h"}},
-          {"I_y",
-           {"(B H^3 - b h^3)/12", fmt::format("({} x ({})^3 - {} x ({})^3)/12", B, H, b, h),
-            mm4(gross.I_y.value())},
-           {}}};
-}
-
-/// The branch of EN 1993-1-5 table 3.1 that gave beta.
-std::string shear_lag_formula(const ShearLag& lag) {
-  const bool wide = lag.kappa > 0.7;
-  if (lag.beta == shear_lag_factor(lag.kappa, BendingRegion::sagging)) {
-    return wide ? "1/(5.9 kappa)" : "1/(1 + 6.4 kappa^2)";
-  }
-  return wide ? "1/(8.6 kappa)" : "1/(1 + 6 (kappa - 1/(2500 kappa)) + 1.6 kappa^2)";
-}
-
-std::string with(std::string formula, const std::string& symbol, const std::string& value) {
-  const bool number = std::isdigit(static_cast<unsigned char>(value.front())) != 0;
-  for (std::size_t at = formula.find(symbol); at != std::string::npos;
-       at = formula.find(symbol, at + value.size())) {
-    // A product of two numbers needs its sign.
-    const bool behind_number = number && at > 1 && formula[at - 1] == ' ' &&
-                               (std::isdigit(static_cast<unsigned char>(formula[at - 2])) != 0);
-    formula.replace(at, symbol.size(), (behind_number ? "x " : "") + value);
-  }
-  return formula;
-}
-
-Steps shear_lag_steps(const ShearLag& lag, const char* of, const std::string& index) {
-  Steps steps;
-  const std::string b_0 = text::mm(lag.b_0.value());
-  const std::string L_e = text::mm(lag.effective_length.value());
-  const double alpha = lag.kappa * (lag.effective_length / lag.b_0);
-  const bool stiffened = std::abs(alpha - 1.0) > 1e-9;
-  Step kappa{"kappa" + index, {"b_0/L_e", fmt::format("{}/{}", b_0, L_e)}, {}};
-  if (stiffened) {
-    steps.push_back({"alpha_0",
-                     {"sqrt(1 + A_sl/(b_0 t))", text::significant(alpha)},
-                     {fmt::format("stiffeners of the {}", of)}});
-    kappa.formulas = {"alpha_0 b_0/L_e",
-                      fmt::format("{} x {}/{}", text::significant(alpha), b_0, L_e)};
-  }
-  kappa.formulas.push_back(text::significant(lag.kappa));
-  kappa.notes.push_back(fmt::format(
-      "shear lag of the {}: b_0 half the width, L_e between zero moments; EN 1993-1-5, 3.2.1", of));
-  steps.push_back(kappa);
-  const std::string formula = shear_lag_formula(lag);
-  const std::string value = text::significant(lag.beta);
-  if (lag.kappa <= 0.02) {
-    steps.push_back({"beta" + index, {value}, {"kappa up to 0.02"}});
-  } else {
-    steps.push_back({"beta" + index,
-                     {with(formula, "kappa", "kappa" + index),
-                      with(formula, "kappa", text::significant(lag.kappa)), value},
-                     {}});
-  }
-  return steps;
-}
-
-/// What shear lag leaves of a plain box without holes: idle strips in the middle of its flanges.
-Steps effective_box_steps(const PlainBox& box, const StressPoint& point) {
-  const double idle = 2.0 * (1.0 - point.lag->beta) * point.lag->b_0.value();
-  const std::string b_i = text::mm(idle), t = text::mm(box.t), H = text::mm(box.H);
-  return {{"b_i",
-           {"2 (1 - beta) b_0",
-            fmt::format("2 x (1 - {}) x {}", text::significant(point.lag->beta),
-                        text::mm(point.lag->b_0.value())),
-            b_i},
-           {"idle width of each flange"}},
-          {"A_eff",
-           {"A - 2 b_i t_f", fmt::format("{} - 2 x {} x {}", mm2(point.gross.area.value()), b_i, t),
-            mm2(point.net.area.value())},
-           {}},
-          {"I_y,eff",
-           {"I_y - b_i (H^3 - h^3)/12",
-            fmt::format("{} - {} x (({})^3 - ({})^3)/12", mm4(point.gross.I_y.value()), b_i, H,
-                        text::mm(box.h)),
-            mm4(point.net.I_y.value())},
-           {}}};
-}
-
-bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
-
-/// Whether idle strips alone make the difference between gross and effective section.
-bool by_strips(const PlainBox& box, const StressPoint& point) {
-  const double idle = 2.0 * (1.0 - point.lag->beta) * point.lag->b_0.value();
-  return !point.web_lag &&
-         near(point.gross.area.value() - 2.0 * idle * box.t, point.net.area.value()) &&
-         near(point.gross.I_y.value() - idle * (std::pow(box.H, 3) - std::pow(box.h, 3)) / 12.0,
-              point.net.I_y.value());
+/// Per cut force, where the axes are not principal ones.
+Steps skew_coefficient_steps(const StressPoint& point, bool space) {
+  return coefficient_steps(point.influence.normal, 'k', space, [&](std::size_t which) {
+    return fmt::format("normal stress per {} at y = {}, z = {}, by the moments about both axes",
+                       name_of(which, space), text::mm(point.y.value()), text::mm(point.z.value()));
+  });
 }
 
 /// The wall that a level crosses, and the first moment beyond it, in a section in the plane.
@@ -334,9 +234,6 @@ double throat_of(const StressPoint& point) {
   return (point.y.value() < 0.0 ? box.right_web : box.left_web).value();
 }
 
-const char* const taper_note =
-    "k of N and M: what the change of the section along the taper adds, per cut force";
-
 bool is_free(const StressPoint& point, const CutForces& cut) {
   return std::abs(stress_at(point.influence, cut).shear.value()) < no_stress;
 }
@@ -345,16 +242,11 @@ bool is_free(const StressPoint& point, const CutForces& cut) {
 Steps planar_shear_steps(const std::string& symbol, const Project& project,
                          const StressPoint& point, const CutForces& cut) {
   if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
-  std::vector<Contribution> parts = contributions_of(point.influence.shear, cut, false);
+  std::vector<Contribution> parts = contributions_of(point.influence.shear, 'c', cut, false);
   const SectionProperties net = net_without_lag(project, point);
   const std::string I_y = net.area == point.gross.area ? "I_y" : "I_y,net";
-  bool tapers = false;
-  bool level = false;
   for (Contribution& part : parts) {
-    if (part.which != cut_force::V_z) {
-      tapers = true;
-      continue;
-    }
+    if (part.which != cut_force::V_z) continue;
     const std::string V = term(kN(cut.V_z.value()));
     if (point.on_throat) {
       const double a = throat_of(point);
@@ -362,61 +254,43 @@ Steps planar_shear_steps(const std::string& symbol, const Project& project,
       part.symbols = fmt::format("V S/({} a)", I_y);
       part.values =
           fmt::format("{} x {}/({} x {})", V, term(mm3(S)), mm4(net.I_y.value()), text::mm(a));
-      level = true;
     } else if (const auto at = level_shear_of(project, point, net)) {
       part.symbols = fmt::format("V S/({} b)", I_y);
       part.values =
           fmt::format("{} x {}/({} x {})", V, mm3(at->S), mm4(net.I_y.value()), text::mm(at->b));
-      level = true;
     }
   }
-  Step step = sum_step(symbol, parts);
-  if (!level) step.notes.emplace_back("k of V: S/(I_y t) of the wall");
-  if (tapers) step.notes.emplace_back(taper_note);
-  return {step};
+  return {sum_step(symbol, parts)};
 }
 
 Steps spatial_shear_steps(const std::string& symbol, const StressPoint& point,
                           const CutForces& cut) {
   if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
-  Step step = sum_step(symbol, contributions_of(point.influence.shear, cut, true));
-  step.notes.push_back(fmt::format(
-      "k of V_y and V_z: S/(I {0}); of T: 1/(2 A_m {0}) around a cell; flow of the closed section",
-      point.on_throat ? "a" : "t"));
-  const auto& shear = point.influence.shear;
-  if (shear[cut_force::N] != 0.0 || shear[cut_force::M_y] != 0.0 || shear[cut_force::M_z] != 0.0) {
-    step.notes.emplace_back(taper_note);
+  return {sum_step(symbol, contributions_of(point.influence.shear, 'c', cut, true))};
+}
+
+/// What a coefficient of shear stress means.
+std::string shear_coefficient_note(std::size_t which, bool space, bool on_throat) {
+  const char* const where = on_throat ? "in the throat" : "in the wall";
+  switch (which) {
+    case cut_force::V_y:
+    case cut_force::V_z:
+      return fmt::format("shear stress per {} {}, by the flow of the section",
+                         name_of(which, space), where);
+    case cut_force::T: return fmt::format("shear stress per T {}, by Bredt's flow in cells", where);
+    default:
+      return fmt::format("shear stress per {} {}: the section changes along the taper",
+                         name_of(which, space), where);
   }
-  return {step};
 }
 
 }  // namespace
 
-Steps section_steps(const Project& project, const StressPoint& point) {
+Steps normal_section_steps(const Project& project, const StressPoint& point) {
   if (point.concentration) return hole_factor_steps(project, point);
-  Steps steps;
-  const std::optional<PlainBox> box = plain_box_of(point.section);
-  const bool space = in_space(project);
-  const std::string kind = kind_of(point);
-  if (box && !space) append(steps, plain_box_steps(*box, point.gross));
-  if (point.lag) append(steps, shear_lag_steps(*point.lag, "flanges", ""));
-  if (point.web_lag) append(steps, shear_lag_steps(*point.web_lag, "webs", "_web"));
-  if (kind.empty() && box && !space) return steps;
-  if (point.lag && box && !space && by_strips(*box, point)) {
-    append(steps, effective_box_steps(*box, point));
-    return steps;
-  }
-  const std::string note =
-      kind == "eff" ? "without the idle strips of shear lag and the holes"
-                    : (kind == "net" ? "without the holes" : "along the border of the section");
-  steps.push_back({area_symbol(point), {mm2(point.net.area.value())}, {note}});
-  steps.push_back({inertia_symbol("I_y", point), {mm4(point.net.I_y.value())}, {}});
-  if (space || point.net.I_yz.value() != 0.0) {
-    steps.push_back({inertia_symbol("I_z", point), {mm4(point.net.I_z.value())}, {}});
-  }
-  if (point.net.I_yz.value() != 0.0) {
-    steps.push_back({inertia_symbol("I_yz", point), {mm4(point.net.I_yz.value())}, {}});
-  }
+  Steps steps = section_steps(project, point);
+  if (point.net.I_yz.value() != 0.0)
+    append(steps, skew_coefficient_steps(point, in_space(project)));
   return steps;
 }
 
@@ -424,34 +298,41 @@ Steps normal_stress_steps(const std::string& symbol, const Project& project,
                           const StressPoint& point, const CutForces& cut) {
   const bool space = in_space(project);
   if (point.concentration) {
-    Step step = sum_step(symbol, contributions_of(point.influence.normal, cut, space));
-    return {step};
+    return {sum_step(symbol, contributions_of(point.influence.normal, 'k', cut, space))};
   }
-  if (point.net.I_yz.value() != 0.0) return skew_bending_steps(symbol, point, cut, space);
+  if (point.net.I_yz.value() != 0.0) {
+    return {sum_step(symbol, contributions_of(point.influence.normal, 'k', cut, space))};
+  }
   return bending_steps(symbol, point, cut, space);
 }
 
 Steps shear_section_steps(const Project& project, const StressPoint& point) {
-  if (in_space(project)) return {};
-  Steps steps;
+  const bool space = in_space(project);
   const SectionProperties net = net_without_lag(project, point);
   const auto at = level_shear_of(project, point, net);
-  if (!at && !point.on_throat) return steps;
-  const bool whole = net.area == point.gross.area;
-  steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
-  if (point.on_throat) {
+  const bool by_S = !space && (at || point.on_throat);
+  Steps steps;
+  if (by_S) {
+    const bool whole = net.area == point.gross.area;
+    steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
+  }
+  if (by_S && point.on_throat) {
     const double a = throat_of(point);
     steps.push_back({"S",
                      {mm3(point.influence.shear[cut_force::V_z] * a * net.I_y.value())},
                      {"first moment of what hangs on this seam, along the walls' mid-lines"}});
     steps.push_back({"a", {text::mm(a)}, {"throat of the seam, all its welds together"}});
-    return steps;
+  } else if (by_S) {
+    steps.push_back({"S",
+                     {mm3(at->S)},
+                     {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
+                                  text::mm(point.z.value()))}});
+    steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
   }
-  steps.push_back({"S",
-                   {mm3(at->S)},
-                   {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
-                                text::mm(point.z.value()))}});
-  steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
+  append(steps, coefficient_steps(point.influence.shear, 'c', space, [&](std::size_t which) {
+           if (by_S && which == cut_force::V_z) return std::string();
+           return shear_coefficient_note(which, space, point.on_throat);
+         }));
   return steps;
 }
 

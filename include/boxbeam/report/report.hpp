@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/report/document.hpp"
@@ -20,8 +21,9 @@ enum class ReportLevel {
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level = ReportLevel::governing);
 
-/// The same without its figures, for where none are drawn; what moves stays.
-report::Document without_pictures(report::Document document);
+/// The same with those of its pictures only that have been drawn; a chapter that held no more than
+/// pictures goes with them.
+report::Document with_pictures(report::Document document, const std::vector<std::string>& names);
 
 /// One check as formula, substituted values, result and source.
 report::Sheet sheet_of(const Project& project, const Verification& verification,
