@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 
 #include "blocks.hpp"
@@ -118,11 +117,11 @@ report::Document report_of(const Project& project, const Verification& verificat
   return document;
 }
 
-report::Document with_pictures(report::Document document, const std::vector<std::string>& names) {
+report::Document with_pictures(report::Document document,
+                               const std::function<bool(const std::string& name)>& drawn) {
   const auto missing = [&](const Block& block) {
     const auto* picture = std::get_if<Picture>(&block);
-    return picture != nullptr &&
-           std::find(names.begin(), names.end(), picture->name) == names.end();
+    return picture != nullptr && !drawn(picture->name);
   };
   for (Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
   std::erase_if(document.chapters, [](const Chapter& chapter) { return chapter.blocks.empty(); });
