@@ -45,7 +45,8 @@ const Rule& rule_of(Quantity quantity) {
 std::string rounded_use(double percent, int digits) {
   std::string text = significant(percent, digits);
   const auto reads_as_100 = [&] {
-    return text.starts_with("100") && text.find_first_not_of("0.", 3) == std::string::npos;
+    return text == "100" ||
+           (text.starts_with("100.") && text.find_first_not_of('0', 4) == std::string::npos);
   };
   while (percent > 100.0 && reads_as_100() && digits < 12) text = significant(percent, ++digits);
   return text;

@@ -15,11 +15,6 @@ namespace {
 
 using namespace report;
 
-std::string upper(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
 Mark mark_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::pass: return Mark::passes;
@@ -27,21 +22,6 @@ Mark mark_of(Verdict verdict) {
     case Verdict::not_applicable: return Mark::not_applicable;
   }
   return Mark::none;
-}
-
-/// What draw_figures draws.
-std::vector<std::string> drawn(const Project& project, const Verification& verification) {
-  std::vector<std::string> names{"mechanism", "cut-forces"};
-  if (verification.elastic) {
-    names.emplace_back("modes");
-    if (!verification.elastic->over_period.at.empty()) {
-      names.insert(names.end(), {"frequency-response", "joint-forces", "sudden-start"});
-    }
-  }
-  if (verification.loads_over_time) names.emplace_back("loads");
-  if (project.given_stresses.empty()) names.emplace_back("stress");
-  if (verification.sn) names.emplace_back("sn");
-  return names;
 }
 
 report::Facts title_facts(const Project& project, const Verification& verification) {
@@ -93,16 +73,22 @@ Chapter input_chapter(const Source& source) {
 
 }  // namespace
 
+std::string report::verdict_text(Verdict verdict) {
+  std::string text = to_text(verdict);
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level) {
-  const Source source{project, verification, level, drawn(project, verification)};
+  const Source source{project, verification, level, figures_of(project, verification)};
   Document document;
   document.title = project.name;
   document.subtitle = project.title;
   document.date = report_date();
   document.program = fmt::format("boxbeam {}", version);
   document.input_sha256 = project.sha256;
-  document.verdict = upper(to_text(verification.verdict));
+  document.verdict = verdict_text(verification.verdict);
   document.mark = mark_of(verification.verdict);
   document.facts = title_facts(project, verification);
   document.governing = governing_table(source);
@@ -116,11 +102,13 @@ report::Document report_of(const Project& project, const Verification& verificat
   return document;
 }
 
-report::Document without_pictures(report::Document document) {
-  for (Chapter& chapter : document.chapters) {
-    std::erase_if(chapter.blocks,
-                  [](const Block& block) { return std::holds_alternative<Picture>(block); });
-  }
+report::Document with_pictures(report::Document document,
+                               const std::function<bool(const std::string& name)>& drawn) {
+  const auto missing = [&](const Block& block) {
+    const auto* picture = std::get_if<Picture>(&block);
+    return picture != nullptr && !drawn(picture->name);
+  };
+  for (Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
   std::erase_if(document.chapters, [](const Chapter& chapter) { return chapter.blocks.empty(); });
   return document;
 }

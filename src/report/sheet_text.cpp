@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "boxbeam/report/text_writer.hpp"
+#include "plain_text.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -9,7 +12,7 @@ constexpr std::size_t widest = 104;
 
 /// Where a text that is too wide goes on below: a formula before a plus, minus or times outside of
 /// its brackets, a note between words.
-std::size_t break_of(const std::string& text, std::size_t room, bool formula) {
+std::size_t break_of(const std::string& text, std::size_t room, bool formula, int deepest) {
   std::size_t at = std::string::npos;
   int depth = 0;
   for (std::size_t i = 0; i + 2 < text.size(); ++i) {
@@ -17,7 +20,7 @@ std::size_t break_of(const std::string& text, std::size_t room, bool formula) {
     if (text[i] == ')' || text[i] == ']') --depth;
     if (text[i] != ' ') continue;
     const char next = text[i + 1];
-    const bool sign = (next == '+' || next == '-') && text[i + 2] == ' ' && depth == 0;
+    const bool sign = (next == '+' || next == '-') && text[i + 2] == ' ' && depth <= deepest;
     if (formula && !sign) continue;
     if (i > room && at != std::string::npos) break;
     if (i > 0) at = i;
@@ -60,7 +63,12 @@ class StepLines {
   void write(const std::string& before, std::string text, bool formula) {
     line_ += before;
     while (line_.size() + text.size() > widest) {
-      const std::size_t at = break_of(text, widest - line_.size(), formula);
+      const std::size_t room = widest - line_.size();
+      std::size_t at = break_of(text, room, formula, 0);
+      // What stands wholly in brackets is broken inside of them.
+      if (at == std::string::npos) {
+        at = break_of(text, room, formula, std::numeric_limits<int>::max());
+      }
       if (at == std::string::npos) break;
       line_ += text.substr(0, at);
       text.erase(0, at + 1);
@@ -74,17 +82,29 @@ class StepLines {
   bool first_ = true;
 };
 
+std::string text_of(const Step& step) {
+  StepLines lines(plain_text::shown(step.symbol));
+  for (const std::string& formula : step.formulas) lines.add(plain_text::shown(formula));
+  for (const std::string& note : step.notes) {
+    lines.note(plain_text::shown(note), &note == &step.notes.front());
+  }
+  return lines.text();
+}
+
 }  // namespace
 
 std::string text_of(const Sheet& sheet) {
-  std::string out = fmt::format("  {}\n    {}\n", sheet.id, sheet.title);
-  for (const Step& step : sheet.steps) {
-    StepLines lines(step.symbol);
-    for (const std::string& formula : step.formulas) lines.add(formula);
-    for (const std::string& note : step.notes) lines.note(note, &note == &step.notes.front());
-    out += lines.text();
+  using plain_text::shown;
+  std::string out = fmt::format("  {}\n    {}\n", shown(sheet.id), shown(sheet.title));
+  for (const Step& step : sheet.steps) out += text_of(step);
+  out += fmt::format("    {}\n", shown(sheet.result));
+  std::string before = "    source: ";
+  for (const std::string& line :
+       plain_text::wrapped(sheet.source, widest - before.size(), widest - before.size())) {
+    out += before + line + "\n";
+    before.assign(before.size(), ' ');
   }
-  return out + fmt::format("    {}\n    source: {}\n", sheet.result, sheet.source);
+  return out;
 }
 
 }  // namespace boxbeam::report

@@ -1,10 +1,11 @@
+#include "boxbeam/report/summary.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "boxbeam/report/remarks.hpp"
-#include "boxbeam/report/text_report.hpp"
-#include "boxbeam/report/text_writer.hpp"
+#include "plain_text.hpp"
 #include "report_parts.hpp"
 #include "text_layout.hpp"
 #include "text_table.hpp"
@@ -36,16 +37,12 @@ std::string remarks_summary(const Project& project, const Verification& verifica
 }  // namespace
 
 std::string summary(const Project& project, const Verification& verification) {
-  report::Document document = report_of(project, verification, ReportLevel::summary);
-  document.governing.marks.clear();  // its first column says the same
-  std::string out = fmt::format("{}  {}\n", document.verdict, project.title);
-  out += report::table_text(document.governing, layout::width);
-  out += "\nRemarks:\n" + remarks_summary(project, verification);
-  return out;
-}
-
-std::string text_report(const Project& project, const Verification& verification) {
-  return report::text_of(report_of(project, verification));
+  report::Table governing =
+      report::governing_table({project, verification, ReportLevel::summary, {}});
+  governing.marks.clear();  // its first column says the same
+  return fmt::format("{}  {}\n{}\nRemarks:\n{}", report::verdict_text(verification.verdict),
+                     plain_text::shown(project.title), report::table_text(governing, layout::width),
+                     remarks_summary(project, verification));
 }
 
 }  // namespace boxbeam

@@ -58,7 +58,7 @@ TEST_CASE("compare: exit 1 where a value differs without a reason", "[compare][w
   const test::ProgramResult result = compared("beam.length,7000 mm,1 %,,drawing 3\n");
   CHECK(result.exit_code == 1);
   CHECK(result.err.empty());
-  for (const char* said : {"beam.length", "7000 mm", "6200 mm", "-11 %", "drawing 3"}) {
+  for (const char* said : {"beam.length", "7000", "6200", "mm", "-11 %", "drawing 3"}) {
     INFO(said);
     CHECK(contains(result.out, said));
   }
@@ -86,10 +86,9 @@ TEST_CASE("compare: HTML and JSON go to files", "[compare][whole]") {
   const std::string page = test::read_file(html);
   CHECK(contains(page, "&lt;b&gt;long&lt;/b&gt; &amp;"));
   CHECK_FALSE(contains(page, "<b>long</b>"));
-  CHECK(contains(page, "6.200 m"));
+  CHECK(contains(page, "6.200"));
   CHECK(Json::parse(test::read_file(json))["explained"] == 1);
-  CHECK(compared("beam.length,6.2 m,1 %,,\n", {"--html", "/nonexistent-root/x/c.html"}).exit_code !=
-        0);
+  CHECK(compared("beam.length,6.2 m,1 %,,\n", {"--html", "/dev/null/x/c.html"}).exit_code == 4);
 }
 
 TEST_CASE("compare: a broken table is refused with file, line and column", "[compare][whole]") {
