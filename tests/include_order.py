@@ -24,6 +24,7 @@ ROWS = [
     ["verification"],
     ["study"],
     ["report"],
+    ["program"],  # the commands; part of the program, not of the library
 ]
 ROW_OF = {module: row for row, modules in enumerate(ROWS) for module in modules}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')

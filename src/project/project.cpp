@@ -307,6 +307,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   check_dynamics(root, kind, project);
   root.finish();
   problems.raise();
+  for (const std::string& line : document.lines.at(document.path)) project.text += line + "\n";
   project.sha256 = document.sha256_of_input();
   project.tables = document.files;
   return project;

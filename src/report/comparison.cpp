@@ -1,0 +1,238 @@
+#include "boxbeam/report/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/case_schema.hpp"
+#include "boxbeam/report/json.hpp"
+#include "result_values.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr double latest_time = 1e9;  // as of --at
+
+/// An instant that keys name, as they write it.
+struct NamedInstant {
+  std::string text;
+  double time = 0.0;
+};
+
+/// "1.071" of "motion[1.071].bodies.4.x".
+std::optional<std::string_view> instant_in(std::string_view key) {
+  constexpr std::string_view motion = "motion[";
+  const std::size_t end = key.find(']');
+  if (!key.starts_with(motion) || end == std::string_view::npos) return std::nullopt;
+  return key.substr(motion.size(), end - motion.size());
+}
+
+std::optional<double> time_of(std::string_view text) {
+  double time = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return std::abs(time) <= latest_time ? std::optional(time) : std::nullopt;
+}
+
+std::vector<ResultValue> values_of(const std::string& document, const std::string& schema,
+                                   const std::string& prefix) {
+  return values_in(Json::parse(document), Json::parse(schema_of(schema)), prefix);
+}
+
+std::string motion_document(const Project& project, const std::vector<double>& times) {
+  if (is_flexible(project)) return motion_json(flexible_motion_of(project));
+  if (in_space(project)) return motion_json(chain_motion_of(project, times, "world"));
+  return motion_json(motion_of(project, times));
+}
+
+/// The motion at the instants that keys name, under these names.
+std::vector<ResultValue> motion_values(const Project& project,
+                                       const std::vector<NamedInstant>& instants) {
+  std::vector<double> times;
+  for (const NamedInstant& instant : instants) times.push_back(instant.time);
+  std::vector<ResultValue> values = values_of(motion_document(project, times), "motion", "motion");
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const std::string state = fmt::format("motion.states[{}]", i);
+    for (ResultValue& value : values) {
+      if (!value.key.starts_with(state)) continue;
+      value.key.replace(0, state.size(), fmt::format("motion[{}]", instants[i].text));
+    }
+  }
+  return values;
+}
+
+/// Everything that can be compared, by its key.
+class ResultBook {
+ public:
+  void add(std::vector<ResultValue> values) {
+    for (ResultValue& value : values) {
+      places_.emplace(value.key, values_.size());
+      values_.push_back(std::move(value));
+    }
+  }
+
+  const ResultValue* find(const std::string& key) const {
+    for (const char* before : {"", "beam."}) {
+      const auto found = places_.find(before + key);
+      if (found != places_.end()) return &values_[found->second];
+    }
+    return nullptr;
+  }
+
+  /// What to write instead of a key that is none.
+  std::string hint_for(const std::string& key) const {
+    std::vector<std::string> keys;
+    for (const ResultValue& value : values_) keys.push_back(value.key);
+    const std::string near = nearest_word(key, keys);
+    std::string hint = near.empty() ? "" : fmt::format("did you mean {}?", near);
+    const std::size_t last = key.find_last_of(".[");
+    for (const std::size_t end : {key.size(), last}) {
+      const std::vector<std::string> next = continuations_of(key.substr(0, end));
+      if (next.empty()) continue;
+      if (!hint.empty()) hint += " ";
+      return hint + fmt::format("Behind \"{}\" stands one of {}", key.substr(0, end),
+                                fmt::join(next, ", "));
+    }
+    if (!hint.empty()) return hint;
+    return "keys are paths into what boxbeam verify --json and boxbeam motion --json print, for "
+           "example beam.mass or motion[0].bodies.beam.x";
+  }
+
+ private:
+  /// The first ways in which a key goes on to results: ".mass", "[3.2-]".
+  std::vector<std::string> continuations_of(const std::string& key) const {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> next;
+    for (const ResultValue& value : values_) {
+      if (!value.key.starts_with(key) || value.key.size() == key.size()) continue;
+      const std::string_view rest = std::string_view(value.key).substr(key.size());
+      if (rest.front() != '.' && rest.front() != '[') continue;
+      const std::size_t end = rest.front() == '['
+                                  ? rest.find(']') + 1
+                                  : std::min(rest.find_first_of(".[", 1), rest.size());
+      const std::string step(rest.substr(0, end));
+      if (std::find(next.begin(), next.end(), step) != next.end()) continue;
+      next.push_back(step);
+      if (next.size() == most) break;
+    }
+    return next;
+  }
+
+  std::vector<ResultValue> values_;
+  std::unordered_map<std::string, std::size_t> places_;
+};
+
+Problem problem_of(const PublishedValues& published, const PublishedValue& row, int column,
+                   std::string message, std::string hint) {
+  return {published.path, row.line, column, row.source_line, std::move(message), std::move(hint)};
+}
+
+/// The instants that the keys name, each once; what is wrong with them goes to the problems.
+std::vector<NamedInstant> instants_in(const Project& project, const PublishedValues& published,
+                                      std::vector<Problem>& problems) {
+  std::vector<NamedInstant> instants;
+  for (const PublishedValue& row : published.rows) {
+    const auto text = instant_in(row.key);
+    if (!text) continue;
+    if (is_flexible(project)) {
+      problems.push_back(
+          problem_of(published, row, row.key_column,
+                     "elastic links vibrate about one posture: there are no instants to choose",
+                     "write motion.static. or motion.harmonic., then joints or points"));
+      continue;
+    }
+    const auto time = time_of(*text);
+    if (!time) {
+      problems.push_back(problem_of(published, row, row.key_column,
+                                    fmt::format("\"{}\" is no instant", *text),
+                                    "write seconds without unit, for example motion[1.071]"));
+      continue;
+    }
+    const auto same = [&](const NamedInstant& other) { return other.text == *text; };
+    if (std::none_of(instants.begin(), instants.end(), same)) {
+      instants.push_back({std::string(*text), *time});
+    }
+  }
+  return instants;
+}
+
+DimensionExponents dimension_of(const std::string& unit) {
+  if (unit == "1") return {};
+  return std::get<ParsedQuantity>(parse_quantity("1 " + unit)).exponents;
+}
+
+ComparedValue compared(const PublishedValue& published, const ResultValue& ours) {
+  constexpr double round_off = 1e-9;
+  ComparedValue row;
+  row.published = published;
+  row.key = ours.key;
+  row.unit = ours.unit;
+  row.ours = ours.value;
+  row.difference = ours.value - published.value.value;
+  const double size = std::abs(published.value.value);
+  row.tolerance = published.tolerance.value * (published.tolerance.relative ? size : 1.0);
+  const bool within =
+      std::abs(row.difference) <= row.tolerance + round_off * std::max(size, std::abs(row.ours));
+  row.agreement = within                     ? Agreement::agrees
+                  : published.reason.empty() ? Agreement::differs
+                                             : Agreement::explained;
+  return row;
+}
+
+}  // namespace
+
+const char* to_text(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::agrees: return "agrees";
+    case Agreement::explained: return "differs, explained";
+    case Agreement::differs: return "differs";
+  }
+  return "";
+}
+
+std::size_t Comparison::count(Agreement agreement) const {
+  const auto same = [&](const ComparedValue& row) { return row.agreement == agreement; };
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), same));
+}
+
+Comparison compare(const Project& project, const Verification& verification,
+                   const PublishedValues& published) {
+  std::vector<Problem> problems;
+  const std::vector<NamedInstant> instants = instants_in(project, published, problems);
+  if (!problems.empty()) throw InputError(std::move(problems));
+  ResultBook book;
+  book.add(values_of(results_json(project, verification), "results", ""));
+  const bool moves = std::any_of(published.rows.begin(), published.rows.end(),
+                                 [](const auto& row) { return row.key.starts_with("motion"); });
+  if (moves) book.add(motion_values(project, instants));
+
+  Comparison comparison;
+  comparison.path = published.path;
+  for (const PublishedValue& row : published.rows) {
+    const ResultValue* const ours = book.find(row.key);
+    if (ours == nullptr) {
+      problems.push_back(problem_of(published, row, row.key_column,
+                                    fmt::format("there is no result \"{}\"", row.key),
+                                    book.hint_for(row.key)));
+    } else if (dimension_of(ours->unit) != row.value.exponents) {
+      problems.push_back(problem_of(
+          published, row, row.value_column,
+          fmt::format("{} is {}, but \"{}\" is {}", ours->key, name_of(dimension_of(ours->unit)),
+                      row.written, name_of(row.value.exponents)),
+          ours->unit == "1"
+              ? "write it without unit"
+              : fmt::format("write it with a unit of that kind, such as {}", ours->unit)));
+    } else {
+      comparison.rows.push_back(compared(row, *ours));
+    }
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return comparison;
+}
+
+}  // namespace boxbeam

@@ -1,52 +1,44 @@
 #include "boxbeam/report/json.hpp"
 
+#include "beam_json.hpp"
 #include "boxbeam/report/remarks.hpp"
-#include "json_number.hpp"
+#include "load_model_json.hpp"
 #include "version.hpp"
 
 namespace boxbeam {
 namespace {
 
-Json pair(const Envelope& envelope) {
-  return Json::array({finite(envelope.smallest.value), finite(envelope.largest.value)});
-}
-
-Json check_json(const Check& check) {
-  return {{"id", check.id},
-          {"criterion", to_text(check.criterion)},
-          {"point", check.point},
-          {"station", check.on_beam ? Json(finite(check.station.s.value())) : Json()},
-          {"side", check.on_beam ? Json(to_text(check.station.side)) : Json()},
-          {"situation", check.situation},
-          {"time", finite(check.time.value())},
-          {"acting", finite(check.acting.value())},
-          {"resisting", finite(check.resisting.value())},
-          {"safety_factor", finite(check.safety_factor)},
-          {"required", finite(check.required)},
-          {"utilisation", finite(check.utilisation())},
-          {"unit", check.acting.unit()},
-          {"source", check.source}};
-}
-
-Json beam_json(const Verification& verification, const Project& project) {
-  Json stations = Json::array();
-  for (const StationEnvelope& station : verification.stations) {
-    Json& at = stations.emplace_back(
-        Json{{"s", finite(station.station.s.value())}, {"side", to_text(station.station.side)}});
-    for (const auto& [which, name] : cut_forces_looked_at(project))
-      at[name] = pair(station.of[which]);
-  }
-  return {{"length", finite(project.beam.length().value())},
-          {"mass", finite(verification.beam_mass.mass.value())},
-          {"centre_of_mass", finite(verification.beam_mass.centre.value())},
-          {"stations", std::move(stations)}};
+Json check_json(const CheckResult& result) {
+  const Check& check = result.check;
+  const auto stress = [&](Stress PointStress::*part) {
+    return result.basis ? Json(finite((result.basis->stress_at_time.*part).value())) : Json();
+  };
+  // Member by member: a list of pairs would be built of arrays first, for every check.
+  Json json = Json::object();
+  json["id"] = check.id;
+  json["criterion"] = to_text(check.criterion);
+  json["point"] = check.point;
+  json["station"] = check.on_beam ? Json(finite(check.station.s.value())) : Json();
+  json["side"] = check.on_beam ? Json(to_text(check.station.side)) : Json();
+  json["situation"] = check.situation;
+  json["time"] = finite(check.time.value());
+  json["acting"] = finite(check.acting.value());
+  json["resisting"] = finite(check.resisting.value());
+  json["safety_factor"] = finite(check.safety_factor);
+  json["required"] = finite(check.required);
+  json["utilisation"] = finite(check.utilisation());
+  json["unit"] = check.acting.unit();
+  json["source"] = check.source;
+  json["normal_stress"] = stress(&PointStress::normal);
+  json["shear_stress"] = stress(&PointStress::shear);
+  return json;
 }
 
 Json governing_json(const Verification& verification) {
   Json governing = Json::object();
   for (const Criterion criterion : {Criterion::yield, Criterion::fatigue}) {
     const CheckResult* result = verification.governing(criterion);
-    governing[to_text(criterion)] = result != nullptr ? check_json(result->check) : Json();
+    governing[to_text(criterion)] = result != nullptr ? check_json(*result) : Json();
   }
   return governing;
 }
@@ -99,6 +91,32 @@ Json codes_json(const Verification& verification) {
   return codes;
 }
 
+/// The curve of the governing fatigue check, and what the check found on it.
+Json sn_json(const Project& project, const Verification& verification) {
+  if (!verification.sn) return {};
+  const SnFigure& sn = *verification.sn;
+  Json fatigue = {{"code", sn.code},
+                  {"curve", sn.name},
+                  {"reference", finite(sn.reference)},
+                  {"knee", finite(sn.knee)},
+                  {"cut_off", finite(sn.cut_off)},
+                  {"cycles", finite(most_cycles_of(project))}};
+  const CheckResult* const governing = verification.governing(Criterion::fatigue);
+  const bool computed =
+      governing != nullptr && governing->basis && !governing->basis->curves.empty();
+  fatigue["strength"] =
+      computed ? Json(finite(strength_at(governing->basis->curves.front(), most_cycles_of(project),
+                                         project.fatigue.demand.loading)
+                                 .value()))
+               : Json();
+  fatigue["constant_amplitude_factor"] =
+      computed ? Json(finite(governing->basis->constant_amplitude_factor)) : Json();
+  fatigue["damage"] = computed ? Json(finite(governing->basis->damage)) : Json();
+  fatigue["equivalent_range"] =
+      computed ? Json(finite(governing->basis->equivalent.value())) : Json();
+  return fatigue;
+}
+
 }  // namespace
 
 std::string results_json(const Project& project, const Verification& verification) {
@@ -112,7 +130,7 @@ std::string results_json(const Project& project, const Verification& verificatio
                         {"value", finite(instant.value)}});
   }
   Json checks = Json::array();
-  for (const CheckResult& result : verification.checks) checks.push_back(check_json(result.check));
+  for (const CheckResult& result : verification.checks) checks.push_back(check_json(result));
   const Json document = {{"schema", "boxbeam.results/1"},
                          {"case", project.name},
                          {"version", version},
@@ -120,11 +138,19 @@ std::string results_json(const Project& project, const Verification& verificatio
                          {"verdict", to_text(verification.verdict)},
                          {"model", model_json(verification.model)},
                          {"critical_instants", std::move(instants)},
-                         {"beam", beam_json(verification, project)},
+                         {"beam", beam_json(project, verification)},
                          {"checks", std::move(checks)},
                          {"governing", governing_json(verification)},
                          {"codes", codes_json(verification)},
-                         {"remarks", remarks_of(project, verification)}};
+                         {"remarks", remarks_of(project, verification)},
+                         {"mechanism", mechanism_json(project)},
+                         {"freedom", freedom_json(verification)},
+                         {"equivalent_mass", equivalent_mass_json(project, verification)},
+                         {"newton_chain", newton_chain_json(verification)},
+                         {"loads", loads_json(project, verification)},
+                         {"sections", sections_json(project, verification)},
+                         {"concentrations", concentrations_json(verification)},
+                         {"sn", sn_json(project, verification)}};
   return document.dump(2) + "\n";
 }
 

@@ -22,6 +22,16 @@ Json point_json(const PointMotion& point) {
           {"ax", finite(point.acceleration.x())}, {"ay", finite(point.acceleration.y())}};
 }
 
+Json chain_json(const ChainResult& chain) {
+  Json steps = Json::object();
+  for (const ChainStepLoad& load : chain.steps) {
+    steps[load.step] = {{"fx", finite(load.force.x())},
+                        {"fy", finite(load.force.y())},
+                        {"moment", load.moment ? Json(finite(*load.moment)) : Json()}};
+  }
+  return {{"steps", std::move(steps)}, {"sought_mass", finite(chain.sought_mass)}};
+}
+
 Json state_json(const InstantResult& state) {
   Json branch = Json::object();
   for (const auto& [loop, sign] : state.branch) branch[loop] = sign_text(sign);
@@ -41,10 +51,15 @@ Json state_json(const InstantResult& state) {
                                  {"moment", number(reaction.moment)},
                                  {"unique", reaction.unique}};
   }
-  return {{"time", finite(state.time)},         {"branch", std::move(branch)},
-          {"residual", finite(state.residual)}, {"condition", finite(state.condition)},
-          {"digits", finite(state.digits)},     {"bodies", std::move(bodies)},
-          {"points", std::move(points)},        {"reactions", std::move(reactions)}};
+  return {{"time", finite(state.time)},
+          {"branch", std::move(branch)},
+          {"residual", finite(state.residual)},
+          {"condition", finite(state.condition)},
+          {"digits", finite(state.digits)},
+          {"bodies", std::move(bodies)},
+          {"points", std::move(points)},
+          {"reactions", std::move(reactions)},
+          {"newton_chain", state.chain ? chain_json(*state.chain) : Json()}};
 }
 
 Json vector_json(const Eigen::Vector3d& v) {

@@ -1,0 +1,87 @@
+#include "process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "boxbeam/core/error.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pointers to texts as C takes them.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& own) {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    if (own.count(text.substr(0, text.find('='))) == 0) all.push_back(text);
+  }
+  for (const auto& [name, value] : own) all.push_back(fmt::format("{}={}", name, value));
+  return all;
+}
+
+}  // namespace
+
+std::optional<int> run(const Command& command) {
+  std::vector<std::string> arguments = command.arguments;
+  std::vector<std::string> environment = environment_with(command.environment);
+  const std::vector<char*> argument_pointers = pointers_to(arguments);
+  const std::vector<char*> environment_pointers = pointers_to(environment);
+  const std::string log = (command.folder / command.log).string();
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
+  pid_t process = -1;
+  const int error = posix_spawnp(&process, arguments.front().c_str(), &actions, nullptr,
+                                 argument_pointers.data(), environment_pointers.data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOENT) return std::nullopt;
+  if (error != 0) {
+    throw OutputError(
+        fmt::format("{} cannot be started: {}", command.arguments.front(), std::strerror(error)));
+  }
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status)) return 128 + WTERMSIG(status);
+  if (WEXITSTATUS(status) == 127) return std::nullopt;
+  return WEXITSTATUS(status);
+}
+
+ScratchFolder::ScratchFolder(const fs::path& beside) {
+  std::error_code error;
+  fs::create_directories(beside, error);
+  std::string pattern = (beside / ".boxbeam-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) {
+    throw OutputError(
+        fmt::format("{} cannot be written: {}", beside.string(), std::strerror(errno)));
+  }
+  path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,116 @@
+#include "boxbeam/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "blocks.hpp"
+#include "boxbeam/report/plots.hpp"
+#include "boxbeam/report/remarks.hpp"
+#include "report_parts.hpp"
+#include "version.hpp"
+
+namespace boxbeam {
+namespace {
+
+using namespace report;
+
+Mark mark_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass: return Mark::passes;
+    case Verdict::fail: return Mark::fails;
+    case Verdict::not_applicable: return Mark::not_applicable;
+  }
+  return Mark::none;
+}
+
+report::Facts title_facts(const Project& project, const Verification& verification) {
+  report::Facts facts;
+  facts.entries.emplace_back("file", project.path);
+  for (const std::string& set : project.overrides) facts.entries.emplace_back("--set", set);
+  facts.entries.emplace_back("loads by",
+                             project.dynamics == Dynamics::rigorous
+                                 ? "reactions of the mechanism, distributed weight and inertia"
+                                 : "the published Newton chain");
+  facts.entries.emplace_back("model", to_text(verification.model.chosen.level));
+  facts.entries.emplace_back(
+      "checks", fmt::format("{}, the worst used {}", verification.checks.size(),
+                            text::percent(verification.checks.front().check.utilisation())));
+  return facts;
+}
+
+Chapter remarks_chapter(const Source& source) {
+  const std::string assumed = "assumed: ";
+  const std::string blocking = "not applicable: ";
+  Bullets blocks, assumptions, others;
+  for (std::string& remark : remarks_of(source.project, source.verification)) {
+    if (remark.starts_with(assumed)) {
+      assumptions.items.push_back(remark.substr(assumed.size()));
+    } else if (remark.starts_with(blocking)) {
+      blocks.items.push_back(remark.substr(blocking.size()));
+    } else {
+      others.items.push_back(std::move(remark));
+    }
+  }
+  Chapter chapter{"Assumptions and remarks", {}};
+  const auto add = [&](const char* title, Bullets& bullets) {
+    if (bullets.items.empty()) return;
+    chapter.blocks.emplace_back(Subheading{title});
+    chapter.blocks.emplace_back(std::move(bullets));
+  };
+  add("Why the checks do not apply", blocks);
+  add("Assumptions of the case", assumptions);
+  add("Remarks", others);
+  return chapter;
+}
+
+Chapter input_chapter(const Source& source) {
+  Chapter chapter{"Appendix: the input", {}};
+  if (source.level != ReportLevel::full) return chapter;
+  chapter.blocks.emplace_back(Listing{source.project.text});
+  return chapter;
+}
+
+}  // namespace
+
+std::string report::verdict_text(Verdict verdict) {
+  std::string text = to_text(verdict);
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+report::Document report_of(const Project& project, const Verification& verification,
+                           ReportLevel level) {
+  const Source source{project, verification, level, figures_of(project, verification)};
+  Document document;
+  document.title = project.name;
+  document.subtitle = project.title;
+  document.date = report_date();
+  document.program = fmt::format("boxbeam {}", version);
+  document.input_sha256 = project.sha256;
+  document.verdict = verdict_text(verification.verdict);
+  document.mark = mark_of(verification.verdict);
+  document.facts = title_facts(project, verification);
+  document.governing = governing_table(source);
+  for (const auto chapter_of :
+       {remarks_chapter, model_chapter, inputs_chapter, mechanism_chapter, motion_chapter,
+        loads_chapter, cut_force_chapter, section_chapter, stress_chapter, sheets_chapter,
+        fatigue_chapter, checks_chapter, comparison_chapter, input_chapter}) {
+    Chapter chapter = chapter_of(source);
+    if (!chapter.blocks.empty()) document.chapters.push_back(std::move(chapter));
+  }
+  return document;
+}
+
+report::Document with_pictures(report::Document document,
+                               const std::function<bool(const std::string& name)>& drawn) {
+  const auto missing = [&](const Block& block) {
+    const auto* picture = std::get_if<Picture>(&block);
+    return picture != nullptr && !drawn(picture->name);
+  };
+  for (Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
+  std::erase_if(document.chapters, [](const Chapter& chapter) { return chapter.blocks.empty(); });
+  return document;
+}
+
+}  // namespace boxbeam

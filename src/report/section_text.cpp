@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
-#include "inputs_text.hpp"
+#include "profile_text.hpp"
 #include "text_layout.hpp"
 
 namespace boxbeam {

@@ -3,39 +3,23 @@
 #include <algorithm>
 #include <cassert>
 #include <cctype>
-#include <sstream>
+
+#include "plain_text.hpp"
 
 namespace boxbeam::layout {
 namespace {
 
-/// Columns a text takes on a terminal: code points, good enough for the scripts of case files.
-std::size_t columns_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
-}
+using plain_text::columns_of;
 
 std::string wrapped(const std::string& text, const std::string& first, const std::string& rest) {
-  std::istringstream words(text);
-  std::string out = first;
-  std::size_t column = columns_of(first);
-  bool line_begins = true;
-  for (std::string word; words >> word;) {
-    const std::size_t length = columns_of(word);
-    if (!line_begins && column + 1 + length > width) {
-      out += "\n" + rest;
-      column = columns_of(rest);
-      line_begins = true;
-    }
-    if (!line_begins) {
-      out += ' ';
-      ++column;
-    }
-    out += word;
-    column += length;
-    line_begins = false;
+  std::string out;
+  for (const std::string& line :
+       plain_text::wrapped(text, width - columns_of(rest), width - columns_of(first))) {
+    out += out.empty() ? first : rest;
+    out += line;
+    out += '\n';
   }
-  return out + "\n";
+  return out;
 }
 
 bool numeric(const std::string& cell) {
@@ -55,14 +39,16 @@ std::string paragraph(const std::string& text) { return wrapped(text, "  ", "  "
 std::string item(const std::string& text) { return wrapped(text, "  - ", "    "); }
 
 std::string entry(const std::string& name, const std::string& text) {
-  const std::string gap(name.size() < 10 ? 10 - name.size() : 1, ' ');
-  return wrapped(text, "  " + name + gap, std::string(12, ' '));
+  const std::size_t used = columns_of(name);
+  const std::string gap(used < 10 ? 10 - used : 1, ' ');
+  return wrapped(text, "  " + plain_text::shown(name) + gap, std::string(12, ' '));
 }
 
 Table::Table(std::vector<std::string> header) : rows_{std::move(header)} {}
 
 void Table::row(std::vector<std::string> cells) {
   assert(cells.size() == rows_.front().size());
+  for (std::string& cell : cells) cell = plain_text::shown(cell);
   rows_.push_back(std::move(cells));
 }
 

@@ -1,0 +1,114 @@
+#include "boxbeam/report/text_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "plain_text.hpp"
+#include "text_table.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+using plain_text::columns_of;
+using plain_text::shown;
+using plain_text::wrapped;
+
+constexpr std::size_t width = 110;
+
+/// Text in lines that begin with `first`, then with `rest`.
+std::string hanging(const std::string& first, const std::string& rest, const std::string& text) {
+  std::string out;
+  for (const std::string& line :
+       wrapped(text, width - columns_of(rest), width - columns_of(first))) {
+    out += out.empty() ? first : rest;
+    out += line;
+    out += '\n';
+  }
+  return out;
+}
+
+std::string heading(const std::string& text, char line) {
+  const std::string title = shown(text);
+  return fmt::format("{}\n{}\n", title, std::string(columns_of(title), line));
+}
+
+std::string facts_text(const Facts& facts) {
+  std::size_t longest = 0;
+  for (const auto& [name, text] : facts.entries) longest = std::max(longest, columns_of(name));
+  const std::size_t beside = std::min<std::size_t>(longest, 30) + 4;
+  std::string out;
+  for (const auto& [name, text] : facts.entries) {
+    std::string first = "  " + shown(name);
+    first.resize(
+        first.size() + std::max<std::size_t>(2, beside - std::min(beside, columns_of(first))), ' ');
+    out += hanging(first, std::string(beside, ' '), text);
+  }
+  return out;
+}
+
+/// One line after the other, tabs and all, each behind two spaces.
+std::string listing_text(const std::string& text) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = shown(std::string_view(text).substr(begin, end - begin), true);
+    out += line.empty() ? "\n" : "  " + line + "\n";
+    begin = end + 1;
+  }
+  return out;
+}
+
+struct BlockText {
+  std::string operator()(const Paragraph& paragraph) const {
+    return hanging("  ", "  ", paragraph.text);
+  }
+  std::string operator()(const Bullets& bullets) const {
+    std::string out;
+    for (const std::string& item : bullets.items) out += hanging("  - ", "    ", item);
+    return out;
+  }
+  std::string operator()(const Facts& facts) const { return facts_text(facts); }
+  std::string operator()(const Table& table) const {
+    const std::string caption = table.caption.empty() ? "" : hanging("  ", "  ", table.caption);
+    return caption + table_text(table, width);
+  }
+  std::string operator()(const Picture& picture) const {
+    return hanging("  ", "  ", fmt::format("[{}.svg] {}", picture.name, picture.caption));
+  }
+  std::string operator()(const Sheet& sheet) const { return text_of(sheet); }
+  std::string operator()(const Listing& listing) const { return listing_text(listing.text); }
+  std::string operator()(const MovingPicture&) const { return ""; }
+  std::string operator()(const Subheading& subheading) const {
+    return "  " + shown(subheading.text) + "\n";
+  }
+};
+
+}  // namespace
+
+std::string text_of(const Document& document) {
+  std::string out = fmt::format("{}: {}, {}\n", shown(document.program), shown(document.title),
+                                shown(document.date));
+  out += hanging("", "", document.subtitle);
+  out += fmt::format("\nVERDICT: {}\n\n", shown(document.verdict));
+  out += table_text(document.governing, width) + "\n";
+  Facts facts = document.facts;
+  facts.entries.emplace_back("input sha256", document.input_sha256);
+  out += facts_text(facts);
+  std::size_t number = 0;
+  for (const Chapter& chapter : document.chapters) {
+    out += "\n" + heading(fmt::format("{} {}", ++number, chapter.title), '-');
+    bool directly = true;  // below a heading
+    for (const Block& block : chapter.blocks) {
+      const std::string text = std::visit(BlockText{}, block);
+      if (text.empty()) continue;
+      if (!directly) out += '\n';
+      out += text;
+      directly = std::holds_alternative<Subheading>(block);
+    }
+  }
+  return out;
+}
+
+}  // namespace boxbeam::report

@@ -1,6 +1,7 @@
 #include "boxbeam/verification/motion_result.hpp"
 
 #include "boxbeam/mechanism/planar/assembly.hpp"
+#include "boxbeam/mechanism/planar/chain_moments.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
@@ -17,6 +18,18 @@ Branch named_branch_of(const planar::Mechanism& mechanism, const Eigen::VectorXd
     branch.emplace_back(mechanism.loops[i].name, signs[i]);
   }
   return branch;
+}
+
+ChainResult chain_result_of(const planar::Mechanism& mechanism, const planar::NewtonChain& chain,
+                            const planar::State& state) {
+  const planar::ChainForces forces = planar::chain_at(chain, state);
+  const auto moments = planar::chain_moments_at(mechanism, chain, state);
+  ChainResult result;
+  result.sought_mass = forces.sought_mass;
+  for (std::size_t i = 0; i < chain.steps.size(); ++i) {
+    result.steps.push_back({chain.steps[i].name, forces.g[i], moments[i]});
+  }
+  return result;
 }
 
 InstantResult instant_of(const Project& project, const planar::State& state,
@@ -47,6 +60,7 @@ InstantResult instant_of(const Project& project, const planar::State& state,
                                 reaction.force, reaction.moment,
                                 planar::is_unique(mechanism, freedom, reaction.joint)});
   }
+  if (project.chain) result.chain = chain_result_of(mechanism, *project.chain, state);
   return result;
 }
 

@@ -72,16 +72,16 @@ void verify_in_process(benchmark::State& bench) {
   }
 }
 
-/// The program as a user runs it, text and JSON written, without plots: start of the process to
-/// its end.
+/// The program as a user runs it, text, HTML and JSON written, without plots and PDF: start of the
+/// process to its end.
 void verify_as_process(benchmark::State& bench) {
   namespace fs = std::filesystem;
   std::string pattern = (fs::temp_directory_path() / "boxbeam-bench-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  std::string words[] = {BOXBEAM_PROGRAM, "verify", case_path("rig.toml"),
-                         "--no-plots",    "--out",  pattern};
+  std::string words[] = {BOXBEAM_PROGRAM, "verify", case_path("rig.toml"), "--no-plots", "--no-pdf",
+                         "--out",         pattern};
   char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
-                       words[4].data(), words[5].data(), nullptr};
+                       words[4].data(), words[5].data(), words[6].data(), nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);

@@ -1,1 +1,358 @@
+#include "boxbeam/report/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "boxbeam/report/plots.hpp"
+#include "boxbeam/report/summary.hpp"
+#include "boxbeam/report/text_writer.hpp"
 #include "catch.hpp"
+#include "support/rig.hpp"
+#include "support/shipped_cases.hpp"
+
+using namespace boxbeam;
+using namespace boxbeam::report;
+
+namespace {
+
+/// All that may stand in a report, in the order in which a reader needs it.
+const std::vector<std::string> order{"Assumptions and remarks",
+                                     "Model",
+                                     "Inputs",
+                                     "Mechanism",
+                                     "Motion",
+                                     "Loads on the beam",
+                                     "Cut forces",
+                                     "Sections",
+                                     "Stresses",
+                                     "Governing checks",
+                                     "Fatigue",
+                                     "Checks",
+                                     "Comparison",
+                                     "Appendix: the input"};
+
+constexpr ReportLevel levels[] = {ReportLevel::summary, ReportLevel::governing, ReportLevel::full};
+
+std::vector<std::string> titles_of(const Document& document) {
+  std::vector<std::string> titles;
+  for (const Chapter& chapter : document.chapters) titles.push_back(chapter.title);
+  return titles;
+}
+
+template <class Kind, class Visit>
+void for_each(const Document& document, Visit visit) {
+  for (const Chapter& chapter : document.chapters) {
+    for (const Block& block : chapter.blocks) {
+      if (const Kind* of = std::get_if<Kind>(&block)) visit(*of);
+    }
+  }
+}
+
+std::vector<Table> tables_of(const Document& document) {
+  std::vector<Table> tables{document.governing};
+  for_each<Table>(document, [&](const Table& table) { tables.push_back(table); });
+  return tables;
+}
+
+std::set<std::string> pictures_of(const Document& document) {
+  std::set<std::string> names;
+  for_each<Picture>(document, [&](const Picture& picture) { names.insert(picture.name); });
+  return names;
+}
+
+/// Everything that a reader finds: rows, sentences, pictures, sheets.
+std::set<std::string> contents_of(const Document& document) {
+  std::set<std::string> contents;
+  for (const Table& table : tables_of(document)) {
+    std::string above = table.caption;
+    for (const std::string& title : table.header) above += "|" + title;
+    for (const auto& row : table.rows) {
+      std::string text = above;
+      for (const report::Cell& cell : row) text += "|" + cell.text;
+      contents.insert(std::move(text));
+    }
+  }
+  for_each<Bullets>(document, [&](const Bullets& bullets) {
+    contents.insert(bullets.items.begin(), bullets.items.end());
+  });
+  for_each<report::Facts>(document, [&](const report::Facts& facts) {
+    for (const auto& [name, text] : facts.entries) contents.insert(name + ": " + text);
+  });
+  for_each<Picture>(document, [&](const Picture& picture) { contents.insert(picture.caption); });
+  for_each<Sheet>(document, [&](const Sheet& sheet) { contents.insert("sheet " + sheet.id); });
+  return contents;
+}
+
+const Table& checks_table(const Document& document) {
+  const auto chapter = std::find_if(document.chapters.begin(), document.chapters.end(),
+                                    [](const Chapter& of) { return of.title == "Checks"; });
+  REQUIRE(chapter != document.chapters.end());
+  for (const Block& block : chapter->blocks) {
+    if (const Table* table = std::get_if<Table>(&block)) return *table;
+  }
+  throw std::runtime_error("no table of checks");
+}
+
+}  // namespace
+
+TEST_CASE("reports of all cases have their chapters in the reader's order", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    for (const ReportLevel level : levels) {
+      const Document document = report_of(of.project, of.verification, level);
+      const std::vector<std::string> titles = titles_of(document);
+      auto place = order.begin();
+      for (const std::string& title : titles) {
+        INFO(title);
+        place = std::find(place, order.end(), title);
+        REQUIRE(place != order.end());
+      }
+      for (const Chapter& chapter : document.chapters) CHECK_FALSE(chapter.blocks.empty());
+    }
+    const std::vector<std::string> titles = titles_of(report_of(of.project, of.verification));
+    for (const char* always :
+         {"Assumptions and remarks", "Model", "Inputs", "Mechanism", "Motion", "Loads on the beam",
+          "Cut forces", "Stresses", "Governing checks", "Fatigue", "Checks"}) {
+      INFO(always);
+      CHECK(std::find(titles.begin(), titles.end(), always) != titles.end());
+    }
+    CHECK(std::find(titles.begin(), titles.end(), "Appendix: the input") == titles.end());
+  }
+}
+
+TEST_CASE("what a level says, the next says as well", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    std::set<std::string> before;
+    for (const ReportLevel level : levels) {
+      const std::set<std::string> now = contents_of(report_of(of.project, of.verification, level));
+      for (const std::string& part : before) {
+        INFO(part);
+        CHECK(now.count(part) == 1);
+      }
+      CHECK(now.size() > before.size());
+      before = now;
+    }
+  }
+}
+
+TEST_CASE("tables have a cell below every title, and marks and sheets for every row", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    for (const ReportLevel level : levels) {
+      const Document document = report_of(of.project, of.verification, level);
+      std::set<std::string> sheets;
+      for_each<Sheet>(document, [&](const Sheet& sheet) { sheets.insert(sheet.id); });
+      for (const Table& table : tables_of(document)) {
+        INFO(table.caption << " " << table.header.front());
+        CHECK_FALSE(table.rows.empty());
+        for (const auto& row : table.rows) REQUIRE(row.size() == table.header.size());
+        CHECK((table.marks.empty() || table.marks.size() == table.rows.size()));
+        CHECK((table.sheets.empty() || table.sheets.size() == table.rows.size()));
+        for (const std::string& id : table.sheets) CHECK((id.empty() || sheets.count(id) == 1));
+      }
+    }
+  }
+}
+
+TEST_CASE("where a number belongs there is one", "[report]") {
+  const std::regex no_number("\\b(nan|inf|-nan|-inf)\\b");
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const Document document = report_of(of.project, of.verification, ReportLevel::full);
+    for (const Table& table : tables_of(document)) {
+      for (std::size_t k = 0; k < table.header.size(); ++k) {
+        INFO(table.caption << ": " << table.header[k]);
+        const bool with_unit = table.header[k].find('[') != std::string::npos;
+        for (const auto& row : table.rows) {
+          if (with_unit && table.header[k] != "inside [mm]") CHECK_FALSE(row[k].text.empty());
+          if (row[k].value) CHECK(std::isfinite(*row[k].value));
+        }
+      }
+    }
+    const std::string text = text_of(document);
+    CHECK_FALSE(std::regex_search(text, no_number));
+    CHECK(text.find(" -0 ") == std::string::npos);
+  }
+}
+
+TEST_CASE("a report shows the figures that are drawn and no others, each once", "[report]") {
+  const auto none = [](const std::string&) { return false; };
+  const auto only_mechanism = [](const std::string& name) { return name == "mechanism"; };
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const Document document = report_of(of.project, of.verification, ReportLevel::full);
+    const std::vector<std::string> drawn = figures_of(of.project, of.verification);
+    const std::set<std::string> shown = pictures_of(document);
+    CHECK(shown == std::set<std::string>(drawn.begin(), drawn.end()));
+    std::size_t count = 0;
+    for_each<Picture>(document, [&](const Picture& picture) {
+      ++count;
+      INFO(picture.caption);
+      CHECK(picture.caption.back() == '.');
+      CHECK(std::any_of(picture.caption.begin(), picture.caption.end(),
+                        [](char c) { return c >= '0' && c <= '9'; }));
+    });
+    CHECK(count == shown.size());
+    CHECK(pictures_of(with_pictures(document, none)).empty());
+    CHECK(pictures_of(with_pictures(document, only_mechanism)) ==
+          std::set<std::string>{"mechanism"});
+    // A summary shows what decides.
+    const Document summary = report_of(of.project, of.verification, ReportLevel::summary);
+    for (const Chapter& chapter : with_pictures(summary, none).chapters) {
+      CHECK_FALSE(chapter.blocks.empty());
+    }
+    for (const std::string& name : pictures_of(summary)) {
+      CHECK((name == "mechanism" || name == "cut-forces" || name == "utilisation" || name == "sn"));
+    }
+    CHECK(pictures_of(summary).count("mechanism") == 1);
+    CHECK(pictures_of(summary).count("cut-forces") == 1);
+  }
+}
+
+TEST_CASE("the moving picture stands where the cycle is known", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    std::size_t count = 0;
+    for_each<MovingPicture>(report_of(of.project, of.verification),
+                            [&](const MovingPicture&) { ++count; });
+    CHECK(count == (of.verification.cycle ? 1 : 0));
+  }
+}
+
+TEST_CASE("every check of a full report has its row and its sheet", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const Document document = report_of(of.project, of.verification, ReportLevel::full);
+    const Table& table = checks_table(document);
+    REQUIRE(table.rows.size() == of.verification.checks.size());
+    std::map<std::string, int> sheets;
+    for_each<Sheet>(document, [&](const Sheet& sheet) { ++sheets[sheet.id]; });
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const Check& check = of.verification.checks[i].check;
+      CHECK(sheets[check.id] == 1);
+      CHECK(table.sheets[i] == check.id);
+      CHECK(table.rows[i][0].value == check.utilisation());
+      CHECK(table.rows[i][1].value == check.safety_factor);
+      CHECK(table.marks[i] == (check.passes() ? Mark::passes : Mark::fails));
+      // Rounded to three digits: half a unit of the last is 0.5 % at most.
+      CHECK(std::stod(table.rows[i][0].text) ==
+            Approx(100.0 * check.utilisation()).epsilon(0.0051));
+      CHECK(std::stod(table.rows[i][1].text) == Approx(check.safety_factor).epsilon(0.0051));
+    }
+  }
+}
+
+TEST_CASE("governing: the worst check of every criterion, and all checks above 10 %", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const Document document = report_of(of.project, of.verification);
+    std::set<std::string> criteria_shown;
+    double before = 1e300;
+    for (const auto& row : document.governing.rows) {
+      criteria_shown.insert(row[1].text);
+      CHECK(*row[2].value <= before);
+      before = *row[2].value;
+    }
+    std::set<std::string> all;
+    std::size_t above = 0;
+    for (const CheckResult& result : of.verification.checks) {
+      all.insert(to_text(result.check.criterion));
+      if (result.check.utilisation() >= 0.10) ++above;
+    }
+    CHECK(criteria_shown == all);
+    CHECK(checks_table(document).rows.size() >= above);
+  }
+}
+
+TEST_CASE("the appendix is the case file as it was read, also where the file is gone", "[report]") {
+  const std::string text = test::read_file(test::project_file("sections/sledge-rig/rig.toml"));
+  const Project project = parse_project("gone.toml", text);
+  CHECK(project.text == text);
+  const Document document = report_of(project, verify(project), ReportLevel::full);
+  const auto* listing = std::get_if<Listing>(&document.chapters.back().blocks.front());
+  REQUIRE(listing != nullptr);
+  CHECK(listing->text == text);
+}
+
+TEST_CASE("a stress range is never called an amplitude", "[report]") {
+  // The codes have "constant amplitude" and "variable amplitude" in the names of loading, limit and
+  // curve; a driver has one by its key.
+  const std::regex allowed("([Cc]onstant[- ]|variable |[.])$");
+  const std::regex word("amplitude", std::regex::icase);
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const Document document = report_of(of.project, of.verification, ReportLevel::full);
+    std::set<std::string> texts = contents_of(document);
+    for_each<Sheet>(document, [&](const Sheet& sheet) { texts.insert(text_of(sheet)); });
+    for_each<Paragraph>(document, [&](const Paragraph& of_text) { texts.insert(of_text.text); });
+    for_each<Subheading>(document, [&](const Subheading& title) { texts.insert(title.text); });
+    for (const std::string& text : texts) {
+      const std::sregex_iterator end;
+      for (std::sregex_iterator it(text.begin(), text.end(), word); it != end; ++it) {
+        INFO(text);
+        CHECK(std::regex_search(it->prefix().str(), allowed));
+      }
+    }
+  }
+}
+
+TEST_CASE("text keeps to its 110 columns", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    std::istringstream lines(text_of(report_of(of.project, of.verification)));
+    for (std::string line; std::getline(lines, line);) {
+      INFO(line);
+      CHECK(line.size() <= 110);
+    }
+  }
+}
+
+TEST_CASE("the terminal's summary: verdict first, worst checks, few remarks", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const std::string text = summary(of.project, of.verification);
+    const std::string verdict = of.verification.verdict == Verdict::pass   ? "PASS"
+                                : of.verification.verdict == Verdict::fail ? "FAIL"
+                                                                           : "NOT APPLICABLE";
+    CHECK(text.starts_with(verdict + "  " + of.project.title + "\n"));
+    CHECK(std::count(text.begin(), text.end(), '\n') < 40);
+    for (const CheckResult& result : of.verification.checks) {
+      if (&result != of.verification.governing(result.check.criterion)) continue;
+      CHECK(text.find(to_text(result.check.criterion)) != std::string::npos);
+      CHECK(text.find(result.check.point) != std::string::npos);
+    }
+    for (const Gate& gate : of.verification.gates) {
+      if (gate.blocks) CHECK(text.find("not applicable: ") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("the date is that of SOURCE_DATE_EPOCH, else today in UTC", "[report]") {
+  const char* before = std::getenv("SOURCE_DATE_EPOCH");
+  const std::string kept = before == nullptr ? "" : before;
+  const auto date_at = [](const char* epoch) {
+    ::setenv("SOURCE_DATE_EPOCH", epoch, 1);
+    return report_date();
+  };
+  // By `date -u -d @SECONDS +%F`.
+  CHECK(date_at("0") == "1970-01-01");
+  CHECK(date_at("951782399") == "2000-02-28");
+  CHECK(date_at("951782400") == "2000-02-29");
+  CHECK(date_at("1700000000") == "2023-11-14");
+  CHECK(date_at("253402300799") == "9999-12-31");
+  const std::regex date("20\\d\\d-[01]\\d-[0-3]\\d");
+  for (const char* no_epoch : {"", "yesterday", "12.5", "-1", "999999999999999"}) {
+    INFO(no_epoch);
+    CHECK(std::regex_match(date_at(no_epoch), date));
+  }
+  ::unsetenv("SOURCE_DATE_EPOCH");
+  CHECK(std::regex_match(report_date(), date));
+  if (before != nullptr) ::setenv("SOURCE_DATE_EPOCH", kept.c_str(), 1);
+}

@@ -399,7 +399,7 @@ def main():
     drawn = run_program(program, root, *moment)
     flipped = run_program(program, root, *moment, "--set", 'loops.lower.sign="-"')
     with tempfile.TemporaryDirectory() as folder:
-        verify = ("verify", CASE, "--no-plots", "--out", folder)
+        verify = ("verify", CASE, "--no-plots", "--no-pdf", "--out", folder)
         results = run_program(program, root, *verify)
         plain = run_program(program, root, *verify, "--set", "strength.shear_lag=false")
     lag = length_between_zero_moments()

@@ -99,8 +99,9 @@ TEST_CASE("an exciter's force instead of its motion: amplitude, stress and range
 
   const test::TemporaryFolder folder;
   const std::string path = folder.write("shaken.toml", shaken_beam);
-  const test::ProgramResult result = test::run_program(
-      {"verify", path, "--json", "-", "--no-plots", "--out", (folder.path() / "out").string()});
+  const test::ProgramResult result =
+      test::run_program({"verify", path, "--json", "-", "--no-plots", "--no-pdf", "--out",
+                         (folder.path() / "out").string()});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   const Json document = Json::parse(result.out);

@@ -1,1 +1,103 @@
+// boxbeam init: the cases that it writes run as they are.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
 #include "catch.hpp"
+#include "support/program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string template_of(const std::string& kind) {
+  return test::read_file(test::project_file("sections/templates/" + kind + ".toml"));
+}
+
+std::string changed(std::string text, const std::string& find, const std::string& instead) {
+  const std::size_t at = text.find(find);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, find.size(), instead);
+}
+
+/// Without the "# " of the lines that begin with `first`, to the end of the paragraph.
+std::string uncommented(std::string text, const std::string& first) {
+  std::size_t at = text.find("\n" + first);
+  REQUIRE(at != std::string::npos);
+  for (++at; text.compare(at, 2, "# ") == 0; at = text.find('\n', at) + 1) text.erase(at, 2);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("init: each kind of case runs as it is and passes", "[init]") {
+  for (const std::string kind : {"planar", "spatial", "flexible"}) {
+    INFO(kind);
+    const test::TemporaryFolder folder;
+    const test::ProgramResult written = test::run_program({"init", kind, "my.toml"}, folder.path());
+    CHECK(written.exit_code == 0);
+    CHECK(written.out.find("boxbeam verify my.toml") != std::string::npos);
+    const std::string text = test::read_file(folder.path() / "my.toml");
+    CHECK(text == test::read_file(test::project_file("sections/templates/" + kind + ".toml")));
+    for (std::size_t line = 0; line < text.size(); line = text.find('\n', line) + 1) {
+      CHECK(text.find('\n', line) - line <= 100);
+    }
+    CHECK(test::run_program({"validate", "my.toml"}, folder.path()).exit_code == 0);
+    CHECK(test::run_program({"motion", "my.toml"}, folder.path()).exit_code == 0);
+    const test::ProgramResult verified = test::run_program(
+        {"verify", "my.toml", "--no-plots", "--no-pdf", "--json", "-"}, folder.path());
+    INFO(verified.err);
+    CHECK(verified.exit_code == 0);
+    const auto results = nlohmann::json::parse(verified.out);
+    CHECK(results["verdict"] == "pass");
+    // Neither bored nor at its limit, so that a change can be seen.
+    const double use = results["checks"][0]["utilisation"].get<double>();
+    CHECK(use > 0.4);
+    CHECK(use < 0.9);
+  }
+}
+
+TEST_CASE("init: what its comments offer instead is right as well", "[init]") {
+  const test::TemporaryFolder folder;
+  REQUIRE(test::run_program({"init"}, folder.path()).exit_code == 0);
+  REQUIRE(fs::exists(folder.path() / "planar.toml"));
+  const auto runs = [&](const std::string& text) {
+    const std::string file = folder.write("changed.toml", text);
+    const test::ProgramResult result =
+        test::run_program({"verify", file, "--no-plots", "--no-pdf", "--quiet"}, folder.path());
+    INFO(text << "\n" << result.err);
+    CHECK((result.exit_code == 0 || result.exit_code == 1));
+    CHECK(result.err.empty());
+  };
+  const std::string planar = template_of("planar");
+  runs(changed(planar, "uniform_rod = \"0.3 m\" ", "inertia = \"0.3 kg m^2\" "));
+  runs(changed(uncommented(planar, "# kind = \"harmonic\"\n"),
+               "kind = \"constant rate\"\nstart = \"90 deg\"\nrate = \"40 rpm\"\n", ""));
+  runs(uncommented(planar, "# [forces.pull]\n"));
+  runs(uncommented(planar, "# [[beam.holes]]\n"));
+  runs(uncommented(planar, "# centre = "));
+  runs(changed(planar, "category = 80 ", "row = \"8.2/6\" "));
+  runs(changed(planar, "\"spectrum\"", "\"constant amplitude\""));
+  runs(changed(template_of("spatial"), "direction = \"-z\" ",
+               "direction = \"-z\"\naxes = \"column\" #"));
+  const std::string flexible = template_of("flexible");
+  runs(uncommented(flexible, "# force = "));
+  runs(changed(flexible, "{ ratio = 0.01, at = \"25 Hz\" } ", "\"0.3 ms\" "));
+}
+
+TEST_CASE("init: nothing is overwritten, and standard output takes a case as well", "[init]") {
+  const test::TemporaryFolder folder;
+  const std::string mine = folder.write("mine.toml", "mine");
+  const test::ProgramResult refused = test::run_program({"init", "planar", mine});
+  CHECK(refused.exit_code == 2);
+  CHECK(refused.err.find("is there already, and nothing is overwritten") != std::string::npos);
+  CHECK(test::read_file(mine) == "mine");
+  fs::create_symlink("nowhere.toml", folder.path() / "link.toml");
+  CHECK(test::run_program({"init", "planar", "link.toml"}, folder.path()).exit_code == 2);
+  CHECK(test::run_program({"init", "planer"}, folder.path()).exit_code == 2);
+  const test::ProgramResult out = test::run_program({"init", "flexible", "-"}, folder.path());
+  CHECK(out.out == test::read_file(test::project_file("sections/templates/flexible.toml")));
+  const test::ProgramResult nowhere =
+      test::run_program({"init", "planar", mine + "/case.toml"}, folder.path());
+  CHECK(nowhere.exit_code == 4);
+}

@@ -19,7 +19,8 @@ const std::string published = "sections/sledge-rig/published.toml";
 Json results(const std::string& case_file, std::vector<std::string> more = {}) {
   const test::TemporaryFolder folder;
   std::vector<std::string> arguments{
-      "verify", case_file, "--json", "-", "--no-plots", "--out", (folder.path() / "out").string()};
+      "verify",     case_file,  "--json", "-",
+      "--no-plots", "--no-pdf", "--out",  (folder.path() / "out").string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const test::ProgramResult result = test::run_program(arguments);
   INFO(result.err);
@@ -64,7 +65,8 @@ TEST_CASE("verify published.toml: N_y = 20.6, N_ud = 1.69") {
 TEST_CASE("results.json: keys in their order, two records at every jump") {
   const test::TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
-  REQUIRE(test::run_program({"verify", rig, "--no-plots", "--out", out}).exit_code == 1);
+  REQUIRE(test::run_program({"verify", rig, "--no-plots", "--no-pdf", "--out", out}).exit_code ==
+          1);
   const auto document = nlohmann::ordered_json::parse(test::read_file(out + "/results.json"));
   CHECK(keys_of(document) == std::vector<std::string>{"schema", "case", "version", "input_sha256",
                                                       "verdict", "model", "critical_instants",
@@ -100,8 +102,8 @@ TEST_CASE("the same input gives the same bytes") {
   const test::TemporaryFolder folder;
   const std::string a = (folder.path() / "a").string();
   const std::string b = (folder.path() / "b").string();
-  test::run_program({"verify", rig, "--no-plots", "--out", a});
-  test::run_program({"verify", rig, "--no-plots", "--out", b});
+  test::run_program({"verify", rig, "--no-plots", "--no-pdf", "--out", a});
+  test::run_program({"verify", rig, "--no-plots", "--no-pdf", "--out", b});
   for (const char* name : {"/report.txt", "/results.json"}) {
     CHECK(test::read_file(a + name) == test::read_file(b + name));
   }
@@ -154,14 +156,18 @@ TEST_CASE("with gnuplot the four plots and their scripts are written") {
   }
 }
 
-TEST_CASE("figures of an earlier run do not stand beside a newer report") {
+TEST_CASE("figures and reports of an earlier run do not stand beside a newer report") {
   const test::TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
   fs::create_directories(out + "/plots");
   const std::string old = folder.write("out/sn.svg", "<svg/>");
+  const std::string report = folder.write("out/report.pdf", "%PDF");
+  const std::string log = folder.write("out/report.log", "!");
   const std::string mine = folder.write("out/mine.svg", "<svg/>");
-  REQUIRE(test::run_program({"verify", rig, "--no-plots", "--out", out}).exit_code == 1);
-  CHECK_FALSE(fs::exists(old));
+  REQUIRE(test::run_program({"verify", rig, "--no-plots", "--no-pdf", "--out", out}).exit_code ==
+          1);
+  for (const std::string& file : {old, report, log}) CHECK_FALSE(fs::exists(file));
+  CHECK_FALSE(fs::exists(out + "/plots"));
   CHECK(fs::exists(mine));
 }
 

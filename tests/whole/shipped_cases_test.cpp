@@ -22,7 +22,7 @@ constexpr double g = 9.81;
 Json verified(const std::string& case_file, int exit_code) {
   const test::TemporaryFolder folder;
   const test::ProgramResult result =
-      test::run_program({"verify", case_file, "--json", "-", "--no-plots", "--out",
+      test::run_program({"verify", case_file, "--json", "-", "--no-plots", "--no-pdf", "--out",
                          (folder.path() / "out").string()});
   INFO(result.err);
   REQUIRE(result.exit_code == exit_code);

@@ -188,6 +188,7 @@ struct Project {
   std::string name;
   std::string title;
   std::string path;
+  std::string text;               ///< of the case file, as it was read; lines end with "\n"
   std::string sha256;             ///< of the case, its overrides and its tables
   std::vector<InputFile> tables;  ///< files of numbers that drivers and forces follow
   std::vector<std::string> assumptions;

@@ -40,6 +40,8 @@ struct Table {
   /// stand at the right.
   std::vector<std::vector<Cell>> rows;
   std::vector<Mark> marks;  ///< one per row, or none at all
+  /// The id of the sheet that derives a row, "" for none; one per row, or none at all.
+  std::vector<std::string> sheets = {};
 };
 
 /// A figure that stands as NAME.svg beside the report.
@@ -77,6 +79,7 @@ struct Listing {
 struct MovingPicture {
   CycleFigure cycle;
   std::string caption;
+  bool repeats = true;  ///< behind the last frame comes the first; else the motion ends there
 };
 
 struct Subheading {

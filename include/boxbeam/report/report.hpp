@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "boxbeam/project/project.hpp"
@@ -19,6 +20,11 @@ enum class ReportLevel {
 /// clock (UTC).
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level = ReportLevel::governing);
+
+/// The same with those of its pictures only that have been drawn; a chapter that held no more than
+/// pictures goes with them.
+report::Document with_pictures(report::Document document,
+                               const std::function<bool(const std::string& name)>& drawn);
 
 /// One check as formula, substituted values, result and source.
 report::Sheet sheet_of(const Project& project, const Verification& verification,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,19 @@ struct JointReaction {
   bool unique = true;   ///< else joints that repeat each other share it in an unknown way
 };
 
+/// What the Newton chain has carried up to a step, world axes.
+struct ChainStepLoad {
+  std::string step;
+  Eigen::Vector2d force;         ///< [N]
+  std::optional<double> moment;  ///< [N m], see planar::chain_moments_at
+};
+
+/// The Newton chain of a case at an instant.
+struct ChainResult {
+  std::vector<ChainStepLoad> steps;
+  double sought_mass = 0.0;  ///< of the last body [kg]
+};
+
 /// Everything of one instant.
 struct InstantResult {
   double time = 0.0;                                ///< [s]
@@ -41,6 +55,7 @@ struct InstantResult {
   std::vector<BodyMotion> bodies;
   std::vector<PointMotion> points;
   std::vector<JointReaction> reactions;
+  std::optional<ChainResult> chain;  ///< where the case has one
 };
 
 /// The mechanism alone.

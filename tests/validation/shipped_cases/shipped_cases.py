@@ -383,7 +383,7 @@ def friction_groups(program, root):
 def verified(program, root, case, *settings):
     with tempfile.TemporaryDirectory() as folder:
         more = [word for setting in settings for word in ("--set", setting)]
-        return run(program, root, "verify", case, "--no-plots", "--out", folder, *more)
+        return run(program, root, "verify", case, "--no-plots", "--no-pdf", "--out", folder, *more)
 
 
 def report(title, rows, allowed, scale):

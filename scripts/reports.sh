@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Writes the reports of all shipped cases into reports/, and the comparisons with published values.
+#
+#   scripts/reports.sh
+#
+# The date in the reports is that of the last change of program or cases, so that running it again
+# changes nothing.
+set -u
+. "$(dirname "$0")/common.sh"
+cd "$root" || exit 4
+
+install_missing "${packages[@]}"
+if [ ! -f build/build.ninja ]; then
+  configure build -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=OFF -DBOXBEAM_BENCH=OFF
+fi
+build build boxbeam
+: "${SOURCE_DATE_EPOCH:=$(git log -1 --format=%ct -- src include sections 2>/dev/null || date +%s)}"
+export SOURCE_DATE_EPOCH
+
+# A verification that does not pass is a result; anything above exit 1 is an error.
+failed=0
+run() {
+  say "boxbeam $*"
+  build/boxbeam "$@" >/dev/null
+  [ $? -le 1 ] || failed=$((failed + 1))
+}
+
+for case in sections/*/*.toml; do
+  case $case in
+    sections/catalogue/* | sections/templates/*) continue ;;
+    */published.toml) run verify "$case" --dynamics newton-chain ;;
+    *) run verify "$case" ;;
+  esac
+done
+[ $failed -eq 0 ] || { say "$failed runs failed."; exit 4; }

@@ -1,0 +1,33 @@
+#include "program/compare_command.hpp"
+
+#include "boxbeam/project/published_values.hpp"
+#include "boxbeam/report/comparison.hpp"
+#include "boxbeam/report/files.hpp"
+#include "boxbeam/report/html_writer.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "program/exit_code.hpp"
+#include "program/progress.hpp"
+#include "program/terminal.hpp"
+
+namespace boxbeam::program {
+
+int run_compare(const CompareOptions& options) {
+  const PublishedValues published = read_published(options.published);
+  const Project project = read_case(options.of_case);
+  Comparison comparison;
+  {
+    Progress progress;
+    progress.now("verifying");
+    comparison = compare(project, verify(project), published);
+  }
+  if (!options.html.empty()) {
+    const auto no_pictures = [](const std::string&) { return std::optional<std::string>(); };
+    write_file(options.html,
+               report::html_of(comparison_document(project, comparison), no_pictures));
+  }
+  put_result(options.json, comparison_json(project, comparison),
+             coloured(comparison_text(project, comparison)));
+  return comparison.passes() ? all_pass : check_fails;
+}
+
+}  // namespace boxbeam::program

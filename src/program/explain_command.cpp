@@ -1,0 +1,77 @@
+#include "program/explain_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/project/quantity_text.hpp"
+#include "boxbeam/report/format.hpp"
+#include "boxbeam/report/report.hpp"
+#include "boxbeam/report/text_writer.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "program/exit_code.hpp"
+#include "program/progress.hpp"
+#include "program/terminal.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+/// All ids, worst first.
+std::string list_of(const Verification& verification) {
+  std::string text;
+  for (const CheckResult& result : verification.checks) {
+    const Check& check = result.check;
+    text += fmt::format("{} {:>8}  {}\n", check.passes() ? "passes" : "FAILS ",
+                        text::percent(check.utilisation()), check.id);
+  }
+  return text;
+}
+
+/// The check of an id, or the worst one of those whose ids begin with its parts: "fatigue/4.2".
+const CheckResult* find_check(const Verification& verification, const std::string& id) {
+  if (id == "governing") return &verification.checks.front();
+  const auto same = std::find_if(verification.checks.begin(), verification.checks.end(),
+                                 [&](const CheckResult& result) { return result.check.id == id; });
+  if (same != verification.checks.end()) return &*same;
+  const auto below = std::find_if(
+      verification.checks.begin(), verification.checks.end(),
+      [&](const CheckResult& result) { return result.check.id.starts_with(id + "/"); });
+  return below == verification.checks.end() ? nullptr : &*below;
+}
+
+InputError unknown(const Verification& verification, const std::string& id) {
+  std::vector<std::string> known{"governing", "list"};
+  for (const CheckResult& result : verification.checks) {
+    const std::string& full = result.check.id;
+    for (std::size_t end = full.find('/'); end != std::string::npos; end = full.find('/', end + 1))
+      known.push_back(full.substr(0, end));
+    known.push_back(full);
+  }
+  const std::string near = nearest_word(id, known);
+  const std::string hint = near.empty() ? "" : fmt::format("did you mean {}? ", near);
+  return InputError(fmt::format("the case has no check \"{}\"", id),
+                    hint + "boxbeam explain list CASE shows all");
+}
+
+}  // namespace
+
+int run_explain(const ExplainOptions& options) {
+  const Project project = read_case(options.of_case);
+  Verification verification;
+  {
+    Progress progress;
+    progress.now("verifying");
+    verification = verify(project);
+  }
+  if (options.check == "list") {
+    put(coloured(list_of(verification)));
+    return all_pass;
+  }
+  const CheckResult* result = find_check(verification, options.check);
+  if (result == nullptr) throw unknown(verification, options.check);
+  put(coloured(report::text_of(sheet_of(project, verification, *result))));
+  return all_pass;
+}
+
+}  // namespace boxbeam::program

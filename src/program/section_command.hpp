@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace boxbeam::program {
+
+struct SectionOptions {
+  std::vector<std::string> profiles;
+  std::string steel = "S355";
+  std::string json;
+};
+
+/// `boxbeam section`: properties of sections. Returns the exit code.
+int run_section(const SectionOptions& options);
+
+}  // namespace boxbeam::program

@@ -1,0 +1,120 @@
+#include "program/validate_command.hpp"
+
+#include <fmt/format.h>
+
+#include "boxbeam/project/project.hpp"
+#include "program/exit_code.hpp"
+#include "program/terminal.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+/// "3: crank, rod, lever"; "" of none.
+std::string listed(const std::vector<std::string>& names) {
+  if (names.empty()) return "";
+  return fmt::format("{}: {}", names.size(), fmt::join(names, ", "));
+}
+
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
+}
+
+/// What a case consists of, an entry for each part that it has.
+class Parts {
+ public:
+  void add(const char* name, const std::string& says) {
+    if (!says.empty()) text_ += fmt::format("  {:<11} {}\n", name, says);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_mechanism(Parts& parts, const planar::Mechanism& mechanism) {
+  std::vector<std::string> joints;
+  std::vector<std::string> drivers;
+  for (const planar::Joint& joint : mechanism.joints) {
+    (is_driver(joint) ? drivers : joints).push_back(joint.name);
+  }
+  parts.add("kind", "planar: rigid bodies in a plane");
+  parts.add("bodies", listed(names_of(mechanism.bodies)));
+  parts.add("joints", listed(joints));
+  parts.add("drivers", listed(drivers));
+  parts.add("forces", listed(names_of(mechanism.forces)));
+  parts.add("loops", listed(names_of(mechanism.loops)));
+}
+
+void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
+  std::vector<std::string> joints;
+  std::vector<std::string> driven;
+  for (const spatial::Joint& joint : mechanism.joints) {
+    joints.push_back(joint.name);
+    if (joint.kind != spatial::JointKind::fixed) driven.push_back(joint.name);
+  }
+  std::vector<std::string> forces = names_of(mechanism.loads);
+  for (const spatial::LineForce& line : mechanism.line_forces) forces.push_back(line.name);
+  parts.add("kind", "spatial: rigid bodies in space");
+  parts.add("bodies", listed(names_of(mechanism.bodies)));
+  parts.add("joints", listed(joints));
+  parts.add("driven", listed(driven));
+  parts.add("forces", listed(forces));
+}
+
+void add_mechanism(Parts& parts, const flexible::Mechanism& mechanism) {
+  parts.add("kind", "flexible: elastic links in a plane");
+  parts.add("links", listed(names_of(mechanism.links)));
+  parts.add("joints", listed(names_of(mechanism.joints)));
+  parts.add("loads", listed(names_of(mechanism.loads)));
+  if (mechanism.frequency > 0.0) parts.add("frequency", fmt::format("{} Hz", mechanism.frequency));
+}
+
+std::vector<std::string> situations_of(const Project& project) {
+  std::vector<std::string> names;
+  for (const Situation& situation : project.situations) {
+    const std::string name = situation.name.empty() ? "the case as written" : situation.name;
+    names.push_back(situation.cycles > 0.0 ? fmt::format("{} ({:g} cycles)", name, situation.cycles)
+                                           : name);
+  }
+  return names;
+}
+
+std::string text_of(const Project& project) {
+  Parts parts;
+  parts.add("case", fmt::format("{}: {}", project.name, project.title));
+  std::visit([&](const auto& mechanism) { add_mechanism(parts, mechanism); }, project.mechanism);
+  parts.add("loads by", project.dynamics == Dynamics::rigorous
+                            ? "the reactions of the mechanism, weight and inertia"
+                            : "the published Newton chain");
+  parts.add("beam", fmt::format("{:.6g} m, {:.6g} kg", project.beam.length().value(),
+                                mass_properties_of(project.beam).mass.value()));
+  parts.add("segments", listed(names_of(project.beam.segments)));
+  std::vector<std::string> holes;
+  for (const BeamHole& hole : project.beam.holes) holes.push_back(hole.hole.name);
+  parts.add("holes", listed(holes));
+  parts.add("steel", project.material.name);
+  parts.add("fatigue", project.fatigue.beam.detail.name);
+  std::vector<std::string> details;
+  for (const BeamDetail& detail : project.fatigue.details) details.push_back(detail.detail.name);
+  parts.add("details", listed(details));
+  parts.add("pins", listed(names_of(project.pins)));
+  parts.add("rods", listed(names_of(project.rods)));
+  parts.add("situations", listed(situations_of(project)));
+  std::vector<std::string> files;
+  for (const InputFile& file : project.tables) files.push_back(file.written);
+  parts.add("tables", listed(files));
+  return parts.text();
+}
+
+}  // namespace
+
+int run_validate(const CaseOptions& options) {
+  const Project project = read_case(options);
+  put(fmt::format("{}: nothing is wrong\n{}", options.file, text_of(project)));
+  return all_pass;
+}
+
+}  // namespace boxbeam::program

@@ -1,0 +1,154 @@
+#include "program/verify_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/files.hpp"
+#include "boxbeam/report/format.hpp"
+#include "boxbeam/report/html_writer.hpp"
+#include "boxbeam/report/json.hpp"
+#include "boxbeam/report/pdf.hpp"
+#include "boxbeam/report/plots.hpp"
+#include "boxbeam/report/report.hpp"
+#include "boxbeam/report/summary.hpp"
+#include "boxbeam/report/text_writer.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "program/exit_code.hpp"
+#include "program/progress.hpp"
+#include "program/terminal.hpp"
+#include "report/process.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a run has written, and what it could not write.
+struct Outputs {
+  std::vector<std::string> written;  ///< in the folder, or as the user named them
+  std::vector<std::string> figures;  ///< their files
+  std::vector<std::string> troubles;
+  std::string results;  ///< results.json
+};
+
+/// Removes what an earlier run has written: nothing of it may stand beside the new report.
+void remove_outputs(const std::string& folder) {
+  std::error_code ignored;
+  for (const char* name :
+       {"report.txt", "report.html", "report.pdf", "report.log", "results.json"}) {
+    fs::remove(fs::path(folder) / name, ignored);
+  }
+  remove_figures(folder);
+  fs::remove(fs::path(folder) / "plots", ignored);  // where nothing else is in it
+}
+
+ReportLevel level_of(const std::string& word) {
+  if (word == "summary") return ReportLevel::summary;
+  return word == "full" ? ReportLevel::full : ReportLevel::governing;
+}
+
+/// Writes the report and its figures. What needs another program may fail without the rest.
+Outputs write_outputs(const Project& project, const Verification& verification,
+                      const VerifyOptions& options, const std::string& folder, Progress& progress) {
+  Outputs outputs;
+  const auto attempt = [&](const auto& write) {
+    try {
+      write();
+    } catch (const OutputError& error) {
+      outputs.troubles.emplace_back(error.what());
+    }
+  };
+  const auto write = [&](const char* name, const std::string& content) {
+    write_file(folder + "/" + name, content);
+    outputs.written.emplace_back(name);
+  };
+  remove_outputs(folder);
+  std::optional<report::ScratchFolder> twins;  // the figures as PDF
+  if (!options.no_plots) {
+    progress.now("drawing the figures");
+    if (!options.no_pdf) twins.emplace(folder);
+    attempt([&] {
+      outputs.figures =
+          draw_figures(project, verification, folder, twins ? twins->path().string() : "");
+    });
+  }
+  const auto drawn = [&](const std::string& name) {
+    const std::vector<std::string>& files = outputs.figures;
+    return std::find(files.begin(), files.end(), name + ".svg") != files.end();
+  };
+  const report::Document document =
+      with_pictures(report_of(project, verification, level_of(options.level)), drawn);
+  write("report.txt", report::text_of(document));
+  outputs.results = results_json(project, verification);
+  write("results.json", outputs.results);
+  if (!options.no_html) {
+    const auto picture = [&](const std::string& name) -> std::optional<std::string> {
+      std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
+      if (!file) return std::nullopt;
+      return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    attempt([&] { write("report.html", report::html_of(document, picture)); });
+  }
+  if (!options.no_pdf) {
+    progress.now("setting the PDF");
+    attempt([&] {
+      report::write_pdf(document, twins ? twins->path().string() : "", folder + "/report.pdf");
+      outputs.written.emplace_back("report.pdf");
+    });
+  }
+  if (!options.json.empty() && options.json != "-") {
+    attempt([&] {
+      write_file(options.json, outputs.results);
+      outputs.written.push_back(options.json);
+    });
+  }
+  return outputs;
+}
+
+std::string written_line(const std::string& folder, const Outputs& outputs) {
+  std::string line = fmt::format("\nWritten to {}: {}", folder, fmt::join(outputs.written, ", "));
+  if (!outputs.figures.empty()) line += fmt::format(", {} figures", outputs.figures.size());
+  return line + "\n";
+}
+
+/// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".
+std::string verdict_line(const Project& project, const Verification& verification) {
+  const char* verdict = verification.verdict == Verdict::pass   ? "PASS"
+                        : verification.verdict == Verdict::fail ? "FAIL"
+                                                                : "NOT APPLICABLE";
+  const Check& worst = verification.checks.front().check;
+  return fmt::format("{}  {}: {}, utilisation {}\n", verdict, project.name, worst.id,
+                     text::percent(worst.utilisation()));
+}
+
+}  // namespace
+
+int run_verify(const VerifyOptions& options) {
+  const Project project = read_case(options.of_case);
+  const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
+  Verification verification;
+  Outputs outputs;
+  {
+    Progress progress(!options.quiet);
+    progress.now("verifying");
+    verification = verify(project, options.no_plots ? Figures::without : Figures::with);
+    outputs = write_outputs(project, verification, options, folder, progress);
+  }
+  if (options.json == "-") {
+    put(outputs.results);
+  } else if (options.quiet) {
+    put(coloured(verdict_line(project, verification)));
+  } else {
+    put(coloured(summary(project, verification) + written_line(folder, outputs)));
+  }
+  for (const std::string& trouble : outputs.troubles) std::cerr << "boxbeam: " << trouble << "\n";
+  if (!outputs.troubles.empty()) return output_failed;
+  return verification.verdict == Verdict::pass ? all_pass : check_fails;
+}
+
+}  // namespace boxbeam::program

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "program/case_options.hpp"
+
+namespace boxbeam::program {
+
+struct VerifyOptions {
+  CaseOptions of_case;
+  std::string out;
+  std::string json;
+  std::string level = "governing";
+  bool no_plots = false;
+  bool no_html = false;
+  bool no_pdf = false;
+  bool quiet = false;
+};
+
+/// `boxbeam verify`: verifies a case and writes its report. Returns the exit code.
+int run_verify(const VerifyOptions& options);
+
+}  // namespace boxbeam::program

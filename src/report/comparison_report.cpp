@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/report/comparison.hpp"
+#include "boxbeam/report/format.hpp"
+#include "boxbeam/report/report.hpp"
+#include "boxbeam/report/text_writer.hpp"
+#include "json_number.hpp"
+#include "version.hpp"
+
+namespace boxbeam {
+namespace {
+
+using report::Cell;
+using report::Mark;
+
+/// "18.1e3" of "18.1e3 mm^2".
+std::string number_of(const std::string& written, const std::string& unit) {
+  std::string number = written.substr(0, written.size() - unit.size());
+  while (number.ends_with(' ')) number.pop_back();
+  return number;
+}
+
+/// A number [SI] as the published one is written: in its unit, with its power of ten.
+std::string written_like(const PublishedValue& published, double value, int digits) {
+  const std::string number = number_of(published.written, published.unit);
+  const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+  double one = published.scale;
+  if (exponent < number.size()) one *= std::pow(10.0, std::stoi(number.substr(exponent + 1)));
+  std::string text = text::significant(value / one, digits);
+  if (text != "0") text += number.substr(exponent);
+  return text;
+}
+
+bool is_round_off(const ComparedValue& row) {
+  constexpr double round_off = 1e-9;
+  return std::abs(row.difference) <= round_off * std::abs(row.published.value.value);
+}
+
+/// With the digits of the published value, at least four.
+std::string ours_text(const ComparedValue& row) {
+  constexpr int fewest = 4, most = 8;
+  if (is_round_off(row)) return number_of(row.published.written, row.published.unit);
+  return written_like(row.published, row.ours, std::clamp(row.published.digits, fewest, most));
+}
+
+/// In per cent where the tolerance is, else in the published value's unit.
+std::string difference_text(const ComparedValue& row) {
+  constexpr int digits = 2;
+  if (is_round_off(row)) return "0";
+  std::string text;
+  if (row.published.tolerance.relative) {
+    const double part = row.difference / std::abs(row.published.value.value);
+    text = fmt::format("{} %", text::significant(100.0 * part, digits));
+  } else {
+    text = written_like(row.published, row.difference, digits);
+  }
+  if (row.difference > 0.0 && text != "0") text.insert(0, "+");
+  return text;
+}
+
+/// Absolute ones without their unit where that is the published value's, which stands beside.
+std::string tolerance_text(const PublishedValue& published) {
+  const std::string& written = published.tolerance.written;
+  const bool same = !published.tolerance.relative && written.ends_with(published.unit);
+  return same ? number_of(written, published.unit) : written;
+}
+
+/// The number of each reason in the list of reasons, which grows.
+std::string note_of(const std::string& reason, std::vector<std::string>& reasons) {
+  if (reason.empty()) return "";
+  const auto found = std::find(reasons.begin(), reasons.end(), reason);
+  const auto place = found - reasons.begin();
+  if (found == reasons.end()) reasons.push_back(reason);
+  return fmt::format("({})", place + 1);
+}
+
+/// The rows of one status, in the order of the file.
+report::Table table_of(const Comparison& comparison, Agreement agreement,
+                       std::vector<std::string>& reasons) {
+  report::Table table;
+  table.header = {"result",    "published", "ours",   "difference",
+                  "tolerance", "unit",      "source", "reason"};
+  for (const ComparedValue& row : comparison.rows) {
+    if (row.agreement != agreement) continue;
+    const PublishedValue& published = row.published;
+    table.rows.push_back(
+        {Cell{row.key, {}},
+         Cell{number_of(published.written, published.unit), published.value.value},
+         Cell{ours_text(row), row.ours}, Cell{difference_text(row), row.difference},
+         Cell{tolerance_text(published), row.tolerance}, Cell{published.unit, {}},
+         Cell{published.source, {}}, Cell{note_of(published.reason, reasons), {}}});
+    if (agreement == Agreement::differs) table.marks.push_back(Mark::fails);
+  }
+  return table;
+}
+
+std::string heading_of(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::agrees: return "Within the tolerance";
+    case Agreement::explained: return "Beyond the tolerance, with a reason";
+    case Agreement::differs: return "Beyond the tolerance, without a reason";
+  }
+  return "";
+}
+
+std::string counts_text(const Comparison& comparison) {
+  return fmt::format("{} values: {} agree, {} differ with a reason, {} differ without",
+                     comparison.rows.size(), comparison.count(Agreement::agrees),
+                     comparison.count(Agreement::explained), comparison.count(Agreement::differs));
+}
+
+}  // namespace
+
+report::Chapter comparison_chapter(const Comparison& comparison) {
+  report::Chapter chapter;
+  chapter.title = "Published values";
+  chapter.blocks.push_back(report::Paragraph{fmt::format(
+      "{} ({}). A difference is ours less published.", counts_text(comparison), comparison.path)});
+  std::vector<std::string> reasons;
+  for (const Agreement status : {Agreement::differs, Agreement::explained, Agreement::agrees}) {
+    report::Table table = table_of(comparison, status, reasons);
+    if (table.rows.empty()) continue;
+    table.caption = heading_of(status);
+    chapter.blocks.push_back(std::move(table));
+  }
+  if (reasons.empty()) return chapter;
+  chapter.blocks.push_back(report::Subheading{"Reasons"});
+  report::Bullets list;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    list.items.push_back(fmt::format("({}) {}", i + 1, reasons[i]));
+  }
+  chapter.blocks.push_back(std::move(list));
+  return chapter;
+}
+
+report::Document comparison_document(const Project& project, const Comparison& comparison) {
+  report::Document document;
+  document.title = project.name;
+  document.subtitle = fmt::format("{}: published values beside the program's", project.title);
+  document.date = report_date();
+  document.program = fmt::format("boxbeam {}", version);
+  document.input_sha256 = project.sha256;
+  document.verdict = !comparison.passes()                          ? "DIFFERS"
+                     : comparison.count(Agreement::explained) == 0 ? "AGREES"
+                                                                   : "AGREES OR IS EXPLAINED";
+  document.mark = comparison.passes() ? Mark::passes : Mark::fails;
+  document.facts.entries = {{"case file", project.path}, {"published", comparison.path}};
+  if (!project.overrides.empty()) {
+    document.facts.entries.emplace_back("overrides",
+                                        fmt::format("{}", fmt::join(project.overrides, "; ")));
+  }
+  document.facts.entries.emplace_back("loads by", to_text(project.dynamics));
+  document.governing.header = {"published values", "number"};
+  for (const Agreement status : {Agreement::agrees, Agreement::explained, Agreement::differs}) {
+    const std::size_t count = comparison.count(status);
+    document.governing.rows.push_back(
+        {report::Cell{heading_of(status), {}},
+         report::Cell{std::to_string(count), static_cast<double>(count)}});
+  }
+  document.chapters.push_back(comparison_chapter(comparison));
+  return document;
+}
+
+std::string comparison_text(const Project& project, const Comparison& comparison) {
+  return report::text_of(comparison_document(project, comparison));
+}
+
+std::string comparison_json(const Project& project, const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const ComparedValue& row : comparison.rows) {
+    rows.push_back({{"result", row.key},
+                    {"published", finite(row.published.value.value)},
+                    {"ours", finite(row.ours)},
+                    {"difference", finite(row.difference)},
+                    {"tolerance", finite(row.tolerance)},
+                    {"unit", row.unit},
+                    {"status", to_text(row.agreement)},
+                    {"reason", row.published.reason},
+                    {"source", row.published.source},
+                    {"line", row.published.line}});
+  }
+  const Json document = {{"schema", "boxbeam.comparison/1"},
+                         {"case", project.name},
+                         {"version", version},
+                         {"input_sha256", project.sha256},
+                         {"table", comparison.path},
+                         {"agree", comparison.count(Agreement::agrees)},
+                         {"explained", comparison.count(Agreement::explained)},
+                         {"differ", comparison.count(Agreement::differs)},
+                         {"rows", std::move(rows)}};
+  return document.dump(2) + "\n";
+}
+
+}  // namespace boxbeam

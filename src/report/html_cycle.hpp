@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "boxbeam/report/document.hpp"
+
+namespace boxbeam::report::html {
+
+/// A moving picture as a <figure>: the mechanism as it stands where the beam's bending moment is
+/// largest, drawn as it is without script, and the data from which assets/cycle.js moves it.
+std::string cycle_figure(const MovingPicture& picture, std::size_t number);
+
+}  // namespace boxbeam::report::html

@@ -1,0 +1,163 @@
+#include "latex_preamble.hpp"
+
+namespace boxbeam::report {
+
+const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{textcomp}
+\usepackage{lmodern}
+\usepackage[a4paper,left=24mm,textwidth=468pt,top=26mm,bottom=24mm,headsep=7mm,footskip=11mm]{geometry}
+\usepackage{amsmath}
+\usepackage{array}
+\usepackage{booktabs}
+\usepackage{longtable}
+\usepackage{graphicx}
+\usepackage{xcolor}
+
+% The same input gives the same bytes; figures of gnuplot are PDF 1.5 to 1.7.
+\pdfsuppressptexinfo=15
+\pdftrailerid{}
+\pdfminorversion=7
+\pdfinclusionerrorlevel=0
+
+\definecolor{fails}{HTML}{B3121D}
+\definecolor{passes}{HTML}{1B6B3A}
+\definecolor{unknown}{HTML}{8A5A00}
+\definecolor{plain}{HTML}{3C4048}
+\definecolor{quiet}{HTML}{5F6368}
+\definecolor{pale}{HTML}{D9DCE1}
+
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt plus 1pt}
+\setlength{\emergencystretch}{6em}
+\setlength{\LTpre}{6pt}
+\setlength{\LTpost}{8pt}
+\setlength{\tabcolsep}{0pt}
+\renewcommand{\arraystretch}{1.1}
+\raggedbottom
+\clubpenalty=10000
+\widowpenalty=10000
+\allowdisplaybreaks
+\vbadness=10000
+\setcounter{secnumdepth}{0}
+
+% A backslash inside a string of the PDF.
+\begingroup\catcode`\|=0 \catcode`\\=12 |gdef|B{\}|endgroup
+
+% A sign that is copied from the PDF as the code point it was, whatever glyph shows it.
+\newcommand{\as}[2]{\pdfliteral direct{/Span<</ActualText<FEFF#1>>>BDC}#2\pdfliteral direct{EMC}}
+
+% Where a long word may break: after punctuation, and where nothing else helps.
+\newcommand{\brk}{\penalty0\hskip0pt\relax}
+\newcommand{\Brk}{\penalty500\hskip0pt\relax}
+\newcommand{\Left}{\raggedright\arraybackslash\hskip0pt\relax}
+\newcommand{\Right}{\raggedleft\arraybackslash\hskip0pt\relax}
+
+% A new page where so much height is not left; never between a heading and what it heads.
+\makeatletter
+\newcommand{\need}[1]{\par\if@nobreak\@nobreakfalse\else\penalty0\relax
+  \ifdim\pagetotal>0pt
+    \ifdim\dimexpr\pagegoal-\pagetotal\relax<\dimexpr#1\relax\newpage\fi
+  \fi\fi}
+\makeatother
+
+% Head and foot of the pages; the second run knows how many there are.
+\providecommand{\lastpage}{?}
+\makeatletter
+\newcommand{\ps@report}{%
+  \def\@oddhead{\vbox{\hsize\textwidth\hbox to\textwidth{\sffamily\footnotesize\color{quiet}\headleft\hfil\headright}%
+    \vskip3pt{\color{pale}\hrule height.4pt}}}%
+  \def\@oddfoot{\hbox to\textwidth{\sffamily\footnotesize\color{quiet}\footleft\hfil page \thepage{} of \lastpage}}}
+\renewcommand{\section}{\@startsection{section}{1}{0pt}{-20pt plus -4pt}{6pt}{\sffamily\bfseries\Large\raggedright}}
+\renewcommand{\subsection}{\@startsection{subsection}{2}{0pt}{-12pt plus -2pt}{3pt}{\sffamily\bfseries\normalsize\raggedright}}
+\AtEndDocument{\clearpage\immediate\write\@auxout{\gdef\string\lastpage{\the\numexpr\value{page}-1\relax}}}
+\makeatother
+
+% \chapter{number}{title}{title as a string of the PDF}
+\newcommand{\chapterline}[3]{\section{\hbox to0pt{\pdfdest name{c#1} xyz\hss}#1\hskip0.8em #2}%
+  \pdfoutline goto name{c#1} count 0{#3}\label{c#1}\nopagebreak}
+\newcommand{\contentsentry}[2]{\hbox to\linewidth{\pdfstartlink attr{/Border[0 0 0]} goto name{c#1}%
+  \hbox to1.8em{#1\hfil}#2\ \color{pale}\leaders\hbox to.6em{\hss.\hss}\hfil\ \color{black}\pageref{c#1}\pdfendlink}}
+
+\newcommand{\tablecaption}[1]{\raggedright\sffamily\footnotesize\color{quiet}#1}
+
+% A figure, never larger than it is, and what is to be seen on it.
+\newsavebox{\figurebox}
+\newcommand{\takefigure}[1]{%
+  \setbox\figurebox\hbox{\includegraphics{#1}}%
+  \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
+  \ifdim\ht\figurebox>.8\textheight\setbox\figurebox\hbox{\resizebox{!}{.8\textheight}{\box\figurebox}}\fi}
+\newcommand{\showfigure}[1]{%
+  \vskip6pt\hbox to\linewidth{\hfil\box\figurebox\hfil}\nopagebreak\vskip4pt
+  {\leftskip=2em plus 1fil\rightskip=2em plus 1fil\parfillskip=0pt\noindent\sffamily\footnotesize\color{quiet}#1\par}%
+  \vskip8pt}
+)"
+                                   R"(
+% A calculation sheet: a frame that goes on over pages, its left side in the colour of the result.
+\newsavebox{\sheetbox}
+\newcommand{\sheetpart}{\hbox{{\color{\sheetcolour}\vrule width2.5pt}\vbox{{\color{pale}\hrule height.5pt}%
+  \hbox to\dimexpr\textwidth-3pt\relax{\hskip8pt\vbox{\vskip5pt\unvbox2\vskip5pt}\hss{\color{pale}\vrule width.5pt}}%
+  {\color{pale}\hrule height.5pt}}}}
+\makeatletter
+\newcommand{\sheetrest}{%
+  \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal\else\textheight\fi-\pagetotal-16pt\relax
+  \ifdim\dimexpr\ht\sheetbox+\dp\sheetbox\relax<\dimen0
+    \setbox2\vbox{\unvbox\sheetbox}\sheetpart\vskip8pt
+  \else
+    \splittopskip=8pt\splitmaxdepth=0pt\vfuzz=\maxdimen
+    \setbox4\copy\sheetbox
+    \setbox2\vsplit\sheetbox to\dimen0\setbox2\vbox{\unvbox2}%
+    \ifdim\ht2>\dimen0\ifdim\pagetotal>0pt % no break so early: all of it on the next page
+      \setbox\sheetbox\box4\setbox2\box\voidb@x\fi\fi
+    \ifvoid2\else\sheetpart\fi
+    \newpage\null\vskip-\baselineskip\penalty0\sheetrest
+  \fi}
+\makeatother
+\newenvironment{sheet}[1]{\par\def\sheetcolour{#1}\sheetindent=0pt
+  \setbox\sheetbox\vbox\bgroup\hsize=\dimexpr\textwidth-20pt\relax\linewidth=\hsize\textwidth=\hsize
+  \columnwidth=\hsize\parskip=0pt\lineskip=3pt\lineskiplimit=2pt\relax}
+ {\par\egroup\vskip4pt\sheetrest}
+\newcommand{\sheethead}[3]{\hbox to\linewidth{\vtop{\hsize=.78\linewidth\raggedright\sffamily\bfseries#1\par
+  \normalfont\ttfamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
+\newdimen\sheetindent
+\newcommand{\widest}[1]{\setbox0\hbox{$\displaystyle#1$}\ifdim\wd0>.3\linewidth\else
+  \ifdim\wd0>\sheetindent\sheetindent=\wd0\fi\fi}
+\newcommand{\formula}[1]{{\raggedright\hangindent=\dimexpr\sheetindent+1.8em\relax\hangafter=1\noindent\box4
+  \hbox to1.8em{\hfil$=$\hfil}$\displaystyle#1$\par}}
+\newcommand{\symbolof}[1]{\par\vskip7pt\setbox4\hbox{$\displaystyle#1$}%
+  \ifdim\wd4>\sheetindent\hbox{\box4}\nobreak\setbox4\hbox to\sheetindent{}\else
+  \setbox4\hbox to\sheetindent{\hfil\unhbox4}\fi}
+\newcommand{\nextformula}{\nobreak\vskip2pt\setbox4\hbox to\sheetindent{}}
+\newcommand{\note}[1]{\nobreak{\raggedright\leftskip=\dimexpr\sheetindent+1.8em\relax\noindent\footnotesize\color{quiet}#1\par}}
+% The last formula of a chain, and what is noted of it: beside it where there is room.
+\newcommand{\notedformula}[2]{%
+  \setbox0\hbox{$\displaystyle#1$}\setbox2\hbox{{\footnotesize\color{quiet}#2}}%
+  \ifdim\dimexpr\sheetindent+3.8em+\wd0+\wd2\relax<\linewidth
+    \hbox{\box4\hbox to1.8em{\hfil$=$\hfil}\box0\hskip2em\box2}%
+  \else\formula{#1}\note{#2}\fi}
+% \result{text}{bar [mm], 34 are 100 %}{source}
+\newcommand{\result}[3]{\par\nobreak\vskip8pt{\color{pale}\hrule height.4pt}\nobreak\vskip5pt
+  \hbox to\linewidth{\vtop{\hsize=\dimexpr\linewidth-53mm\relax\raggedright\small\bfseries#1\par}\hfil
+    \hbox to51mm{\rlap{\color{pale}\vrule width34mm height6pt}\rlap{\color{\sheetcolour}\vrule width#2mm height6pt}%
+      \rlap{\hskip34mm\vrule width.7pt height8pt depth2pt\relax\raise-7pt\hbox to0pt{\hss\sffamily\tiny 100\,\%\hss}}\hss}}%
+  \def\sheetsource{#3}\ifx\sheetsource\empty\else\nobreak\vskip3pt{\raggedright\noindent\footnotesize\color{quiet}#3\par}\fi}
+
+\newcommand{\bulletitem}[1]{{\leftskip=1.2em\relax\noindent\hbox to0pt{\hss\textbullet\hskip.5em}#1\par}}
+
+% Names with what is said of each.
+\newcommand{\fact}[3]{\hbox to\linewidth{\vtop{\hsize=#1\raggedright\noindent\color{quiet}\hskip0pt#2\par}\hskip1em\relax
+  \vtop{\hsize=\dimexpr\linewidth-#1-1em\relax\raggedright\noindent\hskip0pt#3\par}\hss}\vskip2pt}
+
+% The verdict, and the fields to sign.
+\newcommand{\verdict}[2]{\vskip8pt\hbox{\fboxsep=7pt\colorbox{#1}{\hbox to\dimexpr\textwidth-14pt\relax{%
+  \sffamily\bfseries\LARGE\color{white}#2\hfil}}}\vskip6pt}
+\newcommand{\signfield}[1]{\vtop{\hsize=.31\textwidth\noindent\sffamily\footnotesize\color{quiet}\strut#1\par\vskip20pt
+  {\color{plain}\hrule height.4pt}\vskip3pt name, date, signature\par}}
+
+% A line of a listing: its number, and what is too long goes on below.
+\newcommand{\listingline}[2]{{\leftskip=2.6em\rightskip=0pt plus1fil\parskip=0pt\hangindent=2em\hangafter=1
+  \noindent\hbox to0pt{\hss\color{quiet}#1\hskip1em}#2\par}}
+)";
+
+}  // namespace boxbeam::report

@@ -1,0 +1,221 @@
+#include "latex_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "latex_text.hpp"
+#include "table_columns.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+/// Width of the text [pt], set by the preamble.
+constexpr double text_width = 468;
+constexpr double bold = 1.18;      ///< of the header against the text
+constexpr double mark_width = 10;  ///< of the column of marks [pt]
+/// No word of a text keeps a column wider than this [em].
+constexpr double widest_unbroken = 11;
+
+/// A size of type for tables.
+struct Type {
+  const char* command;
+  double em;      ///< width of 1 em of latex_width [pt]: small type is relatively wider
+  double gap;     ///< between columns [pt]
+  double height;  ///< of a line [pt]
+};
+
+constexpr std::array<Type, 3> types{
+    {{"\\small", 9.26, 12, 12.5}, {"\\footnotesize", 8.51, 10, 11}, {"\\scriptsize", 8.0, 6, 9.5}}};
+
+/// Where the unit of a header stays with itself: "M max [kN m]" breaks before the bracket only.
+std::string with_whole_unit(std::string header) {
+  const std::size_t unit = header.rfind('[');
+  if (unit == std::string::npos) return header;
+  for (std::size_t at = unit; (at = header.find(' ', at)) != std::string::npos;)
+    header.replace(at, 1, "\u00A0");
+  return header;
+}
+
+/// What a column needs [em].
+struct Need {
+  double natural = 0;  ///< that nothing wraps
+  double least = 0;    ///< that no word of normal length breaks
+};
+
+Need need_of(const Table& table, std::size_t column, bool numbers) {
+  const std::string header = with_whole_unit(table.header[column]);
+  Need need{bold * latex_width(header), bold * latex_widest_word(header, widest_unbroken)};
+  for (const std::vector<Cell>& row : table.rows) {
+    const double width = latex_width(row[column].text);
+    const double word = latex_widest_word(row[column].text, widest_unbroken);
+    need.natural = std::max(need.natural, width);
+    need.least = std::max(need.least, numbers && width < widest_unbroken ? width : word);
+  }
+  return need;
+}
+
+struct Layout {
+  Type type;
+  std::vector<double> widths;  ///< of the columns [pt]
+  std::vector<bool> numbers;   ///< which columns stand at the right
+  bool marked = false;         ///< a column of marks stands before them
+  bool wraps = false;          ///< some row takes more than a line
+
+  /// Of a column, in em, and a little more: what just fits need not break.
+  double room(std::size_t column) const { return 1.001 * widths[column] / type.em; }
+};
+
+/// Widths of the columns [em] if none takes more than `most`, but for what it needs at least.
+std::vector<double> widths_within(const std::vector<Need>& needs, double most, double least) {
+  std::vector<double> widths;
+  widths.reserve(needs.size());
+  for (const Need& need : needs) {
+    widths.push_back(std::max(std::min(need.natural, most), std::min(need.least, least)));
+  }
+  return widths;
+}
+
+double total(const std::vector<double>& widths) {
+  return std::accumulate(widths.begin(), widths.end(), 0.0);
+}
+
+/// Widths [em] that fill what is available: the wide columns give way first.
+std::vector<double> fitting(const std::vector<Need>& needs, double available) {
+  constexpr double any = 1e6;
+  if (const auto natural = widths_within(needs, any, any); total(natural) <= available)
+    return natural;
+  const bool words_fit = total(widths_within(needs, 0, any)) <= available;
+  double low = 0;
+  double high = available;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    const auto widths =
+        words_fit ? widths_within(needs, middle, any) : widths_within(needs, 0, middle);
+    (total(widths) <= available ? low : high) = middle;
+  }
+  return words_fit ? widths_within(needs, low, any) : widths_within(needs, 0, low);
+}
+
+std::string mark_of(Mark mark) {
+  switch (mark) {
+    case Mark::fails: return "\\textcolor{fails}{\\textbf{!}}";
+    case Mark::not_applicable: return "\\textcolor{unknown}{\\textbf{?}}";
+    case Mark::passes:
+    case Mark::none: break;
+  }
+  return "";
+}
+
+/// Lines that the rows of a table take, about.
+double lines_of(const Table& table, const Layout& layout) {
+  double lines = 0;
+  for (const std::vector<Cell>& row : table.rows) {
+    double most = 1;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      most = std::max(most, std::ceil(latex_width(row[k].text) / layout.room(k)));
+    lines += most;
+  }
+  return lines;
+}
+
+/// In the largest type in which nothing wraps; where that would be the smallest, in the largest in
+/// which no word breaks and few texts wrap.
+Layout layout_of(const Table& table) {
+  Layout layout;
+  layout.marked = std::any_of(table.marks.begin(), table.marks.end(),
+                              [](Mark mark) { return !mark_of(mark).empty(); });
+  std::vector<Need> needs;
+  for (std::size_t k = 0; k < table.header.size(); ++k) {
+    layout.numbers.push_back(holds_numbers(table, k));
+    needs.push_back(need_of(table, k, layout.numbers[k]));
+  }
+  const double natural = total(widths_within(needs, 1e6, 0));
+  const double least = total(widths_within(needs, 0, 1e6));
+  const auto gaps = static_cast<double>(needs.size()) - 1;
+  const auto available = [&](const Type& type) {
+    return (text_width - (layout.marked ? mark_width : 0) - gaps * type.gap) / type.em;
+  };
+  const auto holds_well = [&](const Type& type) {
+    return least <= available(type) && natural <= 1.8 * available(type);
+  };
+  auto type = std::find_if(types.begin(), types.end() - 1,
+                           [&](const Type& each) { return natural <= available(each); });
+  if (type == types.end() - 1) type = std::find_if(types.begin(), types.end() - 1, holds_well);
+  layout.type = *type;
+  layout.widths = fitting(needs, available(*type));
+  for (double& width : layout.widths) width *= layout.type.em;
+  layout.wraps = lines_of(table, layout) > static_cast<double>(table.rows.size());
+  return layout;
+}
+
+double height_of(const Table& table, const Layout& layout) {
+  constexpr double most = 200;
+  constexpr double of_a_long_one = 90;
+  const auto rows = static_cast<double>(table.rows.size());
+  const double lines = lines_of(table, layout) + 3;
+  const double height = lines * layout.type.height * 1.1 + (layout.wraps ? 2.5 * rows : 0) + 20;
+  return height < most ? height : of_a_long_one;
+}
+
+}  // namespace
+
+bool holds_numbers(const Table& table, std::size_t column) {
+  const auto number = [column](const std::vector<Cell>& row) {
+    const std::string& text = row[column].text;
+    if (text.empty()) return false;
+    const bool sign = text.front() == '-' || text.front() == '+';
+    return (text.front() >= '0' && text.front() <= '9') || (sign && text.size() == 1) ||
+           (sign && text[1] >= '0' && text[1] <= '9');
+  };
+  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), number);
+}
+
+double latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
+
+std::string latex_table(const Table& table) {
+  const std::size_t columns = table.header.size();
+  if (columns == 0) return "";
+  const Layout layout = layout_of(table);
+
+  std::string columns_spec = "@{}";
+  if (layout.marked) columns_spec += fmt::format("p{{{:.1f}pt}}@{{}}", mark_width);
+  std::string header = layout.marked ? " & " : "";
+  for (std::size_t k = 0; k < columns; ++k) {
+    if (k > 0) columns_spec += fmt::format("@{{\\hskip{:.1f}pt}}", layout.type.gap);
+    columns_spec += fmt::format(">{{\\{}}}p{{{:.2f}pt}}", layout.numbers[k] ? "Right" : "Left",
+                                layout.widths[k]);
+    header += fmt::format("{}\\bfseries {}", k > 0 ? " & " : "",
+                          latex_breakable(with_whole_unit(table.header[k]), layout.room(k) / bold));
+  }
+  columns_spec += "@{}";
+  header += "\\tabularnewline\n\\midrule\n";
+
+  std::string out =
+      fmt::format("{{{}\\begin{{longtable}}[l]{{{}}}\n", layout.type.command, columns_spec);
+  if (!table.caption.empty()) {
+    out += fmt::format(
+        "\\multicolumn{{{}}}{{@{{}}p{{\\linewidth}}@{{}}}}{{\\tablecaption{{{}}}}}"
+        "\\tabularnewline\n",
+        columns + (layout.marked ? 1 : 0), latex_breakable(table.caption, 20));
+  }
+  out += fmt::format("\\toprule\n{0}\\endfirsthead\n\\toprule\n{0}\\endhead\n", header);
+  out += "\\bottomrule\n\\endfoot\n\\bottomrule\n\\endlastfoot\n";
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (layout.marked) out += mark_of(i < table.marks.size() ? table.marks[i] : Mark::none) + " & ";
+    for (std::size_t k = 0; k < columns; ++k) {
+      if (k > 0) out += " & ";
+      out += latex_breakable(table.rows[i][k].text, layout.room(k));
+    }
+    out += "\\tabularnewline\n";
+    if (layout.wraps && i + 1 < table.rows.size()) out += "\\addlinespace[2.5pt]\n";
+  }
+  out += "\\end{longtable}}\n";
+  return out;
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "boxbeam/report/document.hpp"
+
+namespace boxbeam::report {
+
+/// A table over as many pages as it needs, as wide as the text at most: the type becomes smaller
+/// and long texts wrap until it fits. Rows that fail have a red "!" before them.
+std::string latex_table(const Table& table);
+
+/// Height of what of a table should stand on one page, about [pt]: all of a short one, else its
+/// head and some rows.
+double latex_table_height(const Table& table);
+
+}  // namespace boxbeam::report

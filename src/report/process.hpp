@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace boxbeam::report {
+
+/// A program to be run in a folder of its own, without a shell and without standard input.
+struct Command {
+  std::vector<std::string> arguments;              ///< the first is the program
+  std::filesystem::path folder;                    ///< where it runs
+  std::string log;                                 ///< file there that takes all it says
+  std::map<std::string, std::string> environment;  ///< beside, and before, that of this program
+};
+
+/// Runs a program to its end: its exit code (128 + the signal that ended it), nothing where it is
+/// not installed. Throws OutputError where it cannot be started.
+std::optional<int> run(const Command& command);
+
+/// A folder beside the outputs that goes away with all that is in it.
+class ScratchFolder {
+ public:
+  /// Makes the folders above it where they are missing. Throws OutputError where it cannot be made.
+  explicit ScratchFolder(const std::filesystem::path& beside);
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace boxbeam::report

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "blocks.hpp"
+#include "report_parts.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+using text::Quantity;
+
+Mark mark_of(const Check& check) { return check.passes() ? Mark::passes : Mark::fails; }
+
+/// "range 33.38 MPa", "17.05 MPa".
+Cell acting_cell(const Check& check) {
+  const bool range = check.criterion == Criterion::fatigue ||
+                     check.criterion == Criterion::shear_fatigue ||
+                     check.criterion == Criterion::stress_range;
+  const bool damage = check.criterion == Criterion::combined_fatigue;
+  return {fmt::format("{}{}",
+                      range    ? "range "
+                      : damage ? "damage "
+                               : "",
+                      text::amount(check.acting.value(), check.acting.unit())),
+          check.acting.value()};
+}
+
+Cell resisting_cell(const Check& check) {
+  return {text::amount(check.resisting.value(), check.resisting.unit()), check.resisting.value()};
+}
+
+Cell station_cell(const Check& check) {
+  if (!check.on_beam) return cell("-");
+  return {to_text(check.station), check.station.s.value()};
+}
+
+Table checks_table(const Source& source, std::string caption,
+                   const std::vector<const Check*>& checks) {
+  const bool several = source.project.situations.size() > 1;
+  Table table = table_of(std::move(caption), {"use [%]", "factor", "required", "criterion", "s [m]",
+                                              "point", "t [s]", "acting", "resisting"});
+  if (several) table.header.emplace_back("situation");
+  table.rows.reserve(checks.size());
+  for (const Check* check : checks) {
+    std::vector<Cell> row = row_of(
+        cell(Quantity::utilisation, check->utilisation()),
+        cell(Quantity::factor, check->safety_factor), cell(Quantity::factor, check->required),
+        to_text(check->criterion), station_cell(*check), check->point,
+        cell(Quantity::time, check->time.value()), acting_cell(*check), resisting_cell(*check));
+    if (several) row.push_back(cell(check->situation));
+    add_row(table, std::move(row));
+    table.marks.push_back(mark_of(*check));
+  }
+  return table;
+}
+
+/// How many checks, worst first, are above a utilisation, and at least `fewest`.
+std::size_t checks_above(const Verification& verification, double utilisation, std::size_t fewest) {
+  const auto below = std::find_if(
+      verification.checks.begin(), verification.checks.end(),
+      [&](const CheckResult& result) { return result.check.utilisation() < utilisation; });
+  return std::max(static_cast<std::size_t>(below - verification.checks.begin()),
+                  std::min(fewest, verification.checks.size()));
+}
+
+void add_sheet(const Source& source, const CheckResult& result, std::vector<Block>& blocks) {
+  blocks.emplace_back(sheet_of(source.project, source.verification, result));
+}
+
+}  // namespace
+
+std::string place_of(const Check& check) {
+  if (!check.on_beam) return check.point;
+  return fmt::format("s = {} m, {}", to_text(check.station), check.point);
+}
+
+std::vector<const CheckResult*> governing_checks(const Verification& verification) {
+  std::vector<const CheckResult*> governing;
+  for (const Criterion criterion : criteria) {
+    if (const CheckResult* result = verification.governing(criterion)) governing.push_back(result);
+  }
+  std::stable_sort(governing.begin(), governing.end(),
+                   [](const CheckResult* a, const CheckResult* b) {
+                     return a->check.utilisation() > b->check.utilisation();
+                   });
+  return governing;
+}
+
+Table governing_table(const Source& source) {
+  const bool several = source.project.situations.size() > 1;
+  Table table = table_of(
+      "", {"result", "criterion", "use [%]", "factor", "required", "s [m]", "point", "t [s]"});
+  if (several) table.header.emplace_back("situation");
+  for (const CheckResult* result : governing_checks(source.verification)) {
+    const Check& check = result->check;
+    std::vector<Cell> row =
+        row_of(check.passes() ? "passes" : "FAILS", to_text(check.criterion),
+               cell(Quantity::utilisation, check.utilisation()),
+               cell(Quantity::factor, check.safety_factor), cell(Quantity::factor, check.required),
+               station_cell(check), check.point, cell(Quantity::time, check.time.value()));
+    if (several) row.push_back(cell(check.situation));
+    add_row(table, std::move(row));
+    table.marks.push_back(mark_of(check));
+    if (source.level != ReportLevel::summary) table.sheets.push_back(check.id);
+  }
+  return table;
+}
+
+Chapter sheets_chapter(const Source& source) {
+  Chapter chapter{"Governing checks", {}};
+  if (source.level == ReportLevel::summary) return chapter;
+  const std::vector<const CheckResult*> governing = governing_checks(source.verification);
+  for (const CheckResult* result : governing) add_sheet(source, *result, chapter.blocks);
+  if (source.level != ReportLevel::full) return chapter;
+  chapter.blocks.emplace_back(Subheading{"All other checks"});
+  for (const CheckResult& result : source.verification.checks) {
+    if (std::find(governing.begin(), governing.end(), &result) != governing.end()) continue;
+    add_sheet(source, result, chapter.blocks);
+  }
+  return chapter;
+}
+
+Chapter checks_chapter(const Source& source) {
+  constexpr double shown_above = 0.10;
+  constexpr std::size_t fewest_shown = 24;
+  const std::vector<CheckResult>& all = source.verification.checks;
+  Chapter chapter{"Checks", {}};
+  add_pictures(source, {"utilisation"}, chapter.blocks);
+  if (source.level == ReportLevel::summary) return chapter;
+  const std::size_t shown = source.level == ReportLevel::full
+                                ? all.size()
+                                : checks_above(source.verification, shown_above, fewest_shown);
+  std::vector<const Check*> checks;
+  for (std::size_t i = 0; i < shown; ++i) checks.push_back(&all[i].check);
+  chapter.blocks.emplace_back(
+      Paragraph{"Worst first. The factor is the largest multiple of the whole load history that "
+                "the beam endures; use is the required factor over it, and above 100 % fails."});
+  Table table = checks_table(source, "", checks);
+  if (source.level == ReportLevel::full) {
+    for (const Check* check : checks) table.sheets.push_back(check->id);
+  }
+  chapter.blocks.emplace_back(std::move(table));
+  if (shown < all.size()) {
+    chapter.blocks.emplace_back(Paragraph{fmt::format(
+        "{} more checks are used less; all stand in results.json.", all.size() - shown)});
+  }
+  return chapter;
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "blocks.hpp"
+#include "boxbeam/project/detail_catalogue.hpp"
+#include "function_text.hpp"
+#include "profile_text.hpp"
+#include "report_parts.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+Table beam_table(const TaperedBeam& beam) {
+  Table table = table_of("", {"segment", "s [m]", "width x height, plates [mm]", "inside [mm]"});
+  const auto row = [&](const std::string& name, Length s, const Section& section) {
+    add_row(table, row_of(name, cell(fmt::format("{:.6g}", s.value())), profile_text(section.outer),
+                          section.inner ? profile_text(*section.inner) : std::string()));
+  };
+  for (const Segment& segment : beam.segments) {
+    row(segment.name, segment.start, segment.from);
+    row("", segment.end(), segment.to);
+  }
+  const bool inside =
+      std::any_of(beam.segments.begin(), beam.segments.end(),
+                  [](const Segment& segment) { return segment.from.inner || segment.to.inner; });
+  if (inside) return table;
+  table.header.pop_back();
+  for (auto& cells : table.rows) cells.pop_back();
+  return table;
+}
+
+void add_holes(const Project& project, Entries& entries) {
+  for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
+    const BeamHole& at = project.beam.holes[i];
+    const bool webs = at.hole.walls == HoleWalls::webs;
+    entries.emplace_back(
+        "hole", fmt::format("{}: {} mm through both {} at s = {:.6g} m, {} {} mm, case \"{}\"",
+                            at.hole.name, plain_mm(at.hole.diameter), webs ? "webs" : "flanges",
+                            at.s.value(), webs ? "z =" : "y = +-", plain_mm(at.hole.position),
+                            project.hole_inputs[i].concentration
+                                ? to_text(*project.hole_inputs[i].concentration)
+                                : "net section"));
+  }
+}
+
+std::string place_text(const BeamDetail& detail) {
+  std::string where = fmt::format("s = {:.6g}", detail.from.value());
+  if (detail.to > detail.from) where += fmt::format(" to {:.6g}", detail.to.value());
+  where += " m";
+  switch (detail.on) {
+    case DetailPlace::section: return where;
+    case DetailPlace::fibres: return where + ", fibres";
+    case DetailPlace::seams: return where + ", seams";
+  }
+  return where;
+}
+
+/// A detail, what it can be and what would raise it.
+std::string detail_text(const BeamDetail& of, const std::string& where) {
+  constexpr std::size_t most_raises = 2;
+  const Detail& detail = of.detail;
+  std::string out = fmt::format("{}: category {}", where, detail.curve.name);
+  if (!detail.row.empty()) {
+    out += fmt::format(", {} (EN 1993-1-9 table {}, row {})", detail.name,
+                       detail.row.substr(0, detail.row.find('/')),
+                       detail.row.substr(detail.row.find('/') + 1));
+  } else if (detail.name != "category " + detail.curve.name) {
+    out += ", " + detail.name;
+  }
+  if (detail.where == StressPlace::net) out += ", stress of the net section";
+  if (detail.size_factor != 1.0) {
+    out += fmt::format(", k_s = {}", text::significant(detail.size_factor));
+  }
+  if (of.stress_factor != 1.0) {
+    out += fmt::format(", stress factor {}", text::significant(of.stress_factor, 4));
+  }
+  if (detail.compression_reduced) out += ", compression counts 60 %";
+  if (!of.assumed.empty()) out += ", ASSUMED";
+  if (detail.unconfirmed) out += ", UNCONFIRMED";
+  for (std::size_t i = 0; i < std::min(most_raises, detail.raises.size()); ++i) {
+    out += fmt::format("; raised by {}", to_text(detail.raises[i]));
+  }
+  return out;
+}
+
+/// How often a situation happens.
+std::string count_text(const Project& project, const Situation& situation) {
+  if (situation.cycles > 0.0) return text::cycles(situation.cycles) + " cycles";
+  const auto index = static_cast<std::size_t>(&situation - project.situations.data());
+  const bool part = std::any_of(
+      project.situations.begin(), project.situations.end(), [&](const Situation& other) {
+        return std::find(other.between.begin(), other.between.end(), index) != other.between.end();
+      });
+  return part ? "as part of others" : "strength only";
+}
+
+std::string situation_text(const Project& project, const Situation& situation) {
+  if (situation.name.empty()) return text::cycles(situation.cycles);
+  std::string out = situation.name + ": " + count_text(project, situation);
+  if (!situation.between.empty()) {
+    std::vector<std::string> names;
+    for (const std::size_t i : situation.between) names.push_back(project.situations[i].name);
+    return out + (situation.in_order
+                      ? fmt::format(", one after the other: {}", fmt::join(names, ", "))
+                      : fmt::format(", changing between {}", fmt::join(names, " and ")));
+  }
+  if (situation.load_factor != 1.0) {
+    out += fmt::format(", load factor {} on its stresses for strength",
+                       text::significant(situation.load_factor, 3));
+  }
+  if (!situation.set.empty()) out += fmt::format("; {}", fmt::join(situation.set, "; "));
+  return out;
+}
+
+void append(Entries more, Entries& entries) {
+  entries.insert(entries.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+}
+
+void add_mechanism(const Project& project, Entries& entries) {
+  if (in_space(project)) {
+    const Eigen::Vector3d& g = spatial_of(project).gravity;
+    entries.emplace_back(
+        "gravity", fmt::format("({}, {}, {}) m/s^2", plain(g.x()), plain(g.y()), plain(g.z())));
+    append(spatial_entries(project), entries);
+    return;
+  }
+  const Eigen::Vector2d& g =
+      is_flexible(project) ? flexible_of(project).gravity : planar_of(project).gravity;
+  entries.emplace_back("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y()));
+  append(is_flexible(project) ? flexible_entries(flexible_of(project))
+                              : planar_entries(planar_of(project)),
+         entries);
+}
+
+void add_demands(const Project& project, Entries& entries) {
+  const FatigueInput& fatigue = project.fatigue;
+  entries.emplace_back("steel",
+                       fmt::format("{} ({})", project.material.name, project.material.source));
+  entries.emplace_back("strength", fmt::format("gamma_M0 = {}, required factor {}",
+                                               text::factor(project.strength.gamma_M0),
+                                               text::factor(project.strength.required)));
+  entries.emplace_back(
+      "fatigue",
+      fmt::format("{}, gamma_Ff = {}, gamma_Mf = {}{}, required factor {}",
+                  fatigue.demand.loading == Loading::spectrum ? "spectrum" : "constant amplitude",
+                  text::factor(fatigue.demand.gamma_Ff), text::factor(fatigue.demand.gamma_Mf),
+                  in_brackets(fatigue.gamma_Mf_source), text::factor(fatigue.required)));
+  entries.emplace_back("detail", detail_text(fatigue.beam, "whole beam"));
+  for (const BeamDetail& detail : fatigue.details) {
+    entries.emplace_back("detail", detail_text(detail, place_text(detail)));
+  }
+  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
+    if (!project.hole_inputs[i].detail) continue;
+    entries.emplace_back("detail", detail_text(*project.hole_inputs[i].detail,
+                                               "hole " + project.beam.holes[i].hole.name));
+  }
+  for (const Situation& situation : project.situations) {
+    entries.emplace_back(situation.name.empty() ? "cycles" : "situation",
+                         situation_text(project, situation));
+  }
+}
+
+}  // namespace
+
+void add_duration(const Duration& duration, Entries& entries) {
+  if (duration.length == 0.0) return;
+  entries.emplace_back("motion", fmt::format("{} s looked at, after {} s left out",
+                                             plain(duration.length), plain(duration.settle)));
+}
+
+Chapter inputs_chapter(const Source& source) {
+  if (source.level == ReportLevel::summary) return {"Inputs", {}};
+  const Project& project = source.project;
+  Entries beam, mechanism, demands;
+  add_holes(project, beam);
+  beam.emplace_back(
+      "density",
+      fmt::format("{:.6g} kg/m^3{}", project.beam.density.value(),
+                  project.beam.rotary_inertia ? ", rotary inertia of the sections counted" : ""));
+  add_mechanism(project, mechanism);
+  for (const InputFile& table : project.tables) {
+    mechanism.emplace_back("table", fmt::format("{}, sha256 {}", table.written, table.sha256));
+  }
+  add_demands(project, demands);
+  return {"Inputs",
+          {Subheading{"Beam"}, beam_table(project.beam), Facts{std::move(beam)},
+           Subheading{"Mechanism and loads"}, Facts{std::move(mechanism)}, Subheading{"Demands"},
+           Facts{std::move(demands)}}};
+}
+
+}  // namespace boxbeam::report

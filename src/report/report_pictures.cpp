@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "blocks.hpp"
+#include "report_parts.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+/// The check that decides the verdict; there is at least one in every case.
+const Check& worst_check(const Source& source) { return source.verification.checks.front().check; }
+
+std::string use_text(const Check& check) {
+  return fmt::format("{} at {} is used {} and {}", to_text(check.criterion), place_of(check),
+                     text::percent(check.utilisation()), check.passes() ? "passes" : "fails");
+}
+
+/// Where and when a quantity is largest, whatever its sign; nullptr where it is not looked at.
+const CriticalInstant* largest_of(const Source& source, const std::string& first_letter) {
+  const CriticalInstant* largest = nullptr;
+  for (const CriticalInstant& instant : source.verification.critical_instants) {
+    if (!instant.quantity.starts_with(first_letter)) continue;
+    if (largest == nullptr || std::abs(instant.value) > std::abs(largest->value)) {
+      largest = &instant;
+    }
+  }
+  return largest;
+}
+
+std::string mechanism_caption(const Source& source) {
+  const std::string what =
+      "The mechanism at rest and at the critical instants, with the forces on "
+      "the beam";
+  const BeamLoadRow* largest = nullptr;
+  for (const PostureFigure& posture : source.verification.postures) {
+    for (const BeamLoadRow& row : posture.loads) {
+      if (largest == nullptr || row.world.norm() > largest->world.norm()) largest = &row;
+    }
+  }
+  if (largest == nullptr) return what + ".";
+  return fmt::format("{}: the largest is {} at {}, t = {}.", what, text::kN(largest->world.norm()),
+                     largest->name, text::seconds(largest->time.value()));
+}
+
+std::string motion_caption(const Source& source) {
+  const std::string what =
+      "Position, speed and acceleration that the drivers prescribe, and the "
+      "force that this takes";
+  const DriverLine* hardest = nullptr;
+  double largest = 0.0;
+  for (const DriverLine& driver : source.verification.drivers) {
+    for (const double force : driver.force) {
+      if (hardest != nullptr && std::abs(force) <= largest) continue;
+      hardest = &driver;
+      largest = std::abs(force);
+    }
+  }
+  if (hardest == nullptr) return what + ".";
+  return fmt::format("{}: {} needs up to {}.", what, hardest->name,
+                     hardest->turns ? text::kNm(largest) : text::kN(largest));
+}
+
+std::string cut_force_caption(const Source& source) {
+  const std::string what =
+      "Cut forces along the beam at the critical instants, and between which "
+      "values they stay";
+  const CriticalInstant* moment = largest_of(source, "M");
+  if (moment == nullptr) return what + ".";
+  return fmt::format("{}: {} reaches {} at s = {} m, t = {}.", what, moment->quantity,
+                     text::kNm(moment->value), to_text(moment->station),
+                     text::seconds(moment->time.value()));
+}
+
+std::string loads_caption(const Source& source) {
+  const Station& station = source.verification.loads_over_time->station;
+  return fmt::format(
+      "Cut forces at s = {} m, where the governing check is, over the time that is "
+      "looked at.",
+      to_text(station));
+}
+
+std::string stress_caption(const Source& source) {
+  const std::string what = "Normal stress over the cycle at the places with the largest ranges";
+  const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
+  if (fatigue == nullptr) return what + ".";
+  return fmt::format("{}: at {} it changes by {}.", what, place_of(fatigue->check),
+                     text::MPa(fatigue->check.acting.value()));
+}
+
+std::string section_caption(const Source& source) {
+  const SectionFigure& section = *source.verification.section;
+  const std::string what = fmt::format(
+      "The section at s = {} m with the points that are checked, and the normal stress over its "
+      "height",
+      to_text(section.station));
+  const auto governs =
+      std::find_if(section.points.begin(), section.points.end(),
+                   [](const SectionFigure::Point& point) { return point.governs; });
+  if (governs == section.points.end()) return what + ".";
+  return fmt::format("{}: {} governs with {} at t = {}, used {}.", what, governs->name,
+                     text::MPa(governs->stress), text::seconds(section.time.value()),
+                     text::percent(governs->utilisation));
+}
+
+std::string utilisation_caption(const Source& source) {
+  return fmt::format("Utilisation along the beam: {}.", use_text(worst_check(source)));
+}
+
+std::string sn_caption(const Source& source) {
+  const SnFigure& sn = *source.verification.sn;
+  const std::string what = fmt::format(
+      "S-N curve {} of {} and the cycles of the governing fatigue check", sn.name, sn.code);
+  const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
+  if (fatigue == nullptr) return what + ".";
+  const Check& check = fatigue->check;
+  return fmt::format("{}: range {} at {}, factor {}, required {}.", what,
+                     text::MPa(check.acting.value()), place_of(check),
+                     text::factor(check.safety_factor), text::factor(check.required));
+}
+
+std::string spectrum_caption(const Source& source) {
+  const std::string what =
+      "Stress ranges of the governing fatigue check, and how often they are "
+      "exceeded in the wanted life";
+  const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
+  if (fatigue == nullptr) return what + ".";
+  return fmt::format("{}: the largest is {}.", what, text::MPa(fatigue->check.acting.value()));
+}
+
+std::string frequencies_text(const ElasticFigures& elastic) {
+  std::string list;
+  for (std::size_t i = 0; i < elastic.modes.size() && i < elastic.motion.frequencies.size(); ++i) {
+    list += list.empty() ? "" : ", ";
+    list += text::rounded(text::Quantity::frequency, elastic.motion.frequencies[i].frequency);
+  }
+  return list;
+}
+
+/// Of lines over time the joint with the largest force.
+std::string largest_force(const JointLines& lines) {
+  std::size_t worst = 0;
+  double largest = 0.0;
+  for (std::size_t j = 0; j < lines.names.size(); ++j) {
+    for (const double force : lines.force[j]) {
+      if (force <= largest) continue;
+      largest = force;
+      worst = j;
+    }
+  }
+  return fmt::format("joint {} bears up to {}", lines.names[worst], text::kN(largest));
+}
+
+std::string modes_caption(const Source& source) {
+  return fmt::format("The lowest natural modes, at {} Hz.",
+                     frequencies_text(*source.verification.elastic));
+}
+
+std::string response_caption(const Source& source) {
+  return fmt::format(
+      "Vibrating force of the joints over the frequency of the loads: it grows without bound at "
+      "the natural frequencies; the loads have {} Hz.",
+      text::rounded(text::Quantity::frequency, source.verification.elastic->motion.frequency));
+}
+
+std::string joint_forces_caption(const Source& source) {
+  return fmt::format("Forces of the joints over one period of the loads: {}.",
+                     largest_force(source.verification.elastic->over_period));
+}
+
+std::string sudden_start_caption(const Source& source) {
+  return fmt::format("Forces of the joints after the loads are switched on at once: {}.",
+                     largest_force(source.verification.elastic->after_start));
+}
+
+std::string caption_of(const Source& source, const std::string& name) {
+  static const std::map<std::string, std::string (*)(const Source&), std::less<>> captions{
+      {"mechanism", mechanism_caption},
+      {"motion", motion_caption},
+      {"cut-forces", cut_force_caption},
+      {"loads", loads_caption},
+      {"stress", stress_caption},
+      {"section", section_caption},
+      {"utilisation", utilisation_caption},
+      {"sn", sn_caption},
+      {"spectrum", spectrum_caption},
+      {"modes", modes_caption},
+      {"frequency-response", response_caption},
+      {"joint-forces", joint_forces_caption},
+      {"sudden-start", sudden_start_caption},
+  };
+  return captions.at(name)(source);
+}
+
+}  // namespace
+
+void add_pictures(const Source& source, const std::vector<std::string>& names,
+                  std::vector<Block>& blocks) {
+  for (const std::string& name : names) {
+    const auto& drawn = source.figures;
+    if (std::find(drawn.begin(), drawn.end(), name) == drawn.end()) continue;
+    blocks.emplace_back(Picture{name, caption_of(source, name)});
+  }
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "blocks.hpp"
+#include "function_text.hpp"
+#include "report_parts.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+using planar::Attachment;
+using planar::Mechanism;
+
+std::string vector_text(const Eigen::Vector2d& p) {
+  return fmt::format("({}, {}) m", plain(p.x()), plain(p.y()));
+}
+
+/// Words for the attachments of one mechanism.
+struct Names {
+  const Mechanism& mechanism;
+
+  std::string body(const Attachment& at) const {
+    if (at.body == planar::ground) return "the ground";
+    return mechanism.bodies[static_cast<std::size_t>(at.body)].name;
+  }
+
+  std::string point(const Attachment& at) const {
+    if (at.body == planar::ground) return "the ground at " + vector_text(at.p);
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(at.body)];
+    const auto named = std::find_if(body.points.begin(), body.points.end(),
+                                    [&](const BodyPoint& point) { return point.p == at.p; });
+    if (named != body.points.end()) return fmt::format("{}.{}", body.name, named->name);
+    return fmt::format("{} at {} from its centre", body.name, vector_text(at.p));
+  }
+
+  /// "at 10 deg to x of sledge".
+  std::string direction(double angle, const Attachment& of) const {
+    const std::string axes = of.body == planar::ground ? "the world" : body(of);
+    return fmt::format("at {} to x of {}", degrees(angle), axes);
+  }
+
+  std::string line(const Attachment& guide, double angle) const {
+    return fmt::format("on a line through {} {}", point(guide), direction(angle, guide));
+  }
+};
+
+std::string friction_text(const planar::Friction& friction) {
+  std::string text;
+  if (friction.coulomb > 0.0) {
+    text += fmt::format(", friction coefficient {} above a creep of {} m/s",
+                        plain(friction.coulomb), plain(friction.creep));
+    if (friction.guide > 0.0) text += fmt::format(", guide {} m long", plain(friction.guide));
+  }
+  if (friction.viscous > 0.0) {
+    text += fmt::format(", viscous friction {} N s/m", plain(friction.viscous));
+  }
+  return text;
+}
+
+/// Constraints and drivers in words.
+struct JointText {
+  Names names;
+
+  std::string operator()(const planar::Pin& pin) const {
+    return fmt::format("pin, {} and {}", names.point(pin.a), names.point(pin.b));
+  }
+
+  std::string operator()(const planar::Slider& slider) const {
+    return fmt::format("slider, {} {}; {} keeps {} to {}{}", names.point(slider.point),
+                       names.line(slider.guide, slider.direction), names.body(slider.point),
+                       degrees(slider.angle), names.body(slider.guide),
+                       friction_text(slider.friction));
+  }
+
+  std::string operator()(const planar::PinInSlot& slot) const {
+    return fmt::format("pin in slot, {} {}{}", names.point(slot.point),
+                       names.line(slot.guide, slot.direction), friction_text(slot.friction));
+  }
+
+  std::string operator()(const planar::Rigid& rigid) const {
+    return fmt::format("rigid, {} and {}; {} keeps {} to {}", names.point(rigid.a),
+                       names.point(rigid.b), names.body(rigid.a), degrees(rigid.angle),
+                       names.body(rigid.b));
+  }
+
+  std::string operator()(const planar::Distance& distance) const {
+    return fmt::format("distance of {} m, {} and {}", plain(distance.length),
+                       names.point(distance.a), names.point(distance.b));
+  }
+
+  std::string operator()(const planar::AngleCoupling& coupling) const {
+    return fmt::format("angle coupling, angle of {} = {} * angle of {} + {}",
+                       names.body(coupling.a), plain(coupling.ratio), names.body(coupling.b),
+                       degrees(coupling.offset));
+  }
+
+  std::string operator()(const planar::Gear& gear) const {
+    const auto wheel = [&](const Attachment& centre, double radius) {
+      return fmt::format("{} of radius {} m about {}", radius < 0.0 ? "annulus" : "wheel",
+                         plain(std::abs(radius)), names.point(centre));
+    };
+    return fmt::format("gear, {} and {}, offset {} m", wheel(gear.a, gear.radius_a),
+                       wheel(gear.b, gear.radius_b), plain(gear.offset));
+  }
+
+  std::string operator()(const planar::Rack& rack) const {
+    return fmt::format(
+        "rack, wheel of radius {} m about {}, {} of the pitch line through {} {}, "
+        "offset {} m",
+        plain(std::abs(rack.radius)), names.point(rack.pinion),
+        rack.radius > 0.0 ? "left" : "right", names.point(rack.rack),
+        names.direction(rack.direction, rack.rack), plain(rack.offset));
+  }
+
+  std::string operator()(const planar::Driven& driven) const {
+    const bool turns = driven.coordinate == planar::Coordinate::angle;
+    return fmt::format("{} = {}", coordinate(driven),
+                       function_text(driven.driver, turns ? "rad" : "m"));
+  }
+
+  std::string coordinate(const planar::Driven& driven) const {
+    switch (driven.coordinate) {
+      case planar::Coordinate::x: return "x of " + names.point(driven.point);
+      case planar::Coordinate::y: return "y of " + names.point(driven.point);
+      case planar::Coordinate::length:
+        return fmt::format("length from {} to {}", names.point(driven.point),
+                           names.point(driven.other));
+      case planar::Coordinate::angle: break;
+    }
+    const bool relative = driven.other.body != planar::ground;
+    return fmt::format("angle of {}{}", names.body(driven.point),
+                       relative ? " against " + names.body(driven.other) : "");
+  }
+};
+
+struct ForceText {
+  Names names;
+
+  std::string operator()(const planar::Spring& spring) const {
+    return fmt::format("spring of {} N/m, {} and {}, free length {} m, damping {} N s/m",
+                       plain(spring.stiffness), names.point(spring.a), names.point(spring.b),
+                       plain(spring.free_length), plain(spring.damping));
+  }
+
+  std::string operator()(const planar::TorsionSpring& spring) const {
+    return fmt::format(
+        "torsion spring of {} N m/rad, {} and {}, free angle {}, damping {} N m s/rad",
+        plain(spring.stiffness), names.body(spring.a), names.body(spring.b),
+        degrees(spring.free_angle), plain(spring.damping));
+  }
+
+  std::string operator()(const planar::PointForce& force) const {
+    const Attachment axes = force.turns ? force.at : Attachment{};
+    return fmt::format("force on {} {} = {}", names.point(force.at),
+                       names.direction(force.direction, axes), function_text(force.size, "N"));
+  }
+
+  std::string operator()(const planar::Couple& couple) const {
+    const std::string other = couple.b.body == planar::ground
+                                  ? ""
+                                  : fmt::format(", its opposite on {}", names.point(couple.b));
+    return fmt::format("couple on {}{} = {}", names.point(couple.a), other,
+                       function_text(couple.size, "N m"));
+  }
+};
+
+}  // namespace
+
+Entries planar_entries(const Mechanism& mechanism) {
+  const Names names{mechanism};
+  Entries entries;
+  for (const planar::Joint& joint : mechanism.joints) {
+    entries.emplace_back(
+        planar::is_driver(joint) ? "driver" : "joint",
+        fmt::format("{}: {}", joint.name, std::visit(JointText{names}, joint.kind)));
+  }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    entries.emplace_back(
+        "force", fmt::format("{}: {}", force.name, std::visit(ForceText{names}, force.kind)));
+  }
+  for (const Body& body : mechanism.bodies) {
+    const Eigen::Vector3d& v = body.start_velocity;
+    if (v.isZero(0.0)) continue;
+    entries.emplace_back("start", fmt::format("{}: centre at ({}, {}) m/s, turning at {} rad/s",
+                                              body.name, plain(v.x()), plain(v.y()), plain(v.z())));
+  }
+  add_duration(mechanism.duration, entries);
+  return entries;
+}
+
+std::vector<Block> planar_blocks(const Project& project, const ClosureSummary& closure) {
+  const Mechanism& mechanism = planar_of(project);
+  const planar::DegreesOfFreedom& freedom = closure.freedom;
+  Facts facts;
+  const auto add = [&](const char* name, std::string text) {
+    facts.entries.emplace_back(name, std::move(text));
+  };
+  add("degrees of freedom",
+      fmt::format("{} by Gruebler, {} by the rank of the Jacobian; {} driver{}", freedom.gruebler,
+                  freedom.by_rank, freedom.drivers, freedom.drivers == 1 ? "" : "s"));
+  if (freedom.redundant > 0) {
+    add("redundant",
+        fmt::format("{} equations, shared by {}", freedom.redundant,
+                    fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", ")));
+  }
+  if (freedom.undriven > 0) {
+    add("moved by forces", fmt::format("{} degree{} of freedom, integrated over time",
+                                       freedom.undriven, freedom.undriven == 1 ? "" : "s"));
+  } else {
+    add("digits left",
+        fmt::format("{:.0f} of velocities, at worst (t = {})", std::floor(closure.digits.left),
+                    text::seconds(closure.digits.time.value())));
+  }
+  for (std::size_t i = 0; i < closure.branch.size(); ++i) {
+    add("branch",
+        fmt::format("loop {}: {}", mechanism.loops[i].name, closure.branch[i] > 0 ? "+" : "-"));
+  }
+  add("joints closed to",
+      fmt::format("{:.1e} of the mechanism's size at all instants", closure.largest_residual));
+  Table table = table_of("", {"body", "mass [kg]", "J about centre [kg m^2]"});
+  for (const Body& body : mechanism.bodies) {
+    add_row(table, row_of(body.name, cell(text::Quantity::mass, body.mass),
+                          cell(text::Quantity::inertia, body.inertia)));
+  }
+  return {std::move(facts), std::move(table)};
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "blocks.hpp"
+#include "boxbeam/mechanism/spatial/rotation.hpp"
+#include "function_text.hpp"
+#include "report_parts.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+using spatial::Mechanism;
+
+/// Components; round-off beside the vector's length reads as 0.
+std::string triple(const Eigen::Vector3d& v) {
+  const auto component = [&](double x) { return plain(std::abs(x) <= 1e-12 * v.norm() ? 0.0 : x); };
+  return fmt::format("({}, {}, {})", component(v.x()), component(v.y()), component(v.z()));
+}
+
+std::string body_name(const Mechanism& mechanism, int body) {
+  if (body == spatial::ground) return "the ground";
+  return mechanism.bodies[static_cast<std::size_t>(body)].name;
+}
+
+/// "z" for an axis of the body itself, else its components.
+std::string direction_text(const Eigen::Vector3d& direction) {
+  for (int k = 0; k < 3; ++k) {
+    const double along = direction[k];
+    if (std::abs(std::abs(along) - 1.0) > 1e-9) continue;
+    return fmt::format("{}{}", along < 0.0 ? "-" : "", "xyz"[k]);
+  }
+  return triple(direction);
+}
+
+std::string axes_text(const Mechanism& mechanism, int axes) {
+  return axes == spatial::ground ? "the world" : body_name(mechanism, axes);
+}
+
+/// "leg.B", or the components from the body's origin.
+std::string place_text(const Mechanism& mechanism, const spatial::Attachment& at) {
+  if (at.body == spatial::ground) return triple(at.p) + " m of the world";
+  const spatial::Body& body = mechanism.bodies[static_cast<std::size_t>(at.body)];
+  const auto named = std::find_if(body.points.begin(), body.points.end(),
+                                  [&](const auto& point) { return point.p == at.p; });
+  if (named != body.points.end()) return body.name + "." + named->name;
+  return fmt::format("{} at {} m", body.name, triple(at.p));
+}
+
+/// "0.1 rad about x".
+std::string turn_text(const Eigen::Matrix3d& R) {
+  const Eigen::Vector3d turn = spatial::turn_of(R);
+  const double angle = turn.norm();
+  if (angle < 1e-12) return "-";
+  return fmt::format("{} rad about {}", plain(angle), direction_text(turn / angle));
+}
+
+Table joints_table(const Mechanism& mechanism) {
+  Table table = table_of("", {"joint", "kind", "carries", "on", "at [m]",
+                              "axis, of the carried body", "turned at zero"});
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const spatial::Joint& joint = mechanism.joints[i];
+    const bool fixed = joint.kind == spatial::JointKind::fixed;
+    add_row(table,
+            row_of(joint.name, spatial::to_text(joint.kind), mechanism.bodies[i].name,
+                   body_name(mechanism, joint.parent), triple(joint.at),
+                   fixed ? std::string("-") : direction_text(joint.turn.transpose() * joint.axis),
+                   turn_text(joint.turn)));
+  }
+  return table;
+}
+
+Table bodies_table(const Mechanism& mechanism) {
+  Table table = table_of("", {"body", "mass [kg]", "centre, body axes [m]",
+                              "principal inertias about the centre [kg m^2]"});
+  for (const spatial::Body& body : mechanism.bodies) {
+    if (body.mass == 0.0) {
+      add_row(table, row_of(body.name, cell(text::Quantity::mass, 0.0), "-",
+                            "none: a frame that turns or shifts what it carries"));
+      continue;
+    }
+    const Eigen::Vector3d principal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    const auto inertia = [](double J) { return text::rounded(text::Quantity::inertia, J); };
+    add_row(table, row_of(body.name, cell(text::Quantity::mass, body.mass), triple(body.centre),
+                          fmt::format("{}, {}, {}", inertia(principal[2]), inertia(principal[1]),
+                                      inertia(principal[0]))));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Block> spatial_blocks(const Mechanism& mechanism) {
+  return {joints_table(mechanism), bodies_table(mechanism)};
+}
+
+Entries spatial_entries(const Project& project) {
+  const Mechanism& mechanism = spatial_of(project);
+  const spatial::BeamPlacement& placement = project.placement;
+  Entries entries;
+  entries.emplace_back(
+      "beam",
+      fmt::format("in body {}: from {} m, x along {}, z along {} of its axes",
+                  body_name(mechanism, placement.body), triple(placement.start),
+                  direction_text(placement.axes.col(0)), direction_text(placement.axes.col(2))));
+  for (const spatial::Joint& joint : mechanism.joints) {
+    if (joint.kind == spatial::JointKind::fixed) continue;
+    const bool turns = joint.kind == spatial::JointKind::revolute;
+    entries.emplace_back("driver", fmt::format("{}: {} = {}", joint.name, turns ? "angle" : "shift",
+                                               function_text(joint.driver, turns ? "rad" : "m")));
+  }
+  for (const spatial::AppliedLoad& load : mechanism.loads) {
+    const bool force = load.kind == spatial::LoadKind::force;
+    entries.emplace_back(
+        "load", fmt::format("{}: {} on {}, {} {}, along {} of {}, = {}", load.name,
+                            force ? "force" : "couple", body_name(mechanism, load.on),
+                            force ? "acting at" : "entering at", place_text(mechanism, load.at),
+                            direction_text(load.direction), axes_text(mechanism, load.axes),
+                            function_text(load.size, force ? "N" : "N m")));
+  }
+  for (const spatial::LineForce& line : mechanism.line_forces) {
+    entries.emplace_back(
+        "load",
+        fmt::format("{}: force per length on {}, from {} to {}, along {} of {}, = {}", line.name,
+                    body_name(mechanism, line.on), place_text(mechanism, {line.on, line.from}),
+                    place_text(mechanism, {line.on, line.to}), direction_text(line.direction),
+                    axes_text(mechanism, line.axes), function_text(line.size, "N/m")));
+  }
+  add_duration(mechanism.duration, entries);
+  return entries;
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "boxbeam/report/text_writer.hpp"
+#include "plain_text.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+constexpr std::size_t widest = 104;
+
+/// Where a text that is too wide goes on below: a formula before a plus, minus or times outside of
+/// its brackets, a note between words.
+std::size_t break_of(const std::string& text, std::size_t room, bool formula, int deepest) {
+  std::size_t at = std::string::npos;
+  int depth = 0;
+  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == '[') ++depth;
+    if (text[i] == ')' || text[i] == ']') --depth;
+    if (text[i] != ' ') continue;
+    const char next = text[i + 1];
+    const bool sign = (next == '+' || next == '-') && text[i + 2] == ' ' && depth <= deepest;
+    if (formula && !sign) continue;
+    if (i > room && at != std::string::npos) break;
+    if (i > 0) at = i;
+    if (i > room) break;
+  }
+  return at;
+}
+
+/// Lines of a step as they grow.
+class StepLines {
+ public:
+  explicit StepLines(const std::string& symbol)
+      : line_(fmt::format("    {:<11} ", symbol)), margin_(line_.size(), ' ') {}
+
+  void add(const std::string& formula) {
+    const bool fits = line_.size() + formula.size() + 3 <= widest;
+    if (!first_ && !fits) next();
+    const bool beside = !first_ && fits;
+    write((beside ? " = " : "= "), formula, true);
+    first_ = false;
+  }
+
+  void note(const std::string& note, bool may_be_beside) {
+    if (may_be_beside && line_.size() + note.size() + 5 <= widest) {
+      line_ += "   (" + note + ")";
+      return;
+    }
+    next();
+    write("  ", "(" + note + ")", false);
+  }
+
+  std::string text() const { return out_ + line_ + "\n"; }
+
+ private:
+  void next() {
+    out_ += line_ + "\n";
+    line_ = margin_;
+  }
+
+  void write(const std::string& before, std::string text, bool formula) {
+    line_ += before;
+    while (line_.size() + text.size() > widest) {
+      const std::size_t room = widest - line_.size();
+      std::size_t at = break_of(text, room, formula, 0);
+      // What stands wholly in brackets is broken inside of them.
+      if (at == std::string::npos) {
+        at = break_of(text, room, formula, std::numeric_limits<int>::max());
+      }
+      if (at == std::string::npos) break;
+      line_ += text.substr(0, at);
+      text.erase(0, at + 1);
+      next();
+      line_ += "   ";
+    }
+    line_ += text;
+  }
+
+  std::string line_, margin_, out_;
+  bool first_ = true;
+};
+
+std::string text_of(const Step& step) {
+  StepLines lines(plain_text::shown(step.symbol));
+  for (const std::string& formula : step.formulas) lines.add(plain_text::shown(formula));
+  for (const std::string& note : step.notes) {
+    lines.note(plain_text::shown(note), &note == &step.notes.front());
+  }
+  return lines.text();
+}
+
+}  // namespace
+
+std::string text_of(const Sheet& sheet) {
+  using plain_text::shown;
+  std::string out = fmt::format("  {}\n    {}\n", shown(sheet.id), shown(sheet.title));
+  for (const Step& step : sheet.steps) out += text_of(step);
+  out += fmt::format("    {}\n", shown(sheet.result));
+  std::string before = "    source: ";
+  for (const std::string& line :
+       plain_text::wrapped(sheet.source, widest - before.size(), widest - before.size())) {
+    out += before + line + "\n";
+    before.assign(before.size(), ' ');
+  }
+  return out;
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,160 @@
+#include "text_table.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+#include "plain_text.hpp"
+
+namespace boxbeam::report {
+namespace {
+
+using plain_text::columns_of;
+
+constexpr std::size_t gap = 2;  // before every column
+
+/// A table whose cells are safe for a terminal.
+using Grid = std::vector<std::vector<std::string>>;
+
+/// Whether a cell stands at the right, as numbers do.
+bool is_numeric(const std::string& cell) {
+  if (cell.empty()) return true;
+  const char c = cell.front();
+  return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+';
+}
+
+Grid grid_of(const Table& table) {
+  Grid grid;
+  grid.reserve(table.rows.size() + 1);
+  std::vector<std::string>& header = grid.emplace_back();
+  for (const std::string& title : table.header) header.push_back(plain_text::shown(title));
+  for (const auto& row : table.rows) {
+    std::vector<std::string>& line = grid.emplace_back();
+    line.reserve(row.size());
+    for (const Cell& cell : row) line.push_back(plain_text::shown(cell.text));
+  }
+  return grid;
+}
+
+struct Column {
+  std::size_t width = 0;      ///< of its widest cell, then what it gets
+  std::size_t narrowest = 0;  ///< that wrapping can make it
+  bool right = true;
+};
+
+/// Where the longest word is a path or a name without end, it is broken.
+constexpr std::size_t longest_word = 24;
+
+std::size_t longest_word_in(const std::string& cell) {
+  std::size_t longest = 1;
+  for (std::size_t at = 0; at < cell.size();) {
+    const std::size_t end = std::min(cell.find(' ', at), cell.size());
+    longest = std::max(longest, columns_of(std::string_view(cell).substr(at, end - at)));
+    at = end + 1;
+  }
+  return std::min(longest, longest_word);
+}
+
+std::vector<Column> columns_in(const Grid& grid) {
+  std::vector<Column> columns(grid.front().size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      Column& column = columns[k];
+      column.width = std::max(column.width, columns_of(grid[i][k]));
+      if (i > 0) column.right = column.right && is_numeric(grid[i][k]);
+    }
+  }
+  return columns;
+}
+
+std::size_t width_of(const std::vector<Column>& columns) {
+  return std::accumulate(columns.begin(), columns.end(), std::size_t{0},
+                         [](std::size_t sum, const Column& of) { return sum + gap + of.width; });
+}
+
+/// Takes width from the widest column that can give some, until the table fits or none can.
+void narrow(const Grid& grid, std::size_t width, std::vector<Column>& columns) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      // A number is never broken, but the words above it may stand one below the other.
+      const bool whole = columns[k].right && i > 0;
+      columns[k].narrowest = std::max(columns[k].narrowest,
+                                      whole ? columns_of(grid[i][k]) : longest_word_in(grid[i][k]));
+    }
+  }
+  for (std::size_t total = width_of(columns); total > width; --total) {
+    Column* widest = nullptr;
+    for (Column& column : columns) {
+      if (column.width <= column.narrowest) continue;
+      if (widest == nullptr || column.width > widest->width) widest = &column;
+    }
+    if (widest == nullptr) return;
+    --widest->width;
+  }
+}
+
+void add_cell(const std::string& cell, const Column& column, std::string& line) {
+  const std::size_t used = columns_of(cell);
+  const std::size_t space = column.width - std::min(column.width, used);
+  if (column.right) line.append(space, ' ');
+  line += cell;
+  if (!column.right) line.append(space, ' ');
+}
+
+void end_line(std::string& line, std::string& out) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  out += line;
+  out += '\n';
+}
+
+void add_row(const std::vector<std::string>& row, const std::vector<Column>& columns, char mark,
+             std::string& out) {
+  const auto fits = [&](std::size_t k) { return columns_of(row[k]) <= columns[k].width; };
+  bool one_line = true;
+  for (std::size_t k = 0; k < row.size(); ++k) one_line = one_line && fits(k);
+  if (one_line) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      line.append(gap, ' ');
+      add_cell(row[k], columns[k], line);
+    }
+    line.front() = mark;
+    end_line(line, out);
+    return;
+  }
+  std::vector<std::vector<std::string>> cells;
+  std::size_t lines = 0;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    cells.push_back(plain_text::wrapped(row[k], columns[k].width, columns[k].width));
+    lines = std::max(lines, cells.back().size());
+  }
+  for (std::size_t i = 0; i < lines; ++i) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      line.append(gap, ' ');
+      add_cell(i < cells[k].size() ? cells[k][i] : "", columns[k], line);
+    }
+    line.front() = i == 0 ? mark : ' ';
+    end_line(line, out);
+  }
+}
+
+char sign_of(Mark mark) {
+  return mark == Mark::fails ? '!' : mark == Mark::not_applicable ? '?' : ' ';
+}
+
+}  // namespace
+
+std::string table_text(const Table& table, std::size_t width) {
+  const Grid grid = grid_of(table);
+  std::vector<Column> columns = columns_in(grid);
+  if (width_of(columns) > width) narrow(grid, width, columns);
+  std::string out;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const bool marked = i > 0 && !table.marks.empty();
+    add_row(grid[i], columns, marked ? sign_of(table.marks[i - 1]) : ' ', out);
+  }
+  return out;
+}
+
+}  // namespace boxbeam::report

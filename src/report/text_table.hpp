@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "boxbeam/report/document.hpp"
+
+namespace boxbeam::report {
+
+/// A table as plain text, indented by two columns, its columns as wide as their content. Where it
+/// is wider than `width` the texts in its cells are wrapped. "!" stands before a row that fails,
+/// "?" before one that does not apply.
+std::string table_text(const Table& table, std::size_t width);
+
+}  // namespace boxbeam::report
