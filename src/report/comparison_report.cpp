@@ -16,36 +16,56 @@ namespace {
 using report::Cell;
 using report::Mark;
 
-Mark mark_of(Agreement agreement) {
-  switch (agreement) {
-    case Agreement::agrees: return Mark::passes;
-    case Agreement::explained: return Mark::not_applicable;
-    case Agreement::differs: return Mark::fails;
-  }
-  return Mark::none;
-}
-
-std::string with_unit(std::string number, const std::string& unit) {
-  if (!unit.empty()) number += " " + unit;
+/// "18.1e3" of "18.1e3 mm^2".
+std::string number_of(const std::string& written, const std::string& unit) {
+  std::string number = written.substr(0, written.size() - unit.size());
+  while (number.ends_with(' ')) number.pop_back();
   return number;
 }
 
-/// The program's value as the published one is written: in its unit, with its digits.
+/// A number [SI] as the published one is written: in its unit, with its power of ten.
+std::string written_like(const PublishedValue& published, double value, int digits) {
+  const std::string number = number_of(published.written, published.unit);
+  const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+  double one = published.scale;
+  if (exponent < number.size()) one *= std::pow(10.0, std::stoi(number.substr(exponent + 1)));
+  std::string text = text::significant(value / one, digits);
+  if (text != "0") text += number.substr(exponent);
+  return text;
+}
+
+bool is_round_off(const ComparedValue& row) {
+  constexpr double round_off = 1e-9;
+  return std::abs(row.difference) <= round_off * std::abs(row.published.value.value);
+}
+
+/// With the digits of the published value, at least four.
 std::string ours_text(const ComparedValue& row) {
   constexpr int fewest = 4, most = 8;
-  const int digits = std::clamp(row.published.digits, fewest, most);
-  return with_unit(text::significant(row.ours / row.published.scale, digits), row.published.unit);
+  if (is_round_off(row)) return number_of(row.published.written, row.published.unit);
+  return written_like(row.published, row.ours, std::clamp(row.published.digits, fewest, most));
 }
 
 /// In per cent where the tolerance is, else in the published value's unit.
 std::string difference_text(const ComparedValue& row) {
   constexpr int digits = 2;
-  const bool relative = row.published.tolerance.relative;
-  const double difference = relative ? 100.0 * row.difference / std::abs(row.published.value.value)
-                                     : row.difference / row.published.scale;
-  std::string text = text::significant(difference, digits);
-  if (difference > 0.0 && text != "0") text.insert(0, "+");
-  return with_unit(std::move(text), relative ? "%" : row.published.unit);
+  if (is_round_off(row)) return "0";
+  std::string text;
+  if (row.published.tolerance.relative) {
+    const double part = row.difference / std::abs(row.published.value.value);
+    text = fmt::format("{} %", text::significant(100.0 * part, digits));
+  } else {
+    text = written_like(row.published, row.difference, digits);
+  }
+  if (row.difference > 0.0 && text != "0") text.insert(0, "+");
+  return text;
+}
+
+/// Absolute ones without their unit where that is the published value's, which stands beside.
+std::string tolerance_text(const PublishedValue& published) {
+  const std::string& written = published.tolerance.written;
+  const bool same = !published.tolerance.relative && written.ends_with(published.unit);
+  return same ? number_of(written, published.unit) : written;
 }
 
 /// The number of each reason in the list of reasons, which grows.
@@ -61,15 +81,18 @@ std::string note_of(const std::string& reason, std::vector<std::string>& reasons
 report::Table table_of(const Comparison& comparison, Agreement agreement,
                        std::vector<std::string>& reasons) {
   report::Table table;
-  table.header = {"result", "published", "ours", "difference", "tolerance", "source", "reason"};
+  table.header = {"result",    "published", "ours",   "difference",
+                  "tolerance", "unit",      "source", "reason"};
   for (const ComparedValue& row : comparison.rows) {
     if (row.agreement != agreement) continue;
+    const PublishedValue& published = row.published;
     table.rows.push_back(
-        {Cell{row.key, {}}, Cell{row.published.written, row.published.value.value},
+        {Cell{row.key, {}},
+         Cell{number_of(published.written, published.unit), published.value.value},
          Cell{ours_text(row), row.ours}, Cell{difference_text(row), row.difference},
-         Cell{row.published.tolerance.written, row.tolerance}, Cell{row.published.source, {}},
-         Cell{note_of(row.published.reason, reasons), {}}});
-    table.marks.push_back(mark_of(agreement));
+         Cell{tolerance_text(published), row.tolerance}, Cell{published.unit, {}},
+         Cell{published.source, {}}, Cell{note_of(published.reason, reasons), {}}});
+    if (agreement == Agreement::differs) table.marks.push_back(Mark::fails);
   }
   return table;
 }
@@ -94,15 +117,13 @@ std::string counts_text(const Comparison& comparison) {
 report::Chapter comparison_chapter(const Comparison& comparison) {
   report::Chapter chapter;
   chapter.title = "Published values";
-  chapter.blocks.push_back(report::Paragraph{
-      fmt::format("{} ({}). Ours stands in the unit of the published value; a difference is ours "
-                  "less published.",
-                  counts_text(comparison), comparison.path)});
+  chapter.blocks.push_back(report::Paragraph{fmt::format(
+      "{} ({}). A difference is ours less published.", counts_text(comparison), comparison.path)});
   std::vector<std::string> reasons;
   for (const Agreement status : {Agreement::differs, Agreement::explained, Agreement::agrees}) {
     report::Table table = table_of(comparison, status, reasons);
     if (table.rows.empty()) continue;
-    chapter.blocks.push_back(report::Subheading{heading_of(status)});
+    table.caption = heading_of(status);
     chapter.blocks.push_back(std::move(table));
   }
   if (reasons.empty()) return chapter;
@@ -126,14 +147,19 @@ report::Document comparison_document(const Project& project, const Comparison& c
                      : comparison.count(Agreement::explained) == 0 ? "AGREES"
                                                                    : "AGREES OR IS EXPLAINED";
   document.mark = comparison.passes() ? Mark::passes : Mark::fails;
-  document.facts.entries = {{"case file", project.path},
-                            {"published", comparison.path},
-                            {"values", counts_text(comparison)}};
+  document.facts.entries = {{"case file", project.path}, {"published", comparison.path}};
   if (!project.overrides.empty()) {
     document.facts.entries.emplace_back("overrides",
                                         fmt::format("{}", fmt::join(project.overrides, "; ")));
   }
   document.facts.entries.emplace_back("loads by", to_text(project.dynamics));
+  document.governing.header = {"published values", "number"};
+  for (const Agreement status : {Agreement::agrees, Agreement::explained, Agreement::differs}) {
+    const std::size_t count = comparison.count(status);
+    document.governing.rows.push_back(
+        {report::Cell{heading_of(status), {}},
+         report::Cell{std::to_string(count), static_cast<double>(count)}});
+  }
   document.chapters.push_back(comparison_chapter(comparison));
   return document;
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "boxbeam/report/formula.hpp"
@@ -17,12 +16,6 @@ using Kind = FormulaNode::Kind;
 enum class Level { line, inside, exponent };
 
 std::string latex_of(const FormulaNode& node, Level level);
-
-bool is_tall(const FormulaNode& node) {
-  if (node.kind == Kind::fraction || node.kind == Kind::large || node.kind == Kind::derivative)
-    return true;
-  return std::any_of(node.parts.begin(), node.parts.end(), is_tall);
-}
 
 /// Brackets as tall as what they hold. Those on the line are of a fixed size, for what stands
 /// between \left and \right cannot break.

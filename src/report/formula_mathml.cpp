@@ -18,7 +18,12 @@ std::string mathml_of(const FormulaNode& node);
 
 std::string sign(const std::string& text) { return "<mo>" + text + "</mo>"; }
 std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
-std::string bracketed(const std::string& inside) { return sign("(") + inside + sign(")"); }
+/// Brackets as tall as what they hold. What is inside has a row of its own, so that a minus at its
+/// beginning is no difference.
+std::string bracketed(const std::string& inside, bool tall) {
+  const std::string begin = tall ? "<mo>" : "<mo stretchy=\"false\">";
+  return begin + "(</mo>" + row(inside) + begin + ")</mo>";
+}
 
 /// A single letter slants by itself, a word stands upright.
 std::string word_of(const std::string& word) {
@@ -93,7 +98,8 @@ std::string call_of(const FormulaNode& node) {
   const Kind kind = node.parts.front().kind;
   const bool angle = node.text == "sin" || node.text == "cos" || node.text == "tan";
   const bool bare = angle && (kind == Kind::name || kind == Kind::number || kind == Kind::product);
-  return row("<mi>" + node.text + "</mi>" + (bare ? thin_space + inside : bracketed(inside)));
+  return row("<mi>" + node.text + "</mi>" +
+             (bare ? thin_space + inside : bracketed(inside, is_tall(node))));
 }
 
 /// A group that is the whole of a place needs its brackets no longer.
@@ -104,7 +110,7 @@ std::string without_brackets(const FormulaNode& node) {
 std::string sum_of(const FormulaNode& node) {
   std::string out;
   for (const FormulaNode& part : node.parts) {
-    const bool minus = part.kind == Kind::negative;
+    const bool minus = part.kind == Kind::negative && !out.empty();
     if (minus)
       out += sign(minus_sign);
     else if (!out.empty())
@@ -120,13 +126,11 @@ std::string exponent_of(const FormulaNode& node) {
   return row(mathml_of(inner.parts[0]) + sign("/") + mathml_of(inner.parts[1]));
 }
 
-std::string relation_of(const FormulaNode& node) {
-  const std::string relation =
-      node.text == "<="
-          ? "≤"
-          : (node.text == ">=" ? "≥"
-                               : (node.text == "<" ? "&lt;" : (node.text == ">" ? "&gt;" : "=")));
-  return mathml_of(node.parts[0]) + sign(relation) + mathml_of(node.parts[1]);
+std::string relation_sign(const std::string& text) {
+  if (text == "<=") return "≤";
+  if (text == ">=") return "≥";
+  if (text == "<") return "&lt;";
+  return text == ">" ? "&gt;" : "=";
 }
 
 std::string mathml_of(const FormulaNode& node) {
@@ -139,19 +143,44 @@ std::string mathml_of(const FormulaNode& node) {
       return "<mfrac>" + without_brackets(node.parts[0]) + without_brackets(node.parts[1]) +
              "</mfrac>";
     case Kind::sum: return sum_of(node);
-    case Kind::negative: return sign(minus_sign) + mathml_of(node.parts.front());
+    case Kind::negative: return row(sign(minus_sign) + mathml_of(node.parts.front()));
     case Kind::power:
       return "<msup>" + row(mathml_of(node.parts[0])) + exponent_of(node.parts[1]) + "</msup>";
-    case Kind::group: return row(bracketed(mathml_of(node.parts.front())));
+    case Kind::group: return row(bracketed(mathml_of(node.parts.front()), is_tall(node)));
     case Kind::call: return call_of(node);
     case Kind::derivative:
       return "<mfrac><mi mathvariant=\"normal\">d</mi>" +
              row(name_of({Kind::name, node.text, "", {}})) + "</mfrac>" +
              mathml_of(node.parts.front());
     case Kind::large: return sign(node.text == "sum" ? "∑" : "∫") + mathml_of(node.parts.front());
-    case Kind::relation: return relation_of(node);
+    case Kind::relation:
+      return mathml_of(node.parts[0]) + sign(relation_sign(node.text)) + mathml_of(node.parts[1]);
   }
   return "";
+}
+
+/// A sign before a piece that stands alone: of a sum, though nothing is before it.
+std::string outer_sign(const std::string& text) { return "<mo form=\"infix\">" + text + "</mo>"; }
+
+void add_pieces(const FormulaNode& node, std::vector<std::string>& pieces) {
+  if (node.kind == Kind::relation) {
+    add_pieces(node.parts[0], pieces);
+    std::vector<std::string> behind;
+    add_pieces(node.parts[1], behind);
+    behind.front() = outer_sign(relation_sign(node.text)) + behind.front();
+    pieces.insert(pieces.end(), behind.begin(), behind.end());
+    return;
+  }
+  if (node.kind != Kind::sum) {
+    pieces.push_back(mathml_of(node));
+    return;
+  }
+  for (const FormulaNode& part : node.parts) {
+    const bool first = &part == &node.parts.front();
+    const bool minus = part.kind == Kind::negative && !first;
+    std::string piece = first ? "" : outer_sign(minus ? minus_sign : "+");
+    pieces.push_back(piece + mathml_of(minus ? part.parts.front() : part));
+  }
 }
 
 /// Words as they are.
@@ -174,6 +203,14 @@ std::string words_of(const std::string& text) {
 std::string mathml_of_formula(const std::string& formula) {
   const auto tree = parse_formula(formula);
   return tree ? mathml_of(*tree) : words_of(formula);
+}
+
+std::vector<std::string> mathml_pieces_of_formula(const std::string& formula) {
+  const auto tree = parse_formula(formula);
+  if (!tree) return {words_of(formula)};
+  std::vector<std::string> pieces;
+  add_pieces(*tree, pieces);
+  return pieces;
 }
 
 }  // namespace boxbeam::report

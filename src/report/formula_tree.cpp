@@ -360,6 +360,12 @@ class Parser {
 
 }  // namespace
 
+bool is_tall(const FormulaNode& node) {
+  if (node.kind == Kind::fraction || node.kind == Kind::large || node.kind == Kind::derivative)
+    return true;
+  return std::any_of(node.parts.begin(), node.parts.end(), is_tall);
+}
+
 std::optional<FormulaNode> parse_formula(const std::string& text) { return Parser(text).parse(); }
 
 }  // namespace boxbeam::report

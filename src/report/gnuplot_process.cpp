@@ -6,10 +6,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <fstream>
+#include <iterator>
+#include <string_view>
+#include <thread>
 
 #include "boxbeam/core/error.hpp"
 
@@ -20,25 +25,60 @@ namespace fs = std::filesystem;
 
 struct Process {
   pid_t pid = -1;
-  std::string name;
+  Drawing drawing;
 };
 
-/// Starts gnuplot on a script in a folder; its messages go to NAME.log there.
-Process start_gnuplot(const fs::path& folder, const std::string& name) {
+/// The environment of the program, but numbers with points, and one time zone for all.
+std::vector<std::string> environment() {
+  std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C"};
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    const bool replaced = text.starts_with("TZ=") || text.starts_with("LC_ALL=");
+    if (!replaced) variables.emplace_back(text);
+  }
+  return variables;
+}
+
+/// Takes the time of drawing out of a PDF: the same input gives the same bytes. Cairo before 1.17
+/// knows no other way.
+void make_timeless(const fs::path& pdf) {
+  std::fstream file(pdf, std::ios::in | std::ios::out | std::ios::binary);
+  std::string content(std::istreambuf_iterator<char>(file), {});
+  constexpr std::string_view entry = "/CreationDate (D:";
+  const std::size_t at = content.rfind(entry);
+  if (at == std::string::npos) return;
+  file.clear();
+  file.seekp(static_cast<std::streamoff>(at + entry.size()));
+  file << "19700101000000";
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Starts gnuplot on a script in a folder; its messages go to a file of the drawing's name and
+/// ".log" there.
+Process start_gnuplot(const fs::path& folder, const Drawing& drawing) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  const std::string log = (folder / (name + ".log")).string();
-  const std::string script = name + ".gp";
+  const std::string log = (folder / (drawing.file() + ".log")).string();
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, 1, 2);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::string program = "gnuplot";
-  std::string option = "-d";
-  std::string argument = script;
-  char* arguments[] = {program.data(), option.data(), argument.data(), nullptr};
-  Process process{-1, name};
-  const int error = posix_spawnp(&process.pid, "gnuplot", &actions, nullptr, arguments, environ);
+  std::vector<std::string> arguments{"gnuplot", "-d"};
+  if (drawing.format == Drawing::pdf) {
+    arguments.emplace_back("-e");
+    arguments.emplace_back("pdf = 1");
+  }
+  arguments.push_back(drawing.name + ".gp");
+  std::vector<std::string> variables = environment();
+  Process process{-1, drawing};
+  const int error = posix_spawnp(&process.pid, "gnuplot", &actions, nullptr,
+                                 pointers_to(arguments).data(), pointers_to(variables).data());
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT) {
     throw OutputError(
@@ -55,12 +95,15 @@ std::string trouble_of(const fs::path& folder, const Process& process) {
   while (::waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
   }
   std::error_code error;
-  const fs::path drawing = folder / (process.name + ".svg");
-  const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && drawn) return "";
+  const fs::path file = folder / process.drawing.file();
+  const bool drawn = fs::exists(file, error) && fs::file_size(file, error) > 0;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && drawn) {
+    if (process.drawing.format == Drawing::pdf) make_timeless(file);
+    return "";
+  }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     return "gnuplot is not installed (apt install gnuplot-nox)";
-  std::ifstream log(folder / (process.name + ".log"));
+  std::ifstream log(folder / (process.drawing.file() + ".log"));
   for (std::string line; std::getline(log, line);) {
     if (line.find_first_not_of(" ^") != std::string::npos) return line;
   }
@@ -83,15 +126,21 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
-void run_gnuplot(const fs::path& folder, const std::vector<std::string>& names) {
-  std::vector<Process> processes;
-  processes.reserve(names.size());
-  for (const std::string& name : names) processes.push_back(start_gnuplot(folder, name));
+void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
+  const std::size_t at_once = std::max(2U, std::thread::hardware_concurrency());
+  std::deque<Process> running;
   std::string troubles;
-  for (const Process& process : processes) {
-    const std::string trouble = trouble_of(folder, process);
-    if (!trouble.empty()) troubles += fmt::format("\n  {}: {}", process.name, trouble);
+  const auto wait_for_first = [&] {
+    const std::string trouble = trouble_of(folder, running.front());
+    if (!trouble.empty())
+      troubles += fmt::format("\n  {}: {}", running.front().drawing.file(), trouble);
+    running.pop_front();
+  };
+  for (const Drawing& drawing : drawings) {
+    if (running.size() == at_once) wait_for_first();
+    running.push_back(start_gnuplot(folder, drawing));
   }
+  while (!running.empty()) wait_for_first();
   if (!troubles.empty()) throw OutputError("gnuplot failed, no plots are written:" + troubles);
 }
 

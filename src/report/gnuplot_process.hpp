@@ -20,9 +20,20 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// Runs gnuplot on NAME.gp of a folder for every name, all at once; each must leave NAME.svg.
-/// As a process of its own, not through a pipe: a pipe would hide that it failed.
-/// Throws OutputError where gnuplot is missing (naming the package) or fails (its first words).
-void run_gnuplot(const std::filesystem::path& folder, const std::vector<std::string>& names);
+/// What gnuplot is to make of NAME.gp.
+struct Drawing {
+  enum Format { svg, pdf };
+
+  std::string name;
+  Format format = svg;
+
+  std::string file() const { return name + (format == svg ? ".svg" : ".pdf"); }
+};
+
+/// Runs gnuplot on the scripts of a folder, as many at a time as there are processors; each must
+/// leave its file. As processes of their own, not through pipes: a pipe would hide that it failed.
+/// The same script gives the same bytes. Throws OutputError where gnuplot is missing (naming the
+/// package) or fails (its first words).
+void run_gnuplot(const std::filesystem::path& folder, const std::vector<Drawing>& drawings);
 
 }  // namespace boxbeam

@@ -68,23 +68,67 @@ Steps membrane_steps(const EdgePlace& place) {
            {"on the gross section"}}};
 }
 
-/// A hole in a web; the coefficients where the section's centroid lies on the axis.
-Steps web_hole_steps(const EdgePlace& place, bool space) {
+/// Kirsch's stresses around a hole in a web, per cut force.
+struct AroundWebHole {
+  double around = 0.0;  ///< K_g (1 - 2 cos 2theta)/3
+  double across = 0.0;  ///< sin theta - sin 3theta
+  double r = 0.0, z_0 = 0.0;
+};
+
+AroundWebHole around_of(const EdgePlace& place) {
+  const double theta = place.edge->angle;
+  return {place.edge->factor / 3.0 * (1.0 - 2.0 * std::cos(2.0 * theta)),
+          std::sin(theta) - std::sin(3.0 * theta), 0.5 * place.hole.diameter.value(),
+          place.hole.position.value()};
+}
+
+/// The formula of the moment's coefficient, without what is zero at mid-height.
+Step web_moment_step(const EdgePlace& place, const AroundWebHole& hole, const char* symbol) {
+  const std::string angle = place.angle();
+  std::string formula = "r (sin theta - sin 3theta)/I_y,net";
+  std::string values = fmt::format("{} x (sin({}) - sin(3 x {}))/{}", text::mm(hole.r), angle,
+                                   angle, mm4(place.net.I_y.value()));
+  if (hole.z_0 != 0.0) {
+    formula = "K_g (1 - 2 cos 2theta) z_0/(3 I_y) + " + formula;
+    values = fmt::format("{} x (1 - 2 x cos(2 x {})) x {}/(3 x {}) + {}", place.K_g(), angle,
+                         term(text::mm(hole.z_0)), mm4(place.gross.I_y.value()), values);
+  }
+  if (place.lag != 1.0) {
+    formula = "k_lag (" + formula + ")";
+    values = fmt::format("{} x ({})", text::significant(place.lag), values);
+  }
+  return coefficient(symbol, formula, values, place.point->influence.normal[cut_force::M_y], true);
+}
+
+/// The shear of the gross section at the hole's centre, per V.
+Steps web_shear_steps(const EdgePlace& place) {
+  const double value = place.point->influence.normal[cut_force::V_z];
+  const double sine = std::sin(2.0 * place.edge->angle);
+  constexpr double nothing = 1e-9;
+  if (value == 0.0 || std::abs(sine) < nothing) return {};
+  const double a = place.edge->diameter_to_width;
+  const std::string c_0 = scientific(-value * (1.0 - a) / (4.0 * sine) * 1e-6, 4) + " mm^-2";
+  return {{"c_0", {c_0}, {"shear stress of the gross section per V at the hole's centre"}},
+          coefficient("k_V", "-4 c_0 sin 2theta/(1 - a)",
+                      fmt::format("-4 x {} x sin(2 x {})/(1 - {})", term(c_0), place.angle(),
+                                  text::significant(a)),
+                      value, false)};
+}
+
+/// A hole in a wall; formulas of the coefficients where the section's centroid lies on the axis.
+Steps wall_hole_steps(const EdgePlace& place, bool space) {
   Steps steps = membrane_steps(place);
   const auto& influence = place.point->influence.normal;
-  const double theta = place.edge->angle;
-  const double around = place.edge->factor / 3.0 * (1.0 - 2.0 * std::cos(2.0 * theta));
-  const double across = std::sin(theta) - std::sin(3.0 * theta);
-  const double r = 0.5 * place.hole.diameter.value();
-  const double z_0 = place.hole.position.value();
+  const AroundWebHole hole = around_of(place);
   const double A = place.gross.area.value(), I_y = place.gross.I_y.value();
   const double I_net = place.net.I_y.value();
-  steps.push_back({"sigma_edge",
-                   {"(K_g/3) sigma_0 (1 - 2 cos 2theta) + r d/du(sigma) (sin theta - sin 3theta) - "
-                    "4/(1 - a) tau_0 sin 2theta"},
-                   {"sigma_0, tau_0: gross section, at the hole's centre; d/du(sigma) across it, "
-                    "moments on the net section",
-                    fmt::format("theta = {} from the beam's axis; Kirsch", place.angle())}});
+  steps.push_back({"theta", {place.angle()}, {"place on the edge, from the axis of the beam"}});
+  steps.push_back(
+      {"sigma_edge",
+       {"K_g sigma_0 (1 - 2 cos 2theta)/3 + r d/du(sigma) (sin theta - sin 3theta) - 4 "
+        "tau_0 sin 2theta/(1 - a)"},
+       {"by the stresses of the gross section at the hole's centre and the slope of the "
+        "direct stress across it, that of moments on the net section; Kirsch"}});
   if (place.lag != 1.0) {
     steps.push_back(
         {"k_lag",
@@ -92,26 +136,24 @@ Steps web_hole_steps(const EdgePlace& place, bool space) {
           text::significant(place.lag)},
          {"shear lag raises all stress of bending alike"}});
   }
-  const std::string cosine =
-      fmt::format("({}/3) x (1 - 2 x cos(2 x {}))", place.K_g(), place.angle());
-  if (near(influence[cut_force::N], around / A)) {
-    steps.push_back(coefficient("k_N", "(K_g/3) (1 - 2 cos 2theta)/A",
-                                fmt::format("{}/{}", cosine, mm2(A)), influence[cut_force::N],
-                                false));
+  if (near(influence[cut_force::N], hole.around / A)) {
+    steps.push_back({"A", {mm2(A)}, {"gross section"}});
+    steps.push_back(coefficient(
+        "k_N", "K_g (1 - 2 cos 2theta)/(3 A)",
+        fmt::format("{} x (1 - 2 x cos(2 x {}))/(3 x {})", place.K_g(), place.angle(), mm2(A)),
+        influence[cut_force::N], false));
   }
-  const double k_M = place.lag * (around * z_0 / I_y + r * across / I_net);
+  const double k_M = place.lag * (hole.around * hole.z_0 / I_y + hole.r * hole.across / I_net);
   if (near(influence[cut_force::M_y], k_M)) {
-    std::string values =
-        fmt::format("{} x {}/{} + {} x (sin({}) - sin(3 x {}))/{}", cosine, term(text::mm(z_0)),
-                    mm4(I_y), text::mm(r), place.angle(), place.angle(), mm4(I_net));
-    std::string formula = "(K_g/3) (1 - 2 cos 2theta) z_0/I_y + r (sin theta - sin 3theta)/I_y,net";
-    if (place.lag != 1.0) {
-      values = fmt::format("{} x ({})", text::significant(place.lag), values);
-      formula = "k_lag (" + formula + ")";
+    steps.push_back({"r", {text::mm(hole.r)}, {"radius of the hole"}});
+    if (hole.z_0 != 0.0) {
+      steps.push_back({"z_0", {text::mm(hole.z_0)}, {"level of its centre"}});
+      steps.push_back({"I_y", {mm4(I_y)}, {"gross section"}});
     }
-    steps.push_back(
-        coefficient(space ? "k_My" : "k_M", formula, values, influence[cut_force::M_y], true));
+    steps.push_back({"I_y,net", {mm4(I_net)}, {}});
+    steps.push_back(web_moment_step(place, hole, space ? "k_My" : "k_M"));
   }
+  if (!space) append(steps, web_shear_steps(place));
   return steps;
 }
 
@@ -176,9 +218,9 @@ Steps published_steps(const EdgePlace& place) {
 Steps hole_factor_steps(const Project& project, const StressPoint& point) {
   const EdgePlace place = place_of(project, point);
   switch (point.concentration->hole_case) {
-    case HoleCase::in_plane_bending: return web_hole_steps(place, in_space(project));
+    case HoleCase::in_plane_bending: return wall_hole_steps(place, in_space(project));
     case HoleCase::membrane_tension:
-      return in_space(project) ? web_hole_steps(place, true) : flange_hole_steps(place);
+      return in_space(project) ? wall_hole_steps(place, true) : flange_hole_steps(place);
     case HoleCase::out_of_plane_bending: return flat_plate_steps(place);
     case HoleCase::published_exponential: return published_steps(place);
   }

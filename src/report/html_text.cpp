@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sha256.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "../project/text_file.hpp"
@@ -36,6 +37,8 @@ bool is_invisible(char32_t code) {
 }  // namespace
 
 std::string visible(std::string_view text) {
+  const auto plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; };
+  if (std::all_of(text.begin(), text.end(), plain)) return std::string(text);
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
@@ -61,15 +64,21 @@ std::string visible(std::string_view text) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : visible(text)) {
-    switch (c) {
+  const std::string shown = visible(text);
+  out.reserve(shown.size());
+  for (std::string_view rest = shown; !rest.empty();) {
+    const std::size_t plain = std::min(rest.find_first_of("&<>\"'"), rest.size());
+    out += rest.substr(0, plain);
+    rest.remove_prefix(plain);
+    if (rest.empty()) break;
+    switch (rest.front()) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      default: out += "&#39;";
     }
+    rest.remove_prefix(1);
   }
   return out;
 }
@@ -77,18 +86,19 @@ std::string escaped(std::string_view text) {
 std::string base64(std::string_view bytes) {
   static constexpr char digits[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
+  std::string out((bytes.size() + 2) / 3 * 4, '=');
+  std::size_t at = 0;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t rest = bytes.size() - i;
     const auto byte = [&](std::size_t k) -> std::uint32_t {
       return k < rest ? static_cast<unsigned char>(bytes[i + k]) : 0U;
     };
     const std::uint32_t group = (byte(0) << 16U) | (byte(1) << 8U) | byte(2);
-    out += digits[(group >> 18U) & 63U];
-    out += digits[(group >> 12U) & 63U];
-    out += rest > 1 ? digits[(group >> 6U) & 63U] : '=';
-    out += rest > 2 ? digits[group & 63U] : '=';
+    out[at] = digits[(group >> 18U) & 63U];
+    out[at + 1] = digits[(group >> 12U) & 63U];
+    if (rest > 1) out[at + 2] = digits[(group >> 6U) & 63U];
+    if (rest > 2) out[at + 3] = digits[group & 63U];
+    at += 4;
   }
   return out;
 }

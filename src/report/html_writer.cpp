@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <type_traits>
 
 #include "boxbeam/report/formula.hpp"
 #include "html_cycle.hpp"
@@ -160,50 +159,69 @@ class Writer {
 
   /// `named`: every cell says of what it is, for where there is no room for a header.
   void write(const Table& table, bool named = false) {
-    const bool folded = table.rows.size() > rows_shown;
     const std::string caption = escaped(table.caption);
+    const std::string name = caption.empty() ? "Table" : caption;
+    const bool folded = table.rows.size() > rows_shown;
     if (folded) {
-      out_ += fmt::format("<details>\n<summary>{} <span>{} rows</span></summary>\n",
-                          caption.empty() ? "Table" : caption, table.rows.size());
+      out_ += fmt::format("<details>\n<summary>{} <span>{} rows</span></summary>\n", name,
+                          table.rows.size());
+    } else if (!caption.empty()) {
+      out_ += fmt::format("<p class=\"caption\">{}</p>\n", caption);
     }
-    out_ += fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n",
-                        caption.empty() ? "Table" : caption);
-    out_ += "<table class=\"data\">\n";
-    if (!caption.empty() && !folded) out_ += fmt::format("<caption>{}</caption>\n", caption);
-    std::vector<const char*> side(table.header.size(), "");
-    for (std::size_t c = 0; c < side.size(); ++c) {
-      if (holds_numbers(table, c)) side[c] = " class=\"right\"";
-    }
-    out_ += "<thead><tr>";
-    if (!table.marks.empty()) out_ += "<th scope=\"col\">result</th>";
-    for (std::size_t c = 0; c < side.size(); ++c) {
-      out_ += fmt::format("<th scope=\"col\"{}>{}</th>", side[c], escaped(table.header[c]));
+    out_ += fmt::format(
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\">\n"
+        "<table class=\"data\" aria-label=\"{0}\">\n<thead><tr>",
+        name);
+    const Columns columns = columns_of(table);
+    if (columns.with_marks) out_ += "<th scope=\"col\">result</th>";
+    for (std::size_t c = 0; c < table.header.size(); ++c) {
+      out_ += fmt::format("<th scope=\"col\"{}>{}</th>", columns.side[c], escaped(table.header[c]));
     }
     out_ += "</tr></thead>\n<tbody>\n";
-    for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, side, named);
+    for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, columns, named);
     out_ += "</tbody>\n</table>\n</div>\n";
     if (folded) out_ += "</details>\n";
   }
 
-  void row(const Table& table, std::size_t r, const std::vector<const char*>& side, bool named) {
+  struct Columns {
+    std::vector<const char*> side;  ///< class of every one
+    std::size_t heading = 0;        ///< that says what a row is of
+    bool with_marks = false;        ///< marks have a column of their own
+  };
+
+  /// Where a column holds the words of the marks, they stand there.
+  static Columns columns_of(const Table& table) {
+    Columns columns;
+    for (std::size_t c = 0; c < table.header.size(); ++c) {
+      columns.side.push_back(holds_numbers(table, c) ? " class=\"right\"" : "");
+    }
+    if (table.rows.empty() || table.marks.empty()) return columns;
+    columns.with_marks = table.rows[0][0].text != words_of(table.marks[0]).words;
+    columns.heading = columns.with_marks ? 0 : 1;
+    return columns;
+  }
+
+  void row(const Table& table, std::size_t r, const Columns& columns, bool named) {
     const Mark mark = table.marks.empty() ? Mark::none : table.marks[r];
-    out_ += mark == Mark::none ? "<tr>" : fmt::format("<tr class=\"{}\">", words_of(mark).style);
-    if (!table.marks.empty()) out_ += fmt::format("<td>{}</td>", badge(mark));
+    out_ += "<tr>";
+    if (columns.with_marks) out_ += fmt::format("<td>{}</td>", badge(mark));
     const auto sheet = table.sheets.empty() ? sheets_.end() : sheets_.find(table.sheets[r]);
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
       const Cell& cell = table.rows[r][c];
-      const char* element = c == 0 ? "th" : "td";
-      out_ += fmt::format("<{}{}{}", element, c == 0 ? " scope=\"row\"" : "", side[c]);
+      const bool heads = c == columns.heading;
+      out_ += fmt::format("<{}{}", heads ? "th scope=\"row\"" : "td", columns.side[c]);
       if (cell.value && std::isfinite(*cell.value)) {
         out_ += fmt::format(" data-value=\"{}\"", *cell.value);
       }
       if (named) out_ += fmt::format(" data-label=\"{}\"", escaped(table.header[c]));
-      const std::string text = escaped(cell.text);
-      if (c == 0 && sheet != sheets_.end()) {
-        out_ += fmt::format("><a href=\"#sheet-{}\">{}</a></{}>", sheet->second, text, element);
+      const bool marked = mark != Mark::none && cell.text == words_of(mark).words;
+      const std::string text = marked ? badge(mark) : escaped(cell.text);
+      if (heads && sheet != sheets_.end()) {
+        out_ += fmt::format("><a href=\"#sheet-{}\">{}</a>", sheet->second, text);
       } else {
-        out_ += fmt::format(">{}</{}>", text, element);
+        out_ += ">" + text;
       }
+      out_ += heads ? "</th>" : "</td>";
     }
     out_ += "</tr>\n";
   }
@@ -212,10 +230,13 @@ class Writer {
     const std::optional<std::string> svg = pictures_(picture.name);
     if (!svg) return;
     ++figures_;
-    out_ += fmt::format(
-        "<figure id=\"figure-{0}\">\n<img alt=\"{1}\" src=\"data:image/svg+xml;base64,{2}\"/>\n"
-        "<figcaption><b>Figure {0}.</b> {1}</figcaption>\n</figure>\n",
-        figures_, escaped(picture.caption), html::base64(*svg));
+    const std::string caption = escaped(picture.caption);
+    out_ +=
+        fmt::format("<figure id=\"figure-{}\">\n<img alt=\"{}\" src=\"data:image/svg+xml;base64,",
+                    figures_, caption);
+    out_ += html::base64(*svg);  // too large to be formatted
+    out_ += fmt::format("\"/>\n<figcaption><b>Figure {}.</b> {}</figcaption>\n</figure>\n",
+                        figures_, caption);
   }
 
   void write(const MovingPicture& picture) {
@@ -238,26 +259,20 @@ class Writer {
   }
 
   void write(const Step& step) {
-    const auto math = [](const std::string& formula) {
-      return fmt::format("<math>{}</math>", mathml_of_formula(formula));
-    };
-    std::string notes;
-    for (const std::string& note : step.notes) {
-      notes += fmt::format("<span class=\"note\">{}</span>", escaped(note));
-    }
-    const std::size_t lines = std::max<std::size_t>(1, step.formulas.size());
-    for (std::size_t i = 0; i < lines; ++i) {
-      const bool first = i == 0;
-      out_ += first ? "<tr class=\"first\">" : "<tr>";
-      out_ += fmt::format("<th scope=\"row\">{}</th>", first ? math(step.symbol) : "");
-      if (i < step.formulas.size()) {
-        out_ += fmt::format("<td class=\"sign\">=</td><td>{}</td>", math(step.formulas[i]));
-      } else {
-        out_ += "<td></td><td></td>";
+    out_ += fmt::format("<tr><th scope=\"row\"><math>{}</math></th><td class=\"chain\">",
+                        mathml_of_formula(step.symbol));
+    for (const std::string& formula : step.formulas) {
+      out_ += "<span>";
+      const char* equals = "<mo form=\"infix\">=</mo>";
+      for (const std::string& piece : mathml_pieces_of_formula(formula)) {
+        out_ += fmt::format("<math displaystyle=\"true\">{}<mrow>{}</mrow></math> ", equals, piece);
+        equals = "";
       }
-      if (first) out_ += fmt::format("<td rowspan=\"{}\">{}</td>", lines, notes);
-      out_ += "</tr>\n";
+      out_ += "</span> ";
     }
+    out_ += "</td><td class=\"notes\">";
+    for (const std::string& note : step.notes) out_ += fmt::format("<p>{}</p>", escaped(note));
+    out_ += "</td></tr>\n";
   }
 
   /// The result with a bar from 0 to 200 %, whose middle is the limit.

@@ -56,18 +56,25 @@ std::string facts(const Facts& facts) {
 
 std::string step(const Step& step) {
   std::string out = fmt::format("\\symbolof{{{}}}\n", latex_of_formula(step.symbol));
-  for (std::size_t i = 0; i < step.formulas.size(); ++i) {
-    if (i > 0) out += "\\nextformula";
-    out += fmt::format("\\formula{{{}}}\n", latex_of_formula(step.formulas[i]));
-  }
   if (step.formulas.empty()) out += "\\noindent\\box4\\par\n";
-  for (const std::string& note : step.notes) out += fmt::format("\\note{{{}}}\n", running(note));
+  std::size_t noted = 0;
+  for (std::size_t i = 0; i < step.formulas.size(); ++i) {
+    const std::string formula = latex_of_formula(step.formulas[i]);
+    if (i > 0) out += "\\nextformula";
+    if (i + 1 == step.formulas.size() && !step.notes.empty()) {
+      out += fmt::format("\\notedformula{{{}}}{{{}}}\n", formula, running(step.notes[noted++]));
+    } else {
+      out += fmt::format("\\formula{{{}}}\n", formula);
+    }
+  }
+  for (; noted < step.notes.size(); ++noted)
+    out += fmt::format("\\note{{{}}}\n", running(step.notes[noted]));
   return out;
 }
 
-/// Length of the bar of a utilisation; 40 mm are 100 %, and no bar is longer than 60 mm.
+/// Length of the bar of a utilisation [mm]; 34 are 100 %, and no bar is longer than 51.
 double bar_length(double utilisation) {
-  return std::isfinite(utilisation) ? std::clamp(40 * utilisation, 0.0, 60.0) : 60.0;
+  return std::isfinite(utilisation) ? std::clamp(34 * utilisation, 0.0, 51.0) : 51.0;
 }
 
 std::string block(const Paragraph& paragraph) { return running(paragraph.text) + "\\par\n"; }

@@ -8,8 +8,8 @@
 
 namespace boxbeam::plot {
 
-std::string draw_bodies(Script& gp, const PostureFigure& posture, const View& view,
-                        const Ink& ink) {
+std::vector<std::string> draw_bodies(Script& gp, const PostureFigure& posture, const View& view,
+                                     const Ink& ink) {
   std::vector<std::string> plots;
   const auto strokes = [&](const std::string& name, const std::vector<PostureFigure::Stroke>& lines,
                            const std::string& style) {
@@ -38,86 +38,137 @@ std::string draw_bodies(Script& gp, const PostureFigure& posture, const View& vi
     guides.push_back(
         {guide.from - ink.guide_length * guide.to, guide.from + ink.guide_length * guide.to});
   }
-  strokes(ink.prefix + "_guides", guides, "lw 1 dt 3");
-  strokes(ink.prefix + "_rods", posture.rods, "lw 2 dt 2");
+  strokes(ink.prefix + "_guides", guides, "lw 0.9 dt (2,3)");
+  strokes(ink.prefix + "_rods", posture.rods, "lw 1.6 dt (5,3)");
   for (std::size_t b = 0; b < posture.bodies.size(); ++b) {
     const auto& body = posture.bodies[b];
     const std::string name = fmt::format("{}_{}", ink.prefix, b);
     if (body.beam) {
-      strokes(name + "_axis", body.strokes, "lw 5");
-      points(name, body.points, "points pt 7 ps 0.6", ink.colour);
+      strokes(name + "_axis", body.strokes, "lw 4");
+      points(name, body.points, "points pt 7 ps 0.5", ink.colour);
     } else if (body.points.size() == 1) {
-      points(name, body.points, "points pt 5 ps 1.6", ink.colour);
+      points(name, body.points, "points pt 5 ps 1.1", ink.colour);
     } else if (!body.strokes.empty()) {
-      strokes(name + "_lines", body.strokes, "lw 2");
+      strokes(name + "_lines", body.strokes, "lw 1.6");
       points(name, body.points, "points pt 7 ps 0.5", ink.colour);
     } else {
-      points(name, body.points, "linespoints lw 2 pt 7 ps 0.5", ink.colour);
+      points(name, body.points, "linespoints lw 1.6 pt 7 ps 0.5", ink.colour);
     }
   }
-  points(ink.prefix + "_grounds", posture.grounds, "points pt 9 ps 1.2", "#505050");
-  return fmt::format("{}", fmt::join(plots, ", "));
+  points(ink.prefix + "_grounds", posture.grounds, "points pt 9 ps 1.1", "#505050");
+  return plots;
 }
 
-void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
-                double metres_per_newton, bool with_size) {
+std::vector<std::string> draw_traces(Script& gp, const Verification& verification, const View& view,
+                                     const std::string& prefix) {
+  std::vector<std::string> plots;
+  if (!verification.cycle) return plots;
+  const std::vector<CycleFrame>& frames = verification.cycle->frames;
+  const bool closed = verification.motions.front().closed;
+  for (std::size_t b = 0; b < frames.front().posture.bodies.size(); ++b) {
+    for (std::size_t k = 0; k < frames.front().posture.bodies[b].points.size(); ++k) {
+      std::vector<Row2> rows;
+      for (std::size_t i = 0; i < frames.size() + (closed ? 1 : 0); ++i) {
+        const Eigen::Vector3d& place = frames[i % frames.size()].posture.bodies[b].points[k];
+        rows.emplace_back(place[view.across], place[view.up]);
+      }
+      const std::string name = fmt::format("{}_{}_{}", prefix, b, k);
+      gp.block(name, rows);
+      plots.push_back(fmt::format("${} using 1:2 with lines lw 0.6 lc rgb '#9a9a9a'", name));
+    }
+  }
+  return plots;
+}
+
+namespace {
+
+Eigen::Vector2d seen(const Eigen::Vector3d& v, const View& view) {
+  return {v[view.across], v[view.up]};
+}
+
+Pixel pixel_of(const Panel& panel, const Eigen::Vector3d& place, const View& view) {
+  return panel.at(place[view.across], place[view.up]);
+}
+
+}  // namespace
+
+void keep_off_bodies(Labels& labels, const Panel& panel, const PostureFigure& posture,
+                     const View& view) {
+  const auto line = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    labels.keep_off(pixel_of(panel, from, view), pixel_of(panel, to, view));
+  };
+  for (const auto& body : posture.bodies) {
+    for (const PostureFigure::Stroke& stroke : body.strokes) line(stroke.from, stroke.to);
+    if (!body.strokes.empty()) continue;
+    for (std::size_t k = 1; k < body.points.size(); ++k) line(body.points[k - 1], body.points[k]);
+  }
+  for (const PostureFigure::Stroke& rod : posture.rods) line(rod.from, rod.to);
+  for (const auto& body : posture.bodies) {
+    if (body.points.size() != 1) continue;
+    const Pixel at = pixel_of(panel, body.points.front(), view);
+    labels.keep_free({at.x() - 6.0, at.y() - 6.0, at.x() + 6.0, at.y() + 6.0});
+  }
+}
+
+void draw_loads(Script& gp, Labels& labels, const Panel& panel, const PostureFigure& posture,
+                const View& view, double pixels_per_newton, bool with_size) {
   constexpr const char* ink = "#202020";
-  int number = 0;
   double longest = 0.0;
   for (const BeamLoadRow& row : posture.loads) longest = std::max(longest, row.world.norm());
-  const auto seen = [&](const Eigen::Vector3d& v) {
-    return Eigen::Vector2d(v[view.across], v[view.up]);
+  struct Arrow {
+    const BeamLoadRow* load;
+    Pixel tail;
   };
-  std::vector<std::pair<const BeamLoadRow*, Eigen::Vector2d>> tails;
+  std::vector<Arrow> arrows;
   for (const BeamLoadRow& row : posture.loads) {
-    const double length = seen(row.world).norm();
-    if (length < 0.05 * longest && length < 0.3 * row.world.norm()) continue;
-    tails.emplace_back(&row, seen(row.place) - metres_per_newton * seen(row.world));
+    const Eigen::Vector2d force = seen(row.world, view);
+    if (force.norm() < 0.05 * longest && force.norm() < 0.3 * row.world.norm()) continue;
+    const Pixel tip = pixel_of(panel, row.place, view);
+    const Pixel tail = tip - pixels_per_newton * force;
+    arrows.push_back({&row, tail});
+    labels.keep_off(tail, tip);
+    put_arrow(gp, tail, tip,
+              fmt::format("lw 1.6 lc rgb '{}' front size screen 0.012,20 filled", ink));
   }
-  for (const auto& [load, tail] : tails) {
-    const BeamLoadRow& row = *load;
-    const Eigen::Vector2d force = seen(row.world);
-    const Eigen::Vector2d place = seen(row.place);
-    const bool from_left = force.x() > 0.0;
-    ++number;
+  for (const auto& [row, tail] : arrows) {
     const std::string name =
-        row.name.empty() ? fmt::format("s = {} m", text::significant(row.s.value(), 3)) : row.name;
-    gp << "set arrow " << number << " from " << tail.x() << "," << tail.y() << " to " << place.x()
-       << "," << place.y() << " lw 2 lc rgb '" << ink << "' front\n";
-    gp << "set label " << number << " "
-       << quoted(with_size ? name + "  " + text::kN(row.world.norm()) : name) << " at " << tail.x()
-       << "," << tail.y();
-    if (with_size) {
-      gp << (from_left ? " right offset -0.3,0.9" : " left offset 0.3,0.9");
-    } else {
-      // Beyond the tail, where the arrow itself is not in the way; beside another name apart from
-      // it.
-      const Eigen::Vector2d back = -force.normalized();
-      const char* side = " center";
-      for (const auto& [other, other_tail] : tails) {
-        const Eigen::Vector2d apart = (tail - other_tail) / (metres_per_newton * longest);
-        if (other == &row || std::abs(apart.x()) > 0.8 || std::abs(apart.y()) > 0.6) continue;
-        side = apart.x() < 0.0 || (apart.x() == 0.0 && &row < other) ? " right" : " left";
-      }
-      gp << side << " offset " << 3.2 * back.x() << "," << 0.9 * back.y();
-    }
-    gp << " tc rgb '" << ink << "' front noenhanced\n";
+        fitted(row->name.empty() ? fmt::format("s = {} m", text::significant(row->s.value(), 3))
+                                 : row->name,
+               90.0);
+    const std::string label = with_size ? name + "  " + text::kN(row->world.norm()) : name;
+    labels.put(gp, label, tail, panel.frame, ink, 4.0);
   }
 }
 
-Extent extent_of(const std::vector<PostureFigure>& postures) {
-  Extent extent;
-  const auto take = [&](const Eigen::Vector3d& point) {
-    extent.low = extent.low.cwiseMin(point);
-    extent.high = extent.high.cwiseMax(point);
-  };
-  for (const PostureFigure& posture : postures) {
-    for (const auto& body : posture.bodies) {
-      for (const Eigen::Vector3d& point : body.points) take(point);
+void Extents::take(const Eigen::Vector3d& point) {
+  low = low.cwiseMin(point);
+  high = high.cwiseMax(point);
+}
+
+void Extents::take(const PostureFigure& posture) {
+  for (const auto& body : posture.bodies) {
+    for (const Eigen::Vector3d& point : body.points) take(point);
+    for (const PostureFigure::Stroke& stroke : body.strokes) {
+      take(stroke.from);
+      take(stroke.to);
     }
-    for (const Eigen::Vector3d& place : posture.grounds) take(place);
   }
-  return extent;
+  for (const Eigen::Vector3d& place : posture.grounds) take(place);
+}
+
+Extents extents_of(const Verification& verification) {
+  Extents extents;
+  for (const PostureFigure& posture : verification.postures) extents.take(posture);
+  if (verification.cycle) {
+    for (const CycleFrame& frame : verification.cycle->frames) extents.take(frame.posture);
+  }
+  return extents;
+}
+
+Panel panel_to_scale(const Frame& frame, double metres_per_pixel, double across, double up) {
+  const double half_width = 0.5 * metres_per_pixel * (frame.right - frame.left);
+  const double half_height = 0.5 * metres_per_pixel * (frame.top - frame.bottom);
+  return {frame, across - half_width, across + half_width, up - half_height, up + half_height};
 }
 
 }  // namespace boxbeam::plot

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plot_script.hpp"
+#include "canvas.hpp"
 
 /// A mechanism's posture as lines and blocks, seen along an axis of the world.
 namespace boxbeam::plot {
@@ -18,21 +18,39 @@ struct Ink {
   double guide_length = 0.0;  ///< half of what is shown of a slider's line or an axis [m]
 };
 
-/// Bodies of one posture as lines and blocks, with rods, guides and bearings; returns the plot
-/// commands.
-std::string draw_bodies(Script& gp, const PostureFigure& posture, const View& view, const Ink& ink);
+/// Bodies of one posture as lines and blocks, with rods, guides and bearings: plot commands.
+std::vector<std::string> draw_bodies(Script& gp, const PostureFigure& posture, const View& view,
+                                     const Ink& ink);
+
+/// The paths of the bodies' points over a cycle as thin lines: plot commands, none where no cycle
+/// is known.
+std::vector<std::string> draw_traces(Script& gp, const Verification& verification, const View& view,
+                                     const std::string& prefix);
+
+/// What labels had better not cross.
+void keep_off_bodies(Labels& labels, const Panel& panel, const PostureFigure& posture,
+                     const View& view);
 
 /// The loads of a posture as arrows that end where they act, with their names, and with their sizes
 /// where asked for; those that the view sees from their tip are left out.
-void draw_loads(Script& gp, const PostureFigure& posture, const View& view,
-                double metres_per_newton, bool with_size);
+void draw_loads(Script& gp, Labels& labels, const Panel& panel, const PostureFigure& posture,
+                const View& view, double pixels_per_newton, bool with_size);
 
-/// The corners of all postures [m].
-struct Extent {
+/// The corners of postures [m].
+struct Extents {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
   Eigen::Vector3d high = Eigen::Vector3d::Constant(-1e300);
+
+  void take(const Eigen::Vector3d& point);
+  void take(const PostureFigure& posture);
+  Eigen::Vector3d middle() const { return 0.5 * (low + high); }
+  Eigen::Vector3d size() const { return high - low; }
 };
 
-Extent extent_of(const std::vector<PostureFigure>& postures);
+/// The corners of all that is drawn of the mechanism: its postures, and its cycle.
+Extents extents_of(const Verification& verification);
+
+/// Axes of a drawing to scale, of so many metres per pixel, about a place in the middle.
+Panel panel_to_scale(const Frame& frame, double metres_per_pixel, double across, double up);
 
 }  // namespace boxbeam::plot

@@ -7,34 +7,45 @@
 namespace boxbeam::plot {
 
 void modes(Script& gp, const Project&, const Verification& verification) {
+  constexpr double left_of_frame = 44.0, above_frame = 26.0, below_frame = footing_room,
+                   foot = 22.0;
   const ElasticFigures& figures = *verification.elastic;
   const auto count = static_cast<int>(figures.modes.size());
-  std::vector<PostureFigure> drawn = figures.modes;
-  drawn.push_back(figures.rest);
-  const Extent extent = extent_of(drawn);
-  const Eigen::Vector3d size = extent.high - extent.low;
-  const double margin = 0.08 * size.maxCoeff();
+  Extents extents;
+  for (const PostureFigure& mode : figures.modes) extents.take(mode);
+  extents.take(figures.rest);
   const int columns = std::min(2, count);
   const int rows = (count + columns - 1) / columns;
-  const double aspect = (size.y() + 2.0 * margin) / (size.x() + 2.0 * margin);
-  constexpr int width = 500;
-  const int height = std::clamp(static_cast<int>(430.0 * aspect), 140, 600) + 70;
-  gp.begin("modes", width * columns, 50 + height * rows);
-  gp << "set multiplot layout " << rows << "," << columns
-     << " title 'Natural modes of the mechanism; grey: without load'\n"
-     << "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nunset key\n"
-     << "set xrange [" << extent.low.x() - margin << ":" << extent.high.x() + margin << "]\n"
-     << "set yrange [" << extent.low.y() - margin << ":" << extent.high.y() + margin << "]\n";
+  const double width = (figure_width - 8.0) / columns - left_of_frame - 8.0;
+  const double most = std::min(360.0, 730.0 / rows - above_frame - below_frame);
+  constexpr double margin = 14.0;
+  const double metres_per_pixel = std::max(extents.size().x() / (width - 2.0 * margin),
+                                           extents.size().y() / (most - 2.0 * margin));
+  const double height =
+      std::clamp(extents.size().y() / metres_per_pixel + 2.0 * margin, 60.0, most);
+  const double step = height + above_frame + below_frame;
+  gp.begin("modes", foot + rows * step);
+  put_text(gp, "grey: without load;  how far a mode moves has no scale",
+           {0.5 * gp.width(), 0.5 * foot}, "center", "#505050");
   for (int k = 0; k < count; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    const std::string rest =
-        draw_bodies(gp, figures.rest, View{}, {fmt::format("rest{}", k), "#c4c4c4", margin});
-    const std::string mode = draw_bodies(gp, figures.modes[index], View{},
-                                         {fmt::format("mode{}", k), colour(index), margin});
-    gp << "set title " << quoted(fmt::format("{}: {}", k + 1, figures.modes[index].why))
-       << "\nplot " << rest << ", " << mode << "\n";
+    const double left = left_of_frame + (k % columns) * (width + left_of_frame + 8.0);
+    const double top = gp.height() - above_frame - (k / columns) * step;
+    const Panel panel = panel_to_scale({left, top - height, left + width, top}, metres_per_pixel,
+                                       extents.middle().x(), extents.middle().y());
+    place(gp, panel);
+    put_footing(gp, panel, "x [m]");
+    put_text(gp, fmt::format("y [m]   mode {}: {}", k + 1, figures.modes[index].why),
+             {left - 30.0, top + 13.0});
+    std::vector<std::string> curves = draw_bodies(
+        gp, figures.rest, View{}, {fmt::format("rest{}", k), "#c4c4c4", margin * metres_per_pixel});
+    for (std::string& curve :
+         draw_bodies(gp, figures.modes[index], View{},
+                     {fmt::format("mode{}", k), colour(index), margin * metres_per_pixel})) {
+      curves.push_back(std::move(curve));
+    }
+    gp.plot(curves);
   }
-  gp << "unset multiplot\n";
 }
 
 }  // namespace boxbeam::plot

@@ -4,7 +4,6 @@
 
 #include <gnuplot-iostream.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -36,20 +35,50 @@ struct Script::Pipe {
 
 Script::Script(const std::string& path)
     : pipe_(std::unique_ptr<Pipe>(new Pipe{Gnuplot(opened(path))})) {}
-Script::~Script() = default;
+
+Script::~Script() {
+  if (height_ > 0.0) out() << "unset multiplot\n";
+}
 
 std::ostream& Script::out() { return pipe_->gp; }
 
-void Script::begin(const std::string& name, int width, int height) {
-  out() << std::setprecision(9) << "# Redraw with: gnuplot " << name << ".gp\n"
-        << "set terminal svg size " << width << "," << height
-        << " dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'\n"
-        << "set output '" << name << ".svg'\n"
+void Script::begin(const std::string& name, double height) {
+  height_ = height;
+  // The text of a page of A4 is so wide [in].
+  constexpr double page = 6.5;
+  constexpr double scale = page / figure_width;
+  // Letters of 10 pt, as high as those of 9 pt in the other font: pdfcairo draws a third more than
+  // is asked for.
+  out() << std::setprecision(9)
+        << fmt::format(
+               "# Redraw in the folder above: gnuplot plots/{0}.gp; as PDF: gnuplot -e 'pdf = 1' "
+               "plots/{0}.gp\n"
+               "if (!exists('pdf')) pdf = 0\n"
+               "if (pdf) {{\n"
+               "  set terminal pdfcairo size {1:.4f},{2:.4f} enhanced font 'Latin Modern "
+               "Sans,{3:g}' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded\n"
+               "  set output '{0}.pdf'\n"
+               "}} else {{\n"
+               "  set terminal svg size {4:g},{5:g} dynamic enhanced font 'DejaVu Sans,12' "
+               "background '#ffffff' rounded\n"
+               "  set output '{0}.svg'\n"
+               "}}\n",
+               name, page, height * scale, 7.5, figure_width, height)
         << "set encoding utf8\n"
-        << "set border 3 lc rgb '#505050'\n"
-        << "set tics out nomirror\n"
-        << "set grid lc rgb '#e2e2e2' lw 0.7 lt 1\n"
-        << "set key noenhanced samplen 2.5 spacing 1.2\n";
+           "set border 3 lc rgb '#606060'\n"
+           "set tics out nomirror scale 0.5\n"
+           "set xtics offset 0,0.4\n"
+           "set grid lc rgb '#e4e4e4' lw 0.7 lt 1\n"
+           "unset key\n"
+           "set multiplot\n";
+}
+
+void Script::plot(const std::vector<std::string>& curves) {
+  out() << "plot ";
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    out() << (i == 0 ? "" : ", ") << curves[i] << " notitle";
+  }
+  out() << "\nunset label\nunset arrow\nunset object\n";
 }
 
 void Script::block(const std::string& name, const std::vector<Row2>& rows) {
@@ -63,44 +92,19 @@ void Script::block(const std::string& name, const std::vector<Row4>& rows) {
 }
 
 const char* colour(std::size_t i) {
-  static constexpr const char* colours[] = {"#1f5fa8", "#c8551b", "#3f8f4f",
-                                            "#7a4fa0", "#8a6d1d", "#4a4a4a"};
+  static constexpr const char* colours[] = {"#0b5fa5", "#c8500a", "#00785a",
+                                            "#a04f86", "#8a6d00", "#4a4a4a"};
   return colours[i % std::size(colours)];
 }
 
-namespace {
-
-/// Entries that stand beside each other, and the width of one [pixel].
-std::pair<std::size_t, int> columns_of(const std::vector<LegendEntry>& entries, int width) {
-  std::size_t longest = 1;
-  for (const LegendEntry& entry : entries) longest = std::max(longest, entry.title.size());
-  const int one = 62 + static_cast<int>(8 * longest);
-  const auto fit = static_cast<std::size_t>(std::max(1, (width - 40) / one));
-  return {std::min(fit, entries.size()), one};
+const char* dashes(std::size_t i) {
+  static constexpr const char* patterns[] = {"1", "(9,4)", "(3,3)", "(9,3,2,3)", "(14,4)", "(2,5)"};
+  return patterns[i % std::size(patterns)];
 }
 
-}  // namespace
-
-void draw_legend(Script& gp, const std::vector<LegendEntry>& entries, int width, int height,
-                 int above) {
-  constexpr int row_height = 20;
-  const auto [columns, one] = columns_of(entries, width);
-  const std::size_t rows = rows_of_legend(entries, width);
-  const double left = 0.5 * (width - one * static_cast<int>(columns));
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::size_t row = i / columns;
-    const double x = left + one * static_cast<double>(i % columns);
-    const double y = above + row_height * static_cast<double>(rows - 1 - row);
-    gp << "set arrow " << 500 + i << " from screen " << x / width << "," << y / height
-       << " to screen " << (x + 34.0) / width << "," << y / height << " nohead " << entries[i].style
-       << "\nset label " << 500 + i << " " << quoted(entries[i].title) << " at screen "
-       << (x + 42.0) / width << "," << y / height << " left noenhanced\n";
-  }
-}
-
-std::size_t rows_of_legend(const std::vector<LegendEntry>& entries, int width) {
-  const std::size_t columns = std::max<std::size_t>(1, columns_of(entries, width).first);
-  return (entries.size() + columns - 1) / columns;
+std::string line_style(std::size_t i, double width) {
+  // Where colours begin anew, dashes differ.
+  return fmt::format("lw {} dt {} lc rgb '{}'", width, dashes(i + i / 6), colour(i));
 }
 
 std::string axis_title(const CutForceName& name) {
@@ -113,8 +117,11 @@ std::string axis_title(const CutForceName& name) {
 
 std::string quoted(const std::string& text) {
   std::string out = "'";
-  for (const char c : text)
-    out += c == '\'' ? std::string("''") : (c == '\n' ? " " : std::string(1, c));
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    if (c == '\'') out += '\'';
+    out += control ? ' ' : c;
+  }
   return out + "'";
 }
 

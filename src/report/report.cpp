@@ -24,21 +24,6 @@ Mark mark_of(Verdict verdict) {
   return Mark::none;
 }
 
-/// What draw_figures draws.
-std::vector<std::string> drawn(const Project& project, const Verification& verification) {
-  std::vector<std::string> names{"mechanism", "cut-forces"};
-  if (verification.elastic) {
-    names.emplace_back("modes");
-    if (!verification.elastic->over_period.at.empty()) {
-      names.insert(names.end(), {"frequency-response", "joint-forces", "sudden-start"});
-    }
-  }
-  if (verification.loads_over_time) names.emplace_back("loads");
-  if (project.given_stresses.empty()) names.emplace_back("stress");
-  if (verification.sn) names.emplace_back("sn");
-  return names;
-}
-
 report::Facts title_facts(const Project& project, const Verification& verification) {
   report::Facts facts;
   facts.entries.emplace_back("file", project.path);
@@ -96,7 +81,7 @@ std::string report::verdict_text(Verdict verdict) {
 
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level) {
-  const Source source{project, verification, level, drawn(project, verification)};
+  const Source source{project, verification, level, figures_of(project, verification)};
   Document document;
   document.title = project.name;
   document.subtitle = project.title;

@@ -4,82 +4,53 @@
 #include <cmath>
 
 #include "boxbeam/report/format.hpp"
-#include "plot_script.hpp"
+#include "canvas.hpp"
 
 namespace boxbeam::plot {
 namespace {
 
-/// More joints than colours go on with dashes.
-std::string joint_style(std::size_t joint) {
-  constexpr std::size_t colours = 6;
-  return fmt::format("lw 1.6 dt {} lc rgb '{}'", joint < colours ? 1 : 2, colour(joint));
-}
-
-std::vector<LegendEntry> joint_legend(const JointLines& lines) {
-  std::vector<LegendEntry> legend;
-  for (std::size_t j = 0; j < lines.names.size(); ++j) {
-    legend.push_back({lines.names[j], joint_style(j)});
+std::vector<Row2> rows_of(const JointLines& lines, std::size_t joint, double scale) {
+  std::vector<Row2> rows;
+  for (std::size_t i = 0; i < lines.at.size(); ++i) {
+    rows.emplace_back(scale * lines.at[i], 1e-3 * lines.force[joint][i]);
   }
-  return legend;
-}
-
-void send_lines(Script& gp, const JointLines& lines, double scale, const std::string& prefix) {
-  for (std::size_t j = 0; j < lines.names.size(); ++j) {
-    std::vector<Row2> rows;
-    for (std::size_t i = 0; i < lines.at.size(); ++i) {
-      rows.emplace_back(scale * lines.at[i], 1e-3 * lines.force[j][i]);
-    }
-    gp.block(fmt::format("{}{}", prefix, j), rows);
-  }
-}
-
-std::string all_lines(const JointLines& lines, const std::string& prefix) {
-  std::string plot;
-  for (std::size_t j = 0; j < lines.names.size(); ++j) {
-    plot += fmt::format("{}${}{} using 1:2 with lines {} notitle", j > 0 ? ", " : "", prefix, j,
-                        joint_style(j));
-  }
-  return plot;
-}
-
-/// 1, 2 or 5 times a power of ten: a step that divides a span into three or more.
-double tic_step(double span) {
-  if (!(span > 0.0)) return 1.0;
-  const double third = span / 3.0;
-  const double power = std::pow(10.0, std::floor(std::log10(third)));
-  for (const double digit : {5.0, 2.0}) {
-    if (digit * power <= third) return digit * power;
-  }
-  return power;
+  return rows;
 }
 
 /// One panel for every joint, two beside each other.
-void panels(Script& gp, const std::string& name, const std::string& title, const JointLines& lines,
+void panels(Script& gp, const std::string& name, const JointLines& lines,
             const std::string& abscissa, double scale) {
-  const auto count = static_cast<int>(lines.names.size());
-  const int rows = (count + 1) / 2;
-  const int height = 130 + 150 * rows;
-  gp.begin(name, 1000, height);
-  send_lines(gp, lines, scale, "joint");
-  gp << "set multiplot layout " << rows << ",2 margins 0.06,0.98," << 70.0 / height << ","
-     << 1.0 - 60.0 / height << " spacing 0.07," << 32.0 / height << " title " << quoted(title)
-     << " noenhanced\n"
-     << "set xrange [0:" << scale * lines.at.back() << "]\nunset key\n"
-     << "set offsets 0,0,graph 0.25,graph 0.05\n";
-  for (int j = 0; j < count; ++j) {
-    const auto index = static_cast<std::size_t>(j);
+  constexpr double height = 84.0, above = 24.0, foot = footing_room;
+  const std::size_t count = lines.names.size();
+  const std::size_t rows = (count + 1) / 2;
+  const double step = height + above;
+  gp.begin(name, foot + step * static_cast<double>(rows) + 6.0);
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::vector<Row2> line = rows_of(lines, j, scale);
+    const auto lower = [](const Row2& a, const Row2& b) { return std::get<1>(a) < std::get<1>(b); };
+    const auto [low, high] = std::minmax_element(line.begin(), line.end(), lower);
+    const double span =
+        std::max(std::get<1>(*high) - std::get<1>(*low), std::max(1e-3 * std::get<1>(*high), 1e-9));
+    const double left = j % 2 == 0 ? 56.0 : 366.0;
+    const double top = gp.height() - above - step * static_cast<double>(j / 2) - 2.0;
+    const Panel panel{{left, top - height, left + 242.0, top},
+                      std::get<0>(line.front()),
+                      std::get<0>(line.back()),
+                      std::get<1>(*low) - 0.1 * span,
+                      std::get<1>(*high) + 0.3 * span};
     const bool lowest = j + 2 >= count;
-    const auto [low, high] =
-        std::minmax_element(lines.force[index].begin(), lines.force[index].end());
-    gp << "set format x '" << (lowest ? "%g" : "") << "'\n"
-       << (lowest ? "set xlabel " + quoted(abscissa) : std::string("unset xlabel")) << "\n"
-       << "set ytics " << tic_step(1e-3 * (*high - *low)) << "\n"
-       << "set label 1 " << quoted(lines.names[index] + "  [kN]")
-       << " at graph 0.02,0.9 left noenhanced front\n"
-       << "plot $joint" << j << " using 1:2 with lines lw 1.6 lc rgb '" << colour(index)
-       << "' notitle\n";
+    gp << (lowest ? std::string("set format x '%g'\n") : std::string("set format x ''\n"));
+    const std::string data = fmt::format("joint{}", j);
+    gp.block(data, line);
+    place(gp, panel);
+    if (lowest) put_footing(gp, panel, abscissa);
+    put_text(gp, fitted(lines.names[j] + "  [kN]", 240.0), {left - 44.0, top + 12.0});
+    Labels labels;
+    labels.keep_off(panel, line);
+    labels.put(gp, text::significant(std::get<1>(*high)),
+               panel.at(std::get<0>(*high), std::get<1>(*high)), panel.frame, colour(0), 3.0);
+    gp.plot({fmt::format("${} using 1:2 with lines lw 1.3 lc rgb '{}'", data, colour(0))});
   }
-  gp << "unset multiplot\n";
 }
 
 }  // namespace
@@ -87,10 +58,6 @@ void panels(Script& gp, const std::string& name, const std::string& title, const
 void frequency_response(Script& gp, const Project&, const Verification& verification) {
   const ElasticFigures& figures = *verification.elastic;
   const JointLines& lines = figures.over_frequency;
-  constexpr int width = 1000;
-  constexpr int height = 640;
-  gp.begin("frequency-response", width, height);
-  send_lines(gp, lines, 1.0, "joint");
   // Peaks without damping are as high as the grid happens to meet them: what is drawn ends above
   // what the drive gives.
   double drive = 0.0;
@@ -98,30 +65,46 @@ void frequency_response(Script& gp, const Project&, const Verification& verifica
     drive = std::max(drive, joint.force.largest);
   }
   const double top = std::pow(10.0, std::ceil(std::log10(std::max(30e-3 * drive, 1e-9))));
-  gp << "set title 'Largest force of the joints under the harmonic loads, over their frequency'\n"
-     << "set logscale y\nset format y '10^{%T}'\nunset key\n"
-     << "set lmargin at screen 0.08\nset rmargin at screen 0.98\nset bmargin at screen 0.2\n"
-     << "set xlabel 'frequency [Hz]'\nset ylabel 'force [kN]'\n"
-     << "set xrange [0:" << lines.at.back() << "]\n"
-     << "set yrange [" << 1e-5 * top << ":" << top << "]\n"
-     << "set arrow 1 from first " << figures.motion.frequency << ",graph 0 to first "
-     << figures.motion.frequency << ",graph 1 nohead lw 1.2 dt 3 lc rgb '#202020' front\n"
-     << "set label 1 'drive' at first " << figures.motion.frequency
-     << ",graph 0.97 left offset 0.5,0 tc rgb '#202020' front\n";
-  const std::vector<LegendEntry> legend = joint_legend(lines);
-  draw_legend(gp, legend, width, height, 18);
-  gp << "plot " << all_lines(lines, "joint") << "\n";
+  std::vector<LegendEntry> legend;
+  for (std::size_t j = 0; j < lines.names.size(); ++j) {
+    legend.push_back({lines.names[j], line_style(j, 1.4)});
+  }
+  constexpr double height = 330.0;
+  const double below = footing_room + height_of_legend(legend);
+  gp.begin("frequency-response", below + height + 46.0);
+  const Panel panel{
+      {60.0, below, 606.0, below + height}, 0.0, lines.at.back(), 1e-5 * top, top, false, true};
+  gp << "set logscale y\nset format y '10^{%T}'\nset ytics 10\nset mytics 1\n";
+  place(gp, panel);
+  put_footing(gp, panel, "frequency of the harmonic loads [Hz]");
+  put_heading(gp, panel, "largest force of the joints [kN]");
+  draw_legend(gp, legend, 2.0);
+  std::vector<std::string> curves;
+  for (std::size_t j = 0; j < lines.names.size(); ++j) {
+    const std::string data = fmt::format("joint{}", j);
+    gp.block(data, rows_of(lines, j, 1.0));
+    curves.push_back(fmt::format("${} using 1:2 with lines {}", data, legend[j].style));
+  }
+  const Pixel foot = panel.at(figures.motion.frequency, panel.y_low);
+  const Pixel head = panel.at(figures.motion.frequency, panel.y_high);
+  put_line(gp, foot, head, "lw 1 dt (4,3) lc rgb '#202020' front");
+  put_text(gp, fmt::format("drive {:.4g} Hz", figures.motion.frequency), {head.x(), head.y() + 8.0},
+           "center");
+  // The natural frequencies that are printed, above the diagram.
+  for (const NaturalFrequency& natural : figures.motion.frequencies) {
+    if (natural.frequency > panel.x_high) continue;
+    const Pixel at = panel.at(natural.frequency, panel.y_high);
+    put_line(gp, at, at - Pixel(0.0, 8.0), "lw 1.4 lc rgb '#202020' front");
+  }
+  gp.plot(curves);
 }
 
 void joint_forces(Script& gp, const Project&, const Verification& verification) {
-  panels(gp, "joint-forces", "Length of the joint forces over a period, static part included",
-         verification.elastic->over_period, "t [ms]", 1e3);
+  panels(gp, "joint-forces", verification.elastic->over_period, "t [ms]", 1e3);
 }
 
 void sudden_start(Script& gp, const Project&, const Verification& verification) {
-  panels(gp, "sudden-start",
-         "Length of the joint forces after the harmonic loads are switched on at t = 0",
-         verification.elastic->after_start, "t [s]", 1.0);
+  panels(gp, "sudden-start", verification.elastic->after_start, "t [s]", 1.0);
 }
 
 }  // namespace boxbeam::plot

@@ -4,70 +4,90 @@
 #include <cmath>
 
 #include "boxbeam/report/format.hpp"
-#include "plot_script.hpp"
+#include "canvas.hpp"
 
 namespace boxbeam::plot {
+namespace {
 
-void stress(Script& gp, const Project& project, const Verification& verification) {
-  gp.begin("stress", 860, 520);
-  const CheckResult* governing = verification.governing(Criterion::fatigue);
-  if (governing == nullptr) governing = &verification.checks.front();
-  const std::size_t running = governing->basis->running;
-  const std::vector<double>& instants = governing->basis->times;
-  const std::string& situation = project.situations[running].name;
-  gp << "set title "
-     << quoted("Normal stress over the cycle at the places with the largest ranges: " +
-               project.name + (situation.empty() ? "" : ", " + situation))
-     << " noenhanced\n"
-     << "set xlabel 't [s]'\nset ylabel 'sigma [MPa]'\nset xrange [" << instants.front() << ":"
-     << instants.back() << "]\n"
-     << "set key outside bottom center horizontal\n";
-  std::vector<const CheckResult*> shown;
+/// The governing place and two more at other stations, with stress over the same situation.
+std::vector<const CheckResult*> shown_of(const Verification& verification,
+                                         const CheckResult& governing) {
+  std::vector<const CheckResult*> shown{&governing};
   for (const CheckResult& result : verification.checks) {
-    if (result.check.criterion != Criterion::fatigue || !result.basis || shown.size() == 3 ||
-        result.basis->running != running)
+    if (result.check.criterion != governing.check.criterion || !result.basis || shown.size() == 3 ||
+        result.basis->running != governing.basis->running)
       continue;
     const bool same_station = std::any_of(
         shown.begin(), shown.end(),
         [&](const CheckResult* other) { return other->check.station == result.check.station; });
     if (!same_station) shown.push_back(&result);
   }
-  std::string plot = "plot 0 with lines lc rgb '#505050' lw 1 notitle";
+  return shown;
+}
+
+}  // namespace
+
+void stress(Script& gp, const Project& project, const Verification& verification) {
+  const CheckResult* governing = verification.governing(Criterion::fatigue);
+  if (governing == nullptr || !governing->basis)
+    governing = verification.governing(Criterion::yield);
+  const std::size_t running = governing->basis->running;
+  const std::vector<const CheckResult*> shown = shown_of(verification, *governing);
+  std::vector<LegendEntry> legend;
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const Check& check = shown[k]->check;
+    std::string title = fmt::format("s = {} m, {}", to_text(check.station), check.point);
+    if (check.criterion == Criterion::fatigue)
+      title += ": range " + text::MPa(check.acting.value());
+    legend.push_back({title, line_style(k, k == 0 ? 2.2 : 1.5)});
+    const std::vector<double>& history = shown[k]->basis->history;
+    low = std::min(low, 1e-6 * *std::min_element(history.begin(), history.end()));
+    high = std::max(high, 1e-6 * *std::max_element(history.begin(), history.end()));
+  }
+  constexpr double height = 240.0;
+  const double below = footing_room + height_of_legend(legend);
+  gp.begin("stress", below + height + 28.0);
+  const std::vector<double>& times = governing->basis->times;
+  const auto [y_low, y_high] = range_with_zero(low, high, 0.16);
+  const Panel panel{
+      {56.0, below, 606.0, below + height}, times.front(), times.back(), y_low, y_high};
+  place(gp, panel);
+  const std::string& situation = project.situations[running].name;
+  put_text(gp, fitted("normal stress [MPa]" + (situation.empty() ? "" : ", " + situation), 580.0),
+           {12.0, panel.frame.top + 14.0});
+  put_footing(gp, panel, "t [s]");
+  draw_legend(gp, legend, 2.0);
+  Labels labels;
+  labels.keep_off(panel.at(panel.x_low, 0.0), panel.at(panel.x_high, 0.0));
+  std::vector<std::string> curves{"0 with lines lc rgb '#505050' lw 0.9"};
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const CheckBasis& basis = *shown[k]->basis;
     std::vector<Row2> rows;
     for (std::size_t i = 0; i < basis.times.size(); ++i) {
       rows.emplace_back(basis.times[i], basis.history[i] * 1e-6);
     }
-    std::vector<Row2> extremes;
-    for (const Extreme& extreme : {basis.highest, basis.lowest}) {
-      if (extreme.situation != running) continue;
-      extremes.emplace_back(extreme.time.value(), extreme.value * 1e-6);
-    }
-    gp.block(fmt::format("h{}", k), rows);
-    gp.block(fmt::format("x{}", k), extremes);
-    plot += fmt::format(
-        ", $h{} using 1:2 with lines lw {} lc rgb '{}' title {}", k, k == 0 ? 2.4 : 1.6, colour(k),
-        quoted(fmt::format("s = {} m, {}: range {}", to_text(shown[k]->check.station),
-                           shown[k]->check.point, text::MPa(shown[k]->check.acting.value()))));
-    plot +=
-        fmt::format(", $x{} using 1:2 with points pt 7 ps 0.7 lc rgb '{}' notitle", k, colour(k));
-    if (k > 0) continue;
-    // Near the frame a label grows inwards.
-    const auto side = [&](double time) {
-      const double share = (time - instants.front()) / (instants.back() - instants.front());
-      return share < 0.15   ? " left offset 0.6,"
-             : share > 0.85 ? " right offset -0.6,"
-                            : " center offset 0,";
-    };
-    for (const Row2& extreme : extremes) {
-      gp << "set label '" << text::significant(std::get<1>(extreme)) << " MPa at "
-         << text::seconds(std::get<0>(extreme)) << "' at " << std::get<0>(extreme) << ","
-         << std::get<1>(extreme) << side(std::get<0>(extreme))
-         << (std::get<1>(extreme) > 0 ? 0.9 : -0.9) << " tc rgb '" << colour(0) << "' front\n";
-    }
+    const std::string data = fmt::format("history{}", k);
+    gp.block(data, rows);
+    labels.keep_off(panel, rows);
+    curves.push_back(fmt::format("${} using 1:2 with lines {}", data, legend[k].style));
   }
-  gp << "set offsets 0,0,graph 0.12,graph 0.12\n" << plot << "\n";
+  std::vector<Row2> extremes;
+  for (const Extreme& extreme : {governing->basis->highest, governing->basis->lowest}) {
+    if (extreme.situation == running)
+      extremes.emplace_back(extreme.time.value(), extreme.value * 1e-6);
+  }
+  if (!extremes.empty()) {
+    gp.block("extremes", extremes);
+    curves.push_back(
+        fmt::format("$extremes using 1:2 with points pt 7 ps 0.6 lc rgb '{}'", colour(0)));
+  }
+  for (const auto& [time, value] : extremes) {
+    labels.put(gp, fmt::format("{} MPa at {}", text::significant(value), text::seconds(time)),
+               panel.at(time, value), panel.frame, colour(0), 5.0);
+  }
+  gp.plot(curves);
 }
 
 }  // namespace boxbeam::plot

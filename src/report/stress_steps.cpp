@@ -9,6 +9,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "hole_steps.hpp"
+#include "section_steps.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -115,22 +116,6 @@ Steps coefficient_steps(const std::array<double, cut_force::count>& influence, c
   return steps;
 }
 
-/// "_eff", "_net" or nothing: which section the normal stress is taken from.
-std::string kind_of(const StressPoint& point) {
-  if (point.lag || point.web_lag) return "eff";
-  return point.net.area == point.gross.area ? "" : "net";
-}
-
-std::string area_symbol(const StressPoint& point) {
-  const std::string kind = kind_of(point);
-  return kind.empty() ? "A" : "A_" + kind;
-}
-
-std::string inertia_symbol(const char* of, const StressPoint& point) {
-  const std::string kind = kind_of(point);
-  return kind.empty() ? of : fmt::format("{},{}", of, kind);
-}
-
 /// Whether the centroid lies on the beam axis.
 bool is_central(const SectionProperties& properties) {
   constexpr double nothing = 1e-12;
@@ -217,120 +202,6 @@ Steps skew_coefficient_steps(const StressPoint& point, bool space) {
   });
 }
 
-/// The dimensions of a box whose flanges are alike, and whose area is that of its four plates.
-struct PlainBox {
-  double B, H, b, h, t;  ///< outside, inside, flange [m]
-};
-
-std::optional<PlainBox> plain_box_of(const Section& section) {
-  const auto* box = std::get_if<Box>(&section.outer);
-  if (box == nullptr || section.inner || !box->stiffeners.empty()) return std::nullopt;
-  if (box->top_flange != box->bottom_flange || box->left_web != box->right_web) return std::nullopt;
-  const double t = box->top_flange.value();
-  return PlainBox{box->width.value(), box->height.value(),
-                  box->width.value() - 2.0 * box->left_web.value(), box->height.value() - 2.0 * t,
-                  t};
-}
-
-Steps plain_box_steps(const PlainBox& box, const SectionProperties& gross) {
-  const std::string B = text::mm(box.B), H = text::mm(box.H), b = text::mm(box.b),
-                    h = text::mm(box.h);
-  return {{"A",
-           {"B H - b h", fmt::format("{} x {} - {} x {}", B, H, b, h), mm2(gross.area.value())},
-           {"outside B x H, inside b x h"}},
-          {"I_y",
-           {"(B H^3 - b h^3)/12", fmt::format("({} x ({})^3 - {} x ({})^3)/12", B, H, b, h),
-            mm4(gross.I_y.value())},
-           {}}};
-}
-
-/// The branch of EN 1993-1-5 table 3.1 that gave beta.
-std::string shear_lag_formula(const ShearLag& lag) {
-  const bool wide = lag.kappa > 0.7;
-  if (lag.beta == shear_lag_factor(lag.kappa, BendingRegion::sagging)) {
-    return wide ? "1/(5.9 kappa)" : "1/(1 + 6.4 kappa^2)";
-  }
-  return wide ? "1/(8.6 kappa)" : "1/(1 + 6 (kappa - 1/(2500 kappa)) + 1.6 kappa^2)";
-}
-
-std::string with(std::string formula, const std::string& symbol, const std::string& value) {
-  const bool number = std::isdigit(static_cast<unsigned char>(value.front())) != 0;
-  for (std::size_t at = formula.find(symbol); at != std::string::npos;
-       at = formula.find(symbol, at + value.size())) {
-    // A product of two numbers needs its sign.
-    const bool behind_number = number && at > 1 && formula[at - 1] == ' ' &&
-                               (std::isdigit(static_cast<unsigned char>(formula[at - 2])) != 0);
-    formula.replace(at, symbol.size(), (behind_number ? "x " : "") + value);
-  }
-  return formula;
-}
-
-Steps shear_lag_steps(const ShearLag& lag, const char* of, const std::string& index) {
-  Steps steps;
-  const std::string b_0 = text::mm(lag.b_0.value());
-  const std::string L_e = text::mm(lag.effective_length.value());
-  const double alpha = lag.kappa * (lag.effective_length / lag.b_0);
-  const bool stiffened = std::abs(alpha - 1.0) > 1e-9;
-  Step kappa{"kappa" + index, {"b_0/L_e", fmt::format("{}/{}", b_0, L_e)}, {}};
-  if (stiffened) {
-    steps.push_back({"alpha_0",
-                     {"sqrt(1 + A_sl/(b_0 t))", text::significant(alpha)},
-                     {fmt::format("stiffeners of the {}", of)}});
-    kappa.formulas = {"alpha_0 b_0/L_e",
-                      fmt::format("{} x {}/{}", text::significant(alpha), b_0, L_e)};
-  }
-  kappa.formulas.push_back(text::significant(lag.kappa));
-  kappa.notes.push_back(
-      fmt::format("shear lag of the {}: half their width over the length between zero moments; EN "
-                  "1993-1-5, 3.2.1",
-                  of));
-  steps.push_back(kappa);
-  const std::string formula = shear_lag_formula(lag);
-  const std::string value = text::significant(lag.beta);
-  if (lag.kappa <= 0.02) {
-    steps.push_back({"beta" + index, {value}, {"kappa up to 0.02"}});
-  } else {
-    steps.push_back({"beta" + index,
-                     {with(formula, "kappa", "kappa" + index),
-                      with(formula, "kappa", text::significant(lag.kappa)), value},
-                     {}});
-  }
-  return steps;
-}
-
-/// What shear lag leaves of a plain box without holes: idle strips in the middle of its flanges.
-Steps effective_box_steps(const PlainBox& box, const StressPoint& point) {
-  const double idle = 2.0 * (1.0 - point.lag->beta) * point.lag->b_0.value();
-  const std::string b_i = text::mm(idle), t = text::mm(box.t), H = text::mm(box.H);
-  return {{"b_i",
-           {"2 (1 - beta) b_0",
-            fmt::format("2 x (1 - {}) x {}", text::significant(point.lag->beta),
-                        text::mm(point.lag->b_0.value())),
-            b_i},
-           {"idle width of each flange"}},
-          {"A_eff",
-           {"A - 2 b_i t_f", fmt::format("{} - 2 x {} x {}", mm2(point.gross.area.value()), b_i, t),
-            mm2(point.net.area.value())},
-           {}},
-          {"I_y,eff",
-           {"I_y - b_i (H^3 - h^3)/12",
-            fmt::format("{} - {} x (({})^3 - ({})^3)/12", mm4(point.gross.I_y.value()), b_i, H,
-                        text::mm(box.h)),
-            mm4(point.net.I_y.value())},
-           {}}};
-}
-
-bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
-
-/// Whether idle strips alone make the difference between gross and effective section.
-bool by_strips(const PlainBox& box, const StressPoint& point) {
-  const double idle = 2.0 * (1.0 - point.lag->beta) * point.lag->b_0.value();
-  return !point.web_lag &&
-         near(point.gross.area.value() - 2.0 * idle * box.t, point.net.area.value()) &&
-         near(point.gross.I_y.value() - idle * (std::pow(box.H, 3) - std::pow(box.h, 3)) / 12.0,
-              point.net.I_y.value());
-}
-
 /// The wall that a level crosses, and the first moment beyond it, in a section in the plane.
 struct LevelShear {
   double S, b;
@@ -415,32 +286,11 @@ std::string shear_coefficient_note(std::size_t which, bool space, bool on_throat
 
 }  // namespace
 
-Steps section_steps(const Project& project, const StressPoint& point) {
+Steps normal_section_steps(const Project& project, const StressPoint& point) {
   if (point.concentration) return hole_factor_steps(project, point);
-  Steps steps;
-  const std::optional<PlainBox> box = plain_box_of(point.section);
-  const bool space = in_space(project);
-  const std::string kind = kind_of(point);
-  if (box && !space) append(steps, plain_box_steps(*box, point.gross));
-  if (point.lag) append(steps, shear_lag_steps(*point.lag, "flanges", ""));
-  if (point.web_lag) append(steps, shear_lag_steps(*point.web_lag, "webs", "_web"));
-  if (kind.empty() && box && !space) return steps;
-  if (point.lag && box && !space && by_strips(*box, point)) {
-    append(steps, effective_box_steps(*box, point));
-    return steps;
-  }
-  const std::string note =
-      kind == "eff" ? "without the idle strips of shear lag and the holes"
-                    : (kind == "net" ? "without the holes" : "along the border of the section");
-  steps.push_back({area_symbol(point), {mm2(point.net.area.value())}, {note}});
-  steps.push_back({inertia_symbol("I_y", point), {mm4(point.net.I_y.value())}, {}});
-  if (space || point.net.I_yz.value() != 0.0) {
-    steps.push_back({inertia_symbol("I_z", point), {mm4(point.net.I_z.value())}, {}});
-  }
-  if (point.net.I_yz.value() != 0.0) {
-    steps.push_back({inertia_symbol("I_yz", point), {mm4(point.net.I_yz.value())}, {}});
-    append(steps, skew_coefficient_steps(point, space));
-  }
+  Steps steps = section_steps(project, point);
+  if (point.net.I_yz.value() != 0.0)
+    append(steps, skew_coefficient_steps(point, in_space(project)));
   return steps;
 }
 

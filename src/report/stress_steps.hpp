@@ -8,9 +8,8 @@
 /// Steps of a calculation sheet from the cut forces to the stress of a point.
 namespace boxbeam::report {
 
-/// The section that the normal stress of a point is taken from: its area and moment of inertia,
-/// and what holes and shear lag leave of them.
-Steps section_steps(const Project& project, const StressPoint& point);
+/// What of the section the normal stress of a point follows from: at a hole its concentration.
+Steps normal_section_steps(const Project& project, const StressPoint& point);
 
 /// The normal stress of a point under given cut forces; in space with all six.
 Steps normal_stress_steps(const std::string& symbol, const Project& project,

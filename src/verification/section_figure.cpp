@@ -82,8 +82,21 @@ std::vector<SectionFigure::Weld> welds_of(const Section& section) {
   return welds;
 }
 
+/// Where the left web of a section stands; zero where it has none.
+double web_of(const Section& section) {
+  const double half = extent_of(section.outer).y_high.value();
+  if (const auto* box = std::get_if<Box>(&section.outer)) {
+    return half - 0.5 * box->left_web.value();
+  }
+  if (const auto* tube = std::get_if<RectangularTube>(&section.outer)) {
+    return half - 0.5 * tube->wall.value();
+  }
+  return 0.0;
+}
+
 /// What is checked at the station: each place once, with its worst check.
-std::vector<SectionFigure::Point> points_of(const std::vector<CheckResult>& checks,
+std::vector<SectionFigure::Point> points_of(const TaperedBeam& beam,
+                                            const std::vector<CheckResult>& checks,
                                             const CheckResult& governing) {
   std::vector<SectionFigure::Point> points;
   for (const CheckResult& result : checks) {
@@ -97,6 +110,13 @@ std::vector<SectionFigure::Point> points_of(const std::vector<CheckResult>& chec
     point.name = place.name;
     point.y = place.y.value();
     point.z = place.z.value();
+    if (place.concentration && point.y == 0.0) {
+      // In the plane both webs are one.
+      for (const BeamHole& at : beam.holes) {
+        if (at.hole.name == place.concentration->hole && at.hole.walls == HoleWalls::webs)
+          point.y = web_of(place.section);
+      }
+    }
     point.stress = stress_at(place.influence, governing.basis->cut_at_time).normal.value();
     point.utilisation = result.check.utilisation();
     point.governs = &result == &governing;
@@ -182,7 +202,7 @@ std::optional<SectionFigure> section_figure_of(const Project& project,
   figure.time = governing->check.time;
   figure.situation = project.situations[basis.running].name;
   figure.outlines = loops_of(outline_of(section, {}));
-  figure.points = points_of(checks, *governing);
+  figure.points = points_of(project.beam, checks, *governing);
   figure.holes = strips_of(section, holes_at(project.beam, figure.station.s));
   figure.welds = welds_of(section);
   figure.across =

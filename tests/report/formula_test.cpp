@@ -184,3 +184,17 @@ TEST_CASE("Any words are set with braces and tags that close", "[report][formula
   CHECK(rc::check("words of formulas", [&] { holds(*from_words); }));
   CHECK(rc::check("any bytes", [&] { holds(*rc::gen::arbitrary<std::string>()); }));
 }
+
+TEST_CASE("A long formula comes in pieces for browsers", "[report][formula]") {
+  using boxbeam::report::mathml_pieces_of_formula;
+  CHECK(mathml_pieces_of_formula("M z/I_y").size() == 1);
+  CHECK(mathml_pieces_of_formula("(a + b) c").size() == 1);
+  const auto pieces = mathml_pieces_of_formula("-a + b/c - d_0");
+  REQUIRE(pieces.size() == 3);
+  CHECK(pieces[0] == "<mrow><mo>−</mo><mi>a</mi></mrow>");
+  CHECK(pieces[1].starts_with("<mo form=\"infix\">+</mo>"));
+  CHECK(pieces[2].starts_with("<mo form=\"infix\">−</mo>"));
+  CHECK(mathml_pieces_of_formula("a + b <= c + d").size() == 4);
+  CHECK(mathml_pieces_of_formula("no formula!") ==
+        std::vector<std::string>{"<mtext>no formula!</mtext>"});
+}

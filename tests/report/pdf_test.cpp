@@ -1,1 +1,250 @@
+#include "boxbeam/report/pdf.hpp"
+
+#include <rapidcheck.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/latex_writer.hpp"
 #include "catch.hpp"
+#include "support/latex.hpp"
+#include "support/program.hpp"
+#include "support/property.hpp"
+
+using namespace boxbeam::report;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Table table_of(std::size_t columns, std::size_t rows, const std::string& text) {
+  Table table{text, {}, {}, {}};
+  for (std::size_t k = 0; k < columns; ++k) table.header.push_back(text + " [kN m]");
+  for (std::size_t i = 0; i < rows; ++i) {
+    table.rows.emplace_back(columns, Cell{i % 2 == 0 ? text : "-1234.5", {}});
+    table.marks.push_back(i % 3 == 0 ? Mark::fails : Mark::passes);
+  }
+  return table;
+}
+
+Sheet sheet_of_steps(int steps) {
+  Sheet sheet{"yield/4.2/fibre+z",
+              "yield at s = 4.2 m, fibre +z",
+              {},
+              "factor 1.21, required 2.00, utilisation 165 %",
+              1.65,
+              Mark::fails,
+              "EN 1993-1-1:2005, 6.2.1(5)"};
+  for (int i = 0; i < steps; ++i) {
+    sheet.steps.push_back(
+        {"sigma_max",
+         {"N/A_eff + M_y z/I_y,eff",
+          "(-27.66 kN)/(87240 mm^2) + (-215.6 kN m) 300.0 mm/(3.8657e9 mm^4)", "-17.05 MPa"},
+         {"at t = 0.3571 s"}});
+  }
+  return sheet;
+}
+
+/// A document with something of everything.
+Document document_of(const std::string& text, int size = 30) {
+  Document document;
+  document.title = document.subtitle = text;
+  document.date = "2026-11-21";
+  document.program = "boxbeam 0.1.0";
+  document.input_sha256 = std::string(64, 'c');
+  document.verdict = "FAIL";
+  document.mark = Mark::fails;
+  document.facts.entries = {{"file", "sections/some/where.toml"}, {text, text}};
+  document.governing = table_of(4, 4, text);
+  Chapter chapter{text, {}};
+  chapter.blocks = {Subheading{text},
+                    Paragraph{text},
+                    Bullets{{text, text}},
+                    table_of(1, 2, text),
+                    table_of(7, 2 * static_cast<std::size_t>(size), text),
+                    Subheading{text},
+                    sheet_of_steps(size),
+                    sheet_of_steps(1),
+                    Listing{text + "\n  " + text},
+                    Picture{"missing", text},
+                    Facts{{{text, text}}}};
+  document.chapters = {chapter, chapter};
+  return document;
+}
+
+std::string latex_without_figures(const Document& document) {
+  return latex_of(document, [](const std::string&) { return false; });
+}
+
+}  // namespace
+
+TEST_CASE("the same document gives the same PDF, byte for byte", "[report][pdf]") {
+  if (!test::has_pdflatex()) return;
+  const test::TemporaryFolder folder;
+  const std::string first = (folder.path() / "one" / "report.pdf").string();
+  const std::string second = (folder.path() / "two" / "other.pdf").string();
+  write_pdf(document_of("a case"), "", first);
+  write_pdf(document_of("a case"), "", second);
+  const std::string pdf = test::read_file(first);
+  CHECK(pdf.starts_with("%PDF-"));
+  CHECK(pdf == test::read_file(second));
+  // Nothing else is left beside it.
+  CHECK(std::distance(fs::directory_iterator(folder.path() / "one"), fs::directory_iterator()) ==
+        1);
+}
+
+TEST_CASE("nothing stands out of the page", "[report][pdf]") {
+  if (!test::has_pdflatex()) return;
+  for (const std::string& text :
+       {std::string("fatigue"),
+        std::string("at s = 4.2 m, fibre +z, t = 0.3571 s of the situation"), std::string(60, 'w'),
+        "sections/sledge-rig/" + std::string(70, '_') + "rig.toml", std::string(200, '-'),
+        std::string("\xE4\xB8\xAD\xE6\x96\x87\xE4\xB8\xAD\xE6\x96\x87")}) {
+    INFO(text);
+    const test::LatexRun run = test::run_latex(latex_without_figures(document_of(text)));
+    CHECK(run.exit_code == 0);
+    CHECK(run.too_wide.empty());
+  }
+}
+
+TEST_CASE("tables of any number of columns fit the page", "[report][pdf]") {
+  if (!test::has_pdflatex()) return;
+  for (const std::size_t columns : {1, 5, 9, 14}) {
+    Document document;
+    document.chapters = {{"Tables",
+                          {table_of(columns, 3, "word"), table_of(columns, 3, "1234567.8"),
+                           table_of(columns, 3, "a text of several words that must wrap")}}};
+    INFO(columns);
+    const test::LatexRun run = test::run_latex(latex_without_figures(document));
+    CHECK(run.exit_code == 0);
+    CHECK(run.too_wide.empty());
+  }
+}
+
+TEST_CASE("every text makes a PDF", "[report][pdf][property]") {
+  if (!test::has_pdflatex()) return;
+  // Any byte, and signs that LaTeX or its fonts treat in their own way, put together at random.
+  // Many texts share a document: starting pdflatex costs more than any of them.
+  const auto piece = rc::gen::oneOf(rc::gen::container<std::string>(rc::gen::arbitrary<char>()),
+                                    rc::gen::elementOf(std::vector<std::string>{"\\",
+                                                                                "{",
+                                                                                "}",
+                                                                                "$",
+                                                                                "%",
+                                                                                "^^M",
+                                                                                "^^5c",
+                                                                                "\\end{document}",
+                                                                                "\\\\[",
+                                                                                "]",
+                                                                                "*",
+                                                                                "--",
+                                                                                "``",
+                                                                                "?`",
+                                                                                "\n\n",
+                                                                                "\t",
+                                                                                " ",
+                                                                                "\xC3\xB8",
+                                                                                "\xC5\x82",
+                                                                                "\xCE\xA3",
+                                                                                "\xE2\x89\xA4",
+                                                                                "\xC2\xB1",
+                                                                                "\xE4\xB8\xAD",
+                                                                                "\xCC\x81",
+                                                                                "\xEF\xBB\xBF",
+                                                                                "\\par",
+                                                                                "&",
+                                                                                "#1",
+                                                                                "~",
+                                                                                "_",
+                                                                                "\"",
+                                                                                "'"}));
+  test::holds(
+      [&] {
+        const auto texts =
+            *rc::gen::resize(12, rc::gen::container<std::vector<std::vector<std::string>>>(
+                                     8, rc::gen::container<std::vector<std::string>>(piece)));
+        Document document;
+        for (const std::vector<std::string>& pieces : texts) {
+          std::string text;
+          for (const std::string& each : pieces) text += each;
+          std::vector<Chapter> before = std::move(document.chapters);
+          document = document_of(text, 3);
+          document.chapters.pop_back();
+          document.chapters.insert(document.chapters.end(), before.begin(), before.end());
+        }
+        const test::LatexRun run = test::run_latex(latex_without_figures(document));
+        RC_LOG() << run.first_error << '\n';
+        for (const std::string& line : run.too_wide) RC_LOG() << line << '\n';
+        RC_ASSERT(run.exit_code == 0);
+        RC_ASSERT(run.too_wide.empty());
+      },
+      15);
+}
+
+TEST_CASE("the PDF says what was written", "[report][pdf]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  const std::string text =
+      "#$%&_{}~^\\\"'`<>| -- << >> ,, ?` !` \xC3\xB8 \xC5\x82 \xC5\x91 \xCE\xA3 \xCF\x83 \xCE\x94 "
+      "\xC2\xB1 \xC3\x97 \xC2\xB7 \xC2\xB0 \xE2\x89\xA4 \xC2\xBD \xE2\x88\x9E \xE2\x86\x92 "
+      "\xE2\x80\xA6 -12.5 U+4E2D";
+  Document document;
+  document.chapters = {{"Text", {Table{"", {"one"}, {{{text, {}}}}, {}}}}};
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "report.pdf").string();
+  write_pdf(document, "", path);
+  CHECK(test::without_spaces(test::text_of_pdf(path)).find(test::without_spaces(text)) !=
+        std::string::npos);
+}
+
+TEST_CASE("a figure beside the report is in it, in its own size at most", "[report][pdf]") {
+  if (!test::has_pdflatex()) return;
+  const test::TemporaryFolder folder;
+  // A report is a figure as good as any other: it is larger than the text of a page.
+  Document page;
+  page.title = "figure";
+  write_pdf(page, "", (folder.path() / "figures" / "large.pdf").string());
+  Document document = page;
+  document.chapters = {{"Figures", {Picture{"large", "a page on a page"}, Picture{"none", "no"}}}};
+  const std::string path = (folder.path() / "report.pdf").string();
+  write_pdf(document, (folder.path() / "figures").string(), path);
+  const auto with_figure = fs::file_size(path);
+  write_pdf(document, "", path);
+  CHECK(with_figure > fs::file_size(path));
+}
+
+TEST_CASE("where pdflatex is missing the message names the packages", "[report][pdf]") {
+  const test::TemporaryFolder folder;
+  const std::string stale = folder.write("report.pdf", "of an earlier run");
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);
+  CHECK_THROWS_AS(write_pdf(document_of("a"), "", stale), boxbeam::OutputError);
+  try {
+    write_pdf(document_of("a"), "", stale);
+  } catch (const boxbeam::OutputError& error) {
+    CHECK(std::string(error.what()).find("texlive-latex-recommended") != std::string::npos);
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  CHECK_FALSE(fs::exists(stale));  // it would stand beside a report it does not belong to
+}
+
+TEST_CASE("where pdflatex fails its first error is shown and its log kept", "[report][pdf]") {
+  if (!test::has_pdflatex()) return;
+  const test::TemporaryFolder folder;
+  folder.write("broken.pdf", "no PDF");
+  Document document;
+  document.chapters = {{"Figures", {Picture{"broken", "cannot be read"}}}};
+  const std::string path = (folder.path() / "out" / "report.pdf").string();
+  std::string message;
+  try {
+    write_pdf(document, folder.path().string(), path);
+  } catch (const boxbeam::OutputError& error) {
+    message = error.what();
+  }
+  CHECK(message.find("pdflatex failed: !") != std::string::npos);
+  CHECK(message.find((folder.path() / "out" / "report.log").string()) != std::string::npos);
+  CHECK(fs::exists(folder.path() / "out" / "report.log"));
+  CHECK_FALSE(fs::exists(path));
+}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 /// Formulas of a calculation sheet. They are written as an engineer types them, which is what the
 /// text report prints; for HTML and PDF they are typeset from the same words:
@@ -25,5 +26,9 @@ std::string latex_of_formula(const std::string& formula);
 
 /// A formula as content of a MathML <math> element.
 std::string mathml_of_formula(const std::string& formula);
+
+/// The same in pieces, each for a <math> element of its own, between which a line may break:
+/// browsers do not break inside of one. Each but the first begins with its sign.
+std::vector<std::string> mathml_pieces_of_formula(const std::string& formula);
 
 }  // namespace boxbeam::report

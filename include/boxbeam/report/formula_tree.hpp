@@ -29,6 +29,9 @@ struct FormulaNode {
   std::vector<FormulaNode> parts;
 };
 
+/// Whether a part is taller than a line of text, so that brackets must grow with it.
+bool is_tall(const FormulaNode& node);
+
 /// The tree of a formula; nothing for words that are none.
 std::optional<FormulaNode> parse_formula(const std::string& text);
 

@@ -1,14 +1,10 @@
-#include "calculation_sheet.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
-#include "boxbeam/report/text_writer.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
 #include "stress_steps.hpp"
@@ -52,7 +48,7 @@ Steps yield_steps(const Project& project, const Check& check, const CheckBasis& 
   Steps steps{time_step(check, "where the equivalent stress is largest")};
   constexpr double no_stress = 1.0;  // Pa
   const bool sheared = std::abs(basis.stress_at_time.shear.value()) >= no_stress;
-  append(steps, section_steps(project, basis.point));
+  append(steps, normal_section_steps(project, basis.point));
   append(steps, normal_stress_steps("sigma", project, basis.point, basis.cut_at_time));
   if (sheared) append(steps, shear_section_steps(project, basis.point));
   append(steps, shear_stress_steps("tau", project, basis.point, basis.cut_at_time));
@@ -77,7 +73,7 @@ Steps yield_steps(const Project& project, const Check& check, const CheckBasis& 
 /// Both extremes of a stress and their range.
 Steps range_steps(const Project& project, const CheckBasis& basis, bool shear) {
   const StressPoint& point = basis.point;
-  Steps steps = shear ? shear_section_steps(project, point) : section_steps(project, point);
+  Steps steps = shear ? shear_section_steps(project, point) : normal_section_steps(project, point);
   const auto stress = [&](const std::string& symbol, const Extreme& extreme, const CutForces& cut) {
     Steps of = shear ? shear_stress_steps(symbol, project, point, cut)
                      : normal_stress_steps(symbol, project, point, cut);
@@ -302,11 +298,6 @@ Sheet sheet_of(const Project& project, const Verification& verification,
   sheet.mark = check.passes() ? Mark::passes : Mark::fails;
   sheet.source = check.source;
   return sheet;
-}
-
-std::string calculation_sheet(const Project& project, const Verification& verification,
-                              const CheckResult& result) {
-  return text_of(sheet_of(project, verification, result));
 }
 
 }  // namespace boxbeam
