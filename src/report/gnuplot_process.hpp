@@ -6,20 +6,6 @@
 
 namespace boxbeam {
 
-/// A folder beside the outputs that goes away with all that is in it.
-class ScratchFolder {
- public:
-  /// Throws OutputError where it cannot be made.
-  explicit ScratchFolder(const std::filesystem::path& beside);
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// What gnuplot is to make of NAME.gp.
 struct Drawing {
   enum Format { svg, pdf };
