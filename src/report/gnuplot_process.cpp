@@ -28,9 +28,9 @@ struct Process {
   Drawing drawing;
 };
 
-/// The environment of the program, but numbers with points, and one time zone for all.
+/// The environment of the program, but with names in UTF-8 wherever it runs, and one time zone.
 std::vector<std::string> environment() {
-  std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C"};
+  std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C.UTF-8"};
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string_view text = *variable;
     const bool replaced = text.starts_with("TZ=") || text.starts_with("LC_ALL=");
@@ -104,10 +104,14 @@ std::string trouble_of(const fs::path& folder, const Process& process) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     return "gnuplot is not installed (apt install gnuplot-nox)";
   std::ifstream log(folder / (process.drawing.file() + ".log"));
+  std::string words = "it ended without a message";
   for (std::string line; std::getline(log, line);) {
-    if (line.find_first_not_of(" ^") != std::string::npos) return line;
+    if (line.find_first_not_of(" ^") == std::string::npos) continue;
+    words = line;
+    // What it only warns of did not stop it.
+    if (line.find("warning:") == std::string::npos) break;
   }
-  return "it ended without a message";
+  return words;
 }
 
 }  // namespace

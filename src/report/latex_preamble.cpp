@@ -132,15 +132,15 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\note}[1]{\nobreak{\raggedright\leftskip=\dimexpr\sheetindent+1.8em\relax\noindent\footnotesize\color{quiet}#1\par}}
 % The last formula of a chain, and what is noted of it: beside it where there is room.
 \newcommand{\notedformula}[2]{%
-  \setbox0\hbox{$\displaystyle#1$}\setbox2\hbox{\footnotesize\color{quiet}#2}%
+  \setbox0\hbox{$\displaystyle#1$}\setbox2\hbox{{\footnotesize\color{quiet}#2}}%
   \ifdim\dimexpr\sheetindent+3.8em+\wd0+\wd2\relax<\linewidth
     \hbox{\box4\hbox to1.8em{\hfil$=$\hfil}\box0\hskip2em\box2}%
   \else\formula{#1}\note{#2}\fi}
-% \result{text}{bar [mm], 40 are 100 %}{source}
-\newcommand{\result}[3]{\par\vskip8pt{\color{pale}\hrule height.4pt}\nobreak\vskip5pt
-  \hbox to\linewidth{\vtop{\hsize=\dimexpr\linewidth-66mm\relax\raggedright\bfseries#1\par}\hfil
-    \hbox to60mm{\rlap{\color{pale}\vrule width40mm height6pt}\rlap{\color{\sheetcolour}\vrule width#2mm height6pt}%
-      \rlap{\hskip40mm\vrule width.7pt height8pt depth2pt\relax\raise-7pt\hbox to0pt{\hss\sffamily\tiny 100\,\%\hss}}\hss}}%
+% \result{text}{bar [mm], 34 are 100 %}{source}
+\newcommand{\result}[3]{\par\nobreak\vskip8pt{\color{pale}\hrule height.4pt}\nobreak\vskip5pt
+  \hbox to\linewidth{\vtop{\hsize=\dimexpr\linewidth-53mm\relax\raggedright\small\bfseries#1\par}\hfil
+    \hbox to51mm{\rlap{\color{pale}\vrule width34mm height6pt}\rlap{\color{\sheetcolour}\vrule width#2mm height6pt}%
+      \rlap{\hskip34mm\vrule width.7pt height8pt depth2pt\relax\raise-7pt\hbox to0pt{\hss\sffamily\tiny 100\,\%\hss}}\hss}}%
   \def\sheetsource{#3}\ifx\sheetsource\empty\else\nobreak\vskip3pt{\raggedright\noindent\footnotesize\color{quiet}#3\par}\fi}
 
 \newcommand{\bulletitem}[1]{{\leftskip=1.2em\relax\noindent\hbox to0pt{\hss\textbullet\hskip.5em}#1\par}}

@@ -123,7 +123,8 @@ double lines_of(const Table& table, const Layout& layout) {
   return lines;
 }
 
-/// In the largest type in which no word breaks and few texts wrap, else the smallest.
+/// In the largest type in which nothing wraps; where that would be the smallest, in the largest in
+/// which no word breaks and few texts wrap.
 Layout layout_of(const Table& table) {
   Layout layout;
   layout.marked = std::any_of(table.marks.begin(), table.marks.end(),
@@ -136,13 +137,17 @@ Layout layout_of(const Table& table) {
   const double natural = total(widths_within(needs, 1e6, 0));
   const double least = total(widths_within(needs, 0, 1e6));
   const auto gaps = static_cast<double>(needs.size()) - 1;
-  for (const Type& type : types) {
-    const double width = text_width - (layout.marked ? mark_width : 0) - gaps * type.gap;
-    const double available = width / type.em;
-    layout.type = type;
-    layout.widths = fitting(needs, available);
-    if (least <= available && natural <= 1.8 * available) break;
-  }
+  const auto available = [&](const Type& type) {
+    return (text_width - (layout.marked ? mark_width : 0) - gaps * type.gap) / type.em;
+  };
+  const auto holds_well = [&](const Type& type) {
+    return least <= available(type) && natural <= 1.8 * available(type);
+  };
+  auto type = std::find_if(types.begin(), types.end() - 1,
+                           [&](const Type& each) { return natural <= available(each); });
+  if (type == types.end() - 1) type = std::find_if(types.begin(), types.end() - 1, holds_well);
+  layout.type = *type;
+  layout.widths = fitting(needs, available(*type));
   for (double& width : layout.widths) width *= layout.type.em;
   layout.wraps = lines_of(table, layout) > static_cast<double>(table.rows.size());
   return layout;

@@ -195,6 +195,35 @@ bool is_minus(const std::u32string& word, std::size_t i) {
   return number || axis;
 }
 
+/// Signs of an exponent at a hat, the hat among them: of a unit or of ten. Else 0.
+std::size_t exponent_at(const std::u32string& word, std::size_t hat) {
+  constexpr std::array bases{U"m", U"mm", U"cm", U"s", U"10"};
+  if (word[hat] != U'^') return 0;
+  const auto is_digit = [](char32_t c) { return c >= U'0' && c <= U'9'; };
+  const auto is_letter = [](char32_t c) { return (c >= U'a' && c <= U'z') || c >= 0x80; };
+  std::size_t begin = hat;
+  while (begin > 0 && (is_letter(word[begin - 1]) || is_digit(word[begin - 1]))) --begin;
+  const std::u32string_view base(word.data() + begin, hat - begin);
+  if (std::find(bases.begin(), bases.end(), base) == bases.end()) return 0;
+  std::size_t end = hat + 1;
+  if (end < word.size() && word[end] == U'-') ++end;
+  const std::size_t digits = end;
+  while (end < word.size() && is_digit(word[end])) ++end;
+  return end > digits ? end - hat : 0;
+}
+
+/// An exponent set as one, and copied as it was written: "^-2".
+std::string exponent(const std::u32string& signs) {
+  std::string copied;
+  std::string shown;
+  for (const char32_t sign : signs) {
+    copied += fmt::format("{:04X}", static_cast<unsigned>(sign));
+    if (sign == U'-') shown += "\\textminus{}";
+    if (sign != U'-' && sign != U'^') shown += static_cast<char>(sign);
+  }
+  return fmt::format("\\as{{{}}}{{\\textsuperscript{{{}}}}}", copied, shown);
+}
+
 }  // namespace
 
 std::string latex_escaped(const std::string& text) {
@@ -209,6 +238,11 @@ std::string latex_breakable(const std::string& text, double limit) {
     first = false;
     const bool long_word = width_of(word) > limit;
     for (std::size_t i = 0; i < word.size(); ++i) {
+      if (const std::size_t signs = exponent_at(word, i)) {
+        out += exponent(word.substr(i, signs));
+        i += signs - 1;
+        continue;
+      }
       out += is_minus(word, i) ? copied_as(U'-', "\\textminus") : glyph_of(word[i]).code;
       if (long_word && i + 1 < word.size()) out += is_punctuation(word[i]) ? "\\brk{}" : "\\Brk{}";
     }

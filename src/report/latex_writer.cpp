@@ -72,9 +72,9 @@ std::string step(const Step& step) {
   return out;
 }
 
-/// Length of the bar of a utilisation; 40 mm are 100 %, and no bar is longer than 60 mm.
+/// Length of the bar of a utilisation [mm]; 34 are 100 %, and no bar is longer than 51.
 double bar_length(double utilisation) {
-  return std::isfinite(utilisation) ? std::clamp(40 * utilisation, 0.0, 60.0) : 60.0;
+  return std::isfinite(utilisation) ? std::clamp(34 * utilisation, 0.0, 51.0) : 51.0;
 }
 
 std::string block(const Paragraph& paragraph) { return running(paragraph.text) + "\\par\n"; }

@@ -116,13 +116,21 @@ std::string axis_title(const CutForceName& name) {
 }
 
 std::string quoted(const std::string& text) {
-  std::string out = "'";
+  // gnuplot writes a quote within quotes as two, but takes several in a row wrongly: they stand in
+  // strings of their own.
+  std::string out;
+  bool quotes = false;
   for (const char c : text) {
     const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    if (c == '\'') out += '\'';
+    if (out.empty())
+      out += c == '\'' ? '"' : '\'';
+    else if ((c == '\'') != quotes)
+      out += quotes ? "\".'" : "'.\"";
+    quotes = c == '\'';
     out += control ? ' ' : c;
   }
-  return out + "'";
+  if (out.empty()) return "''";
+  return out + (quotes ? '"' : '\'');
 }
 
 std::string time_label(Time time, const std::string& situation) {
