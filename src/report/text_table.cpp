@@ -158,6 +158,7 @@ std::string table_text(const Table& table, std::size_t width) {
 }
 
 Table with_results(Table table) {
+  if (table.marks.empty()) return table;
   table.header.insert(table.header.begin(), "result");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Mark mark = table.marks[i];
