@@ -46,7 +46,7 @@ std::string facts(const Facts& facts) {
   double width = least;
   for (const auto& [name, text] : facts.entries)
     width = std::max(width, std::min(most, latex_width(name) * small_em + 2));
-  std::string out = "{\\small\n";
+  std::string out = "\\par\\vskip4pt{\\small\n";
   for (const auto& [name, text] : facts.entries) {
     out += fmt::format("\\fact{{{:.0f}pt}}{{{}}}{{{}}}\n", width,
                        latex_breakable(name, width / small_em), running(text));
