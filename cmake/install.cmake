@@ -5,6 +5,8 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS boxbeam RUNTIME COMPONENT program)
 install(DIRECTORY sections/ DESTINATION ${CMAKE_INSTALL_DATADIR}/boxbeam/sections COMPONENT program)
+# For editors that complete and check a case by its schema.
+install(DIRECTORY src/report/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/boxbeam COMPONENT program)
 
 # The manual page and the completions are written by the program itself.
 find_program(GZIP gzip REQUIRED)

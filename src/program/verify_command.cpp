@@ -47,17 +47,6 @@ void remove_outputs(const std::string& folder) {
   fs::remove(fs::path(folder) / "plots", ignored);  // where nothing else is in it
 }
 
-/// Without the pictures that have not been drawn.
-report::Document with_figures(report::Document document, const std::vector<std::string>& figures) {
-  const auto missing = [&](const report::Block& block) {
-    const auto* picture = std::get_if<report::Picture>(&block);
-    return picture != nullptr &&
-           std::find(figures.begin(), figures.end(), picture->name + ".svg") == figures.end();
-  };
-  for (report::Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
-  return document;
-}
-
 ReportLevel level_of(const std::string& word) {
   if (word == "summary") return ReportLevel::summary;
   return word == "full" ? ReportLevel::full : ReportLevel::governing;
@@ -88,8 +77,12 @@ Outputs write_outputs(const Project& project, const Verification& verification,
           draw_figures(project, verification, folder, twins ? twins->path().string() : "");
     });
   }
+  const auto drawn = [&](const std::string& name) {
+    const std::vector<std::string>& files = outputs.figures;
+    return std::find(files.begin(), files.end(), name + ".svg") != files.end();
+  };
   const report::Document document =
-      with_figures(report_of(project, verification, level_of(options.level)), outputs.figures);
+      with_pictures(report_of(project, verification, level_of(options.level)), drawn);
   write("report.txt", report::text_of(document));
   outputs.results = results_json(project, verification);
   write("results.json", outputs.results);

@@ -16,7 +16,8 @@ struct Schema {
   const char* text;
 };
 
-constexpr Schema schemas[] = {{"results", schema_data::results},
+constexpr Schema schemas[] = {{"case", schema_data::case_file},
+                              {"results", schema_data::results},
                               {"motion", schema_data::motion},
                               {"fatigue", schema_data::fatigue},
                               {"section", schema_data::section},

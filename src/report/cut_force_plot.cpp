@@ -162,14 +162,14 @@ void draw_columns(Script& gp, const Project& project, const Verification& verifi
 
 void cut_forces(Script& gp, const Project& project, const Verification& verification) {
   draw_columns(gp, project, verification,
-               {{Plane::xz, {cut_force::N, cut_force::V_z, cut_force::M_y}, 56.0, 606.0}});
+               {{Plane::xz, {cut_force::N, cut_force::V_z, cut_force::M_y}, 56.0, 600.0}});
 }
 
 void cut_forces_in_space(Script& gp, const Project& project, const Verification& verification) {
   // A column for each plane of the beam: its border, then what acts in that plane.
   draw_columns(gp, project, verification,
-               {{Plane::xz, {cut_force::N, cut_force::V_z, cut_force::M_y}, 56.0, 304.0},
-                {Plane::xy, {cut_force::T, cut_force::V_y, cut_force::M_z}, 362.0, 610.0}});
+               {{Plane::xz, {cut_force::N, cut_force::V_z, cut_force::M_y}, 56.0, 300.0},
+                {Plane::xy, {cut_force::T, cut_force::V_y, cut_force::M_z}, 356.0, 600.0}});
 }
 
 }  // namespace boxbeam::plot

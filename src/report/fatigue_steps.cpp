@@ -51,7 +51,7 @@ std::vector<Corner> corners_of(const SnCurve& curve) {
       corner.symbol = prefix + "_L";
       corner.what = "cut-off";
     } else {
-      corner.symbol = fmt::format("{}_{}", prefix, ++number);
+      corner.symbol = fmt::format("{}_K{}", prefix, ++number);
       corner.what = "end of a branch";
     }
     corners.push_back(corner);
@@ -73,7 +73,7 @@ Step from_corner(const std::string& symbol, const Corner& corner, double slope, 
 }
 
 /// The corner from which the branch of some cycles comes.
-const Corner& corner_before(const std::vector<Corner>& corners, double cycles) {
+Corner corner_before(const std::vector<Corner>& corners, double cycles) {
   const auto behind = std::find_if(corners.begin(), corners.end(),
                                    [&](const Corner& at) { return at.cycles >= cycles; });
   return behind == corners.begin() ? corners.front() : *std::prev(behind);
@@ -111,13 +111,15 @@ std::vector<Row> rows_of(const CheckBasis& basis) {
   std::vector<Row> rows;
   int number = 0;
   const bool several = basis.spectrum.size() > 1;
+  const bool reduced = basis.point.compression_reduced;
   for (const SpectrumRow& row : basis.spectrum) {
     const auto curve =
         std::find_if(basis.curves.begin(), basis.curves.end(),
                      [&](const SnCurve& candidate) { return candidate.kind == row.kind; });
     std::string index;
     if (several) index = fmt::format("_{}", ++number);
-    rows.push_back({&row, &*curve, prefix_of(*curve) + index, index});
+    const bool other_range = !several && reduced && row.kind == StressKind::direct;
+    rows.push_back({&row, &*curve, prefix_of(*curve) + (other_range ? "_red" : index), index});
   }
   return rows;
 }
@@ -193,7 +195,7 @@ Steps alone_steps(const Project& project, const Check& check, const Row& row,
 Step endured_step(const Row& row, double k, const Gammas& gammas) {
   const std::vector<Corner> corners = corners_of(*row.curve);
   const double N = row.row->endured;
-  const Corner& corner = corner_before(corners, N);
+  const Corner corner = corner_before(corners, N);
   const double slope = slope_at(*row.curve, N);
   return {"N" + row.index,
           {fmt::format("{} ({}/(k {} {}))^{:g}", text::cycles(corner.cycles), corner.symbol,
@@ -236,15 +238,15 @@ Steps damage_sum_steps(const std::vector<Row>& rows, double k, const Gammas& gam
     if (!shares.empty()) shares += " + ", terms += " + ";
     shares +=
         fmt::format("{}/{}", text::cycles(row.row->cycle.count), scientific(row.row->endured, 4));
-    terms += text::significant(row.harm());
+    terms += share(row.harm());
   }
   if (rest > 0.0) {
-    shares += " + " + text::significant(rest);
+    shares += " + " + share(rest);
     sum.notes.push_back(fmt::format("the last term: {} smaller shares", harmful.size() - shown));
   }
   if (!harmful.empty()) sum.formulas.push_back(shares);
   if (harmful.size() > 1) sum.formulas.push_back(terms);
-  sum.formulas.push_back(total == 0.0 ? "0" : text::significant(total));
+  sum.formulas.push_back(share(total));
   if (harmless > 0) {
     sum.notes.push_back(fmt::format("{} size{} of range up to {} below the limit: no damage",
                                     harmless, harmless == 1 ? "" : "s",
@@ -278,7 +280,7 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
     if (rows.size() == 1) {
       const double n = rows.front().row->cycle.count;
       const double N = n / basis.damage;
-      const Corner& corner = corner_before(corners_of(*rows.front().curve), N);
+      const Corner corner = corner_before(corners_of(*rows.front().curve), N);
       const double slope = slope_at(*rows.front().curve, N);
       steps.push_back({"N",
                        {fmt::format("{} ({}/({} {}))^{:g}", text::cycles(corner.cycles),
@@ -290,7 +292,7 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
                        {"cycles to failure"}});
       damage.formulas = {"n/N", fmt::format("{}/{}", text::cycles(n), scientific(N, 4))};
     }
-    damage.formulas.push_back(text::significant(basis.damage));
+    damage.formulas.push_back(share(basis.damage));
   } else {
     damage.formulas.emplace_back("0");
     damage.notes.emplace_back("every range is below the limit of damage");
@@ -301,14 +303,14 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
   const double m = curve.branches.front().slope;
   const std::string prefix = prefix_of(curve);
   const bool at_reference = curve.reference_cycles == 2e6;
-  const std::string D = text::significant(basis.damage);
+  const std::string D = share(basis.damage);
   const std::string ratio =
       at_reference ? "" : fmt::format(" x {}/2e6", text::cycles(curve.reference_cycles));
   steps.push_back({prefix + "_E,2",
                    {fmt::format("{}_C {}^(1/{:g})/({})", prefix,
                                 ratio.empty() ? "D" : "(D" + ratio + ")", m, gammas.symbols),
                     fmt::format("{} x ({}{})^(1/{:g})/({})", text::MPa(curve.reference.value()),
-                                text::significant(basis.damage), ratio, m, gammas.values),
+                                share(basis.damage), ratio, m, gammas.values),
                     text::MPa(basis.equivalent.value())},
                    {"2e6 cycles of this range do as much damage"}});
   return steps;

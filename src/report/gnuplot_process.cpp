@@ -12,6 +12,7 @@
 #include <cstring>
 #include <deque>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 #include <thread>
 
@@ -27,16 +28,28 @@ struct Process {
   Drawing drawing;
 };
 
-/// The environment of the program, with a date that files of every run carry.
+/// The environment of the program, but with names in UTF-8 wherever it runs, and one time zone.
 std::vector<std::string> environment() {
-  std::vector<std::string> variables;
-  bool dated = false;
+  std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C.UTF-8"};
   for (char** variable = environ; *variable != nullptr; ++variable) {
-    dated = dated || std::string_view(*variable).starts_with("SOURCE_DATE_EPOCH=");
-    variables.emplace_back(*variable);
+    const std::string_view text = *variable;
+    const bool replaced = text.starts_with("TZ=") || text.starts_with("LC_ALL=");
+    if (!replaced) variables.emplace_back(text);
   }
-  if (!dated) variables.emplace_back("SOURCE_DATE_EPOCH=0");
   return variables;
+}
+
+/// Takes the time of drawing out of a PDF: the same input gives the same bytes. Cairo before 1.17
+/// knows no other way.
+void make_timeless(const fs::path& pdf) {
+  std::fstream file(pdf, std::ios::in | std::ios::out | std::ios::binary);
+  std::string content(std::istreambuf_iterator<char>(file), {});
+  constexpr std::string_view entry = "/CreationDate (D:";
+  const std::size_t at = content.rfind(entry);
+  if (at == std::string::npos) return;
+  file.clear();
+  file.seekp(static_cast<std::streamoff>(at + entry.size()));
+  file << "19700101000000";
 }
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
@@ -84,14 +97,21 @@ std::string trouble_of(const fs::path& folder, const Process& process) {
   std::error_code error;
   const fs::path file = folder / process.drawing.file();
   const bool drawn = fs::exists(file, error) && fs::file_size(file, error) > 0;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && drawn) return "";
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && drawn) {
+    if (process.drawing.format == Drawing::pdf) make_timeless(file);
+    return "";
+  }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     return "gnuplot is not installed (apt install gnuplot-nox)";
   std::ifstream log(folder / (process.drawing.file() + ".log"));
+  std::string words = "it ended without a message";
   for (std::string line; std::getline(log, line);) {
-    if (line.find_first_not_of(" ^") != std::string::npos) return line;
+    if (line.find_first_not_of(" ^") == std::string::npos) continue;
+    words = line;
+    // What it only warns of did not stop it.
+    if (line.find("warning:") == std::string::npos) break;
   }
-  return "it ended without a message";
+  return words;
 }
 
 }  // namespace

@@ -13,22 +13,25 @@ Json check_json(const CheckResult& result) {
   const auto stress = [&](Stress PointStress::*part) {
     return result.basis ? Json(finite((result.basis->stress_at_time.*part).value())) : Json();
   };
-  return {{"id", check.id},
-          {"criterion", to_text(check.criterion)},
-          {"point", check.point},
-          {"station", check.on_beam ? Json(finite(check.station.s.value())) : Json()},
-          {"side", check.on_beam ? Json(to_text(check.station.side)) : Json()},
-          {"situation", check.situation},
-          {"time", finite(check.time.value())},
-          {"acting", finite(check.acting.value())},
-          {"resisting", finite(check.resisting.value())},
-          {"safety_factor", finite(check.safety_factor)},
-          {"required", finite(check.required)},
-          {"utilisation", finite(check.utilisation())},
-          {"unit", check.acting.unit()},
-          {"source", check.source},
-          {"normal_stress", stress(&PointStress::normal)},
-          {"shear_stress", stress(&PointStress::shear)}};
+  // Member by member: a list of pairs would be built of arrays first, for every check.
+  Json json = Json::object();
+  json["id"] = check.id;
+  json["criterion"] = to_text(check.criterion);
+  json["point"] = check.point;
+  json["station"] = check.on_beam ? Json(finite(check.station.s.value())) : Json();
+  json["side"] = check.on_beam ? Json(to_text(check.station.side)) : Json();
+  json["situation"] = check.situation;
+  json["time"] = finite(check.time.value());
+  json["acting"] = finite(check.acting.value());
+  json["resisting"] = finite(check.resisting.value());
+  json["safety_factor"] = finite(check.safety_factor);
+  json["required"] = finite(check.required);
+  json["utilisation"] = finite(check.utilisation());
+  json["unit"] = check.acting.unit();
+  json["source"] = check.source;
+  json["normal_stress"] = stress(&PointStress::normal);
+  json["shear_stress"] = stress(&PointStress::shear);
+  return json;
 }
 
 Json governing_json(const Verification& verification) {

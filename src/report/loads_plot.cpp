@@ -107,7 +107,7 @@ void loads_over_time(Script& gp, const Project& project, const Verification& ver
                                    [&](const CutForceName& of) { return of.which == order[p]; });
     const bool lowest = p % 3 == 2;
     gp << (lowest ? "set format x '%g'\n" : "set format x ''\n");
-    const double left = p < 3 ? 56.0 : 366.0;
+    const double left = p < 3 ? 56.0 : 358.0;
     const double top = highest - static_cast<double>(p % 3) * (height + between);
     draw_panel(gp, *name, lines_of(figure, order[p], seconds), lowest ? footing : "",
                {left, top - height, left + 242.0, top});

@@ -17,8 +17,9 @@ struct Layout {
   int columns = 1;
   int rows = 1;
   double metres_per_pixel = 1.0;
-  double width = 0.0, height = 0.0;  ///< of a frame
-  double above = 0.0;                ///< room of the longest title
+  double width = 0.0, height = 0.0;                  ///< of a frame
+  double above = 0.0;                                ///< room of the longest title
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of every frame, world [m]
 };
 
 constexpr double title_row = 16.0;
@@ -31,20 +32,36 @@ std::vector<std::string> title_of(const PostureFigure& posture, std::size_t numb
   return lines;
 }
 
-/// The layout in which the mechanism is largest, in a figure no higher than a page. Around it is
-/// room for arrows and their names.
-Layout layout_of(const std::vector<PostureFigure>& postures, const Eigen::Vector3d& size,
-                 double largest_force) {
-  const auto count = static_cast<int>(postures.size()) - 1;
-  constexpr double highest = 760.0;
-  Eigen::Vector2d longest = Eigen::Vector2d::Zero();
-  for (const PostureFigure& posture : postures) {
+/// The corners of the mechanism with its arrows and their names at a scale [px], from the origin of
+/// the world.
+Frame drawn_extent(const Verification& verification, const Extents& extents, double largest_force,
+                   double metres_per_pixel) {
+  constexpr double margin = 12.0;
+  const Eigen::Vector3d low = extents.low / metres_per_pixel;
+  const Eigen::Vector3d high = extents.high / metres_per_pixel;
+  Frame frame{low.x() - margin, low.y() - margin, high.x() + margin, high.y() + margin};
+  for (const PostureFigure& posture : verification.postures) {
     for (const BeamLoadRow& row : posture.loads) {
-      longest = longest.cwiseMax(row.world.head<2>().cwiseAbs() * (arrow / largest_force));
+      const Eigen::Vector3d tail =
+          row.place / metres_per_pixel - row.world * (arrow / largest_force);
+      const double name = 0.5 * text_width(row.name + "  00.00 kN");
+      frame.left = std::min(frame.left, tail.x() - name);
+      frame.right = std::max(frame.right, tail.x() + name);
+      frame.bottom = std::min(frame.bottom, tail.y() - 20.0);
+      frame.top = std::max(frame.top, tail.y() + 20.0);
     }
   }
-  const double across = 2.0 * longest.x() + 76.0;
-  const double up = 2.0 * longest.y() + 36.0;
+  return frame;
+}
+
+/// The layout in which the mechanism is largest, in a figure no higher than a page.
+Layout layout_of(const Verification& verification, const Extents& extents, double largest_force) {
+  constexpr double highest = 760.0;
+  const std::vector<PostureFigure>& postures = verification.postures;
+  const auto count = static_cast<int>(postures.size()) - 1;
+  const auto drawn = [&](double scale) {
+    return drawn_extent(verification, extents, largest_force, scale);
+  };
   Layout best;
   for (int columns = 1; columns <= std::min(count, 3); ++columns) {
     const int rows = (count + columns - 1) / columns;
@@ -56,10 +73,20 @@ Layout layout_of(const std::vector<PostureFigure>& postures, const Eigen::Vector
     const double above = title_row * static_cast<double>(lines) + 8.0;
     const double most = std::min(460.0, (highest - foot) / rows - above - below_frame);
     if (most < 120.0) continue;
-    const double scale = std::max(size.x() / (width - across), size.y() / (most - up));
-    if (best.width > 0.0 && scale >= best.metres_per_pixel) continue;
-    const double height = std::clamp(size.y() / scale + up, 130.0, most);
-    best = {columns, rows, scale, width, height, above};
+    // The finest scale that fits, between one far too fine and one at which arrows alone fill it.
+    double fine = 1e-3 * extents.size().maxCoeff() / figure_width;
+    double coarse = 1e6 * fine;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = std::sqrt(fine * coarse);
+      const Frame at = drawn(middle);
+      const bool fits = at.right - at.left <= width && at.top - at.bottom <= most;
+      (fits ? coarse : fine) = middle;
+    }
+    if (best.width > 0.0 && coarse >= best.metres_per_pixel) continue;
+    const Frame at = drawn(coarse);
+    const Pixel middle(0.5 * (at.left + at.right), 0.5 * (at.bottom + at.top));
+    best = {columns, rows,           coarse, width, std::clamp(at.top - at.bottom, 130.0, most),
+            above,   middle * coarse};
   }
   return best;
 }
@@ -79,14 +106,13 @@ std::string foot_text(const Verification& verification) {
 
 void mechanism(Script& gp, const Project&, const Verification& verification) {
   const auto count = static_cast<int>(verification.postures.size()) - 1;
-  const Extents extents = extents_of(verification);
   double largest_force = 1e-9;
   for (const PostureFigure& posture : verification.postures) {
     for (const BeamLoadRow& row : posture.loads) {
       largest_force = std::max(largest_force, row.world.norm());
     }
   }
-  const Layout layout = layout_of(verification.postures, extents.size(), largest_force);
+  const Layout layout = layout_of(verification, extents_of(verification), largest_force);
   const double step = layout.height + layout.above + below_frame;
   gp.begin("mechanism", foot + layout.rows * step);
   put_text(gp, foot_text(verification), {0.5 * gp.width(), 0.5 * foot}, "center", "#505050");
@@ -97,7 +123,7 @@ void mechanism(Script& gp, const Project&, const Verification& verification) {
     const double top = gp.height() - layout.above - (k / layout.columns) * step;
     const Panel panel =
         panel_to_scale({left, top - layout.height, left + layout.width, top},
-                       layout.metres_per_pixel, extents.middle().x(), extents.middle().y());
+                       layout.metres_per_pixel, layout.middle.x(), layout.middle.y());
     place(gp, panel);
     put_footing(gp, panel, "x [m]");
     const std::vector<std::string> title =

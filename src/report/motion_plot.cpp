@@ -110,12 +110,15 @@ void motion(Script& gp, const Project&, const Verification& verification) {
                       "lw 0.8 dt (3,3) lc rgb '#707070'"});
   }
   const double foot = legend.empty() ? 4.0 : height_of_legend(legend) + 4.0;
-  const double block = above + 4.0 * height + 3.0 * heading_room + below;
+  std::size_t most = 0;
+  for (const DriverLine& line : drivers) most = std::max(most, quantities_of(line).size());
+  const double block =
+      above + static_cast<double>(most) * (height + heading_room) - heading_room + below;
   gp.begin("motion", foot + static_cast<double>(blocks) * block);
-  const double width = (figure_width - 8.0) / static_cast<double>(columns) - 62.0;
+  const double width = (figure_width - 16.0) / static_cast<double>(columns) - 58.0;
   for (std::size_t k = 0; k < drivers.size(); ++k) {
     const DriverLine& line = drivers[k];
-    const double left = 56.0 + static_cast<double>(k % columns) * (width + 62.0);
+    const double left = 56.0 + static_cast<double>(k % columns) * (width + 58.0);
     double top = gp.height() - static_cast<double>(k / columns) * block - above;
     put_text(gp, fitted(line.name, width), {left - 44.0, top + 36.0});
     if (k == 0 && !legend.empty()) draw_legend(gp, legend, 2.0);

@@ -47,6 +47,8 @@ void Script::begin(const std::string& name, double height) {
   // The text of a page of A4 is so wide [in].
   constexpr double page = 6.5;
   constexpr double scale = page / figure_width;
+  // Letters of 10 pt, as high as those of 9 pt in the other font: pdfcairo draws a third more than
+  // is asked for.
   out() << std::setprecision(9)
         << fmt::format(
                "# Redraw in the folder above: gnuplot plots/{0}.gp; as PDF: gnuplot -e 'pdf = 1' "
@@ -54,14 +56,14 @@ void Script::begin(const std::string& name, double height) {
                "if (!exists('pdf')) pdf = 0\n"
                "if (pdf) {{\n"
                "  set terminal pdfcairo size {1:.4f},{2:.4f} enhanced font 'Latin Modern "
-               "Sans,{3:.2f}' fontscale 1 linewidth {4:.3f} rounded\n"
+               "Sans,{3:g}' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded\n"
                "  set output '{0}.pdf'\n"
                "}} else {{\n"
-               "  set terminal svg size {5:g},{6:g} dynamic enhanced font 'DejaVu Sans,12' "
+               "  set terminal svg size {4:g},{5:g} dynamic enhanced font 'DejaVu Sans,12' "
                "background '#ffffff' rounded\n"
                "  set output '{0}.svg'\n"
                "}}\n",
-               name, page, height * scale, 12.0 * 72.0 * scale, 1.0, figure_width, height)
+               name, page, height * scale, 7.5, figure_width, height)
         << "set encoding utf8\n"
            "set border 3 lc rgb '#606060'\n"
            "set tics out nomirror scale 0.5\n"
@@ -101,7 +103,8 @@ const char* dashes(std::size_t i) {
 }
 
 std::string line_style(std::size_t i, double width) {
-  return fmt::format("lw {} dt {} lc rgb '{}'", width, dashes(i), colour(i));
+  // Where colours begin anew, dashes differ.
+  return fmt::format("lw {} dt {} lc rgb '{}'", width, dashes(i + i / 6), colour(i));
 }
 
 std::string axis_title(const CutForceName& name) {
@@ -113,13 +116,21 @@ std::string axis_title(const CutForceName& name) {
 }
 
 std::string quoted(const std::string& text) {
-  std::string out = "'";
+  // gnuplot writes a quote within quotes as two, but takes several in a row wrongly: they stand in
+  // strings of their own.
+  std::string out;
+  bool quotes = false;
   for (const char c : text) {
     const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    if (c == '\'') out += '\'';
+    if (out.empty())
+      out += c == '\'' ? '"' : '\'';
+    else if ((c == '\'') != quotes)
+      out += quotes ? "\".'" : "'.\"";
+    quotes = c == '\'';
     out += control ? ' ' : c;
   }
-  return out + "'";
+  if (out.empty()) return "''";
+  return out + (quotes ? '"' : '\'');
 }
 
 std::string time_label(Time time, const std::string& situation) {

@@ -66,8 +66,8 @@ std::string line_style(std::size_t i, double width = 1.6);
 /// The unit of a cut force, and its symbol with its index below.
 std::string axis_title(const CutForceName& name);
 
-/// A user's text as a gnuplot string: in single quotes, where gnuplot replaces nothing. Control
-/// characters become spaces. To be drawn "noenhanced".
+/// A user's text as a gnuplot string: in single quotes, where gnuplot replaces nothing, but quotes
+/// themselves. Control characters become spaces. To be drawn "noenhanced".
 std::string quoted(const std::string& text);
 
 /// "t = 1.0710 s", and in a case of several situations which one.

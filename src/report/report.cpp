@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 
 #include "blocks.hpp"
@@ -23,21 +22,6 @@ Mark mark_of(Verdict verdict) {
     case Verdict::not_applicable: return Mark::not_applicable;
   }
   return Mark::none;
-}
-
-/// What draw_figures draws.
-std::vector<std::string> drawn(const Project& project, const Verification& verification) {
-  std::vector<std::string> names{"mechanism", "cut-forces"};
-  if (verification.elastic) {
-    names.emplace_back("modes");
-    if (!verification.elastic->over_period.at.empty()) {
-      names.insert(names.end(), {"frequency-response", "joint-forces", "sudden-start"});
-    }
-  }
-  if (verification.loads_over_time) names.emplace_back("loads");
-  if (project.given_stresses.empty()) names.emplace_back("stress");
-  if (verification.sn) names.emplace_back("sn");
-  return names;
 }
 
 report::Facts title_facts(const Project& project, const Verification& verification) {
@@ -97,7 +81,7 @@ std::string report::verdict_text(Verdict verdict) {
 
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level) {
-  const Source source{project, verification, level, drawn(project, verification)};
+  const Source source{project, verification, level, figures_of(project, verification)};
   Document document;
   document.title = project.name;
   document.subtitle = project.title;
@@ -118,11 +102,11 @@ report::Document report_of(const Project& project, const Verification& verificat
   return document;
 }
 
-report::Document with_pictures(report::Document document, const std::vector<std::string>& names) {
+report::Document with_pictures(report::Document document,
+                               const std::function<bool(const std::string& name)>& drawn) {
   const auto missing = [&](const Block& block) {
     const auto* picture = std::get_if<Picture>(&block);
-    return picture != nullptr &&
-           std::find(names.begin(), names.end(), picture->name) == names.end();
+    return picture != nullptr && !drawn(picture->name);
   };
   for (Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
   std::erase_if(document.chapters, [](const Chapter& chapter) { return chapter.blocks.empty(); });

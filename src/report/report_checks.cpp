@@ -89,14 +89,13 @@ std::vector<const CheckResult*> governing_checks(const Verification& verificatio
 
 Table governing_table(const Source& source) {
   const bool several = source.project.situations.size() > 1;
-  Table table = table_of(
-      "", {"result", "criterion", "use [%]", "factor", "required", "s [m]", "point", "t [s]"});
+  Table table =
+      table_of("", {"criterion", "use [%]", "factor", "required", "s [m]", "point", "t [s]"});
   if (several) table.header.emplace_back("situation");
   for (const CheckResult* result : governing_checks(source.verification)) {
     const Check& check = result->check;
     std::vector<Cell> row =
-        row_of(check.passes() ? "passes" : "FAILS", to_text(check.criterion),
-               cell(Quantity::utilisation, check.utilisation()),
+        row_of(to_text(check.criterion), cell(Quantity::utilisation, check.utilisation()),
                cell(Quantity::factor, check.safety_factor), cell(Quantity::factor, check.required),
                station_cell(check), check.point, cell(Quantity::time, check.time.value()));
     if (several) row.push_back(cell(check.situation));

@@ -31,7 +31,7 @@ void panels(Script& gp, const std::string& name, const JointLines& lines,
     const auto [low, high] = std::minmax_element(line.begin(), line.end(), lower);
     const double span =
         std::max(std::get<1>(*high) - std::get<1>(*low), std::max(1e-3 * std::get<1>(*high), 1e-9));
-    const double left = j % 2 == 0 ? 56.0 : 366.0;
+    const double left = j % 2 == 0 ? 56.0 : 358.0;
     const double top = gp.height() - above - step * static_cast<double>(j / 2) - 2.0;
     const Panel panel{{left, top - height, left + 242.0, top},
                       std::get<0>(line.front()),
@@ -68,14 +68,12 @@ void frequency_response(Script& gp, const Project&, const Verification& verifica
   std::vector<LegendEntry> legend;
   for (std::size_t j = 0; j < lines.names.size(); ++j) {
     legend.push_back({lines.names[j], line_style(j, 1.4)});
-    // More joints than colours go on with thicker lines.
-    if (j >= 6) legend.back().style = line_style(j, 2.4);
   }
   constexpr double height = 330.0;
   const double below = footing_room + height_of_legend(legend);
   gp.begin("frequency-response", below + height + 46.0);
   const Panel panel{
-      {60.0, below, 606.0, below + height}, 0.0, lines.at.back(), 1e-5 * top, top, false, true};
+      {60.0, below, 600.0, below + height}, 0.0, lines.at.back(), 1e-5 * top, top, false, true};
   gp << "set logscale y\nset format y '10^{%T}'\nset ytics 10\nset mytics 1\n";
   place(gp, panel);
   put_footing(gp, panel, "frequency of the harmonic loads [Hz]");

@@ -240,7 +240,7 @@ void section(Script& gp, const Project& project, const Verification& verificatio
                shown);
   const double margin = 0.28 * (stress.high - stress.low);
   draw_stress(gp, figure,
-              {{412.0, below, 606.0, below + height},
+              {{412.0, below, 600.0, below + height},
                stress.low - margin,
                stress.high + margin,
                z_middle - half_z,

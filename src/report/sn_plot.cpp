@@ -41,6 +41,25 @@ OnCurve near_on(const SnFigure& figure, double cycles) {
   return best;
 }
 
+/// The curves that resist at other places of the beam, each once, the strongest first.
+std::vector<const SnCurve*> other_curves_of(const Verification& verification,
+                                            const SnCurve& governing) {
+  std::vector<const SnCurve*> others;
+  for (const CheckResult& result : verification.checks) {
+    if (result.check.criterion != Criterion::fatigue || !result.basis) continue;
+    const SnCurve& curve = result.basis->curves.front();
+    const auto same = [&](const SnCurve& other) {
+      return other.name == curve.name && other.reference == curve.reference;
+    };
+    const bool known = same(governing) || std::any_of(others.begin(), others.end(),
+                                                      [&](const SnCurve* of) { return same(*of); });
+    if (!known) others.push_back(&curve);
+  }
+  std::sort(others.begin(), others.end(),
+            [](const SnCurve* a, const SnCurve* b) { return a->reference > b->reference; });
+  return others;
+}
+
 /// The slopes of the curve's branches, each in the middle of its branch.
 void label_slopes(Script& gp, Labels& labels, const SnFigure& figure, const SnCurve& curve,
                   const Panel& panel) {
@@ -99,13 +118,21 @@ void sn(Script& gp, const Project&, const Verification& verification) {
         {"the same, constant range", fmt::format("lw 1.4 dt (6,4) lc rgb '{}'", colour(0))});
   legend.push_back({"ranges of the governing place, partial factors applied", "",
                     fmt::format("pt 7 ps 0.7 lc rgb '{}'", colour(1))});
-  legend.push_back(
-      {fmt::format("these times the required factor {}", text::significant(figure.required, 3)), "",
-       fmt::format("pt 6 ps 0.8 lw 1.2 lc rgb '{}'", colour(1))});
+  if (figure.required != 1.0)
+    legend.push_back(
+        {fmt::format("these times the required factor {}", text::significant(figure.required, 3)),
+         "", fmt::format("pt 6 ps 0.8 lw 1.2 lc rgb '{}'", colour(1))});
   constexpr double height = 330.0;
   const double below = footing_room + height_of_legend(legend);
   gp.begin("sn", below + height + 30.0);
-  const Panel panel{{56.0, below, 600.0, below + height}, fewest, 1e9, lowest, highest, true, true};
+  // A little more than whole decades, so that the numbers at their ends are written.
+  const Panel panel{{56.0, below, 600.0, below + height},
+                    fewest,
+                    1e9,
+                    0.999 * lowest,
+                    1.001 * highest,
+                    true,
+                    true};
   gp << "set logscale xy\nset format x '10^{%T}'\nset xtics 10\nset mxtics 1\n"
      << "set ytics (" << range_tics(lowest, highest) << ")\n";
   place(gp, panel);
@@ -118,6 +145,24 @@ void sn(Script& gp, const Project&, const Verification& verification) {
   Labels labels;
   std::vector<std::string> curves;
   labels.keep_off(panel, line);
+  if (en) {
+    const std::vector<const SnCurve*> others =
+        other_curves_of(verification, governing->basis->curves.front());
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      std::vector<Row2> rows;
+      for (const double n : figure.cycles) {
+        rows.emplace_back(n, 1e-6 * strength_at(*others[k], n, Loading::spectrum).value());
+      }
+      const std::string data = fmt::format("other{}", k);
+      gp.block(data, rows);
+      labels.keep_off(panel, rows);
+      curves.push_back(fmt::format("${} using 1:2 with lines lw 0.9 lc rgb '#7d8b99'", data));
+      const auto& [n, strength] = rows[20 + 6 * k % 24];
+      if (strength < panel.y_high)
+        labels.put(gp, "category " + others[k]->name, panel.at(n, strength), panel.frame, "#5d6b79",
+                   4.0);
+    }
+  }
   curves.push_back(fmt::format("$line using 1:2 with lines lw 2 lc rgb '{}'", colour(0)));
   if (shows_constant) {
     gp.block("constant", constant);
@@ -159,6 +204,7 @@ void sn(Script& gp, const Project&, const Verification& verification) {
     label_slopes(gp, labels, figure, curve, panel);
   } else {
     mark(5e6, figure.knee, figure.published_step ? "step" : "knee");
+    mark(1e8, figure.cut_off, "at 1e8 cycles:");
   }
   if (!marks.empty()) {
     gp.block("marks", marks);

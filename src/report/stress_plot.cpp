@@ -52,7 +52,7 @@ void stress(Script& gp, const Project& project, const Verification& verification
   const std::vector<double>& times = governing->basis->times;
   const auto [y_low, y_high] = range_with_zero(low, high, 0.16);
   const Panel panel{
-      {56.0, below, 606.0, below + height}, times.front(), times.back(), y_low, y_high};
+      {56.0, below, 600.0, below + height}, times.front(), times.back(), y_low, y_high};
   place(gp, panel);
   const std::string& situation = project.situations[running].name;
   put_text(gp, fitted("normal stress [MPa]" + (situation.empty() ? "" : ", " + situation), 580.0),

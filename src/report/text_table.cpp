@@ -157,4 +157,17 @@ std::string table_text(const Table& table, std::size_t width) {
   return out;
 }
 
+Table with_results(Table table) {
+  table.header.insert(table.header.begin(), "result");
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Mark mark = table.marks[i];
+    table.rows[i].insert(table.rows[i].begin(), {mark == Mark::passes  ? "passes"
+                                                 : mark == Mark::fails ? "FAILS"
+                                                                       : "not applicable",
+                                                 {}});
+  }
+  table.marks.clear();
+  return table;
+}
+
 }  // namespace boxbeam::report

@@ -11,4 +11,7 @@ namespace boxbeam::report {
 /// "?" before one that does not apply.
 std::string table_text(const Table& table, std::size_t width);
 
+/// The table with its marks as words, "passes" or "FAILS", in a column before the others.
+Table with_results(Table table);
+
 }  // namespace boxbeam::report

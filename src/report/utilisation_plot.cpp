@@ -65,9 +65,9 @@ void utilisation(Script& gp, const Project& project, const Verification& verific
   gp.begin("utilisation", below + height + heading_room + outline_height + 40.0);
   const double top = gp.height() - 40.0;
   gp << "set format x ''\n";
-  draw_outline(gp, project, verification, Plane::xz, {56.0, top - outline_height, 606.0, top});
+  draw_outline(gp, project, verification, Plane::xz, {56.0, top - outline_height, 600.0, top});
   const auto [s_low, s_high] = range_of_s(project.beam);
-  const Panel panel{{56.0, below, 606.0, below + height}, s_low, s_high, 0.0, 1.15 * highest};
+  const Panel panel{{56.0, below, 600.0, below + height}, s_low, s_high, 0.0, 1.15 * highest};
   place(gp, panel);
   put_heading(gp, panel, "utilisation [%], the worst place of every section that is checked");
   draw_legend(gp, legend, 2.0);

@@ -128,8 +128,8 @@ def check_slider(page, results):
         if cut_off:
             results.equal(cut_off, [], f"texts outside the drawing at frame {frame}")
     results.check(worst < 0.02, f"joints are drawn {worst:.3f} px off their places")
-    results.check(len(postures) > count // 2, "the slider does not move the mechanism")
-    results.check(len(curves) > count // 2, "the slider does not move the cut forces")
+    results.check(len(postures) > count // 3, "the slider does not move the mechanism")
+    results.check(len(curves) > count // 3, "the slider does not move the cut forces")
     results.equal(len(times), count, "different times shown")
     check_values(page, data, results)
 
@@ -192,6 +192,8 @@ def check_sorting(page, results):
         t => t.tHead.rows[0].cells[0].querySelector("button"));
       const most = Math.max(...tables.map(t => t.tBodies[0].rows.length));
       const table = tables.find(t => t.tBodies[0].rows.length === most);
+      const folded = table.closest("details");
+      if (folded) folded.open = true;
       return [...document.querySelectorAll("table.data")].indexOf(table);
     })()""")
     table = f"""document.querySelectorAll("table.data")[{index}]"""
@@ -308,6 +310,7 @@ def main():
         for case in CASES:
             results.case = case
             folder = pathlib.Path(temporary) / pathlib.Path(case).stem
+            folder.mkdir()
             run = subprocess.run([program, "verify", root / case, "--out", folder, "--no-pdf", "--quiet"],
                                  capture_output=True, text=True, check=False)
             if run.returncode > 1:

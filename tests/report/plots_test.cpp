@@ -1,1 +1,389 @@
+// The figures: drawn by gnuplot without a word, legible, with the results' numbers in them.
+
+#include "boxbeam/report/plots.hpp"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/format.hpp"
 #include "catch.hpp"
+#include "support/program.hpp"
+#include "support/rig.hpp"
+
+using namespace boxbeam;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<std::string> shipped{
+    "sections/sledge-rig/rig.toml",          "sections/sledge-rig/rig-detailed.toml",
+    "sections/sledge-rig/published.toml",    "sections/sledge-rig/friction.toml",
+    "sections/sledge-rig/slender.toml",      "sections/landing-gear/gear.toml",
+    "sections/landing-gear/retraction.toml", "sections/drill-truck/truck.toml",
+    "sections/four-bar-rocker/rocker.toml",  "sections/pump-jack/beam.toml",
+    "sections/scissor-lift/lift.toml",       "sections/slider-crank-press/press.toml"};
+
+Project shipped_case(const std::string& path) {
+  std::optional<Dynamics> dynamics;
+  if (path.find("published") != std::string::npos) dynamics = Dynamics::newton_chain;
+  return read_project(test::project_file(path), {}, dynamics);
+}
+
+/// A case and its figures, drawn into a folder of their own.
+struct Drawn {
+  explicit Drawn(Project of)
+      : project(std::move(of)), verification(verify(project, Figures::with)) {
+    files = draw_figures(project, verification, folder.path().string(),
+                         (folder.path() / "pdf").string());
+  }
+  std::string svg(const std::string& name) const {
+    return test::read_file(folder.path() / (name + ".svg"));
+  }
+
+  test::TemporaryFolder folder;
+  Project project;
+  Verification verification;
+  std::vector<std::string> files;
+};
+
+/// Every shipped case, drawn once.
+const Drawn& drawn(const std::string& path) {
+  static std::map<std::string, Drawn> cases;
+  const auto found = cases.find(path);
+  return found != cases.end() ? found->second
+                              : cases.try_emplace(path, shipped_case(path)).first->second;
+}
+
+/// A text of an SVG and where it stands [px], y downwards.
+struct SvgText {
+  std::string text;
+  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+  double size = 0.0;
+};
+
+/// Width of a text in ems: advance widths of DejaVu Sans from the font's own table, U+0020 to
+/// U+007E, in 2048ths of an em; other characters as wide as an m.
+double ems_of(const std::string& text) {
+  static constexpr std::array<int, 95> widths{
+      651,  821,  942,  1716, 1303, 1946, 1597, 563,  799,  799,  1024, 1716, 651,  739,
+      651,  690,  1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 690,  690,
+      1716, 1716, 1716, 1087, 2048, 1401, 1405, 1430, 1577, 1294, 1178, 1587, 1540, 604,
+      604,  1343, 1141, 1767, 1532, 1612, 1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025,
+      1403, 1251, 1403, 799,  690,  799,  1716, 1024, 1024, 1255, 1300, 1126, 1300, 1260,
+      721,  1300, 1298, 569,  569,  1186, 569,  1995, 1298, 1253, 1300, 1300, 842,  1067,
+      803,  1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,  1303, 1716};
+  double width = 0.0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 && byte < 0xC0) continue;
+    width += byte < 0x20 || byte > 0x7e ? 1995.0 : widths[byte - 0x20U];
+  }
+  return width / 2048.0;
+}
+
+std::string unescaped(std::string text) {
+  const std::pair<const char*, const char*> entities[] = {{"&lt;", "<"},     {"&gt;", ">"},
+                                                          {"&quot;", "\""},  {"&apos;", "'"},
+                                                          {"\xC2\xA0", " "}, {"&amp;", "&"}};
+  for (const auto& [entity, character] : entities) {
+    for (std::size_t at = text.find(entity); at != std::string::npos;
+         at = text.find(entity, at + 1)) {
+      text.replace(at, std::string(entity).size(), character);
+    }
+  }
+  return text;
+}
+
+std::vector<SvgText> texts_of(const std::string& svg) {
+  static const std::regex group(
+      "<g transform=\"translate\\(([0-9.-]+),([0-9.-]+)\\)( rotate\\([^)]*\\))?\" [^>]*"
+      "font-size=\"([0-9.]+)\"\\s+text-anchor=\"(\\w+)\">\\s*<text[^>]*>(.*?)</text>");
+  static const std::regex span("<tspan([^>]*)>([^<]*)</tspan>");
+  static const std::regex font_size("font-size=\"([0-9.]+)\"");
+  std::vector<SvgText> texts;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), group), end; at != end; ++at) {
+    CHECK_FALSE((*at)[3].matched);  // nothing is written upright
+    SvgText text;
+    text.size = std::stod((*at)[4]);
+    double width = 0.0;
+    const std::string inside = (*at)[6];
+    if (inside.find("<tspan") == std::string::npos) {
+      text.text = unescaped(inside);
+      width = text.size * ems_of(text.text);
+    }
+    for (std::sregex_iterator part(inside.begin(), inside.end(), span); part != end; ++part) {
+      const std::string attributes = (*part)[1];
+      std::smatch found;
+      const double size =
+          std::regex_search(attributes, found, font_size) ? std::stod(found[1]) : text.size;
+      const std::string piece = unescaped((*part)[2]);
+      text.text += piece;
+      width += size * ems_of(piece);
+    }
+    if (text.text.find_first_not_of(' ') == std::string::npos) continue;
+    const double x = std::stod((*at)[1]);
+    const double y = std::stod((*at)[2]);
+    const std::string anchor = (*at)[5];
+    text.left = anchor == "start" ? x : (anchor == "end" ? x - width : x - 0.5 * width);
+    text.right = text.left + width;
+    text.top = y - 0.73 * text.size;  // as high as capitals
+    text.bottom = y + 0.1 * text.size;
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+bool has(const std::vector<SvgText>& texts, const std::string& part) {
+  return std::any_of(texts.begin(), texts.end(), [&](const SvgText& text) {
+    return text.text.find(part) != std::string::npos;
+  });
+}
+
+/// What gnuplot says of a script, run as its first line tells the reader to.
+std::string words_of_gnuplot(const fs::path& folder, const std::string& name) {
+  const std::string command = "cd '" + folder.string() + "' && gnuplot plots/" + name + ".gp 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string words;
+  std::array<char, 256> part{};
+  while (std::fgets(part.data(), static_cast<int>(part.size()), pipe) != nullptr)
+    words += part.data();
+  CHECK(pclose(pipe) == 0);
+  return words;
+}
+
+}  // namespace
+
+TEST_CASE("every figure of every case is drawn without a warning, and its script draws it again") {
+  for (const std::string& path : shipped) {
+    CAPTURE(path);
+    const Drawn& figures = drawn(path);
+    std::vector<std::string> expected;
+    for (const std::string& name : figures_of(figures.project, figures.verification)) {
+      CAPTURE(name);
+      expected.push_back(name + ".svg");
+      const std::string before = figures.svg(name);
+      CHECK(words_of_gnuplot(figures.folder.path(), name).empty());
+      CHECK(figures.svg(name) == before);
+      const std::string pdf = test::read_file(figures.folder.path() / "pdf" / (name + ".pdf"));
+      CHECK(pdf.starts_with("%PDF-"));
+    }
+    CHECK(figures.files == expected);
+    // Nothing but the figures and their scripts stays.
+    for (const fs::directory_entry& entry : fs::directory_iterator(figures.folder.path())) {
+      const std::string name = entry.path().filename().string();
+      CHECK((name.ends_with(".svg") || name == "plots" || name == "pdf"));
+    }
+  }
+}
+
+TEST_CASE("every kind of case has its figures, in the order of a report") {
+  using Names = std::vector<std::string>;
+  const auto names = [](const std::string& path) {
+    return figures_of(drawn(path).project, drawn(path).verification);
+  };
+  CHECK(names("sections/sledge-rig/rig.toml") ==
+        Names{"mechanism", "motion", "cut-forces", "utilisation", "section", "stress", "sn"});
+  CHECK(names("sections/sledge-rig/published.toml") ==
+        Names{"mechanism", "motion", "cut-forces", "sn"});
+  CHECK(names("sections/landing-gear/retraction.toml") == Names{"mechanism", "motion", "cut-forces",
+                                                                "loads", "utilisation", "section",
+                                                                "stress", "sn", "spectrum"});
+  CHECK(names("sections/drill-truck/truck.toml") ==
+        Names{"mechanism", "motion", "cut-forces", "utilisation", "section", "stress", "sn",
+              "modes", "frequency-response", "joint-forces", "sudden-start"});
+}
+
+TEST_CASE("no text of a figure leaves it, is small, or lies on another") {
+  for (const std::string& path : shipped) {
+    for (const std::string& name : figures_of(drawn(path).project, drawn(path).verification)) {
+      CAPTURE(path, name);
+      const std::string svg = drawn(path).svg(name);
+      std::smatch box;
+      REQUIRE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"")));
+      const double width = std::stod(box[1]);
+      const double height = std::stod(box[2]);
+      const std::vector<SvgText> texts = texts_of(svg);
+      REQUIRE(texts.size() > 5);
+      for (std::size_t i = 0; i < texts.size(); ++i) {
+        const SvgText& text = texts[i];
+        CAPTURE(text.text);
+        CHECK(text.left >= 0.0);
+        CHECK(text.right <= width);
+        CHECK(text.top >= 0.0);
+        CHECK(text.bottom <= height);
+        // On a page of A4 the figure is 6.5 inches wide, 468 pt.
+        CHECK(text.size / width * 468.0 >= 9.0);
+        for (std::size_t j = i + 1; j < texts.size(); ++j) {
+          const SvgText& other = texts[j];
+          const bool apart = text.right <= other.left || other.right <= text.left ||
+                             text.bottom <= other.top || other.bottom <= text.top;
+          CAPTURE(other.text);
+          CHECK(apart);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the values at the extremes are those of the results") {
+  const Drawn& rig = drawn("sections/sledge-rig/rig.toml");
+  const Verification& verification = rig.verification;
+  const std::vector<SvgText> cut = texts_of(rig.svg("cut-forces"));
+  const std::vector<SvgText> motion = texts_of(rig.svg("motion"));
+  const std::vector<SvgText> mechanism = texts_of(rig.svg("mechanism"));
+  for (const CriticalInstant& instant : verification.critical_instants) {
+    if (instant.quantity != "M") continue;
+    CHECK(has(cut, text::significant(1e-3 * instant.value) + " ("));
+    CHECK(has(cut, "t = " + text::seconds(instant.time.value())));
+    CHECK(has(motion, text::seconds(instant.time.value())));
+    CHECK(has(mechanism, "t = " + text::seconds(instant.time.value())));
+  }
+  for (const BeamLoadRow& row : verification.loads) {
+    CHECK(has(mechanism, row.name + "  " + text::kN(row.world.norm())));
+  }
+  const DriverLine& exciter = verification.drivers.front();
+  CHECK(has(motion, exciter.name));
+  CHECK(has(motion, text::significant(
+                        1e-3 * *std::max_element(exciter.force.begin(), exciter.force.end()))));
+  const CheckResult& worst = *verification.governing(Criterion::fatigue);
+  const std::vector<SvgText> along = texts_of(rig.svg("utilisation"));
+  CHECK(has(along, text::percent(worst.check.utilisation()) + ": fatigue at s = " +
+                       to_text(worst.check.station) + " m, " + worst.check.point));
+  const std::vector<SvgText> section = texts_of(rig.svg("section"));
+  CHECK(has(section, worst.check.point));
+  CHECK(has(section, text::MPa(worst.basis->stress_at_time.normal.value())));
+  const std::vector<SvgText> stress = texts_of(rig.svg("stress"));
+  CHECK(has(stress, "range " + text::MPa(worst.check.acting.value())));
+  CHECK(has(stress, text::MPa(worst.basis->highest.value) + " at " +
+                        text::seconds(worst.basis->highest.time.value())));
+  CHECK(has(stress, text::MPa(worst.basis->lowest.value) + " at " +
+                        text::seconds(worst.basis->lowest.time.value())));
+  const std::vector<SvgText> sn = texts_of(rig.svg("sn"));
+  // EN 1993-1-9, 7.1: the knee of category 100 at 73.7 MPa, its cut-off at 40.5 MPa.
+  CHECK(has(sn, "knee 73.7 MPa"));
+  CHECK(has(sn, "cut-off 40.5 MPa"));
+  CHECK(has(sn, "m = 3"));
+  CHECK(has(sn, "m = 5"));
+  CHECK(has(sn, "EN 1993-1-9:2005+AC:2009, category 100"));
+}
+
+TEST_CASE("no two lines of a legend are called alike") {
+  for (const std::string& path : shipped) {
+    CAPTURE(path);
+    std::set<std::string> names;
+    for (const CutForceLine& line : drawn(path).verification.lines) {
+      CHECK(names.insert(text::seconds(line.time.value()) + line.why).second);
+    }
+  }
+}
+
+TEST_CASE("the same case draws the same bytes") {
+  const Drawn& first = drawn("sections/sledge-rig/rig.toml");
+  const Drawn second(shipped_case("sections/sledge-rig/rig.toml"));
+  for (const std::string& name : figures_of(first.project, first.verification)) {
+    CAPTURE(name);
+    CHECK(first.svg(name) == second.svg(name));
+    const fs::path pdf = fs::path("pdf") / (name + ".pdf");
+    CHECK(test::read_file(first.folder.path() / pdf) ==
+          test::read_file(second.folder.path() / pdf));
+  }
+}
+
+TEST_CASE("names stand in figures as the user wrote them, whatever gnuplot would make of them") {
+  const test::TemporaryFolder folder;
+  const std::string touched = (folder.path() / "touched").string();
+  // What a shell, gnuplot's strings, its enhanced text, formats or XML would take apart.
+  const std::vector<std::string> hostile{"`touch " + touched + "`",
+                                         "'; system('touch " + touched + "') #",
+                                         "a_b^c{x}@d&e~f",
+                                         "100 % %g \\n \\\\",
+                                         "<b>&amp;\"q\"",
+                                         "''",
+                                         "'a''b'",
+                                         "\xC3\xB8\xC5\x82\xCE\xA3 @GPVAL_TERM"};
+  for (const std::string& name : hostile) {
+    CAPTURE(name);
+    Project project = test::rig();
+    project.situations.front().name = name;
+    for (BeamPoint& point : project.beam.points) point.name = name;
+    for (planar::Joint& joint : planar_of(project).joints) joint.name = name;
+    const Drawn figures(std::move(project));
+    CHECK_FALSE(fs::exists(touched));
+    // The driver's name stands by itself; where it is too long for its line, its beginning does.
+    const std::vector<SvgText> motion = texts_of(figures.svg("motion"));
+    CHECK(has(motion, name));
+    CHECK(has(texts_of(figures.svg("cut-forces")), name.substr(0, 8)));
+    CHECK(has(texts_of(figures.svg("stress")), name));
+  }
+}
+
+TEST_CASE("figures of an earlier run are removed with their scripts") {
+  const test::TemporaryFolder folder;
+  const Project project = shipped_case("sections/sledge-rig/rig.toml");
+  const Verification verification = verify(project, Figures::with);
+  draw_figures(project, verification, folder.path().string());
+  CHECK_FALSE(fs::exists(folder.path() / "pdf"));
+  CHECK(fs::exists(folder.path() / "motion.svg"));
+  remove_figures(folder.path().string());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder.path())) {
+    CHECK(entry.is_directory());
+  }
+}
+
+TEST_CASE("without figures in the verification those that rest on it alone are drawn") {
+  const test::TemporaryFolder folder;
+  const Project project = shipped_case("sections/sledge-rig/rig.toml");
+  const Verification verification = verify(project);
+  const std::vector<std::string> files =
+      draw_figures(project, verification, folder.path().string());
+  CHECK(files == std::vector<std::string>{"mechanism.svg", "cut-forces.svg", "utilisation.svg",
+                                          "stress.svg", "sn.svg"});
+}
+
+TEST_CASE("where gnuplot is missing the package is named") {
+  const test::TemporaryFolder folder;
+  const Project project = shipped_case("sections/sledge-rig/rig.toml");
+  const Verification verification = verify(project);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  std::string message;
+  try {
+    draw_figures(project, verification, folder.path().string());
+  } catch (const OutputError& error) {
+    message = error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+  CHECK(message.find("gnuplot-nox") != std::string::npos);
+  CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("where gnuplot fails its first words are told and nothing is left") {
+  const test::TemporaryFolder tools;
+  const std::string fake =
+      tools.write("gnuplot", "#!/bin/sh\necho 'no terminal today' >&2\nexit 3\n");
+  fs::permissions(fake, fs::perms::owner_all);
+  const test::TemporaryFolder folder;
+  const Project project = shipped_case("sections/sledge-rig/rig.toml");
+  const Verification verification = verify(project);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (tools.path().string() + ":" + path).c_str(), 1);
+  std::string message;
+  try {
+    draw_figures(project, verification, folder.path().string());
+  } catch (const OutputError& error) {
+    message = error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+  CHECK(message.find("no terminal today") != std::string::npos);
+  CHECK(fs::is_empty(folder.path()));
+}

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <functional>
 #include <string>
-#include <vector>
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/report/document.hpp"
@@ -23,7 +23,8 @@ report::Document report_of(const Project& project, const Verification& verificat
 
 /// The same with those of its pictures only that have been drawn; a chapter that held no more than
 /// pictures goes with them.
-report::Document with_pictures(report::Document document, const std::vector<std::string>& names);
+report::Document with_pictures(report::Document document,
+                               const std::function<bool(const std::string& name)>& drawn);
 
 /// One check as formula, substituted values, result and source.
 report::Sheet sheet_of(const Project& project, const Verification& verification,
