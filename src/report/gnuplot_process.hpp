@@ -6,6 +6,9 @@
 
 namespace boxbeam {
 
+/// The last line of every script, by which a whole one is known.
+inline constexpr const char* script_end = "unset multiplot";
+
 /// What gnuplot is to make of NAME.gp.
 struct Drawing {
   enum Format { svg, pdf };

@@ -146,6 +146,7 @@ char sign_of(Mark mark) {
 }  // namespace
 
 std::string table_text(const Table& table, std::size_t width) {
+  if (table.header.empty()) return "";
   const Grid grid = grid_of(table);
   std::vector<Column> columns = columns_in(grid);
   if (width_of(columns) > width) narrow(grid, width, columns);
