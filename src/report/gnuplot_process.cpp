@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <fstream>
@@ -89,6 +88,18 @@ Process start_gnuplot(const fs::path& folder, const Drawing& drawing) {
   return process;
 }
 
+/// Whether a file ends with a text, empty lines apart: where the disk is full gnuplot leaves a part
+/// and says nothing.
+bool ends_with(const fs::path& path, std::string_view ending) {
+  constexpr std::streamoff most = 64;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return false;
+  file.seekg(-std::min<std::streamoff>(most, file.tellg()), std::ios::end);
+  std::string tail(std::istreambuf_iterator<char>(file), {});
+  while (!tail.empty() && tail.back() == '\n') tail.pop_back();
+  return tail.ends_with(ending);
+}
+
 /// Waits for a gnuplot; what it said where it failed, "" where it did not.
 std::string trouble_of(const fs::path& folder, const Process& process) {
   int status = 0;
@@ -96,9 +107,10 @@ std::string trouble_of(const fs::path& folder, const Process& process) {
   }
   std::error_code error;
   const fs::path file = folder / process.drawing.file();
-  const bool drawn = fs::exists(file, error) && fs::file_size(file, error) > 0;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && drawn) {
-    if (process.drawing.format == Drawing::pdf) make_timeless(file);
+  const bool pdf = process.drawing.format == Drawing::pdf;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && fs::exists(file, error)) {
+    if (!ends_with(file, pdf ? "%%EOF" : "</svg>")) return "only a part could be written";
+    if (pdf) make_timeless(file);
     return "";
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
@@ -116,22 +128,13 @@ std::string trouble_of(const fs::path& folder, const Process& process) {
 
 }  // namespace
 
-ScratchFolder::ScratchFolder(const fs::path& beside) {
-  std::string pattern = (beside / ".plots-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) {
-    throw OutputError(
-        fmt::format("no plots: {} cannot be written: {}", beside.string(), std::strerror(errno)));
-  }
-  path_ = pattern;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
   const std::size_t at_once = std::max(2U, std::thread::hardware_concurrency());
+  for (const Drawing& drawing : drawings) {
+    const fs::path script = folder / (drawing.name + ".gp");
+    if (!ends_with(script, script_end))
+      throw OutputError(fmt::format("no plots: {} could be written only in part", script.string()));
+  }
   std::deque<Process> running;
   std::string troubles;
   const auto wait_for_first = [&] {

@@ -10,6 +10,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/format.hpp"
+#include "gnuplot_process.hpp"
 
 namespace boxbeam::plot {
 namespace {
@@ -37,7 +38,7 @@ Script::Script(const std::string& path)
     : pipe_(std::unique_ptr<Pipe>(new Pipe{Gnuplot(opened(path))})) {}
 
 Script::~Script() {
-  if (height_ > 0.0) out() << "unset multiplot\n";
+  if (height_ > 0.0) out() << script_end << "\n";
 }
 
 std::ostream& Script::out() { return pipe_->gp; }

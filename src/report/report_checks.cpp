@@ -125,8 +125,8 @@ Chapter checks_chapter(const Source& source) {
   constexpr std::size_t fewest_shown = 24;
   const std::vector<CheckResult>& all = source.verification.checks;
   Chapter chapter{"Checks", {}};
-  add_pictures(source, {"utilisation"}, chapter.blocks);
   if (source.level == ReportLevel::summary) return chapter;
+  add_pictures(source, {"utilisation"}, chapter.blocks);
   const std::size_t shown = source.level == ReportLevel::full
                                 ? all.size()
                                 : checks_above(source.verification, shown_above, fewest_shown);

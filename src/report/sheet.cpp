@@ -5,6 +5,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
+#include "curve_steps.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
 #include "stress_steps.hpp"

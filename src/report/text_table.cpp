@@ -146,6 +146,7 @@ char sign_of(Mark mark) {
 }  // namespace
 
 std::string table_text(const Table& table, std::size_t width) {
+  if (table.header.empty()) return "";
   const Grid grid = grid_of(table);
   std::vector<Column> columns = columns_in(grid);
   if (width_of(columns) > width) narrow(grid, width, columns);
@@ -158,6 +159,7 @@ std::string table_text(const Table& table, std::size_t width) {
 }
 
 Table with_results(Table table) {
+  if (table.marks.empty()) return table;
   table.header.insert(table.header.begin(), "result");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Mark mark = table.marks[i];

@@ -31,13 +31,12 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
                                                   const Verification& verification) {
   std::vector<CriticalInstant> instants;
   const auto add = [&](const CutForceName& quantity, Extreme Envelope::*end) {
-    const StationEnvelope* best = nullptr;
     // Outside the beam, at the first and the last of the stations, nothing is cut.
     const std::span inside =
         std::span(verification.stations).subspan(1, verification.stations.size() - 2);
+    const StationEnvelope* best = &inside.front();
     for (const StationEnvelope& station : inside) {
       const double value = (station.of[quantity.which].*end).value;
-      if (best == nullptr) best = &station;
       const double so_far = (best->of[quantity.which].*end).value;
       if (end == &Envelope::largest ? value > so_far : value < so_far) best = &station;
     }

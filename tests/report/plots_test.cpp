@@ -161,6 +161,25 @@ std::string words_of_gnuplot(const fs::path& folder, const std::string& name) {
   return words;
 }
 
+/// The error of drawing the rig with programs of another folder, before those of the path or
+/// instead of them. Leaves nothing behind.
+std::string words_of_draw_with(const std::string& tools, bool also_path = true) {
+  const test::TemporaryFolder folder;
+  const Project project = shipped_case("sections/sledge-rig/rig.toml");
+  const Verification verification = verify(project);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (also_path ? tools + ":" + path : tools).c_str(), 1);
+  std::string message;
+  try {
+    draw_figures(project, verification, folder.path().string());
+  } catch (const OutputError& error) {
+    message = error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+  CHECK(fs::is_empty(folder.path()));
+  return message;
+}
+
 }  // namespace
 
 TEST_CASE("every figure of every case is drawn without a warning, and its script draws it again") {
@@ -351,20 +370,18 @@ TEST_CASE("without figures in the verification those that rest on it alone are d
 }
 
 TEST_CASE("where gnuplot is missing the package is named") {
-  const test::TemporaryFolder folder;
-  const Project project = shipped_case("sections/sledge-rig/rig.toml");
-  const Verification verification = verify(project);
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", folder.path().c_str(), 1);
-  std::string message;
-  try {
-    draw_figures(project, verification, folder.path().string());
-  } catch (const OutputError& error) {
-    message = error.what();
-  }
-  setenv("PATH", path.c_str(), 1);
-  CHECK(message.find("gnuplot-nox") != std::string::npos);
-  CHECK(fs::is_empty(folder.path()));
+  const test::TemporaryFolder nothing;
+  CHECK(words_of_draw_with(nothing.path().string(), false).find("gnuplot-nox") !=
+        std::string::npos);
+}
+
+TEST_CASE("where gnuplot can write a part only, that is said and nothing is left") {
+  const test::TemporaryFolder tools;
+  // As on a full disk: half a drawing, and no complaint.
+  const std::string fake = tools.write(
+      "gnuplot", "#!/bin/sh\nfor f in mechanism cut-forces; do echo '<svg' > $f.svg; done\n");
+  fs::permissions(fake, fs::perms::owner_all);
+  CHECK(words_of_draw_with(tools.path().string()).find("only a part") != std::string::npos);
 }
 
 TEST_CASE("where gnuplot fails its first words are told and nothing is left") {
@@ -372,18 +389,5 @@ TEST_CASE("where gnuplot fails its first words are told and nothing is left") {
   const std::string fake =
       tools.write("gnuplot", "#!/bin/sh\necho 'no terminal today' >&2\nexit 3\n");
   fs::permissions(fake, fs::perms::owner_all);
-  const test::TemporaryFolder folder;
-  const Project project = shipped_case("sections/sledge-rig/rig.toml");
-  const Verification verification = verify(project);
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", (tools.path().string() + ":" + path).c_str(), 1);
-  std::string message;
-  try {
-    draw_figures(project, verification, folder.path().string());
-  } catch (const OutputError& error) {
-    message = error.what();
-  }
-  setenv("PATH", path.c_str(), 1);
-  CHECK(message.find("no terminal today") != std::string::npos);
-  CHECK(fs::is_empty(folder.path()));
+  CHECK(words_of_draw_with(tools.path().string()).find("no terminal today") != std::string::npos);
 }

@@ -35,6 +35,7 @@ const std::vector<std::string> order{"Assumptions and remarks",
                                      "Fatigue",
                                      "Checks",
                                      "Comparison",
+                                     "Figures",
                                      "Appendix: the input"};
 
 constexpr ReportLevel levels[] = {ReportLevel::summary, ReportLevel::governing, ReportLevel::full};

@@ -75,6 +75,14 @@ TEST_CASE("the title block says what was verified, by what, when, and the verdic
   CHECK(contains(lines, "  input sha256  85c7"));
 }
 
+TEST_CASE("a document without a governing table, and tables without rows or marks", "[text]") {
+  Document document = document_of({Table{}, Table{"caption", {"a", "b"}, {}, {}}});
+  CHECK(text_of(document).find("VERDICT: PASS\n\n  input sha256") != std::string::npos);
+  CHECK(text_of(document).find("  caption\n  a  b\n") != std::string::npos);
+  document.governing = {"", {"value"}, {row({"1.21"})}, {}};
+  CHECK(text_of(document).find("\n\n  value\n   1.21\n") != std::string::npos);
+}
+
 TEST_CASE("paragraphs, bullets and facts are wrapped at 110 columns and lose no word", "[text]") {
   std::string text;
   for (int i = 0; i < 80; ++i) text += "word" + std::to_string(i) + (i % 7 == 0 ? "  " : " ");
