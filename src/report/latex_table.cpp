@@ -175,17 +175,6 @@ double height_of(const Table& table, const Layout& layout) {
 
 }  // namespace
 
-bool holds_numbers(const Table& table, std::size_t column) {
-  const auto number = [column](const std::vector<Cell>& row) {
-    const std::string& text = row[column].text;
-    if (text.empty()) return false;
-    const bool sign = text.front() == '-' || text.front() == '+';
-    return (text.front() >= '0' && text.front() <= '9') || (sign && text.size() == 1) ||
-           (sign && text[1] >= '0' && text[1] <= '9');
-  };
-  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), number);
-}
-
 double latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
 
 std::string latex_table(const Table& table) {
