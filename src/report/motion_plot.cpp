@@ -23,7 +23,7 @@ std::vector<Quantity> quantities_of(const DriverLine& line) {
   std::vector<Quantity> quantities{
       {turns ? "angle [deg]" : "x [mm]", &line.position, turns ? degree : 1e-3},
       {turns ? "angular velocity [rad/s]" : "v [m/s]", &line.speed, 1.0},
-      {turns ? "angular acceleration [rad/s²]" : "a [m/s²]", &line.acceleration, 1.0},
+      {turns ? "angular acceleration [rad/s^2]" : "a [m/s^2]", &line.acceleration, 1.0},
       {turns ? "driving moment [kN m]" : "driving force [kN]", &line.force, 1e3}};
   if (line.force.empty()) quantities.pop_back();
   // Long ways are told in metres.
