@@ -139,8 +139,8 @@ std::string hint_for(const CommandLine& line, const std::vector<std::string>& wo
   for (const Command& command : line.commands) names.push_back(command.name);
   const auto first = std::find_if(words.begin(), words.end(),
                                   [](const std::string& word) { return !word.starts_with('-'); });
-  const std::string all = fmt::format("write boxbeam verify CASE.toml, or one of the commands {}",
-                                      fmt::join(names, ", "));
+  std::string all = fmt::format("write boxbeam verify CASE.toml, or one of the commands {}",
+                                fmt::join(names, ", "));
   if (first == words.end()) return all;
   if (const Command* command = command_named(line, *first)) {
     if (!incomplete) return option_hint(*command, words);

@@ -52,6 +52,12 @@ std::string coloured_line(std::string_view line) {
       return with(word.colour, begin + word.text.size() - 1);
     }
   }
+  // The last word of a calculation sheet's result.
+  for (const Word& word : {Word{": FAILS", red}, Word{": passes", green}}) {
+    if (!line.ends_with(word.text)) continue;
+    const std::size_t from = line.size() - word.text.size() + 2;
+    return fmt::format("{}{}{}{}", line.substr(0, from), word.colour, line.substr(from), plain);
+  }
   const std::size_t end = end_of_marked_utilisation(line, begin);
   return end > 0 ? with(red, end) : std::string(line);
 }

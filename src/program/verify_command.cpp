@@ -68,6 +68,8 @@ Outputs write_outputs(const Project& project, const Verification& verification,
     outputs.written.emplace_back(name);
   };
   remove_outputs(folder);
+  outputs.results = results_json(project, verification);
+  write_file(folder + "/results.json", outputs.results);
   std::optional<report::ScratchFolder> twins;  // the figures as PDF
   if (!options.no_plots) {
     progress.now("drawing the figures");
@@ -84,8 +86,6 @@ Outputs write_outputs(const Project& project, const Verification& verification,
   const report::Document document =
       with_pictures(report_of(project, verification, level_of(options.level)), drawn);
   write("report.txt", report::text_of(document));
-  outputs.results = results_json(project, verification);
-  write("results.json", outputs.results);
   if (!options.no_html) {
     const auto picture = [&](const std::string& name) -> std::optional<std::string> {
       std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
@@ -101,6 +101,7 @@ Outputs write_outputs(const Project& project, const Verification& verification,
       outputs.written.emplace_back("report.pdf");
     });
   }
+  outputs.written.emplace_back("results.json");
   if (!options.json.empty() && options.json != "-") {
     attempt([&] {
       write_file(options.json, outputs.results);

@@ -6,96 +6,10 @@
 #include <cmath>
 
 #include "boxbeam/report/format.hpp"
+#include "curve_steps.hpp"
 
 namespace boxbeam::report {
 namespace {
-
-/// A corner of an S-N curve, where a branch begins.
-struct Corner {
-  std::string symbol;  ///< "d_sigma_D"
-  double cycles = 0.0;
-  double strength = 0.0;  ///< [Pa]
-  double slope = 0.0;     ///< of the branch behind it
-  std::string what;
-};
-
-std::string prefix_of(const SnCurve& curve) {
-  return curve.kind == StressKind::direct ? "d_sigma" : "d_tau";
-}
-
-/// The corners from the reference to the cut-off, in order.
-std::vector<Corner> corners_of(const SnCurve& curve) {
-  const std::string prefix = prefix_of(curve);
-  std::vector<Corner> corners{{prefix + "_C", curve.reference_cycles, curve.reference.value(),
-                               curve.branches.front().slope, ""}};
-  std::vector<double> ends;
-  for (const SnBranch& branch : curve.branches) {
-    if (std::isfinite(branch.until)) ends.push_back(branch.until);
-  }
-  if (curve.constant_amplitude_limit) ends.push_back(*curve.constant_amplitude_limit);
-  if (curve.cut_off) ends.push_back(*curve.cut_off);
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  const SnLine line(curve);
-  int number = 0;
-  for (const double end : ends) {
-    Corner corner{"", end, line.strength_at(end, Loading::spectrum), 0.0, ""};
-    const auto branch =
-        std::find_if(curve.branches.begin(), curve.branches.end(),
-                     [&](const SnBranch& candidate) { return candidate.until > end; });
-    corner.slope = (branch == curve.branches.end() ? curve.branches.back() : *branch).slope;
-    if (end == curve.constant_amplitude_limit) {
-      corner.symbol = prefix + "_D";
-      corner.what = "constant-amplitude limit";
-    } else if (end == curve.cut_off) {
-      corner.symbol = prefix + "_L";
-      corner.what = "cut-off";
-    } else {
-      corner.symbol = fmt::format("{}_{}", prefix, ++number);
-      corner.what = "end of a branch";
-    }
-    corners.push_back(corner);
-  }
-  return corners;
-}
-
-/// The strength at some cycles, from the corner before.
-Step from_corner(const std::string& symbol, const Corner& corner, double slope, double cycles,
-                 double strength) {
-  Step step{symbol, {corner.symbol}, {}};
-  if (corner.cycles != cycles) {
-    const std::string ratio =
-        fmt::format("({}/{})^(1/{:g})", text::cycles(corner.cycles), text::cycles(cycles), slope);
-    step.formulas = {corner.symbol + " " + ratio, text::MPa(corner.strength) + " x " + ratio};
-  }
-  step.formulas.push_back(text::MPa(strength));
-  return step;
-}
-
-/// The corner from which the branch of some cycles comes.
-const Corner& corner_before(const std::vector<Corner>& corners, double cycles) {
-  const auto behind = std::find_if(corners.begin(), corners.end(),
-                                   [&](const Corner& at) { return at.cycles >= cycles; });
-  return behind == corners.begin() ? corners.front() : *std::prev(behind);
-}
-
-double slope_at(const SnCurve& curve, double cycles) {
-  for (const SnBranch& branch : curve.branches) {
-    if (cycles <= branch.until) return branch.slope;
-  }
-  return curve.branches.back().slope;
-}
-
-std::string size_formula(SizeEffect effect) {
-  switch (effect) {
-    case SizeEffect::butt: return "(25 mm/t)^0.2";
-    case SizeEffect::eccentric_butt:
-      return "(25 mm/t_1)^0.2/(1 + (6 e/t_1) t_1^1.5/(t_1^1.5 + t_2^1.5))";
-    case SizeEffect::bolt: return "(30 mm/d)^0.25";
-    case SizeEffect::none: break;
-  }
-  return "";
-}
 
 /// One size of cycle of a channel, named for the sheet.
 struct Row {
@@ -111,13 +25,15 @@ std::vector<Row> rows_of(const CheckBasis& basis) {
   std::vector<Row> rows;
   int number = 0;
   const bool several = basis.spectrum.size() > 1;
+  const bool reduced = basis.point.compression_reduced;
   for (const SpectrumRow& row : basis.spectrum) {
     const auto curve =
         std::find_if(basis.curves.begin(), basis.curves.end(),
                      [&](const SnCurve& candidate) { return candidate.kind == row.kind; });
     std::string index;
     if (several) index = fmt::format("_{}", ++number);
-    rows.push_back({&row, &*curve, prefix_of(*curve) + index, index});
+    const bool other_range = !several && reduced && row.kind == StressKind::direct;
+    rows.push_back({&row, &*curve, prefix_of(*curve) + (other_range ? "_red" : index), index});
   }
   return rows;
 }
@@ -193,7 +109,7 @@ Steps alone_steps(const Project& project, const Check& check, const Row& row,
 Step endured_step(const Row& row, double k, const Gammas& gammas) {
   const std::vector<Corner> corners = corners_of(*row.curve);
   const double N = row.row->endured;
-  const Corner& corner = corner_before(corners, N);
+  const Corner corner = corner_before(corners, N);
   const double slope = slope_at(*row.curve, N);
   return {"N" + row.index,
           {fmt::format("{} ({}/(k {} {}))^{:g}", text::cycles(corner.cycles), corner.symbol,
@@ -236,15 +152,15 @@ Steps damage_sum_steps(const std::vector<Row>& rows, double k, const Gammas& gam
     if (!shares.empty()) shares += " + ", terms += " + ";
     shares +=
         fmt::format("{}/{}", text::cycles(row.row->cycle.count), scientific(row.row->endured, 4));
-    terms += text::significant(row.harm());
+    terms += share(row.harm());
   }
   if (rest > 0.0) {
-    shares += " + " + text::significant(rest);
+    shares += " + " + share(rest);
     sum.notes.push_back(fmt::format("the last term: {} smaller shares", harmful.size() - shown));
   }
   if (!harmful.empty()) sum.formulas.push_back(shares);
   if (harmful.size() > 1) sum.formulas.push_back(terms);
-  sum.formulas.push_back(total == 0.0 ? "0" : text::significant(total));
+  sum.formulas.push_back(share(total));
   if (harmless > 0) {
     sum.notes.push_back(fmt::format("{} size{} of range up to {} below the limit: no damage",
                                     harmless, harmless == 1 ? "" : "s",
@@ -278,7 +194,7 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
     if (rows.size() == 1) {
       const double n = rows.front().row->cycle.count;
       const double N = n / basis.damage;
-      const Corner& corner = corner_before(corners_of(*rows.front().curve), N);
+      const Corner corner = corner_before(corners_of(*rows.front().curve), N);
       const double slope = slope_at(*rows.front().curve, N);
       steps.push_back({"N",
                        {fmt::format("{} ({}/({} {}))^{:g}", text::cycles(corner.cycles),
@@ -290,7 +206,7 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
                        {"cycles to failure"}});
       damage.formulas = {"n/N", fmt::format("{}/{}", text::cycles(n), scientific(N, 4))};
     }
-    damage.formulas.push_back(text::significant(basis.damage));
+    damage.formulas.push_back(share(basis.damage));
   } else {
     damage.formulas.emplace_back("0");
     damage.notes.emplace_back("every range is below the limit of damage");
@@ -301,14 +217,14 @@ Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const 
   const double m = curve.branches.front().slope;
   const std::string prefix = prefix_of(curve);
   const bool at_reference = curve.reference_cycles == 2e6;
-  const std::string D = text::significant(basis.damage);
+  const std::string D = share(basis.damage);
   const std::string ratio =
       at_reference ? "" : fmt::format(" x {}/2e6", text::cycles(curve.reference_cycles));
   steps.push_back({prefix + "_E,2",
                    {fmt::format("{}_C {}^(1/{:g})/({})", prefix,
                                 ratio.empty() ? "D" : "(D" + ratio + ")", m, gammas.symbols),
                     fmt::format("{} x ({}{})^(1/{:g})/({})", text::MPa(curve.reference.value()),
-                                text::significant(basis.damage), ratio, m, gammas.values),
+                                share(basis.damage), ratio, m, gammas.values),
                     text::MPa(basis.equivalent.value())},
                    {"2e6 cycles of this range do as much damage"}});
   return steps;
@@ -339,64 +255,6 @@ Steps constant_amplitude_steps(const CheckBasis& basis, const std::vector<Row>& 
 }
 
 }  // namespace
-
-Steps curve_steps(const SnCurve& curve, const BeamDetail* detail) {
-  Steps steps;
-  const std::string prefix = prefix_of(curve);
-  const bool direct = curve.kind == StressKind::direct;
-  std::string category =
-      fmt::format("{} {} ({} stress): strength at {} cycles", curve.code, curve.name,
-                  direct ? "direct" : "shear", text::cycles(curve.reference_cycles));
-  Step reference{prefix + "_C", {text::MPa(curve.reference.value())}, {category}};
-  if (detail != nullptr) {
-    const Detail& of = detail->detail;
-    if (!of.row.empty()) reference.notes.push_back(fmt::format("row {}: {}", of.row, of.name));
-    if (!detail->assumed.empty()) reference.notes.push_back("ASSUMED: " + detail->assumed);
-    if (of.size_factor != 1.0) {
-      const std::string k_s = text::significant(of.size_factor);
-      Step size{"k_s", {}, {"size effect, 7.2.2"}};
-      const std::string formula = size_formula(of.size_effect);
-      if (!formula.empty()) size.formulas.push_back(formula);
-      size.formulas.push_back(k_s);
-      steps.push_back(size);
-      const std::string full = text::MPa(curve.reference.value() / of.size_factor);
-      reference.formulas = {"k_s d_sigma_cat", fmt::format("{} x {}", k_s, full),
-                            text::MPa(curve.reference.value())};
-    }
-  }
-  if (curve.unconfirmed) reference.notes.emplace_back("UNCONFIRMED figures");
-  steps.push_back(reference);
-  const std::vector<Corner> corners = corners_of(curve);
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    Step step = from_corner(corners[i].symbol, corners[i - 1], slope_at(curve, corners[i].cycles),
-                            corners[i].cycles, corners[i].strength);
-    step.notes.push_back(
-        fmt::format("{}, {} cycles", corners[i].what, text::cycles(corners[i].cycles)));
-    steps.push_back(step);
-  }
-  return steps;
-}
-
-Step strength_step(const SnCurve& curve, double cycles, Loading loading) {
-  const std::string symbol = prefix_of(curve) + "_R";
-  const std::vector<Corner> corners = corners_of(curve);
-  const double strength = strength_at(curve, cycles, loading).value();
-  for (const Corner& corner : corners) {
-    const bool limit =
-        corner.what == "constant-amplitude limit" && loading == Loading::constant_amplitude;
-    if ((limit || corner.what == "cut-off") && cycles >= corner.cycles) {
-      return {symbol,
-              {corner.symbol, text::MPa(strength)},
-              {fmt::format("at {} cycles and beyond, the {}: no smaller range does damage",
-                           text::cycles(corner.cycles), corner.what)}};
-    }
-  }
-  const double slope = slope_at(curve, cycles);
-  Step step = from_corner(symbol, corner_before(corners, cycles), slope, cycles, strength);
-  step.notes.push_back(
-      fmt::format("strength at {} cycles, branch m = {:g}", text::cycles(cycles), slope));
-  return step;
-}
 
 Steps life_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   const Gammas gammas = gammas_of(project.fatigue.demand);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <fstream>
@@ -128,20 +127,6 @@ std::string trouble_of(const fs::path& folder, const Process& process) {
 }
 
 }  // namespace
-
-ScratchFolder::ScratchFolder(const fs::path& beside) {
-  std::string pattern = (beside / ".plots-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) {
-    throw OutputError(
-        fmt::format("no plots: {} cannot be written: {}", beside.string(), std::strerror(errno)));
-  }
-  path_ = pattern;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
 
 void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
   const std::size_t at_once = std::max(2U, std::thread::hardware_concurrency());

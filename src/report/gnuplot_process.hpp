@@ -6,20 +6,6 @@
 
 namespace boxbeam {
 
-/// A folder beside the outputs that goes away with all that is in it.
-class ScratchFolder {
- public:
-  /// Throws OutputError where it cannot be made.
-  explicit ScratchFolder(const std::filesystem::path& beside);
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// The last line of every script, by which a whole one is known.
 inline constexpr const char* script_end = "unset multiplot";
 

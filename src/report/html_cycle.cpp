@@ -207,7 +207,7 @@ std::pair<std::size_t, std::size_t> critical_place(const CycleFigure& cycle) {
 }
 
 /// JSON that neither ends the element it stands in nor is markup to an XML reader.
-std::string harmless(std::string json) {
+std::string harmless(const std::string& json) {
   std::string out;
   out.reserve(json.size());
   for (const char c : json) {

@@ -122,6 +122,7 @@ class Writer {
 
   void chapter(std::size_t i) {
     const Chapter& of = document_.chapters[i];
+    heading_ = &of.title;
     out_ += fmt::format(
         "<section class=\"chapter\" id=\"chapter-{0}\" aria-labelledby=\"title-{0}\">\n"
         "<h2 id=\"title-{0}\"><span class=\"number\">{0}</span> {1}</h2>\n",
@@ -160,7 +161,7 @@ class Writer {
   /// `named`: every cell says of what it is, for where there is no room for a header.
   void write(const Table& table, bool named = false) {
     const std::string caption = escaped(table.caption);
-    const std::string name = caption.empty() ? "Table" : caption;
+    const std::string name = caption.empty() ? escaped(*heading_) : caption;
     const bool folded = table.rows.size() > rows_shown;
     if (folded) {
       out_ += fmt::format("<details>\n<summary>{} <span>{} rows</span></summary>\n", name,
@@ -303,6 +304,7 @@ class Writer {
   std::map<std::string, std::size_t> sheets_;  ///< number by id
   std::vector<std::string> scripts_;
   std::string out_;
+  const std::string* heading_ = &document_.title;  ///< above what is being written
   std::size_t figures_ = 0;
   bool moves_ = false;
 };

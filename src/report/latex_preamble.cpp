@@ -80,14 +80,20 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\contentsentry}[2]{\hbox to\linewidth{\pdfstartlink attr{/Border[0 0 0]} goto name{c#1}%
   \hbox to1.8em{#1\hfil}#2\ \color{pale}\leaders\hbox to.6em{\hss.\hss}\hfil\ \color{black}\pageref{c#1}\pdfendlink}}
 
-\newcommand{\tablecaption}[1]{\raggedright\sffamily\footnotesize\color{quiet}#1}
+\newcommand{\tablecaption}[1]{\par\vskip6pt{\raggedright\noindent\sffamily\footnotesize\color{quiet}\hskip0pt#1\par}\nopagebreak\vskip-2pt}
 
-% A figure, never larger than it is, and what is to be seen on it.
+% A figure, never larger than it is, and down to three quarters of it where that fits the page.
+% \takefigure{file}{height of what comes with it}
 \newsavebox{\figurebox}
-\newcommand{\takefigure}[1]{%
+\makeatletter
+\newcommand{\takefigure}[2]{\par\if@nobreak\else\penalty0\fi
   \setbox\figurebox\hbox{\includegraphics{#1}}%
   \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
-  \ifdim\ht\figurebox>.8\textheight\setbox\figurebox\hbox{\resizebox{!}{.8\textheight}{\box\figurebox}}\fi}
+  \ifdim\ht\figurebox>.8\textheight\setbox\figurebox\hbox{\resizebox{!}{.8\textheight}{\box\figurebox}}\fi
+  \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal-\pagetotal\else\textheight\fi-#2-1pt\relax
+  \ifdim\ht\figurebox>\dimen0\ifdim.75\ht\figurebox<\dimen0
+    \setbox\figurebox\hbox{\resizebox{!}{\dimen0}{\box\figurebox}}\fi\fi}
+\makeatother
 \newcommand{\showfigure}[1]{%
   \vskip6pt\hbox to\linewidth{\hfil\box\figurebox\hfil}\nopagebreak\vskip4pt
   {\leftskip=2em plus 1fil\rightskip=2em plus 1fil\parfillskip=0pt\noindent\sffamily\footnotesize\color{quiet}#1\par}%

@@ -30,7 +30,7 @@ struct Type {
 };
 
 constexpr std::array<Type, 3> types{
-    {{"\\small", 9.26, 12, 12.5}, {"\\footnotesize", 8.51, 10, 11}, {"\\scriptsize", 8.0, 6, 9.5}}};
+    {{"\\small", 9.4, 12, 12.5}, {"\\footnotesize", 8.65, 10, 11}, {"\\scriptsize", 8.15, 6, 9.5}}};
 
 /// Where the unit of a header stays with itself: "M max [kN m]" breaks before the bracket only.
 std::string with_whole_unit(std::string header) {
@@ -43,19 +43,23 @@ std::string with_whole_unit(std::string header) {
 
 /// What a column needs [em].
 struct Need {
-  double natural = 0;  ///< that nothing wraps
-  double least = 0;    ///< that no word of normal length breaks
+  double all = 0;    ///< that nothing wraps
+  double cells = 0;  ///< that no cell wraps; headers may
+  double words = 0;  ///< that no word of normal length breaks
 };
 
 Need need_of(const Table& table, std::size_t column, bool numbers) {
   const std::string header = with_whole_unit(table.header[column]);
-  Need need{bold * latex_width(header), bold * latex_widest_word(header, widest_unbroken)};
+  Need need;
+  need.words = bold * latex_widest_word(header, widest_unbroken);
   for (const std::vector<Cell>& row : table.rows) {
     const double width = latex_width(row[column].text);
     const double word = latex_widest_word(row[column].text, widest_unbroken);
-    need.natural = std::max(need.natural, width);
-    need.least = std::max(need.least, numbers && width < widest_unbroken ? width : word);
+    need.cells = std::max(need.cells, width);
+    need.words = std::max(need.words, numbers && width < widest_unbroken ? width : word);
   }
+  need.cells = std::max(need.cells, need.words);
+  need.all = std::max(need.cells, bold * latex_width(header));
   return need;
 }
 
@@ -70,35 +74,42 @@ struct Layout {
   double room(std::size_t column) const { return 1.001 * widths[column] / type.em; }
 };
 
-/// Widths of the columns [em] if none takes more than `most`, but for what it needs at least.
-std::vector<double> widths_within(const std::vector<Need>& needs, double most, double least) {
-  std::vector<double> widths;
-  widths.reserve(needs.size());
-  for (const Need& need : needs) {
-    widths.push_back(std::max(std::min(need.natural, most), std::min(need.least, least)));
-  }
-  return widths;
+double total(const std::vector<Need>& needs, double Need::*part) {
+  return std::accumulate(needs.begin(), needs.end(), 0.0,
+                         [part](double sum, const Need& need) { return sum + need.*part; });
 }
 
-double total(const std::vector<double>& widths) {
-  return std::accumulate(widths.begin(), widths.end(), 0.0);
-}
-
-/// Widths [em] that fill what is available: the wide columns give way first.
-std::vector<double> fitting(const std::vector<Need>& needs, double available) {
-  constexpr double any = 1e6;
-  if (const auto natural = widths_within(needs, any, any); total(natural) <= available)
-    return natural;
-  const bool words_fit = total(widths_within(needs, 0, any)) <= available;
+/// Widths [em] that fill what is available, each between two needs: the widest columns give way.
+std::vector<double> between(const std::vector<Need>& needs, double available, double Need::*least,
+                            double Need::*most) {
+  const auto capped = [&](double cap) {
+    std::vector<double> widths;
+    widths.reserve(needs.size());
+    for (const Need& need : needs) {
+      const double lower = least == nullptr ? 0.0 : need.*least;
+      widths.push_back(std::max(lower, std::min(need.*most, cap)));
+    }
+    return widths;
+  };
   double low = 0;
   double high = available;
   for (int i = 0; i < 40; ++i) {
     const double middle = (low + high) / 2;
-    const auto widths =
-        words_fit ? widths_within(needs, middle, any) : widths_within(needs, 0, middle);
-    (total(widths) <= available ? low : high) = middle;
+    const std::vector<double> widths = capped(middle);
+    const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
+    (sum <= available ? low : high) = middle;
   }
-  return words_fit ? widths_within(needs, low, any) : widths_within(needs, 0, low);
+  return capped(low);
+}
+
+std::vector<double> fitting(const std::vector<Need>& needs, double available) {
+  if (total(needs, &Need::all) <= available)
+    return between(needs, available, &Need::all, &Need::all);
+  if (total(needs, &Need::cells) <= available)
+    return between(needs, available, &Need::cells, &Need::all);
+  if (total(needs, &Need::words) <= available)
+    return between(needs, available, &Need::words, &Need::cells);
+  return between(needs, available, nullptr, &Need::words);
 }
 
 std::string mark_of(Mark mark) {
@@ -123,7 +134,7 @@ double lines_of(const Table& table, const Layout& layout) {
   return lines;
 }
 
-/// In the largest type in which nothing wraps; where that would be the smallest, in the largest in
+/// In the largest type in which no cell wraps; where that would be the smallest, in the largest in
 /// which no word breaks and few texts wrap.
 Layout layout_of(const Table& table) {
   Layout layout;
@@ -134,17 +145,17 @@ Layout layout_of(const Table& table) {
     layout.numbers.push_back(holds_numbers(table, k));
     needs.push_back(need_of(table, k, layout.numbers[k]));
   }
-  const double natural = total(widths_within(needs, 1e6, 0));
-  const double least = total(widths_within(needs, 0, 1e6));
+  const double cells = total(needs, &Need::cells);
+  const double words = total(needs, &Need::words);
   const auto gaps = static_cast<double>(needs.size()) - 1;
   const auto available = [&](const Type& type) {
     return (text_width - (layout.marked ? mark_width : 0) - gaps * type.gap) / type.em;
   };
   const auto holds_well = [&](const Type& type) {
-    return least <= available(type) && natural <= 1.8 * available(type);
+    return words <= available(type) && cells <= 1.8 * available(type);
   };
   auto type = std::find_if(types.begin(), types.end() - 1,
-                           [&](const Type& each) { return natural <= available(each); });
+                           [&](const Type& each) { return cells <= available(each); });
   if (type == types.end() - 1) type = std::find_if(types.begin(), types.end() - 1, holds_well);
   layout.type = *type;
   layout.widths = fitting(needs, available(*type));
@@ -163,17 +174,6 @@ double height_of(const Table& table, const Layout& layout) {
 }
 
 }  // namespace
-
-bool holds_numbers(const Table& table, std::size_t column) {
-  const auto number = [column](const std::vector<Cell>& row) {
-    const std::string& text = row[column].text;
-    if (text.empty()) return false;
-    const bool sign = text.front() == '-' || text.front() == '+';
-    return (text.front() >= '0' && text.front() <= '9') || (sign && text.size() == 1) ||
-           (sign && text[1] >= '0' && text[1] <= '9');
-  };
-  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), number);
-}
 
 double latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
 
@@ -195,14 +195,10 @@ std::string latex_table(const Table& table) {
   columns_spec += "@{}";
   header += "\\tabularnewline\n\\midrule\n";
 
-  std::string out =
-      fmt::format("{{{}\\begin{{longtable}}[l]{{{}}}\n", layout.type.command, columns_spec);
-  if (!table.caption.empty()) {
-    out += fmt::format(
-        "\\multicolumn{{{}}}{{@{{}}p{{\\linewidth}}@{{}}}}{{\\tablecaption{{{}}}}}"
-        "\\tabularnewline\n",
-        columns + (layout.marked ? 1 : 0), latex_breakable(table.caption, 20));
-  }
+  std::string out;
+  if (!table.caption.empty())
+    out += fmt::format("\\tablecaption{{{}}}\n", latex_breakable(table.caption, 12));
+  out += fmt::format("{{{}\\begin{{longtable}}[l]{{{}}}\n", layout.type.command, columns_spec);
   out += fmt::format("\\toprule\n{0}\\endfirsthead\n\\toprule\n{0}\\endhead\n", header);
   out += "\\bottomrule\n\\endfoot\n\\bottomrule\n\\endlastfoot\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {

@@ -49,6 +49,8 @@ constexpr std::array text_signs{
 
 /// Signs of text whose glyphs are those of others: what is copied must be told.
 constexpr std::array copied_signs{
+    Sign{U'¹', "\\textonesuperior{}"}, Sign{U'²', "\\texttwosuperior{}"},
+    Sign{U'³', "\\textthreesuperior{}"},
     Sign{U'…', "\\textellipsis{}"}, Sign{U'℃', "\\textdegree{}C"},
     Sign{U'⁰', "\\textsuperscript{0}"}, Sign{U'⁴', "\\textsuperscript{4}"},
     Sign{U'⁵', "\\textsuperscript{5}"}, Sign{U'⁶', "\\textsuperscript{6}"},
@@ -172,12 +174,6 @@ std::vector<std::u32string> words_of(const std::string& text) {
   return words;
 }
 
-double width_of(const std::u32string& word) {
-  double width = 0;
-  for (const char32_t point : word) width += glyph_of(point).width;
-  return width;
-}
-
 bool is_punctuation(char32_t point) {
   constexpr std::u32string_view punctuation = U"/\\_-.,;:=+&?)]}|";
   return punctuation.find(point) != std::u32string_view::npos;
@@ -195,12 +191,20 @@ bool is_minus(const std::u32string& word, std::size_t i) {
   return number || axis;
 }
 
+double width_of(const std::u32string& word) {
+  constexpr double minus = 0.778;
+  double width = 0;
+  for (std::size_t i = 0; i < word.size(); ++i)
+    width += is_minus(word, i) ? minus : glyph_of(word[i]).width;
+  return width;
+}
+
 /// Signs of an exponent at a hat, the hat among them: of a unit or of ten. Else 0.
 std::size_t exponent_at(const std::u32string& word, std::size_t hat) {
   constexpr std::array bases{U"m", U"mm", U"cm", U"s", U"10"};
   if (word[hat] != U'^') return 0;
   const auto is_digit = [](char32_t c) { return c >= U'0' && c <= U'9'; };
-  const auto is_letter = [](char32_t c) { return (c >= U'a' && c <= U'z') || c >= 0x80; };
+  const auto is_letter = [](char32_t c) { return c >= U'a' && c <= U'z'; };
   std::size_t begin = hat;
   while (begin > 0 && (is_letter(word[begin - 1]) || is_digit(word[begin - 1]))) --begin;
   const std::u32string_view base(word.data() + begin, hat - begin);
@@ -264,8 +268,9 @@ std::string latex_shortened(const std::string& text, double room) {
 }
 
 double latex_width(const std::string& text) {
-  double width = 0;
-  for (const char32_t point : code_points_of(text)) width += glyph_of(point).width;
+  constexpr double space = 0.5;
+  double width = -space;
+  for (const std::u32string& word : words_of(text)) width += space + width_of(word);
   return width;
 }
 

@@ -46,7 +46,7 @@ std::string facts(const Facts& facts) {
   double width = least;
   for (const auto& [name, text] : facts.entries)
     width = std::max(width, std::min(most, latex_width(name) * small_em + 2));
-  std::string out = "{\\small\n";
+  std::string out = "\\par\\vskip4pt{\\small\n";
   for (const auto& [name, text] : facts.entries) {
     out += fmt::format("\\fact{{{:.0f}pt}}{{{}}}{{{}}}\n", width,
                        latex_breakable(name, width / small_em), running(text));
@@ -164,16 +164,18 @@ double height_needed(const std::vector<Block>& blocks, std::size_t i, std::strin
   if (const auto* table = std::get_if<Table>(&blocks[i])) return latex_table_height(*table);
   if (std::holds_alternative<Sheet>(blocks[i])) return 130;
   if (const auto* picture = std::get_if<Picture>(&blocks[i])) {
+    constexpr double line = 420;  // of its caption [pt]
     figure = picture->name;
-    return 40;
+    return 30 + 10 * std::ceil(latex_width(picture->caption) * 9 / line);
   }
   return 28;
 }
 
 std::string room_for(double height, const std::string& figure) {
   if (figure.empty()) return fmt::format("\\need{{{:.0f}pt}}\n", height);
-  return fmt::format("\\takefigure{{{}.pdf}}\\need{{\\dimexpr{:.0f}pt+\\ht\\figurebox\\relax}}\n",
-                     figure, height);
+  return fmt::format(
+      "\\takefigure{{{0}.pdf}}{{{1:.0f}pt}}\\need{{\\dimexpr{1:.0f}pt+\\ht\\figurebox\\relax}}\n",
+      figure, height);
 }
 
 /// What a chapter has for paper.

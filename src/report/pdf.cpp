@@ -86,7 +86,8 @@ void write_pdf(const Document& document, const std::string& figures, const std::
 
   // Twice: the first run finds the numbers of the pages.
   for (const bool draft : {true, false}) {
-    const std::optional<int> code = run(pdflatex(scratch.path(), document.date, draft));
+    const std::optional<int> code =
+        exit_code_of(start(pdflatex(scratch.path(), document.date, draft)));
     if (!code) {
       throw OutputError(
           "no PDF: pdflatex is not installed (apt install texlive-latex-base "

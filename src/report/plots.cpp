@@ -8,6 +8,7 @@
 #include "boxbeam/core/error.hpp"
 #include "gnuplot_process.hpp"
 #include "plot_script.hpp"
+#include "process.hpp"
 
 namespace boxbeam {
 namespace {
@@ -126,7 +127,7 @@ void remove_figures(const std::string& folder) {
 
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
                                       const std::string& folder, const std::string& pdf_folder) {
-  const ScratchFolder scratch(folder);
+  const report::ScratchFolder scratch(folder);
   const std::vector<FigureKind> shown = kinds_of(project, verification);
   std::vector<Drawing> drawings;
   for (const FigureKind& kind : shown) {

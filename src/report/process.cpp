@@ -38,7 +38,7 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
 
 }  // namespace
 
-std::optional<int> run(const Command& command) {
+Process start(const Command& command) {
   std::vector<std::string> arguments = command.arguments;
   std::vector<std::string> environment = environment_with(command.environment);
   const std::vector<char*> argument_pointers = pointers_to(arguments);
@@ -51,17 +51,22 @@ std::optional<int> run(const Command& command) {
   posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, 1, 2);
   posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
-  pid_t process = -1;
-  const int error = posix_spawnp(&process, arguments.front().c_str(), &actions, nullptr,
+  Process process;
+  const int error = posix_spawnp(&process.id, arguments.front().c_str(), &actions, nullptr,
                                  argument_pointers.data(), environment_pointers.data());
   posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) return std::nullopt;
+  if (error == ENOENT) return {};
   if (error != 0) {
     throw OutputError(
         fmt::format("{} cannot be started: {}", command.arguments.front(), std::strerror(error)));
   }
+  return process;
+}
+
+std::optional<int> exit_code_of(const Process& process) {
+  if (process.id < 0) return std::nullopt;
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  while (::waitpid(process.id, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status)) return 128 + WTERMSIG(status);
   if (WEXITSTATUS(status) == 127) return std::nullopt;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -16,9 +18,17 @@ struct Command {
   std::map<std::string, std::string> environment;  ///< beside, and before, that of this program
 };
 
-/// Runs a program to its end: its exit code (128 + the signal that ended it), nothing where it is
-/// not installed. Throws OutputError where it cannot be started.
-std::optional<int> run(const Command& command);
+/// A program that was started.
+struct Process {
+  pid_t id = -1;  ///< -1: it is not installed
+};
+
+/// Starts a program. Throws OutputError where it is installed but cannot be started.
+Process start(const Command& command);
+
+/// Waits for the end of a program: its exit code (128 + the signal that ended it), nothing where it
+/// is not installed.
+std::optional<int> exit_code_of(const Process& process);
 
 /// A folder beside the outputs that goes away with all that is in it.
 class ScratchFolder {

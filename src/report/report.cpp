@@ -64,6 +64,14 @@ Chapter remarks_chapter(const Source& source) {
   return chapter;
 }
 
+/// What decides at a glance; other levels have each figure where it belongs.
+Chapter figures_chapter(const Source& source) {
+  Chapter chapter{"Figures", {}};
+  if (source.level != ReportLevel::summary) return chapter;
+  add_pictures(source, {"mechanism", "cut-forces", "utilisation", "sn"}, chapter.blocks);
+  return chapter;
+}
+
 Chapter input_chapter(const Source& source) {
   Chapter chapter{"Appendix: the input", {}};
   if (source.level != ReportLevel::full) return chapter;
@@ -95,7 +103,7 @@ report::Document report_of(const Project& project, const Verification& verificat
   for (const auto chapter_of :
        {remarks_chapter, model_chapter, inputs_chapter, mechanism_chapter, motion_chapter,
         loads_chapter, cut_force_chapter, section_chapter, stress_chapter, sheets_chapter,
-        fatigue_chapter, checks_chapter, comparison_chapter, input_chapter}) {
+        fatigue_chapter, checks_chapter, comparison_chapter, figures_chapter, input_chapter}) {
     Chapter chapter = chapter_of(source);
     if (!chapter.blocks.empty()) document.chapters.push_back(std::move(chapter));
   }

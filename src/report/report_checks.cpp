@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "blocks.hpp"
 #include "report_parts.hpp"
@@ -64,6 +65,19 @@ std::size_t checks_above(const Verification& verification, double utilisation, s
                   std::min(fewest, verification.checks.size()));
 }
 
+/// The worst check of every criterion at every station, and of every neighbour of the beam; worst
+/// first.
+std::vector<const CheckResult*> worst_of_stations(const Verification& verification) {
+  std::set<std::pair<Criterion, std::string>> seen;
+  std::vector<const CheckResult*> worst;
+  for (const CheckResult& result : verification.checks) {
+    const Check& check = result.check;
+    const std::string place = check.on_beam ? to_text(check.station) : check.point;
+    if (seen.emplace(check.criterion, place).second) worst.push_back(&result);
+  }
+  return worst;
+}
+
 void add_sheet(const Source& source, const CheckResult& result, std::vector<Block>& blocks) {
   blocks.emplace_back(sheet_of(source.project, source.verification, result));
 }
@@ -89,14 +103,13 @@ std::vector<const CheckResult*> governing_checks(const Verification& verificatio
 
 Table governing_table(const Source& source) {
   const bool several = source.project.situations.size() > 1;
-  Table table = table_of(
-      "", {"result", "criterion", "use [%]", "factor", "required", "s [m]", "point", "t [s]"});
+  Table table =
+      table_of("", {"criterion", "use [%]", "factor", "required", "s [m]", "point", "t [s]"});
   if (several) table.header.emplace_back("situation");
   for (const CheckResult* result : governing_checks(source.verification)) {
     const Check& check = result->check;
     std::vector<Cell> row =
-        row_of(check.passes() ? "passes" : "FAILS", to_text(check.criterion),
-               cell(Quantity::utilisation, check.utilisation()),
+        row_of(to_text(check.criterion), cell(Quantity::utilisation, check.utilisation()),
                cell(Quantity::factor, check.safety_factor), cell(Quantity::factor, check.required),
                station_cell(check), check.point, cell(Quantity::time, check.time.value()));
     if (several) row.push_back(cell(check.situation));
@@ -113,10 +126,11 @@ Chapter sheets_chapter(const Source& source) {
   const std::vector<const CheckResult*> governing = governing_checks(source.verification);
   for (const CheckResult* result : governing) add_sheet(source, *result, chapter.blocks);
   if (source.level != ReportLevel::full) return chapter;
-  chapter.blocks.emplace_back(Subheading{"All other checks"});
-  for (const CheckResult& result : source.verification.checks) {
-    if (std::find(governing.begin(), governing.end(), &result) != governing.end()) continue;
-    add_sheet(source, result, chapter.blocks);
+  chapter.blocks.emplace_back(
+      Subheading{"The worst check of every criterion at every other station"});
+  for (const CheckResult* result : worst_of_stations(source.verification)) {
+    if (std::find(governing.begin(), governing.end(), result) != governing.end()) continue;
+    add_sheet(source, *result, chapter.blocks);
   }
   return chapter;
 }
@@ -126,8 +140,8 @@ Chapter checks_chapter(const Source& source) {
   constexpr std::size_t fewest_shown = 24;
   const std::vector<CheckResult>& all = source.verification.checks;
   Chapter chapter{"Checks", {}};
-  add_pictures(source, {"utilisation"}, chapter.blocks);
   if (source.level == ReportLevel::summary) return chapter;
+  add_pictures(source, {"utilisation"}, chapter.blocks);
   const std::size_t shown = source.level == ReportLevel::full
                                 ? all.size()
                                 : checks_above(source.verification, shown_above, fewest_shown);
@@ -138,7 +152,13 @@ Chapter checks_chapter(const Source& source) {
                 "the beam endures; use is the required factor over it, and above 100 % fails."});
   Table table = checks_table(source, "", checks);
   if (source.level == ReportLevel::full) {
-    for (const Check* check : checks) table.sheets.push_back(check->id);
+    std::set<std::string> derived;
+    for (const CheckResult* result : worst_of_stations(source.verification)) {
+      derived.insert(result->check.id);
+    }
+    for (const Check* check : checks) {
+      table.sheets.push_back(derived.count(check->id) == 1 ? check->id : "");
+    }
   }
   chapter.blocks.emplace_back(std::move(table));
   if (shown < all.size()) {

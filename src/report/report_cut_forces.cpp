@@ -66,6 +66,7 @@ Table line_table(const Project& project, const CutForceLine& line) {
 
 Chapter cut_force_chapter(const Source& source) {
   Chapter chapter{"Cut forces", {}};
+  if (source.level == ReportLevel::summary) return chapter;
   std::vector<Block>& blocks = chapter.blocks;
   blocks.emplace_back(Paragraph{
       in_space(source.project)
@@ -73,9 +74,7 @@ Chapter cut_force_chapter(const Source& source) {
             "tension, M_z > 0 -y; - and + are the two sides of a jump."
           : "N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two sides "
             "of a jump."});
-  add_pictures(source, {"cut-forces"}, blocks);
-  if (source.level == ReportLevel::summary) return chapter;
-  add_pictures(source, {"loads"}, blocks);
+  add_pictures(source, {"cut-forces", "loads"}, blocks);
   for (const std::vector<CutForceName>& names : groups_of(source.project)) {
     blocks.emplace_back(envelope_table(source.verification, names));
   }

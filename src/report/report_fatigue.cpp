@@ -93,8 +93,8 @@ void add_codes(const Verification& verification, std::vector<Block>& blocks) {
 
 Chapter fatigue_chapter(const Source& source) {
   Chapter chapter{"Fatigue", {}};
-  add_pictures(source, {"sn"}, chapter.blocks);
   if (source.level == ReportLevel::summary) return chapter;
+  add_pictures(source, {"sn"}, chapter.blocks);
   if (!source.verification.sn) return chapter;
   add_pictures(source, {"spectrum"}, chapter.blocks);
   chapter.blocks.emplace_back(demand_facts(source.project));

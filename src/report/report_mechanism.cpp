@@ -11,8 +11,8 @@ Chapter mechanism_chapter(const Source& source) {
   const Project& project = source.project;
   const Verification& verification = source.verification;
   Chapter chapter{"Mechanism", {}};
-  add_pictures(source, {"mechanism"}, chapter.blocks);
   if (source.level == ReportLevel::summary) return chapter;
+  add_pictures(source, {"mechanism"}, chapter.blocks);
   std::vector<Block> blocks = in_space(project) ? spatial_blocks(spatial_of(project))
                               : verification.elastic
                                   ? flexible_blocks(flexible_of(project), verification.model.chosen)

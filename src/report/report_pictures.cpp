@@ -5,6 +5,7 @@
 #include <map>
 
 #include "blocks.hpp"
+#include "function_text.hpp"
 #include "report_parts.hpp"
 
 namespace boxbeam::report {
@@ -45,10 +46,18 @@ std::string mechanism_caption(const Source& source) {
                      largest->name, text::seconds(largest->time.value()));
 }
 
+/// Where a driver goes, where no force is known that it needs.
+std::string stroke_text(const DriverLine& driver) {
+  const auto [low, high] = std::minmax_element(driver.position.begin(), driver.position.end());
+  return driver.turns
+             ? fmt::format("{} turns from {} to {}", driver.name, degrees(*low), degrees(*high))
+             : fmt::format("{} goes from {} to {}", driver.name, text::mm(*low), text::mm(*high));
+}
+
 std::string motion_caption(const Source& source) {
-  const std::string what =
-      "Position, speed and acceleration that the drivers prescribe, and the "
-      "force that this takes";
+  const bool elastic = is_flexible(source.project);
+  const std::string what = elastic ? "Position, speed and acceleration where the loads act"
+                                   : "Position, speed and acceleration that the drivers prescribe";
   const DriverLine* hardest = nullptr;
   double largest = 0.0;
   for (const DriverLine& driver : source.verification.drivers) {
@@ -58,8 +67,12 @@ std::string motion_caption(const Source& source) {
       largest = std::abs(force);
     }
   }
-  if (hardest == nullptr) return what + ".";
-  return fmt::format("{}: {} needs up to {}.", what, hardest->name,
+  if (hardest == nullptr) {
+    return fmt::format("{}: {}.", what, stroke_text(source.verification.drivers.front()));
+  }
+  return fmt::format("{}, and {}: {} {} up to {}.", what,
+                     elastic ? "the loads" : "the force that this takes", hardest->name,
+                     elastic ? "has" : "needs",
                      hardest->turns ? text::kNm(largest) : text::kN(largest));
 }
 

@@ -71,6 +71,9 @@ std::string with(std::string formula, const std::string& symbol, const std::stri
   return formula;
 }
 
+/// With more digits than others, for what counts is what is missing to one.
+std::string beta_text(const ShearLag& lag) { return text::significant(lag.beta, 6); }
+
 /// Of the flanges, or of the webs, whose symbols have an index.
 Steps shear_lag_steps(const ShearLag& lag, const std::string& of, const std::string& index) {
   Steps steps;
@@ -86,13 +89,13 @@ Steps shear_lag_steps(const ShearLag& lag, const std::string& of, const std::str
     kappa.formulas = {"alpha_0 b_0/L_e",
                       fmt::format("{} x {}/{}", text::significant(alpha), b_0, L_e)};
   }
-  kappa.formulas.push_back(text::significant(lag.kappa));
+  kappa.formulas.push_back(text::significant(lag.kappa, 5));
   kappa.notes.push_back(
       fmt::format("shear lag of the {}: half their width over the length between "
                   "zero moments; EN 1993-1-5, 3.2.1",
                   of));
   steps.push_back(kappa);
-  const std::string value = text::significant(lag.beta);
+  const std::string value = beta_text(lag);
   if (lag.beta == 1.0) {
     steps.push_back({"beta" + index, {value}, {"no reduction for so small a kappa"}});
     return steps;
@@ -100,7 +103,7 @@ Steps shear_lag_steps(const ShearLag& lag, const std::string& of, const std::str
   const std::string formula = shear_lag_formula(lag);
   steps.push_back({"beta" + index,
                    {with(formula, "kappa", "kappa" + index),
-                    with(formula, "kappa", text::significant(lag.kappa)), value},
+                    with(formula, "kappa", text::significant(lag.kappa, 5)), value},
                    {}});
   return steps;
 }

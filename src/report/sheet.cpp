@@ -5,6 +5,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
+#include "curve_steps.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
 #include "stress_steps.hpp"
@@ -109,17 +110,23 @@ Steps range_steps(const Project& project, const CheckBasis& basis, bool shear) {
 
 /// 60 % of compression, where the detail is not welded.
 Steps compression_steps(const CheckBasis& basis) {
+  const double factor = basis.point.detail->stress_factor;
   const double high = basis.highest.value, low = basis.lowest.value;
-  if (low >= 0.0) return {};
-  const double tensile = std::max(high, 0.0);
-  const double compressive = std::min(high, 0.0) - low;
-  const std::string symbols = high > 0.0 ? "sigma_max - 0.6 sigma_min" : "0.6 d_sigma";
-  const std::string values =
-      high > 0.0 ? fmt::format("{} + 0.6 x {}", text::MPa(tensile), text::MPa(compressive))
-                 : fmt::format("0.6 x {}", text::MPa(compressive));
-  return {{"d_sigma_red",
-           {symbols, values, text::MPa(tensile + 0.6 * compressive)},
-           {"compression counts 60 %, 7.2.1: so do the ranges of all cycles"}}};
+  const double tensile = std::max(high, 0.0) - std::max(low, 0.0);
+  const double compressive = std::min(high, 0.0) - std::min(low, 0.0);
+  Step step{"d_sigma_red", {}, {"compression counts 60 %, 7.2.1: so in the ranges of all cycles"}};
+  if (compressive == 0.0) {
+    step.formulas = {"d_sigma"};
+  } else if (tensile == 0.0) {
+    step.formulas = {"0.6 d_sigma", "0.6 x " + text::MPa(compressive)};
+  } else {
+    step.formulas = {"sigma_max - 0.6 sigma_min",
+                     fmt::format("{} + 0.6 x {}", text::MPa(tensile), text::MPa(compressive))};
+    // The factor of the detail is in both values.
+    if (factor != 1.0) step.formulas.front() = "k_f (sigma_max - 0.6 sigma_min)";
+  }
+  step.formulas.push_back(text::MPa(tensile + 0.6 * compressive));
+  return {step};
 }
 
 Steps fatigue_steps(const Project& project, const Check& check, const CheckBasis& basis) {

@@ -60,6 +60,11 @@ std::string scientific(double value, int digits) {
   return fmt::format("{}e{}", text.substr(0, e), exponent);
 }
 
+std::string share(double value) {
+  constexpr double small = 1e-3;
+  return value != 0.0 && std::abs(value) < small ? scientific(value, 4) : text::significant(value);
+}
+
 std::string mm2(double m2) {
   // 9999.9999999 has as many digits before the point as 10000.
   const double rounded = std::stod(fmt::format("{:.4e}", m2 * 1e6));

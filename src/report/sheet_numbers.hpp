@@ -20,6 +20,9 @@ std::string term(const std::string& number);
 /// "3.8657e9", "-4.572e-4" with so many significant digits.
 std::string scientific(double value, int digits);
 
+/// A damage or a share of it: "0.9975", "2.486e-5".
+std::string share(double value);
+
 std::string mm2(double m2);
 std::string mm3(double m3);
 std::string mm4(double m4);

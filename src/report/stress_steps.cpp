@@ -207,7 +207,7 @@ struct LevelShear {
   double S, b;
 };
 
-const SectionProperties net_without_lag(const Project& project, const StressPoint& point) {
+SectionProperties net_without_lag(const Project& project, const StressPoint& point) {
   return properties_of(point.section, holes_at(project.beam, point.station.s));
 }
 

@@ -37,9 +37,8 @@ std::string remarks_summary(const Project& project, const Verification& verifica
 }  // namespace
 
 std::string summary(const Project& project, const Verification& verification) {
-  report::Table governing =
-      report::governing_table({project, verification, ReportLevel::summary, {}});
-  governing.marks.clear();  // its first column says the same
+  const report::Table governing = report::with_results(
+      report::governing_table({project, verification, ReportLevel::summary, {}}));
   return fmt::format("{}  {}\n{}\nRemarks:\n{}", report::verdict_text(verification.verdict),
                      plain_text::shown(project.title), report::table_text(governing, layout::width),
                      remarks_summary(project, verification));

@@ -146,6 +146,7 @@ char sign_of(Mark mark) {
 }  // namespace
 
 std::string table_text(const Table& table, std::size_t width) {
+  if (table.header.empty()) return "";
   const Grid grid = grid_of(table);
   std::vector<Column> columns = columns_in(grid);
   if (width_of(columns) > width) narrow(grid, width, columns);
@@ -155,6 +156,20 @@ std::string table_text(const Table& table, std::size_t width) {
     add_row(grid[i], columns, marked ? sign_of(table.marks[i - 1]) : ' ', out);
   }
   return out;
+}
+
+Table with_results(Table table) {
+  if (table.marks.empty()) return table;
+  table.header.insert(table.header.begin(), "result");
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Mark mark = table.marks[i];
+    table.rows[i].insert(table.rows[i].begin(), {mark == Mark::passes  ? "passes"
+                                                 : mark == Mark::fails ? "FAILS"
+                                                                       : "not applicable",
+                                                 {}});
+  }
+  table.marks.clear();
+  return table;
 }
 
 }  // namespace boxbeam::report

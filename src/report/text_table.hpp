@@ -11,4 +11,8 @@ namespace boxbeam::report {
 /// "?" before one that does not apply.
 std::string table_text(const Table& table, std::size_t width);
 
+/// The table with its marks, where it has some, as words in a column before the others: "passes",
+/// "FAILS".
+Table with_results(Table table);
+
 }  // namespace boxbeam::report

@@ -92,7 +92,9 @@ std::string text_of(const Document& document) {
                                 shown(document.date));
   out += hanging("", "", document.subtitle);
   out += fmt::format("\nVERDICT: {}\n\n", shown(document.verdict));
-  out += table_text(document.governing, width) + "\n";
+  if (!document.governing.rows.empty()) {
+    out += table_text(with_results(document.governing), width) + "\n";
+  }
   Facts facts = document.facts;
   facts.entries.emplace_back("input sha256", document.input_sha256);
   out += facts_text(facts);

@@ -34,6 +34,8 @@ CycleFigure turning_beam(const std::string& load) {
     beam.points = {Eigen::Vector3d::Zero(), end};
     beam.strokes = {{Eigen::Vector3d::Zero(), end}};
     frame.posture.bodies = {beam};
+    frame.posture.rods = {{end, Eigen::Vector3d(3.0, -1.0, 0.0)}};
+    frame.posture.guides = {{end, Eigen::Vector3d(0.6, 0.8, 0.0)}};
     frame.posture.grounds = {Eigen::Vector3d::Zero()};
     BeamLoadRow row;
     row.name = load;
@@ -253,14 +255,31 @@ TEST_CASE("the moving picture has the places and forces of its frames to five di
   for (std::size_t f = 0; f < cycle.frames.size(); ++f) {
     const CycleFrame& frame = cycle.frames[f];
     CHECK(data["times"][f].get<double>() == Approx(frame.time.value()));
-    // Points of the beam, its stroke, the ground.
+    // Points of the beam, its stroke, the rod, the guide and its direction, the ground.
     const double digit = mechanism["digit"];
+    const double of_guide = mechanism["guideDigit"];
     const Eigen::Vector3d& end = frame.posture.bodies[0].points[1];
-    const std::vector<double> places{0.0, 0.0,     end.x(), end.y(), 0.0,
-                                     0.0, end.x(), end.y(), 0.0,     0.0};
+    const std::vector<double> places{0.0,
+                                     0.0,
+                                     end.x(),
+                                     end.y(),
+                                     0.0,
+                                     0.0,
+                                     end.x(),
+                                     end.y(),
+                                     end.x(),
+                                     end.y(),
+                                     3.0,
+                                     -1.0,
+                                     end.x(),
+                                     end.y(),
+                                     0.6 * digit / of_guide,
+                                     0.8 * digit / of_guide,
+                                     0.0,
+                                     0.0};
     REQUIRE(mechanism["frames"][f].size() == places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
-      CHECK(mechanism["frames"][f][i].get<double>() * digit == Approx(places[i]).margin(1e-4));
+      CHECK(mechanism["frames"][f][i].get<double>() * digit == Approx(places[i]).margin(6e-5));
     }
     const nlohmann::json& load = data["loads"]["frames"][f][0];
     CHECK(load[4].get<double>() * data["loads"]["digit"].get<double>() ==

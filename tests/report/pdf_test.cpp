@@ -9,12 +9,16 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/latex_writer.hpp"
+#include "boxbeam/report/report.hpp"
 #include "catch.hpp"
 #include "support/latex.hpp"
 #include "support/program.hpp"
 #include "support/property.hpp"
+#include "support/shipped_cases.hpp"
 
 using namespace boxbeam::report;
+using boxbeam::report_of;
+using boxbeam::ReportLevel;
 
 namespace {
 
@@ -124,6 +128,45 @@ TEST_CASE("tables of any number of columns fit the page", "[report][pdf]") {
   }
 }
 
+TEST_CASE("no report of a shipped case stands out of the page", "[report][pdf][shipped]") {
+  if (!test::has_pdflatex()) return;
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const Document document = report_of(of.project, of.verification, ReportLevel::governing);
+    const test::LatexRun run = test::run_latex(latex_without_figures(document));
+    CHECK(run.exit_code == 0);
+    CHECK(run.too_wide.empty());
+  }
+}
+
+TEST_CASE("every number of a report's tables stands in its PDF", "[report][pdf][shipped]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  const test::ShippedCase& rig = test::shipped_cases().front();
+  const Document document = report_of(rig.project, rig.verification, ReportLevel::governing);
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "report.pdf").string();
+  write_pdf(document, "", path);
+  const std::string text = test::text_of_pdf(path);
+  int numbers = 0;
+  const auto check_table = [&](const Table& table) {
+    for (const std::vector<Cell>& row : table.rows) {
+      for (const Cell& cell : row) {
+        if (!cell.value || cell.text.find(' ') != std::string::npos) continue;
+        INFO(table.caption << ": " << cell.text);
+        CHECK(text.find(cell.text) != std::string::npos);
+        ++numbers;
+      }
+    }
+  };
+  check_table(document.governing);
+  for (const Chapter& chapter : document.chapters) {
+    for (const Block& block : chapter.blocks) {
+      if (const auto* table = std::get_if<Table>(&block)) check_table(*table);
+    }
+  }
+  CHECK(numbers > 100);
+}
+
 TEST_CASE("every text makes a PDF", "[report][pdf][property]") {
   if (!test::has_pdflatex()) return;
   // Any byte, and signs that LaTeX or its fonts treat in their own way, put together at random.
@@ -218,7 +261,8 @@ TEST_CASE("a figure beside the report is in it, in its own size at most", "[repo
 TEST_CASE("where pdflatex is missing the message names the packages", "[report][pdf]") {
   const test::TemporaryFolder folder;
   const std::string stale = folder.write("report.pdf", "of an earlier run");
-  const std::string path = std::getenv("PATH");
+  const char* set = std::getenv("PATH");
+  const std::string path = set != nullptr ? set : "";
   ::setenv("PATH", folder.path().c_str(), 1);
   CHECK_THROWS_AS(write_pdf(document_of("a"), "", stale), boxbeam::OutputError);
   try {

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
 #include <set>
 
 #include "boxbeam/report/format.hpp"
@@ -10,6 +13,7 @@
 #include "catch.hpp"
 #include "support/formula_value.hpp"
 #include "support/program.hpp"
+#include "support/rig.hpp"
 
 using namespace boxbeam;
 using report::Sheet;
@@ -133,6 +137,143 @@ TEST_CASE("The pocket calculator finds a number that is one percent off", "[repo
   });
   CHECK(chains > 100);
   CHECK(found == chains);
+}
+
+namespace {
+
+/// The symbols of all sheets of a project, each of which is made of formulas and holds.
+std::set<std::string> symbols_of(const Project& project) {
+  const Verification verification = verify(project);
+  std::set<std::string> symbols;
+  for (const CheckResult& result : verification.checks) {
+    const Sheet sheet = sheet_of(project, verification, result);
+    INFO(report::text_of(sheet));
+    for (const std::string& wrong : recalculated(sheet).wrong) FAIL_CHECK(wrong);
+    for (const Step& step : sheet.steps) {
+      symbols.insert(step.symbol);
+      if (!report::is_formula(step.symbol)) FAIL("no symbol: " << step.symbol);
+      for (const std::string& formula : step.formulas) {
+        if (!report::is_formula(formula)) FAIL("no formula: " << formula);
+      }
+    }
+    if (sheet.steps.back().formulas.back() != text::significant(result.check.safety_factor, 4))
+      FAIL_CHECK("does not end with the factor");
+  }
+  return symbols;
+}
+
+/// Of the rig with something changed.
+template <class Change>
+std::set<std::string> symbols_after(const Change& change) {
+  Project project = test::rig();
+  change(project);
+  return symbols_of(project);
+}
+
+constexpr auto mm = 1e-3 * metre;
+
+/// The rig with the sections A1 and A2 and the inner tube replaced by one of the lines given, all
+/// along, and with these lines for the holes.
+Project rig_of(const std::string& section, const std::string& holes) {
+  const std::string path = test::project_file("sections/sledge-rig/rig.toml");
+  std::ifstream file(path);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto replace = [&](const std::string& from, const std::string& to, const std::string& by) {
+    const std::size_t begin = text.find(from);
+    const std::size_t end = text.find(to, begin);
+    REQUIRE(begin != std::string::npos);
+    REQUIRE(end != std::string::npos);
+    text.replace(begin, end - begin, by);
+  };
+  replace("[[beam.holes]]", "# The two points", holes);
+  replace("# The two points", "[material]", "");
+  replace("[[beam.segments]]", "[material]",
+          "[[beam.segments]]\nname = \"S\"\nlength = \"6.2 m\"\nsection = \"X\"\n" + holes);
+  replace("[sections.A1]", "[beam]", "[sections.X]\n" + section + "\n");
+  return parse_project(path, text);
+}
+
+}  // namespace
+
+TEST_CASE("Sheets of unlike boxes and of inclined principal axes hold", "[report][sheet]") {
+  const auto box = symbols_of(
+      rig_of("kind = \"box\"\nwidth = \"400 mm\"\nheight = \"600 mm\"\ntop_flange = \"70 mm\"\n"
+             "bottom_flange = \"50 mm\"\nweb = \"40 mm\"\n",
+             ""));
+  CHECK(box.count("M_c") == 1);
+  CHECK(box.count("e_z") == 1);
+  const auto angle = symbols_of(
+      rig_of("kind = \"thin-walled\"\n[sections.X.nodes]\na = [\"-100 mm\", \"300 mm\"]\n"
+             "b = [\"-100 mm\", \"-300 mm\"]\nc = [\"200 mm\", \"-300 mm\"]\n"
+             "[[sections.X.walls]]\nfrom = \"a\"\nto = \"b\"\nthickness = \"40 mm\"\n"
+             "[[sections.X.walls]]\nfrom = \"b\"\nto = \"c\"\nthickness = \"40 mm\"\n",
+             ""));
+  CHECK(angle.count("I_yz") == 1);
+  CHECK(angle.count("k_M") == 1);
+}
+
+TEST_CASE("Sheets of every kind of hole hold", "[report][sheet]") {
+  const auto web = symbols_after([](Project&) {});
+  CHECK(web.count("k_M") == 1);
+  CHECK(web.count("k_V") == 1);
+  CHECK(web.count("z_0") == 1);
+  const auto flange = symbols_after([](Project& project) {
+    Hole& hole = project.beam.holes.front().hole;
+    hole.walls = HoleWalls::flanges;
+    hole.position = 60.0 * mm;
+    hole.diameter = 40.0 * mm;
+    project.hole_inputs.front().concentration = HoleCase::membrane_tension;
+  });
+  CHECK(flange.count("K_g") == 1);
+  const auto published = symbols_after([](Project& project) {
+    for (HoleInput& input : project.hole_inputs)
+      input.concentration = HoleCase::published_exponential;
+  });
+  CHECK(published.count("K_t") == 1);
+  const auto plate =
+      symbols_of(rig_of("kind = \"plate\"\nwidth = \"400 mm\"\nheight = \"200 mm\"\n",
+                        "[[beam.holes]]\nname = \"eye\"\nstation = \"2 m\"\ndiameter = \"60 mm\"\n"
+                        "through = \"flanges\"\noffsets = [\"0 mm\"]\n"
+                        "concentration = \"out-of-plane bending\"\n"));
+  CHECK(plate.count("K_b") == 1);
+}
+
+TEST_CASE("Sheets of every kind of detail and curve hold", "[report][sheet]") {
+  const auto factors = symbols_after([](Project& project) {
+    project.fatigue.demand.gamma_Ff = 1.1;
+    project.fatigue.demand.gamma_Mf = 1.15;
+    project.fatigue.beam.stress_factor = 1.3;
+    project.fatigue.beam.detail.size_effect = SizeEffect::butt;
+    project.fatigue.beam.detail.size_factor = 0.8706;
+  });
+  CHECK(factors.count("k_s") == 1);
+  const auto reduced = symbols_after([](Project& project) {
+    project.fatigue.details.clear();
+    project.fatigue.beam.detail.compression_reduced = true;
+    project.fatigue.beam.stress_factor = 1.2;
+    project.fatigue.demand.loading = Loading::constant_amplitude;
+  });
+  CHECK(reduced.count("d_sigma_red") == 1);
+  const auto short_life =
+      symbols_after([](Project& project) { project.situations.front().cycles = 2e4; });
+  CHECK(short_life.count("factor_CA") == 0);
+  // As in BS 7608: a bend at 1e7 cycles, no cut-off; and a limit that lies within a branch.
+  const auto endless = symbols_after([](Project& project) {
+    SnCurve& curve = project.fatigue.beam.detail.curve;
+    curve = en_1993_1_9_direct(90);
+    curve.branches = {{3.0, 1e7}, {5.0, std::numeric_limits<double>::infinity()}};
+    curve.constant_amplitude_limit.reset();
+    curve.cut_off.reset();
+    curve.unconfirmed = true;
+    project.fatigue.details.clear();
+  });
+  CHECK(endless.count("d_sigma_K1") == 1);
+  CHECK(endless.count("d_sigma_L") == 0);
+  const auto within = symbols_after([](Project& project) {
+    project.fatigue.beam.detail.curve.constant_amplitude_limit = 2e7;
+    project.fatigue.details.clear();
+  });
+  CHECK(within.count("d_sigma_D") == 1);
 }
 
 TEST_CASE("A sheet ends with the factor of its check", "[report][sheet]") {

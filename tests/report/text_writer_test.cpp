@@ -62,14 +62,25 @@ TEST_CASE("the title block says what was verified, by what, when, and the verdic
   Document document = document_of({});
   document.input_sha256 = "85c7";
   document.facts.entries = {{"file", "rig.toml"}};
-  document.governing = {"", {"result", "factor"}, {row({"passes", "1.21"})}, {Mark::passes}};
+  document.governing = {
+      "", {"factor"}, {row({"1.21"}), row({"0.98"})}, {Mark::passes, Mark::fails}};
   const std::vector<std::string> lines = lines_of(text_of(document));
   CHECK(lines[0] == "boxbeam: case, 2026-11-21");
   CHECK(lines[1] == "a case");
   CHECK(lines[3] == "VERDICT: PASS");
-  CHECK(contains(lines, "  passes    1.21"));
+  CHECK(lines[5] == "  result  factor");
+  CHECK(lines[6] == "  passes    1.21");
+  CHECK(lines[7] == "  FAILS     0.98");
   CHECK(contains(lines, "  file          rig.toml"));
   CHECK(contains(lines, "  input sha256  85c7"));
+}
+
+TEST_CASE("a document without a governing table, and tables without rows or marks", "[text]") {
+  Document document = document_of({Table{}, Table{"caption", {"a", "b"}, {}, {}}});
+  CHECK(text_of(document).find("VERDICT: PASS\n\n  input sha256") != std::string::npos);
+  CHECK(text_of(document).find("  caption\n  a  b\n") != std::string::npos);
+  document.governing = {"", {"value"}, {row({"1.21"})}, {}};
+  CHECK(text_of(document).find("\n\n  value\n   1.21\n") != std::string::npos);
 }
 
 TEST_CASE("paragraphs, bullets and facts are wrapped at 110 columns and lose no word", "[text]") {

@@ -135,6 +135,8 @@ TEST_CASE("colour: only on a terminal that wants it, and never without the word"
   }
   CHECK(on_terminal(verify, {{"NO_COLOR", ""}}).find(red) != std::string::npos);
   CHECK(test::run_program(verify).out.find('\033') == std::string::npos);
+  CHECK(on_terminal({"explain", "governing", rig}, {}).find(": \033[1;31mFAILS\033[0m") !=
+        std::string::npos);
   ::setenv("CLICOLOR_FORCE", "1", 1);
   const std::string forced = test::run_program(verify).out;
   ::unsetenv("CLICOLOR_FORCE");
@@ -142,6 +144,24 @@ TEST_CASE("colour: only on a terminal that wants it, and never without the word"
   // Apart from the colours it is the same text.
   CHECK(std::regex_replace(forced, std::regex("\033\\[[0-9;]*m"), "") ==
         test::run_program(verify).out);
+}
+
+TEST_CASE("progress: on a terminal what takes long is named, and gone at the end", "[terminal]") {
+  const test::TemporaryFolder folder;
+  const std::string slow = folder.write("gnuplot", "#!/bin/sh\nsleep 1\nexit 3\n");
+  fs::permissions(slow, fs::perms::owner_all);
+  const std::string out = (folder.path() / "out").string();
+  const Words verify{"verify", rig, "--no-pdf", "--no-html", "--out", out};
+  const std::string path = folder.path().string() + ":/bin:/usr/bin";
+  const std::string said = "drawing the figures ...";
+  const std::string shown = on_terminal(verify, {{"PATH", path}});
+  const std::size_t at = shown.find(said);
+  REQUIRE(at != std::string::npos);
+  CHECK(shown.find("\r\033[K", at + said.size()) < shown.find("FAIL"));
+  Words quiet = verify;
+  quiet.emplace_back("--quiet");
+  CHECK(on_terminal(quiet, {{"PATH", path}}).find(said) == std::string::npos);
+  CHECK(on_terminal(verify, {{"PATH", path}, {"TERM", "dumb"}}).find(said) == std::string::npos);
 }
 
 TEST_CASE("quiet: one line with the verdict and the governing check", "[terminal]") {
@@ -243,14 +263,20 @@ TEST_CASE("no space left: exit 4 with the reason, and nothing half-written", "[t
     INFO(bytes);
     CHECK(exit_code_with_limit(verify, bytes, said) == 4);
     CHECK((bytes == 0 || said.find("File too large") != std::string::npos));
-    for (const auto& entry : fs::directory_iterator(out)) {
-      INFO(entry.path());  // what is there is whole: what fits, and nothing temporary
-      CHECK((entry.path().filename() == "report.txt" && bytes == 50'000));
-      CHECK(test::read_file(entry.path()).ends_with("\n"));
-    }
+    CHECK(fs::is_empty(out));
   }
-  CHECK(test::run_program(verify).exit_code == 1);
-  CHECK(fs::exists(out + "/results.json"));
+  // What is smaller than the limit is written and whole; with every sheet the HTML is the largest.
+  Words full = verify;
+  full.insert(full.end(), {"--level", "full"});
+  CHECK(test::run_program(full).exit_code == 1);
+  const auto html = fs::file_size(out + "/report.html");
+  REQUIRE(html > fs::file_size(out + "/results.json"));
+  REQUIRE(html > fs::file_size(out + "/report.txt"));
+  CHECK(exit_code_with_limit(full, html - 1, said) == 4);
+  CHECK(said.find("report.html") != std::string::npos);
+  CHECK_FALSE(fs::exists(out + "/report.html"));
+  CHECK(test::read_file(out + "/report.txt").ends_with("\n"));
+  CHECK(test::read_file(out + "/results.json").ends_with("}\n"));
 }
 
 TEST_CASE("a folder that cannot be one, or must not be written, ends with 4", "[terminal]") {

@@ -11,7 +11,8 @@
 
 namespace boxbeam {
 
-/// results.json, "boxbeam.results/1": SI units, key order fixed, every number finite.
+/// results.json, "boxbeam.results/1": SI units, key order fixed, every number finite. What each key
+/// is says its schema, schema_of("results").
 std::string results_json(const Project& project, const Verification& verification);
 
 /// The motion document, "boxbeam.motion/1", kind planar.
