@@ -1,4 +1,4 @@
-#include "code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam {
 namespace {

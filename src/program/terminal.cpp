@@ -11,9 +11,9 @@
 #include <iostream>
 #include <string_view>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
-#include "core/code_points.hpp"
 
 namespace boxbeam::program {
 namespace {

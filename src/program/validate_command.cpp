@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/project/project.hpp"
-#include "core/code_points.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
 

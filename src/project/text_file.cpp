@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam {
 namespace {

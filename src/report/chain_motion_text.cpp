@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/motion_text.hpp"
 #include "text_layout.hpp"
 

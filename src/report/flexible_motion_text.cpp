@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/motion_text.hpp"
 #include "text_layout.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam::report::html {
 std::string escaped(std::string_view text) {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/latex_writer.hpp"
 
 namespace boxbeam::report {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "text_layout.hpp"
 
 namespace boxbeam {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam::plain_text {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "plain_text.hpp"
 

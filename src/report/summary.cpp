@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "plain_text.hpp"
 #include "report_parts.hpp"

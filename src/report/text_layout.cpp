@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cctype>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
 
 namespace boxbeam::layout {

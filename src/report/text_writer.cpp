@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "../core/code_points.hpp"
+#include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
 #include "text_table.hpp"
 
