@@ -94,7 +94,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\loadfigure}[2]{\def\figureextra{#2}\setbox\figurebox\hbox{\includegraphics{#1}}%
   \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
   \lowerfigure{.7\textheight}\figureleast=.65\ht\figurebox
-  \ifdim\figureleast>.42\textheight\lowerfigure{\figureleast}\else\lowerfigure{.42\textheight}\fi}
+  \ifdim\figureleast>.4\textheight\lowerfigure{\figureleast}\else\lowerfigure{.4\textheight}\fi}
 \newcommand{\findroom}{\par\if@nobreak\else\penalty0\fi
   \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal-\pagetotal\else\textheight\fi\relax}
 % Whether there is room for the figure, which may become somewhat smaller.
