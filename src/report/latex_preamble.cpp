@@ -34,7 +34,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \setlength{\LTpre}{6pt}
 \setlength{\LTpost}{8pt}
 \setlength{\tabcolsep}{0pt}
-\renewcommand{\arraystretch}{1.1}
+\renewcommand{\arraystretch}{1.02}
 \raggedbottom
 \clubpenalty=10000
 \widowpenalty=10000
@@ -69,8 +69,8 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \def\@oddhead{\vbox{\hsize\textwidth\hbox to\textwidth{\sffamily\footnotesize\color{quiet}\headleft\hfil\headright}%
     \vskip3pt{\color{pale}\hrule height.4pt}}}%
   \def\@oddfoot{\hbox to\textwidth{\sffamily\footnotesize\color{quiet}\footleft\hfil page \thepage{} of \lastpage}}}
-\renewcommand{\section}{\@startsection{section}{1}{0pt}{\ifshort-12pt\else-20pt plus -4pt\fi}{\ifshort3pt\else6pt\fi}{\sffamily\bfseries\Large\raggedright}}
-\renewcommand{\subsection}{\@startsection{subsection}{2}{0pt}{\ifshort-7pt\else-12pt plus -2pt\fi}{\ifshort1pt\else3pt\fi}{\sffamily\bfseries\normalsize\raggedright}}
+\renewcommand{\section}{\@startsection{section}{1}{0pt}{\ifshort-12pt\else-16pt plus -4pt\fi}{\ifshort3pt\else6pt\fi}{\sffamily\bfseries\Large\raggedright}}
+\renewcommand{\subsection}{\@startsection{subsection}{2}{0pt}{\ifshort-7pt\else-9pt plus -2pt\fi}{\ifshort1pt\else3pt\fi}{\sffamily\bfseries\normalsize\raggedright}}
 \AtEndDocument{\clearpage\immediate\write\@auxout{\gdef\string\lastpage{\the\numexpr\value{page}-1\relax}}}
 \makeatother
 
@@ -78,7 +78,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\chapterline}[3]{\section{\hbox to0pt{\pdfdest name{c#1} xyz\hss}#1\hskip0.8em #2}%
   \pdfoutline goto name{c#1} count 0{#3}\label{c#1}\nopagebreak}
 \newcommand{\contentsentry}[2]{\hbox to.47\linewidth{\pdfstartlink attr{/Border[0 0 0]} goto name{c#1}%
-  \hbox to1.8em{#1\hfil}#2\ \color{pale}\leaders\hbox to.6em{\hss.\hss}\hfil\ \color{black}\pageref{c#1}\pdfendlink}}
+  \hbox to1.6em{#1\hfil}#2\ \color{pale}\leaders\hbox to.6em{\hss.\hss}\hfil\ \color{black}\pageref{c#1}\pdfendlink}}
 
 \newcommand{\tablecaption}[1]{\par\vskip6pt{\raggedright\noindent\sffamily\footnotesize\color{quiet}\hskip0pt#1\par}\nopagebreak\vskip-2pt}
 
@@ -94,7 +94,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\loadfigure}[2]{\def\figureextra{#2}\setbox\figurebox\hbox{\includegraphics{#1}}%
   \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
   \lowerfigure{.7\textheight}\figureleast=.65\ht\figurebox
-  \ifdim\figureleast>.42\textheight\lowerfigure{\figureleast}\else\lowerfigure{.42\textheight}\fi}
+  \ifdim\figureleast>.4\textheight\lowerfigure{\figureleast}\else\lowerfigure{.4\textheight}\fi}
 \newcommand{\findroom}{\par\if@nobreak\else\penalty0\fi
   \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal-\pagetotal\else\textheight\fi\relax}
 % Whether there is room for the figure, which may become somewhat smaller.
@@ -134,7 +134,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 % A calculation sheet: a frame that goes on over pages, its left side in the colour of the result.
 \newsavebox{\sheetbox}
 \newcommand{\sheetpart}{\hbox{{\color{\sheetcolour}\vrule width2.5pt}\vbox{{\color{pale}\hrule height.5pt}%
-  \hbox to\dimexpr\textwidth-3pt\relax{\hskip8pt\vbox{\vskip5pt\unvbox2\vskip5pt}\hss{\color{pale}\vrule width.5pt}}%
+  \hbox to\dimexpr\textwidth-3pt\relax{\hskip8pt\vbox{\vskip4pt\unvbox2\vskip4pt}\hss{\color{pale}\vrule width.5pt}}%
   {\color{pale}\hrule height.5pt}}}}
 \makeatletter
 \newcommand{\sheetrest}{%
@@ -153,7 +153,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \makeatother
 \newenvironment{sheet}[1]{\par\def\sheetcolour{#1}\sheetindent=0pt
   \setbox\sheetbox\vbox\bgroup\hsize=\dimexpr\textwidth-20pt\relax\linewidth=\hsize\textwidth=\hsize
-  \columnwidth=\hsize\parskip=0pt\footnotesize\lineskip=2pt\lineskiplimit=1pt\relax}
+  \columnwidth=\hsize\parskip=0pt\footnotesize\lineskip=1pt\lineskiplimit=.5pt\relax}
  {\par\egroup\vskip4pt\sheetrest}
 \newcommand{\sheethead}[3]{\hbox to\linewidth{\vtop{\hsize=.78\linewidth\raggedright\sffamily\bfseries#1\par
   \normalfont\ttfamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
@@ -164,33 +164,33 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 % broken before a "=" or a note; a formula too long for any line breaks at its signs. Box 4 is the
 % line that is being filled.
 \newif\ifbegun
-\newcommand{\symbolof}[1]{\par\vskip3pt plus 1pt\begunfalse\setbox4\hbox{$\displaystyle#1$}%
+\newcommand{\symbolof}[1]{\par\vskip2pt plus 1pt\begunfalse\setbox4\hbox{$\displaystyle#1$}%
   \ifdim\wd4>\sheetindent\hbox{\box4}\nobreak\emptyline\else
   \setbox4\hbox to\sheetindent{\hfil\unhbox4}\fi}
 \newcommand{\emptyline}{\begunfalse\setbox4\hbox to\sheetindent{}}
 \newcommand{\closeline}{\hbox{\box4}\nobreak\emptyline}
-\newcommand{\equals}{\hbox to1.8em{\hfil$=$\hfil}}
+\newcommand{\equals}{\hbox to1.6em{\hfil$=$\hfil}}
 \newcommand{\formula}[1]{\setbox0\hbox{\equals$\displaystyle#1$}%
   \ifbegun\ifdim\dimexpr\wd4+\wd0\relax>\linewidth\closeline\fi\fi
   \ifdim\dimexpr\wd4+\wd0\relax>\linewidth
-    {\raggedright\hangindent=\dimexpr\sheetindent+1.8em\relax\hangafter=1\noindent\box4
+    {\raggedright\hangindent=\dimexpr\sheetindent+1.6em\relax\hangafter=1\noindent\box4
       \equals$\displaystyle#1$\par}\nobreak\emptyline
   \else\setbox4\hbox{\box4\box0}\beguntrue\fi}
 \newcommand{\note}[1]{\setbox0\hbox{{\scriptsize\color{quiet}#1}}%
-  \ifbegun\ifdim\dimexpr\wd4+1.8em+\wd0\relax>\linewidth\closeline\fi\fi
-  \ifdim\dimexpr\wd4+1.8em+\wd0\relax>\linewidth
-    {\raggedright\leftskip=\dimexpr\sheetindent+1.8em\relax\noindent\scriptsize\color{quiet}#1\par}\nobreak
-  \else\setbox4\hbox{\box4\hskip1.8em\box0}\beguntrue\fi}
+  \ifbegun\ifdim\dimexpr\wd4+1.6em+\wd0\relax>\linewidth\closeline\fi\fi
+  \ifdim\dimexpr\wd4+1.6em+\wd0\relax>\linewidth
+    {\raggedright\leftskip=\dimexpr\sheetindent+1.6em\relax\noindent\scriptsize\color{quiet}#1\par}\nobreak
+  \else\setbox4\hbox{\box4\hskip1.6em\box0}\beguntrue\fi}
 \newcommand{\laststep}{\ifbegun\hbox{\box4}\fi\par}
 % \result{text}{bar [mm], 34 are 100 %}{source}
-\newcommand{\result}[3]{\par\nobreak\vskip8pt{\color{pale}\hrule height.4pt}\nobreak\vskip5pt
+\newcommand{\result}[3]{\par\nobreak\vskip4pt{\color{pale}\hrule height.4pt}\nobreak\vskip4pt
   \hbox to\linewidth{\vtop{\hsize=\dimexpr\linewidth-53mm\relax\raggedright\small\bfseries#1\par}\hfil
     \hbox to51mm{\rlap{\color{pale}\vrule width34mm height6pt}\rlap{\color{\sheetcolour}\vrule width#2mm height6pt}%
       \rlap{\hskip34mm\vrule width.7pt height8pt depth2pt\relax\raise-7pt\hbox to0pt{\hss\sffamily\tiny 100\,\%\hss}}\hss}}%
-  \def\sheetsource{#3}\ifx\sheetsource\empty\else\nobreak\vskip3pt{\raggedright\noindent\footnotesize\color{quiet}#3\par}\fi}
+  \def\sheetsource{#3}\ifx\sheetsource\empty\else\nobreak\vskip1pt{\raggedright\noindent\scriptsize\color{quiet}#3\par}\fi}
 
 \newif\ifshort
-\newcommand{\bulletitem}[1]{{\ifshort\parskip=2pt\small\fi\leftskip=1.2em\relax\noindent\hbox to0pt{\hss\textbullet\hskip.5em}#1\par}}
+\newcommand{\bulletitem}[1]{{\parskip=2pt\small\leftskip=1.2em\relax\noindent\hbox to0pt{\hss\textbullet\hskip.5em}#1\par}}
 
 % Names with what is said of each.
 \newcommand{\fact}[3]{\hbox to\linewidth{\vtop{\hsize=#1\raggedright\noindent\color{quiet}\hskip0pt#2\par}\hskip1em\relax

@@ -4,15 +4,17 @@
 
 namespace boxbeam::report {
 
+bool is_number(const std::string& cell) {
+  if (cell.empty()) return false;
+  const auto digit_at = [&cell](std::size_t i) { return cell[i] >= '0' && cell[i] <= '9'; };
+  const bool sign = cell.front() == '-' || cell.front() == '+';
+  return sign ? cell.size() == 1 || digit_at(1) : digit_at(0);
+}
+
 bool holds_numbers(const Table& table, std::size_t column) {
-  const auto number = [column](const std::vector<Cell>& row) {
-    const std::string& text = row[column].text;
-    if (text.empty()) return false;
-    const bool sign = text.front() == '-' || text.front() == '+';
-    return (text.front() >= '0' && text.front() <= '9') || (sign && text.size() == 1) ||
-           (sign && text[1] >= '0' && text[1] <= '9');
-  };
-  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), number);
+  return !table.rows.empty() &&
+         std::all_of(table.rows.begin(), table.rows.end(),
+                     [column](const auto& row) { return is_number(row[column].text); });
 }
 
 }  // namespace boxbeam::report

@@ -1,11 +1,11 @@
 #include "text_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 #include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
+#include "table_columns.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -16,13 +16,6 @@ constexpr std::size_t gap = 2;  // before every column
 
 /// A table whose cells are safe for a terminal.
 using Grid = std::vector<std::vector<std::string>>;
-
-/// Whether a cell stands at the right, as numbers do.
-bool is_numeric(const std::string& cell) {
-  if (cell.empty()) return true;
-  const char c = cell.front();
-  return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+';
-}
 
 Grid grid_of(const Table& table) {
   Grid grid;
@@ -40,7 +33,7 @@ Grid grid_of(const Table& table) {
 struct Column {
   std::size_t width = 0;      ///< of its widest cell, then what it gets
   std::size_t narrowest = 0;  ///< that wrapping can make it
-  bool right = true;
+  bool right = false;         ///< as numbers do
 };
 
 /// Where there is no room for whole words, longer ones are broken.
@@ -56,13 +49,13 @@ std::size_t longest_word_in(const std::string& cell, std::size_t most) {
   return std::min(longest, most);
 }
 
-std::vector<Column> columns_in(const Grid& grid) {
+std::vector<Column> columns_in(const Table& table, const Grid& grid) {
   std::vector<Column> columns(grid.front().size());
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].right = holds_numbers(table, k);
   for (std::size_t i = 0; i < grid.size(); ++i) {
     for (std::size_t k = 0; k < columns.size(); ++k) {
       Column& column = columns[k];
       column.width = std::max(column.width, columns_of(grid[i][k]));
-      if (i > 0) column.right = column.right && is_numeric(grid[i][k]);
     }
   }
   return columns;
@@ -150,10 +143,10 @@ char sign_of(Mark mark) {
 std::string table_text(const Table& table, std::size_t width) {
   if (table.header.empty()) return "";
   const Grid grid = grid_of(table);
-  std::vector<Column> columns = columns_in(grid);
+  std::vector<Column> columns = columns_in(table, grid);
   for (const std::size_t most : {width, longest_word}) {
     if (width_of(columns) <= width) break;
-    columns = columns_in(grid);
+    columns = columns_in(table, grid);
     narrow(grid, width, most, columns);
   }
   std::string out;
