@@ -82,7 +82,7 @@ bool is_on(const std::vector<std::vector<Row2>>& lines, const Row2& row) {
 struct Curve {
   Criterion criterion = Criterion::yield;
   std::vector<std::vector<Row2>> lines;  ///< of kinds that are somewhere the worst of those
-  std::vector<Row2> single;              ///< worse places that no line leads to
+  std::vector<Row2> single;              ///< of each section the worst, where no line leads to it
   const CheckResult* worst = nullptr;
 };
 
@@ -110,11 +110,13 @@ Curve curve_of(const Verification& verification, Criterion criterion) {
       highest = &kind;
     }
     if (highest != nullptr) leading.insert(*highest);
+    const CheckResult* single = nullptr;
     for (const auto& [kind, result] : section.worst) {
-      const bool worse =
-          result->check.utilisation() > most && !is_on(runs.at(kind), row_of(*result));
-      if (worse) curve.single.push_back(row_of(*result));
+      if (result->check.utilisation() <= most || is_on(runs.at(kind), row_of(*result))) continue;
+      most = result->check.utilisation();
+      single = result;
     }
+    if (single != nullptr) curve.single.push_back(row_of(*single));
   }
   for (const std::string& kind : leading) {
     const auto& of_kind = runs.at(kind);

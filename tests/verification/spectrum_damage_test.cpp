@@ -18,7 +18,7 @@ const test::ShippedCase& case_of(const std::string& path) {
 }
 
 std::string caption_of(const test::ShippedCase& of, const std::string& picture) {
-  const report::Document document = report::report_of(of.project, of.verification);
+  const report::Document document = report_of(of.project, of.verification);
   for (const report::Chapter& chapter : document.chapters) {
     for (const report::Block& block : chapter.blocks) {
       const auto* found = std::get_if<report::Picture>(&block);
