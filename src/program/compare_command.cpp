@@ -38,7 +38,7 @@ int run_compare(const CompareOptions& options) {
                report::html_of(comparison_document(project, comparison), no_pictures));
   }
   put_result(options.json, comparison_json(project, comparison),
-             coloured(comparison_text(project, comparison)));
+             comparison_text(project, comparison));
   return comparison.passes() ? all_pass : check_fails;
 }
 

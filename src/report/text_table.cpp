@@ -4,6 +4,7 @@
 #include <cctype>
 #include <numeric>
 
+#include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
 
 namespace boxbeam::report {
@@ -27,11 +28,11 @@ Grid grid_of(const Table& table) {
   Grid grid;
   grid.reserve(table.rows.size() + 1);
   std::vector<std::string>& header = grid.emplace_back();
-  for (const std::string& title : table.header) header.push_back(plain_text::shown(title));
+  for (const std::string& title : table.header) header.push_back(visible(title));
   for (const auto& row : table.rows) {
     std::vector<std::string>& line = grid.emplace_back();
     line.reserve(row.size());
-    for (const Cell& cell : row) line.push_back(plain_text::shown(cell.text));
+    for (const Cell& cell : row) line.push_back(visible(cell.text));
   }
   return grid;
 }
