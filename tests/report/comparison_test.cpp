@@ -253,7 +253,7 @@ TEST_CASE("the numbers of the thesis: sound ones agree, wrong ones are those kno
   // Positions: 108 numbers, all right to 5e-5.
   std::size_t positions = 0;
   for (const ComparedValue& row : comparison.rows) {
-    if (row.published.source != "table E.1") continue;
+    if (row.published.source != "E.1") continue;
     ++positions;
     CHECK(row.agreement == Agreement::agrees);
     CHECK(row.tolerance == 5e-5);
@@ -370,7 +370,7 @@ const std::string unexplained = "Beyond the tolerance, without a reason";
 TEST_CASE("a comparison shows reasons where something differs, and no empty columns", "[compare]") {
   auto tables = tables_of(compared(rig(),
                                    "beam.length,6.2 m,1 %,not needed,\n"
-                                   "beam.length,7 m,1 %,another beam,\n"
+                                   "beam.mass,7 t,1 %,another beam,\n"
                                    "governing.fatigue.required,3,1 %,,a table\n"));
   using Header = std::vector<std::string>;
   CHECK(tables[within].header ==
@@ -397,13 +397,15 @@ TEST_CASE("a difference is in per cent up to twice the value, then in its unit",
   CHECK(difference("2 m") == "+4.2 m");
   CHECK(difference("12.4 m") == "-50 %");
   CHECK(difference("1 mm") == "+6199 mm");
-  CHECK(difference("0 m") == "+6.2 m");
 }
 
 TEST_CASE("of a comparison only many values that agree are folded", "[compare]") {
   std::string rows;
   for (int i = 0; i < 40; ++i) {
-    rows += "beam.length,6.2 m,1 %,,\nbeam.length,7 m,1 %,why,\nbeam.length,8 m,1 %,,\n";
+    const std::string source = std::to_string(i);
+    rows += "beam.length,6.2 m,1 %,," + source + "\n";
+    rows += "beam.length,7 m,1 %,why,a" + source + "\n";
+    rows += "beam.length,8 m,1 %,,b" + source + "\n";
   }
   auto tables = tables_of(compared(rig(), rows));
   CHECK(tables[within].folded);

@@ -177,8 +177,9 @@ TEST_CASE("pictures stand inside the page in base64") {
 
 TEST_CASE("a table is folded where its maker says so, however long it is") {
   Document document;
-  Table few{"few", {"a"}, std::vector<std::vector<Cell>>(2, {Cell{"1", {}}}), {}};
-  Table many{"many", {"a"}, std::vector<std::vector<Cell>>(99, {Cell{"1", {}}}), {}};
+  const std::vector<report::Cell> row{report::Cell{"1", {}}};
+  Table few{"few", {"a"}, {row, row}, {}};
+  const Table many{"many", {"a"}, {99, row}, {}};
   few.folded = true;
   document.chapters = {{"", {few, many}}};
   const test::Markup page = test::read_markup(html_of(document, no_pictures));
