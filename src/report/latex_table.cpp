@@ -164,29 +164,18 @@ Layout layout_of(const Table& table) {
   return layout;
 }
 
-double height_of(const Table& table, const Layout& layout) {
-  constexpr double most = 200;
+TableHeight height_of(const Table& table, const Layout& layout) {
+  constexpr double most = 150;
   constexpr double of_a_long_one = 90;
   const auto rows = static_cast<double>(table.rows.size());
-  const double lines = lines_of(table, layout) + 3;
+  const double lines = lines_of(table, layout) + 2;
   const double height = lines * layout.type.height * 1.1 + (layout.wraps ? 2.5 * rows : 0) + 20;
-  return height < most ? height : of_a_long_one;
+  return {height, height < most ? height : of_a_long_one};
 }
 
 }  // namespace
 
-bool holds_numbers(const Table& table, std::size_t column) {
-  const auto number = [column](const std::vector<Cell>& row) {
-    const std::string& text = row[column].text;
-    if (text.empty()) return false;
-    const bool sign = text.front() == '-' || text.front() == '+';
-    return (text.front() >= '0' && text.front() <= '9') || (sign && text.size() == 1) ||
-           (sign && text[1] >= '0' && text[1] <= '9');
-  };
-  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), number);
-}
-
-double latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
+TableHeight latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
 
 std::string latex_table(const Table& table) {
   const std::size_t columns = table.header.size();

@@ -36,6 +36,20 @@ std::size_t bytes_within(std::string_view word, std::size_t columns) {
   return at;
 }
 
+/// The bytes of a word too long for so many columns that stand in the first line: up to a dot or
+/// behind a slash, as keys and paths have them, where that fills half of the line.
+std::size_t bytes_of_first_line(std::string_view word, std::size_t columns) {
+  const auto is_digit = [&](std::size_t i) {
+    return i < word.size() && word[i] >= '0' && word[i] <= '9';
+  };
+  const std::size_t most = bytes_within(word, columns);
+  for (std::size_t at = most; at > most / 2 && at > 1; --at) {
+    const bool in_number = is_digit(at - 1) && is_digit(at + 1);
+    if (word[at - 1] == '/' || (word[at] == '.' && !in_number)) return at;
+  }
+  return most;
+}
+
 }  // namespace
 
 std::size_t columns_of(std::string_view text) {
@@ -63,7 +77,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::
     std::size_t length = columns_of(word);
     if (column > 0 && column + 1 + length > room()) new_line();
     while (length > room()) {
-      const std::size_t part = bytes_within(word, room());
+      const std::size_t part = bytes_of_first_line(word, room());
       out.back() = word.substr(0, part);
       new_line();
       word.erase(0, part);
