@@ -56,9 +56,9 @@ TEST_CASE("a bracket or star cannot become an argument of the row before", "[rep
 
 TEST_CASE("what would not be seen stands as its code", "[report][latex]") {
   CHECK(latex_escaped(std::string("\x07\x1b\x7f\0", 4)) ==
-        "\\textbackslash{}x07\\textbackslash{}x1b\\textbackslash{}x7f\\textbackslash{}x00");
+        "\\textbackslash{}x07\\textbackslash{}x1B\\textbackslash{}x7F\\textbackslash{}x00");
   CHECK(contains(latex_escaped("\xE4\xB8\xAD"), "U+4E2D"));
-  CHECK(contains(latex_escaped("\xE2\x80\xAE"), "U+202E"));
+  CHECK(contains(latex_escaped("\xE2\x80\xAE"), "\\textbackslash{}u202E"));
   CHECK(contains(latex_escaped("\xF0\x9F\x98\x80"), "U+1F600"));
 }
 

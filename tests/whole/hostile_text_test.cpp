@@ -172,7 +172,7 @@ TEST_CASE("hostile text comes out of every writer as it was written", "[whole][h
     if (!test::has_pdftotext()) return;
     const std::string text = test::without_spaces(test::text_of_pdf((out / "report.pdf").string()));
     CHECK(holds(text, test::without_spaces(named)));
-    CHECK(holds(text, "bell\\x07escape\\x1bturnU+202Eend"));
+    CHECK(holds(text, "bell\\x07escape\\x1Bturn\\u202Eend"));
     CHECK(holds(text, "U+4E2D"));
     CHECK(holds(text, long_word));
   }
