@@ -122,7 +122,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 % Two figures abreast: \figurepair{file}{caption}{file}{caption}
 \newcommand{\halffigure}[1]{\setbox0\hbox{\includegraphics{#1}}%
   \ifdim\wd0>.485\linewidth\setbox0\hbox{\resizebox{.485\linewidth}{!}{\box0}}\fi
-  \ifdim\ht0>.3\textheight\setbox0\hbox{\resizebox{!}{.3\textheight}{\box0}}\fi
+  \ifdim\ht0>.255\textheight\setbox0\hbox{\resizebox{!}{.255\textheight}{\box0}}\fi
   \hbox to.485\linewidth{\hfil\box0\hfil}}
 \newcommand{\halfcaption}[1]{\vtop{\hsize=.485\linewidth\captionlines{#1}}}
 \newcommand{\figurepair}[4]{%
