@@ -119,15 +119,19 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\showfigure}{\waitingfalse
   \vskip6pt\hbox to\linewidth{\hfil\box\figurebox\hfil}\nopagebreak\vskip4pt
   \hbox to\linewidth{\hfil\vtop{\hsize=\dimexpr\linewidth-4em\relax\captionlines{\figurecaption}}\hfil}\vskip8pt}
-% Two figures abreast: \figurepair{file}{caption}{file}{caption}
+% Two figures abreast, somewhat lower where that fits the page: \figurepair{file}{caption}{file}{caption}
+\newdimen\halfheight
 \newcommand{\halffigure}[1]{\setbox0\hbox{\includegraphics{#1}}%
   \ifdim\wd0>.485\linewidth\setbox0\hbox{\resizebox{.485\linewidth}{!}{\box0}}\fi
-  \ifdim\ht0>.3\textheight\setbox0\hbox{\resizebox{!}{.3\textheight}{\box0}}\fi
+  \ifdim\ht0>\halfheight\setbox0\hbox{\resizebox{!}{\halfheight}{\box0}}\fi
   \hbox to.485\linewidth{\hfil\box0\hfil}}
 \newcommand{\halfcaption}[1]{\vtop{\hsize=.485\linewidth\captionlines{#1}}}
-\newcommand{\figurepair}[4]{%
-  \setbox2\vbox{\hbox to\linewidth{\halffigure{#1}\hfil\halffigure{#3}}\vskip4pt
-    \hbox to\linewidth{\halfcaption{#2}\hfil\halfcaption{#4}}}%
+\newcommand{\figurepair}[4]{\findroom
+  \setbox4\hbox to\linewidth{\halfcaption{#2}\hfil\halfcaption{#4}}%
+  \halfheight=\dimexpr\dimen0-\ht4-\dp4-22pt\relax
+  \ifdim\halfheight<.19\textheight\halfheight=\maxdimen\fi
+  \ifdim\halfheight>.26\textheight\halfheight=.26\textheight\fi
+  \setbox2\vbox{\hbox to\linewidth{\halffigure{#1}\hfil\halffigure{#3}}\vskip4pt\box4}%
   \need{\dimexpr\ht2+\dp2+6pt\relax}\vskip6pt\box2\vskip6pt}
 )"
                                    R"(

@@ -128,6 +128,24 @@ TEST_CASE("columns of numbers stand at the right", "[report][latex]") {
   CHECK(contains(latex, ">{\\Right}p{"));
 }
 
+TEST_CASE("names of points and empty cells are no numbers", "[report][latex]") {
+  for (const std::string cell : {"-z", "+y web", "", "4.2 m", "-", "+1"}) {
+    INFO(cell);
+    Document document = small_document();
+    document.governing = {"", {"one"}, {{{cell, {}}}, {{"-27.66", {}}}}, {}};
+    const bool number = cell == "4.2 m" || cell == "-" || cell == "+1";
+    CHECK(contains(latex_without_figures(document), ">{\\Right}p{") == number);
+  }
+}
+
+TEST_CASE("a document of few chapters needs no contents", "[report][latex]") {
+  Document document = small_document();
+  document.chapters.assign(3, {"Text", {Paragraph{"words"}}});
+  CHECK_FALSE(contains(latex_without_figures(document), "\\contentsentry{1}"));
+  document.chapters.assign(9, {"Text", {Paragraph{"words"}}});
+  CHECK(contains(latex_without_figures(document), "\\contentsentry{1}"));
+}
+
 TEST_CASE("a figure that was not drawn is left out", "[report][latex]") {
   Document document = small_document();
   document.chapters = {{"Pictures", {Picture{"there", "one"}, Picture{"missing", "two"}}}};

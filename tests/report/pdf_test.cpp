@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "boxbeam/core/error.hpp"
@@ -81,6 +82,49 @@ Document document_of(const std::string& text, int size = 30) {
 
 std::string latex_without_figures(const Document& document) {
   return latex_of(document, [](const std::string&) { return false; });
+}
+
+/// The lines of a document's PDF as they stand on its pages, without spaces.
+std::vector<std::string> lines_of_pdf(const Document& document) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "report.pdf").string();
+  write_pdf(document, "", path);
+  std::istringstream text(test::text_of_pdf(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(test::without_spaces(line));
+  return lines;
+}
+
+/// Whether a line has all of these one behind the other.
+bool has_in_order(const std::string& line, const std::vector<std::string>& parts) {
+  std::size_t at = 0;
+  for (const std::string& part : parts) {
+    at = line.find(part, at);
+    if (at == std::string::npos) return false;
+    at += part.size();
+  }
+  return true;
+}
+
+/// The numbers of a row.
+std::vector<std::string> numbers_of(const std::vector<Cell>& row) {
+  std::vector<std::string> numbers;
+  for (const Cell& cell : row) {
+    const std::size_t digit = cell.text.find_first_of("0123456789");
+    if (digit == 0 || (digit == 1 && (cell.text[0] == '-' || cell.text[0] == '+')))
+      numbers.push_back(test::without_spaces(cell.text));
+  }
+  return numbers;
+}
+
+/// A step whose parts are `size` digits long.
+Document document_of_step(std::size_t size) {
+  const std::string digits(size, '7');
+  Sheet sheet{"id", "a sheet", {}, "factor 1.21", 0.5, Mark::passes, ""};
+  sheet.steps = {{"a", {"b + 1" + digits, "2" + digits, "3" + digits}, {"noted beside"}}};
+  Document document;
+  document.chapters = {{"Sheets", {sheet}}};
+  return document;
 }
 
 }  // namespace
@@ -165,6 +209,85 @@ TEST_CASE("every number of a report's tables stands in its PDF", "[report][pdf][
     }
   }
   CHECK(numbers > 100);
+}
+
+TEST_CASE("a row of a table is a line with all its numbers", "[report][pdf][shipped]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  int rows = 0;
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    const bool rig = of.path == "sections/sledge-rig/rig.toml";
+    if (!rig && of.path != "sections/landing-gear/retraction.toml") continue;
+    const Document document = report_of(of.project, of.verification, ReportLevel::governing);
+    const std::vector<std::string> lines = lines_of_pdf(document);
+    for (const Chapter& chapter : document.chapters) {
+      if (!rig && chapter.title != "Loads on the beam") continue;
+      for (const Block& block : chapter.blocks) {
+        const auto* table = std::get_if<Table>(&block);
+        if (table == nullptr) continue;
+        for (const std::vector<Cell>& row : table->rows) {
+          const std::vector<std::string> numbers = numbers_of(row);
+          INFO(of.path << ", " << chapter.title << ": "
+                       << Catch::StringMaker<std::vector<std::string>>::convert(numbers));
+          CHECK(std::any_of(lines.begin(), lines.end(),
+                            [&](const std::string& line) { return has_in_order(line, numbers); }));
+          ++rows;
+        }
+      }
+    }
+  }
+  CHECK(rows > 100);
+}
+
+TEST_CASE("a step stands on one line where it fits", "[report][pdf]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  const std::vector<std::string> lines = lines_of_pdf(document_of_step(3));
+  CHECK(std::count(lines.begin(), lines.end(), "a=b+1777=2777=3777notedbeside") == 1);
+}
+
+TEST_CASE("a step too long for a line is broken before its equals signs", "[report][pdf]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  const std::string digits(60, '7');
+  const std::vector<std::string> lines = lines_of_pdf(document_of_step(digits.size()));
+  for (const std::string& line : {"a=b+1" + digits, "=2" + digits, "=3" + digits + "notedbeside"}) {
+    INFO(line);
+    CHECK(std::count(lines.begin(), lines.end(), line) == 1);
+  }
+}
+
+TEST_CASE("a summary is two pages, three at most", "[report][pdf][shipped]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  for (const std::string& path : test::shipped_paths()) {
+    const test::TemporaryFolder folder;
+    test::run_program({"verify", test::project_file(path), "--level", "summary", "--no-html",
+                       "--quiet", "--out", folder.path().string()});
+    const std::string text = test::text_of_pdf((folder.path() / "report.pdf").string());
+    const auto pages = std::count(text.begin(), text.end(), '\f');  // one ends each page
+    INFO(path);
+    CHECK(pages > 0);
+    CHECK(pages <= (path == "sections/sledge-rig/rig.toml" ? 2 : 3));
+  }
+}
+
+TEST_CASE("a figure waits where a page has no room for it", "[report][pdf]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  const test::TemporaryFolder folder;
+  Document figure;  // a page as a figure
+  figure.title = "of the figure";
+  write_pdf(figure, "", (folder.path() / "figures" / "page.pdf").string());
+  // Of a page two thirds are full, then comes a figure of at least a quarter, then words.
+  Document document;
+  Listing listing;
+  for (int i = 0; i < 45; ++i) listing.text += "line\n";
+  document.chapters = {
+      {"First", {listing, Picture{"page", "a caption"}, Paragraph{"words behind"}}},
+      {"Second", {Paragraph{"words of the second"}}}};
+  const std::string path = (folder.path() / "report.pdf").string();
+  write_pdf(document, (folder.path() / "figures").string(), path);
+  const std::string text = test::text_of_pdf(path);
+  const std::size_t page_end = text.find('\f');
+  CHECK(text.find("words behind") < page_end);
+  CHECK(text.find("a caption") > page_end);
+  CHECK(text.find("a caption") < text.find("words of the second"));
 }
 
 TEST_CASE("every text makes a PDF", "[report][pdf][property]") {
