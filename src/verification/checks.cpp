@@ -280,6 +280,8 @@ std::optional<CheckResult> check_fatigue(const Project& project,
     for (std::size_t i = 0; i < channels.size(); ++i) {
       for (SpectrumRow row : channels[i].spectrum) {
         row.endured = cycles_to_failure_in(loads[i].cycles, row.cycle, loads[i].curve, demand, k);
+        row.endured_as_is =
+            cycles_to_failure_in(loads[i].cycles, row.cycle, loads[i].curve, demand, 1.0);
         rows.push_back(std::move(row));
       }
     }
