@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/case_schema.hpp"
 #include "program/command_line.hpp"
@@ -251,12 +254,23 @@ Entry fatigue_entry(CLI::App& app) {
           }};
 }
 
+/// The first word of init: a kind, or the file of a planar case.
+CLI::Validator kind_or_file() {
+  CLI::Validator kind = CLI::IsMember({"planar", "spatial", "flexible"});
+  const std::string words = kind.get_description();
+  return {[kind](std::string& word) { return is_case_file(word) ? std::string() : kind(word); },
+          words};
+}
+
 Entry init_entry(CLI::App& app) {
   const auto options = std::make_shared<InitOptions>();
   CLI::App& command =
       *app.add_subcommand("init", "write a commented case that runs as it is, to begin from");
-  add_choice(command, "KIND", options->kind, {"planar", "spatial", "flexible"},
-             "rigid bodies in a plane (default), rigid bodies in space, or elastic links");
+  command
+      .add_option("KIND", options->kind,
+                  "rigid bodies in a plane (default), rigid bodies in space, or elastic links; may "
+                  "be left out before a FILE.toml")
+      ->check(kind_or_file());
   command
       .add_option("FILE", options->file,
                   "where to, which must not be there yet (default: KIND.toml); - for standard "
@@ -352,10 +366,10 @@ int run(int argc, char** argv) {
     put(std::string(version_asked.what()) + "\n");
     return all_pass;
   } catch (const CLI::ParseError& error) {
-    std::cerr << "boxbeam: " << error.what() << "\n";
+    put_error(error.what());
     const bool incomplete = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     const std::string hint = hint_for(line, {argv + 1, argv + argc}, incomplete);
-    if (!hint.empty()) std::cerr << "    hint: " << hint << "\n";
+    if (!hint.empty()) std::cerr << "    hint: " << visible(hint, "\n") << "\n";
     std::cerr << "Run boxbeam --help for the commands and options.\n";
     return wrong_input;
   }
@@ -365,6 +379,10 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A short run keeps its memory: given back and taken again it costs some 250 page faults.
+  constexpr int kept = 64 << 20;
+  mallopt(M_TRIM_THRESHOLD, kept);
+  mallopt(M_MMAP_THRESHOLD, kept);
   // A file that grows beyond its limit is an error of writing, not the end without a word.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -375,10 +393,10 @@ int main(int argc, char** argv) {
       std::cerr << error.problems().size() << " errors; nothing was written\n";
     return wrong_input;
   } catch (const AnalysisError& error) {
-    std::cerr << "boxbeam: the analysis cannot be done\n  " << error.what() << "\n";
+    put_error(std::string("the analysis cannot be done\n  ") + error.what());
     return not_possible;
   } catch (const OutputError& error) {
-    std::cerr << "boxbeam: " << error.what() << "\n";
+    put_error(error.what());
     return output_failed;
   }
 }

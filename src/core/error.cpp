@@ -3,19 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam {
 namespace {
 
 /// Bytes of `text` before its code point number `count` (columns count code points, not bytes).
-std::size_t bytes_before(const std::string& text, std::size_t count) {
-  std::size_t i = 0;
-  for (; i < text.size() && count > 0; --count) {
-    do {
-      ++i;
-    } while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U);
-  }
-  return i;
+std::size_t bytes_before(std::string_view text, std::size_t count) {
+  std::size_t at = 0;
+  for (; at < text.size() && count > 0; --count) at += code_point_at(text, at).length;
+  return at;
 }
 
 /// The part of a line worth showing and the spaces that bring a caret under the place: long lines
@@ -32,24 +31,12 @@ Excerpt excerpt_of(const std::string& line, int column) {
   const std::size_t caret = bytes_before(line, at);
   const std::size_t to = bytes_before(line, at + reach);
   Excerpt excerpt;
-  excerpt.text =
-      (from > 0 ? "..." : "") + line.substr(from, to - from) + (to < line.size() ? "..." : "");
+  const std::string before = visible(line.substr(from, caret - from), "\t");
+  excerpt.text = (from > 0 ? "..." : "") + before + visible(line.substr(caret, to - caret), "\t") +
+                 (to < line.size() ? "..." : "");
   if (from > 0) excerpt.margin = "   ";
-  for (std::size_t i = from; i < caret; ++i) {
-    if (line[i] == '\t')
-      excerpt.margin += '\t';
-    else if ((static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80U)
-      excerpt.margin += ' ';
-  }
+  for (const char32_t point : code_points_of(before)) excerpt.margin += point == '\t' ? '\t' : ' ';
   return excerpt;
-}
-
-/// Control characters out of a file would end the message, or steer the terminal.
-void make_printable(std::string& text) {
-  for (char& c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if ((code < 0x20 && c != '\t') || code == 0x7F) c = '?';
-  }
 }
 
 std::string join(const std::vector<Problem>& problems) {
@@ -61,12 +48,12 @@ std::string join(const std::vector<Problem>& problems) {
 }
 
 std::string describe(const AnalysisFailure& failure) {
-  std::string text = failure.what;
-  if (!failure.where.empty()) text += fmt::format("\n  where      {}", failure.where);
+  std::string text = visible(failure.what, "\n\t");
+  if (!failure.where.empty()) text += fmt::format("\n  where      {}", visible(failure.where));
   if (failure.time) text += fmt::format("\n  time       {:.6g} s", *failure.time);
   if (failure.residual) text += fmt::format("\n  residual   {:.3g}", *failure.residual);
   if (failure.condition) text += fmt::format("\n  condition  {:.3g}", *failure.condition);
-  for (const std::string& line : failure.details) text += "\n  " + line;
+  for (const std::string& line : failure.details) text += "\n  " + visible(line, "\t");
   return text;
 }
 
@@ -74,8 +61,8 @@ std::string describe(const AnalysisFailure& failure) {
 
 std::string to_text(const Problem& given) {
   Problem problem = given;
-  for (std::string* part : {&problem.file, &problem.source_line, &problem.message, &problem.hint}) {
-    make_printable(*part);
+  for (std::string* part : {&problem.file, &problem.message, &problem.hint}) {
+    *part = visible(*part, "\t");
   }
   std::string text;
   if (problem.file.empty()) {

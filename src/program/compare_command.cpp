@@ -4,12 +4,22 @@
 #include "boxbeam/report/comparison.hpp"
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/html_writer.hpp"
+#include "boxbeam/report/json.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
 
 namespace boxbeam::program {
+namespace {
+
+std::string motion_document(const Project& project, const std::vector<double>& times) {
+  if (is_flexible(project)) return motion_json(flexible_motion_of(project));
+  if (in_space(project)) return motion_json(chain_motion_of(project, times, "world"));
+  return motion_json(motion_of(project, times));
+}
+
+}  // namespace
 
 int run_compare(const CompareOptions& options) {
   const PublishedValues published = read_published(options.published);
@@ -18,7 +28,9 @@ int run_compare(const CompareOptions& options) {
   {
     Progress progress;
     progress.now("verifying");
-    comparison = compare(project, verify(project), published);
+    comparison =
+        compare(project, verify(project), published,
+                [&](const std::vector<double>& times) { return motion_document(project, times); });
   }
   if (!options.html.empty()) {
     const auto no_pictures = [](const std::string&) { return std::optional<std::string>(); };
@@ -26,7 +38,7 @@ int run_compare(const CompareOptions& options) {
                report::html_of(comparison_document(project, comparison), no_pictures));
   }
   put_result(options.json, comparison_json(project, comparison),
-             coloured(comparison_text(project, comparison)));
+             comparison_text(project, comparison));
   return comparison.passes() ? all_pass : check_fails;
 }
 

@@ -28,16 +28,20 @@ std::string list_of(const Verification& verification) {
   return text;
 }
 
-/// The check of an id, or the worst one of those whose ids begin with its parts: "fatigue/4.2".
+/// The check of an id; or the worst one of those whose ids begin with its parts, "fatigue/4.2"; or
+/// of those whose criteria's names begin so: "shear", "combined".
 const CheckResult* find_check(const Verification& verification, const std::string& id) {
   if (id == "governing") return &verification.checks.front();
   const auto same = std::find_if(verification.checks.begin(), verification.checks.end(),
                                  [&](const CheckResult& result) { return result.check.id == id; });
   if (same != verification.checks.end()) return &*same;
-  const auto below = std::find_if(
-      verification.checks.begin(), verification.checks.end(),
-      [&](const CheckResult& result) { return result.check.id.starts_with(id + "/"); });
-  return below == verification.checks.end() ? nullptr : &*below;
+  for (const std::string& begin : {id + "/", id}) {
+    const auto below =
+        std::find_if(verification.checks.begin(), verification.checks.end(),
+                     [&](const CheckResult& result) { return result.check.id.starts_with(begin); });
+    if (!id.empty() && below != verification.checks.end()) return &*below;
+  }
+  return nullptr;
 }
 
 InputError unknown(const Verification& verification, const std::string& id) {
@@ -65,12 +69,12 @@ int run_explain(const ExplainOptions& options) {
     verification = verify(project);
   }
   if (options.check == "list") {
-    put(coloured(list_of(verification)));
+    put_text(list_of(verification));
     return all_pass;
   }
   const CheckResult* result = find_check(verification, options.check);
   if (result == nullptr) throw unknown(verification, options.check);
-  put(coloured(report::text_of(sheet_of(project, verification, *result))));
+  put_text(report::text_of(sheet_of(project, verification, *result)));
   return all_pass;
 }
 

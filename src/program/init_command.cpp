@@ -12,7 +12,19 @@
 
 namespace boxbeam::program {
 
-int run_init(const InitOptions& options) {
+namespace fs = std::filesystem;
+
+bool is_case_file(const std::string& word) { return word.ends_with(".toml"); }
+
+int run_init(const InitOptions& given) {
+  InitOptions options = given;
+  if (is_case_file(given.kind)) {
+    if (!given.file.empty()) {
+      throw InputError(fmt::format("two files: {} and {}", given.kind, given.file),
+                       "name the kind first: boxbeam init planar FILE.toml");
+    }
+    options = {"planar", given.kind};
+  }
   const char* text = options.kind == "spatial"    ? template_data::spatial
                      : options.kind == "flexible" ? template_data::flexible
                                                   : template_data::planar;
@@ -22,13 +34,17 @@ int run_init(const InitOptions& options) {
   }
   const std::string file = options.file.empty() ? options.kind + ".toml" : options.file;
   std::error_code error;
-  if (std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
+  if (fs::exists(fs::symlink_status(file, error))) {
     throw InputError(fmt::format("{} is there already, and nothing is overwritten", file),
                      fmt::format("name another file: boxbeam init {} FILE.toml", options.kind));
   }
+  const fs::path folder = fs::path(file).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error)) {
+    throw OutputError(fmt::format("there is no folder {} to write the case to", folder.string()));
+  }
   write_file(file, text);
-  put(fmt::format("Written: {}, a case that runs as it is. Next:\n\n  boxbeam verify {}\n", file,
-                  shell_word(file)));
+  put_text(fmt::format("Written: {}, a case that runs as it is. Next:\n\n  boxbeam verify {}\n",
+                       file, shell_word(file)));
   return all_pass;
 }
 

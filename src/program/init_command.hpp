@@ -5,9 +5,12 @@
 namespace boxbeam::program {
 
 struct InitOptions {
-  std::string kind = "planar";
-  std::string file;  ///< "": KIND.toml; "-": standard output
+  std::string kind = "planar";  ///< or the file, of a planar case
+  std::string file;             ///< "": KIND.toml; "-": standard output
 };
+
+/// Whether a word names a case file: it ends in ".toml".
+bool is_case_file(const std::string& word);
 
 /// `boxbeam init`: writes a commented case that runs as it is. Never overwrites. Returns the exit
 /// code.

@@ -8,8 +8,10 @@
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <string_view>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
 
@@ -70,14 +72,18 @@ void put(const std::string& text) {
   }
 }
 
+void put_text(const std::string& text) { put(coloured(visible(text, "\n\t"))); }
+
 void put_result(const std::string& json_file, const std::string& json, const std::string& text) {
   if (json_file == "-") {
     put(json);
     return;
   }
   if (!json_file.empty()) write_file(json_file, json);
-  put(text);
+  put_text(text);
 }
+
+void put_error(const std::string& text) { std::cerr << "boxbeam: " << visible(text, "\n") << "\n"; }
 
 bool shows_colours() {
   if (!environment("NO_COLOR").empty()) return false;

@@ -8,9 +8,16 @@ namespace boxbeam::program {
 /// Writes to standard output. Throws OutputError where it cannot be written.
 void put(const std::string& text);
 
+/// Likewise for people: what a user's text could do to a terminal is shown as its code, and
+/// verdicts stand in colour.
+void put_text(const std::string& text);
+
 /// The result of a command as JSON or as text, to where the user wants it: "-" is JSON on standard
 /// output instead of the text, another name a file beside the text.
 void put_result(const std::string& json_file, const std::string& json, const std::string& text);
+
+/// Writes a line about what went wrong to standard error.
+void put_error(const std::string& text);
 
 /// Whether standard output shows colours: on a terminal that is not dumb, unless NO_COLOR is set or
 /// CLICOLOR is 0; by CLICOLOR_FORCE also elsewhere.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/project/project.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
@@ -26,7 +27,7 @@ std::vector<std::string> names_of(const Items& items) {
 class Parts {
  public:
   void add(const char* name, const std::string& says) {
-    if (!says.empty()) text_ += fmt::format("  {:<11} {}\n", name, says);
+    if (!says.empty()) text_ += fmt::format("  {:<11} {}\n", name, visible(says));
   }
   const std::string& text() const { return text_; }
 
@@ -113,7 +114,7 @@ std::string text_of(const Project& project) {
 
 int run_validate(const CaseOptions& options) {
   const Project project = read_case(options);
-  put(fmt::format("{}: nothing is wrong\n{}", options.file, text_of(project)));
+  put_text(fmt::format("{}: nothing is wrong\n{}", options.file, text_of(project)));
   return all_pass;
 }
 

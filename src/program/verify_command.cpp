@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
@@ -52,29 +51,31 @@ ReportLevel level_of(const std::string& word) {
   return word == "full" ? ReportLevel::full : ReportLevel::governing;
 }
 
-/// Writes the report and its figures. What needs another program may fail without the rest.
-Outputs write_outputs(const Project& project, const Verification& verification,
-                      const VerifyOptions& options, const std::string& folder, Progress& progress) {
-  Outputs outputs;
-  const auto attempt = [&](const auto& write) {
-    try {
-      write();
-    } catch (const OutputError& error) {
-      outputs.troubles.emplace_back(error.what());
-    }
-  };
+/// Does what may fail without the rest; whether it did not.
+template <class Write>
+bool attempt(Outputs& outputs, const Write& write) {
+  try {
+    write();
+    return true;
+  } catch (const OutputError& error) {
+    outputs.troubles.emplace_back(error.what());
+    return false;
+  }
+}
+
+/// Writes the report in its forms and its figures, each without those that fail.
+void write_report(const Project& project, const Verification& verification,
+                  const VerifyOptions& options, const std::string& folder, Progress& progress,
+                  Outputs& outputs) {
   const auto write = [&](const char* name, const std::string& content) {
     write_file(folder + "/" + name, content);
     outputs.written.emplace_back(name);
   };
-  remove_outputs(folder);
-  outputs.results = results_json(project, verification);
-  write_file(folder + "/results.json", outputs.results);
   std::optional<report::ScratchFolder> twins;  // the figures as PDF
   if (!options.no_plots) {
     progress.now("drawing the figures");
-    if (!options.no_pdf) twins.emplace(folder);
-    attempt([&] {
+    attempt(outputs, [&] {
+      if (!options.no_pdf) twins.emplace(folder);
       outputs.figures =
           draw_figures(project, verification, folder, twins ? twins->path().string() : "");
     });
@@ -85,25 +86,39 @@ Outputs write_outputs(const Project& project, const Verification& verification,
   };
   const report::Document document =
       with_pictures(report_of(project, verification, level_of(options.level)), drawn);
-  write("report.txt", report::text_of(document));
+  attempt(outputs, [&] { write("report.txt", report::text_of(document)); });
   if (!options.no_html) {
     const auto picture = [&](const std::string& name) -> std::optional<std::string> {
       std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
       if (!file) return std::nullopt;
       return std::string(std::istreambuf_iterator<char>(file), {});
     };
-    attempt([&] { write("report.html", report::html_of(document, picture)); });
+    attempt(outputs, [&] { write("report.html", report::html_of(document, picture)); });
   }
   if (!options.no_pdf) {
     progress.now("setting the PDF");
-    attempt([&] {
+    attempt(outputs, [&] {
       report::write_pdf(document, twins ? twins->path().string() : "", folder + "/report.pdf");
       outputs.written.emplace_back("report.pdf");
     });
   }
-  outputs.written.emplace_back("results.json");
+}
+
+/// Writes all that is asked for. Without the results nothing else is written to the folder.
+Outputs write_outputs(const Project& project, const Verification& verification,
+                      const VerifyOptions& options, const std::string& folder, Progress& progress) {
+  Outputs outputs;
+  outputs.results = results_json(project, verification);
+  const bool possible = attempt(outputs, [&] {
+    remove_outputs(folder);
+    write_file(folder + "/results.json", outputs.results);
+  });
+  if (possible) {
+    write_report(project, verification, options, folder, progress, outputs);
+    outputs.written.emplace_back("results.json");
+  }
   if (!options.json.empty() && options.json != "-") {
-    attempt([&] {
+    attempt(outputs, [&] {
       write_file(options.json, outputs.results);
       outputs.written.push_back(options.json);
     });
@@ -112,6 +127,7 @@ Outputs write_outputs(const Project& project, const Verification& verification,
 }
 
 std::string written_line(const std::string& folder, const Outputs& outputs) {
+  if (outputs.written.empty()) return "";
   std::string line = fmt::format("\nWritten to {}: {}", folder, fmt::join(outputs.written, ", "));
   if (!outputs.figures.empty()) line += fmt::format(", {} figures", outputs.figures.size());
   return line + "\n";
@@ -143,11 +159,11 @@ int run_verify(const VerifyOptions& options) {
   if (options.json == "-") {
     put(outputs.results);
   } else if (options.quiet) {
-    put(coloured(verdict_line(project, verification)));
+    put_text(verdict_line(project, verification));
   } else {
-    put(coloured(summary(project, verification) + written_line(folder, outputs)));
+    put_text(summary(project, verification) + written_line(folder, outputs));
   }
-  for (const std::string& trouble : outputs.troubles) std::cerr << "boxbeam: " << trouble << "\n";
+  for (const std::string& trouble : outputs.troubles) put_error(trouble);
   if (!outputs.troubles.empty()) return output_failed;
   return verification.verdict == Verdict::pass ? all_pass : check_fails;
 }

@@ -27,6 +27,10 @@ void read_mass(TableReader& table, Body& body, Eigen::Vector2d& centre) {
   if (table.has("uniform_rod")) {
     const double length = table.positive("uniform_rod", wanted::length);
     body.inertia = body.mass * length * length / 12.0;
+    if (table.has("inertia")) {
+      table.problem("inertia", "\"uniform_rod\" gives the inertia, and \"inertia\" gives it too",
+                    "leave out one of the two");
+    }
   } else {
     body.inertia = table.not_negative("inertia", wanted::inertia, 0.0);
   }

@@ -287,6 +287,7 @@ void read_joint_drivers(TableReader& root, Mechanism& mechanism, TimeTables& tab
     const bool turns = joint.kind == JointKind::revolute;
     if (std::optional<Driver> function = read_function(table, turns ? angle : length, tables)) {
       joint.driver = std::move(*function);
+      joint.driver_name = name;
       table.finish();
     }
   }

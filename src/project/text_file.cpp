@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam {
 namespace {
@@ -58,30 +59,11 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
-std::size_t utf8_length(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[at + i]))
-                                : 0U;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4) return 0;
-  unsigned code = first & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-    code = (code << 6U) | (byte(i) & 0x3FU);
-  }
-  constexpr unsigned smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (code < smallest[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return 0;
-  return length;
-}
-
 std::size_t find_not_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    if (length == 0) return i;
-    i += length;
+    const CodePoint point = code_point_at(text, i);
+    if (is_stray_byte(point.code)) return i;
+    i += point.length;
   }
   return std::string_view::npos;
 }
@@ -95,7 +77,7 @@ LineColumn position_of(std::string_view text, std::size_t at) {
     } else {
       ++position.column;
     }
-    i += std::max<std::size_t>(1, utf8_length(text, i));
+    i += code_point_at(text, i).length;
   }
   return position;
 }

@@ -25,9 +25,6 @@ FileText read_text_file(const std::string& path);
 /// The lines of a text without their ends.
 std::vector<std::string> split_lines(const std::string& text);
 
-/// Length of the UTF-8 sequence at `at`, 0 where it is none (also overlong forms and surrogates).
-std::size_t utf8_length(std::string_view text, std::size_t at);
-
 /// The place of the first byte that is not UTF-8, or npos.
 std::size_t find_not_utf8(std::string_view text);
 

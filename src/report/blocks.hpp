@@ -45,6 +45,12 @@ std::vector<Cell> row_of(Cells&&... cells) {
   return row;
 }
 
+/// Whether a table fills more than a screen.
+inline bool is_long(const Table& table) {
+  constexpr std::size_t rows_of_a_screen = 24;
+  return table.rows.size() > rows_of_a_screen;
+}
+
 /// " (normal running)", "" where the case has only one situation.
 inline std::string in_brackets(const std::string& name) {
   return name.empty() ? std::string() : " (" + name + ")";

@@ -266,12 +266,13 @@ double height_of_legend(const std::vector<LegendEntry>& entries) {
 void draw_legend(Script& gp, const std::vector<LegendEntry>& of, double bottom) {
   const std::vector<LegendEntry> entries = broken(of);
   const auto [columns, one] = columns_of(entries);
-  const std::size_t rows = rows_of(entries);
+  const std::size_t rows = std::max<std::size_t>(1, rows_of(entries));
   const double left = 0.5 * (figure_width - one * static_cast<double>(columns)) + 6.0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     // Down the columns, so that what belongs together stands together.
     const std::size_t row = i % rows;
-    const double x = left + one * static_cast<double>(i / rows);
+    const std::size_t column = i / rows;
+    const double x = left + one * static_cast<double>(column);
     const double y = bottom + legend_row * (static_cast<double>(rows - 1 - row) + 0.5);
     if (!entries[i].style.empty()) put_line(gp, {x, y}, {x + sample, y}, entries[i].style);
     if (!entries[i].point.empty()) {

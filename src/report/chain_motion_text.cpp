@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/motion_text.hpp"
 #include "text_layout.hpp"
 
@@ -136,7 +137,7 @@ std::string hand_formula_text(const HandComparison& hand) {
 std::string motion_text(const Project& project, const ChainMotionResult& motion) {
   const std::string axes =
       motion.axes == "world" ? "world axes" : fmt::format("axes of body {}", motion.axes);
-  std::string out = fmt::format("{}: {} driven joint{}; vectors in {}\n", project.title,
+  std::string out = fmt::format("{}: {} driven joint{}; vectors in {}\n", visible(project.title),
                                 motion.driven, motion.driven == 1 ? "" : "s", axes);
   out += layout::paragraph(
       "A joint's force and moment are about its point, on the body that is named; its drive is "

@@ -44,18 +44,12 @@ std::vector<ResultValue> values_of(const std::string& document, const std::strin
   return values_in(Json::parse(document), Json::parse(schema_of(schema)), prefix);
 }
 
-std::string motion_document(const Project& project, const std::vector<double>& times) {
-  if (is_flexible(project)) return motion_json(flexible_motion_of(project));
-  if (in_space(project)) return motion_json(chain_motion_of(project, times, "world"));
-  return motion_json(motion_of(project, times));
-}
-
 /// The motion at the instants that keys name, under these names.
-std::vector<ResultValue> motion_values(const Project& project,
+std::vector<ResultValue> motion_values(const MotionDocument& motion,
                                        const std::vector<NamedInstant>& instants) {
   std::vector<double> times;
   for (const NamedInstant& instant : instants) times.push_back(instant.time);
-  std::vector<ResultValue> values = values_of(motion_document(project, times), "motion", "motion");
+  std::vector<ResultValue> values = values_of(motion(times), "motion", "motion");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const std::string state = fmt::format("motion.states[{}]", i);
     for (ResultValue& value : values) {
@@ -201,7 +195,7 @@ std::size_t Comparison::count(Agreement agreement) const {
 }
 
 Comparison compare(const Project& project, const Verification& verification,
-                   const PublishedValues& published) {
+                   const PublishedValues& published, const MotionDocument& motion) {
   std::vector<Problem> problems;
   const std::vector<NamedInstant> instants = instants_in(project, published, problems);
   if (!problems.empty()) throw InputError(std::move(problems));
@@ -209,7 +203,7 @@ Comparison compare(const Project& project, const Verification& verification,
   book.add(values_of(results_json(project, verification), "results", ""));
   const bool moves = std::any_of(published.rows.begin(), published.rows.end(),
                                  [](const auto& row) { return row.key.starts_with("motion"); });
-  if (moves) book.add(motion_values(project, instants));
+  if (moves) book.add(motion_values(motion, instants));
 
   Comparison comparison;
   comparison.path = published.path;

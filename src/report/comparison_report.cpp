@@ -1,9 +1,11 @@
+#include "boxbeam/report/comparison.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "boxbeam/report/comparison.hpp"
+#include "blocks.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/text_writer.hpp"
@@ -46,16 +48,21 @@ std::string ours_text(const ComparedValue& row) {
   return written_like(row.published, row.ours, std::clamp(row.published.digits, fewest, most));
 }
 
-/// In per cent where the tolerance is, else in the published value's unit.
+/// In per cent where the tolerance is and that says something, up to twice the published value;
+/// else in the published value's unit.
 std::string difference_text(const ComparedValue& row) {
   constexpr int digits = 2;
+  constexpr double most = 2.0;
   if (is_round_off(row)) return "0";
+  const double size = std::abs(row.published.value.value);
   std::string text;
-  if (row.published.tolerance.relative) {
-    const double part = row.difference / std::abs(row.published.value.value);
-    text = fmt::format("{} %", text::significant(100.0 * part, digits));
+  if (!row.published.tolerance.relative) {
+    text = written_like(row.published, row.difference, digits);
+  } else if (std::abs(row.difference) <= most * size) {
+    text = fmt::format("{} %", text::significant(100.0 * row.difference / size, digits));
   } else {
     text = written_like(row.published, row.difference, digits);
+    if (!row.published.unit.empty()) text += " " + row.published.unit;
   }
   if (row.difference > 0.0 && text != "0") text.insert(0, "+");
   return text;
@@ -70,19 +77,31 @@ std::string tolerance_text(const PublishedValue& published) {
 
 /// The number of each reason in the list of reasons, which grows.
 std::string note_of(const std::string& reason, std::vector<std::string>& reasons) {
-  if (reason.empty()) return "";
   const auto found = std::find(reasons.begin(), reasons.end(), reason);
   const auto place = found - reasons.begin();
   if (found == reasons.end()) reasons.push_back(reason);
-  return fmt::format("({})", place + 1);
+  return std::to_string(place + 1);
 }
 
-/// The rows of one status, in the order of the file.
+/// The table less the columns in which nothing stands.
+report::Table without_empty_columns(report::Table table) {
+  for (std::size_t c = table.header.size(); c-- > 0;) {
+    const auto at = static_cast<std::ptrdiff_t>(c);
+    const auto empty = [c](const std::vector<Cell>& row) { return row[c].text.empty(); };
+    if (!std::all_of(table.rows.begin(), table.rows.end(), empty)) continue;
+    table.header.erase(table.header.begin() + at);
+    for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + at);
+  }
+  return table;
+}
+
+/// The rows of one status, in the order of the file. Reasons are those of a difference: where the
+/// values agree there is nothing to explain.
 report::Table table_of(const Comparison& comparison, Agreement agreement,
                        std::vector<std::string>& reasons) {
   report::Table table;
-  table.header = {"result",    "published", "ours",   "difference",
-                  "tolerance", "unit",      "source", "reason"};
+  // Short, so that there is room for keys.
+  table.header = {"result", "published", "ours", "difference", "within", "unit", "source", "why"};
   for (const ComparedValue& row : comparison.rows) {
     if (row.agreement != agreement) continue;
     const PublishedValue& published = row.published;
@@ -91,10 +110,11 @@ report::Table table_of(const Comparison& comparison, Agreement agreement,
          Cell{number_of(published.written, published.unit), published.value.value},
          Cell{ours_text(row), row.ours}, Cell{difference_text(row), row.difference},
          Cell{tolerance_text(published), row.tolerance}, Cell{published.unit, {}},
-         Cell{published.source, {}}, Cell{note_of(published.reason, reasons), {}}});
+         Cell{published.source, {}},
+         Cell{agreement == Agreement::explained ? note_of(published.reason, reasons) : "", {}}});
     if (agreement == Agreement::differs) table.marks.push_back(Mark::fails);
   }
-  return table;
+  return without_empty_columns(std::move(table));
 }
 
 std::string heading_of(Agreement agreement) {
@@ -107,14 +127,13 @@ std::string heading_of(Agreement agreement) {
 }
 
 std::string counts_text(const Comparison& comparison) {
-  return fmt::format("{} values: {} agree, {} differ with a reason, {} differ without",
-                     comparison.rows.size(), comparison.count(Agreement::agrees),
-                     comparison.count(Agreement::explained), comparison.count(Agreement::differs));
+  return fmt::format("{} {}: {} within the tolerance, {} beyond it with a reason, {} without",
+                     comparison.rows.size(), comparison.rows.size() == 1 ? "value" : "values",
+                     comparison.count(Agreement::agrees), comparison.count(Agreement::explained),
+                     comparison.count(Agreement::differs));
 }
 
-}  // namespace
-
-report::Chapter comparison_chapter(const Comparison& comparison) {
+report::Chapter chapter_of(const Comparison& comparison) {
   report::Chapter chapter;
   chapter.title = "Published values";
   chapter.blocks.push_back(report::Paragraph{fmt::format(
@@ -124,17 +143,19 @@ report::Chapter comparison_chapter(const Comparison& comparison) {
     report::Table table = table_of(comparison, status, reasons);
     if (table.rows.empty()) continue;
     table.caption = heading_of(status);
+    table.folded = status == Agreement::agrees && report::is_long(table);
     chapter.blocks.push_back(std::move(table));
+    if (status != Agreement::explained) continue;
+    report::Bullets list;
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+      list.items.push_back(fmt::format("{}: {}", i + 1, reasons[i]));
+    }
+    chapter.blocks.push_back(std::move(list));
   }
-  if (reasons.empty()) return chapter;
-  chapter.blocks.push_back(report::Subheading{"Reasons"});
-  report::Bullets list;
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
-    list.items.push_back(fmt::format("({}) {}", i + 1, reasons[i]));
-  }
-  chapter.blocks.push_back(std::move(list));
   return chapter;
 }
+
+}  // namespace
 
 report::Document comparison_document(const Project& project, const Comparison& comparison) {
   report::Document document;
@@ -160,7 +181,7 @@ report::Document comparison_document(const Project& project, const Comparison& c
         {report::Cell{heading_of(status), {}},
          report::Cell{std::to_string(count), static_cast<double>(count)}});
   }
-  document.chapters.push_back(comparison_chapter(comparison));
+  document.chapters.push_back(chapter_of(comparison));
   return document;
 }
 

@@ -74,7 +74,7 @@ std::vector<Named> extremes_of(const Verification& verification, cut_force::Inde
 
 /// What the ordinate of a diagram is, and where it pulls.
 std::string heading_of(const CutForceName& name) {
-  const std::string title = axis_title(name);
+  std::string title = axis_title(name);
   if (std::string(name.name) == "M") return title + ", drawn on the side in tension";
   if (name.which == cut_force::M_y) return title + ", positive: tension at +z";
   if (name.which == cut_force::M_z) return title + ", positive: tension at -y";

@@ -21,7 +21,7 @@ struct Row {
   double range() const { return row->cycle.range.value(); }
   /// Share of the life, the loads taken k times or as they are.
   double harm() const { return row->cycle.count / row->endured; }
-  double harm_as_is() const { return row->cycle.count / row->endured_as_is; }
+  double harm_as_is() const { return row->damage; }
 };
 
 std::vector<Row> rows_of(const CheckBasis& basis) {
@@ -149,7 +149,9 @@ struct Sum {
   std::optional<double> k;
   const Gammas* gammas;
 
-  double endured(const Row& row) const { return k ? row.row->endured : row.row->endured_as_is; }
+  double endured(const Row& row) const {
+    return k ? row.row->endured : row.row->cycle.count / row.row->damage;
+  }
   /// "N_1", "N_1,k"; "N" and "N_k" where the row has no number.
   std::string N(const Row& row) const {
     if (!k) return "N" + row.index;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/motion_text.hpp"
 #include "text_layout.hpp"
 
@@ -112,7 +113,7 @@ std::string harmonic_tables(const FlexibleMotionResult& motion) {
 
 std::string motion_text(const Project& project, const FlexibleMotionResult& motion) {
   std::string out = fmt::format("{}: {} rigid finite elements, {} degrees of freedom\n",
-                                project.title, motion.elements, motion.degrees_of_freedom);
+                                visible(project.title), motion.elements, motion.degrees_of_freedom);
   out += layout::paragraph(
       "Forces are what a joint does to the link that is named, in world axes; displacements are "
       "from the unstressed posture. The stated error is what the division of the links leaves, "

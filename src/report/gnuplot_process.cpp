@@ -1,42 +1,30 @@
 #include "gnuplot_process.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <deque>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <thread>
 
 #include "boxbeam/core/error.hpp"
+#include "process.hpp"
 
 namespace boxbeam {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Process {
-  pid_t pid = -1;
+constexpr const char* not_installed = "gnuplot is not installed (apt install gnuplot-nox)";
+
+/// A gnuplot at work.
+struct Run {
+  report::Process process;
   Drawing drawing;
 };
-
-/// The environment of the program, but with names in UTF-8 wherever it runs, and one time zone.
-std::vector<std::string> environment() {
-  std::vector<std::string> variables{"TZ=UTC0", "LC_ALL=C.UTF-8"};
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    const std::string_view text = *variable;
-    const bool replaced = text.starts_with("TZ=") || text.starts_with("LC_ALL=");
-    if (!replaced) variables.emplace_back(text);
-  }
-  return variables;
-}
 
 /// Takes the time of drawing out of a PDF: the same input gives the same bytes. Cairo before 1.17
 /// knows no other way.
@@ -51,41 +39,19 @@ void make_timeless(const fs::path& pdf) {
   file << "19700101000000";
 }
 
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
+std::string log_of(const Drawing& drawing) { return drawing.file() + ".log"; }
 
-/// Starts gnuplot on a script in a folder; its messages go to a file of the drawing's name and
-/// ".log" there.
-Process start_gnuplot(const fs::path& folder, const Drawing& drawing) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  const std::string log = (folder / (drawing.file() + ".log")).string();
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&actions, 1, 2);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::vector<std::string> arguments{"gnuplot", "-d"};
+/// Starts gnuplot on a script in a folder.
+Run start_gnuplot(const fs::path& folder, const Drawing& drawing) {
+  // Names in UTF-8 wherever it runs, and one time zone.
+  report::Command command{
+      {"gnuplot", "-d"}, folder, log_of(drawing), {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC0"}}};
   if (drawing.format == Drawing::pdf) {
-    arguments.emplace_back("-e");
-    arguments.emplace_back("pdf = 1");
+    command.arguments.emplace_back("-e");
+    command.arguments.emplace_back("pdf = 1");
   }
-  arguments.push_back(drawing.name + ".gp");
-  std::vector<std::string> variables = environment();
-  Process process{-1, drawing};
-  const int error = posix_spawnp(&process.pid, "gnuplot", &actions, nullptr,
-                                 pointers_to(arguments).data(), pointers_to(variables).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) {
-    throw OutputError(
-        "no plots: gnuplot is not installed (apt install gnuplot-nox); everything else is written");
-  }
-  if (error != 0)
-    throw OutputError(fmt::format("no plots: gnuplot cannot be started: {}", std::strerror(error)));
-  return process;
+  command.arguments.push_back(drawing.name + ".gp");
+  return {report::start(command), drawing};
 }
 
 /// Whether a file ends with a text, empty lines apart: where the disk is full gnuplot leaves a part
@@ -101,21 +67,18 @@ bool ends_with(const fs::path& path, std::string_view ending) {
 }
 
 /// Waits for a gnuplot; what it said where it failed, "" where it did not.
-std::string trouble_of(const fs::path& folder, const Process& process) {
-  int status = 0;
-  while (::waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
-  }
+std::string trouble_of(const fs::path& folder, const Run& run) {
+  const std::optional<int> code = exit_code_of(run.process);
+  if (!code) return not_installed;
+  const fs::path file = folder / run.drawing.file();
   std::error_code error;
-  const fs::path file = folder / process.drawing.file();
-  const bool pdf = process.drawing.format == Drawing::pdf;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && fs::exists(file, error)) {
+  if (*code == 0 && fs::exists(file, error)) {
+    const bool pdf = run.drawing.format == Drawing::pdf;
     if (!ends_with(file, pdf ? "%%EOF" : "</svg>")) return "only a part could be written";
     if (pdf) make_timeless(file);
     return "";
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    return "gnuplot is not installed (apt install gnuplot-nox)";
-  std::ifstream log(folder / (process.drawing.file() + ".log"));
+  std::ifstream log(folder / log_of(run.drawing));
   std::string words = "it ended without a message";
   for (std::string line; std::getline(log, line);) {
     if (line.find_first_not_of(" ^") == std::string::npos) continue;
@@ -135,7 +98,7 @@ void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
     if (!ends_with(script, script_end))
       throw OutputError(fmt::format("no plots: {} could be written only in part", script.string()));
   }
-  std::deque<Process> running;
+  std::deque<Run> running;
   std::string troubles;
   const auto wait_for_first = [&] {
     const std::string trouble = trouble_of(folder, running.front());
@@ -146,6 +109,8 @@ void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
   for (const Drawing& drawing : drawings) {
     if (running.size() == at_once) wait_for_first();
     running.push_back(start_gnuplot(folder, drawing));
+    if (running.back().process.id < 0)
+      throw OutputError(fmt::format("no plots: {}; everything else is written", not_installed));
   }
   while (!running.empty()) wait_for_first();
   if (!troubles.empty()) throw OutputError("gnuplot failed, no plots are written:" + troubles);

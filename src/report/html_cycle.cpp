@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/format.hpp"
 #include "html_text.hpp"
 #include "json_number.hpp"

@@ -1,70 +1,16 @@
 #include "html_text.hpp"
 
-#include <fmt/format.h>
 #include <sha256.h>
 
 #include <algorithm>
 #include <cstdint>
 
-#include "../project/text_file.hpp"
+#include "boxbeam/core/code_points.hpp"
 
 namespace boxbeam::report::html {
-namespace {
-
-/// The code point of a UTF-8 sequence.
-char32_t code_point(std::string_view sequence) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(sequence[i]); };
-  if (sequence.size() == 1) return byte(0);
-  char32_t code = byte(0) & (0x7fU >> sequence.size());
-  for (std::size_t i = 1; i < sequence.size(); ++i) code = (code << 6U) | (byte(i) & 0x3fU);
-  return code;
-}
-
-/// Controls, which XML does not allow either.
-bool is_control(char32_t code) {
-  if (code == '\n' || code == '\t') return false;
-  return code < 0x20 || (code >= 0x7f && code <= 0x9f);
-}
-
-/// Marks of direction, what has no width, and what is no character. Joiners stay: some scripts are
-/// written with them.
-bool is_invisible(char32_t code) {
-  return code == 0x200b || code == 0x200e || code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
-         (code >= 0x2060 && code <= 0x206f) || code == 0x061c || code == 0xfeff ||
-         (code & 0xfffeU) == 0xfffe;
-}
-
-}  // namespace
-
-std::string visible(std::string_view text) {
-  const auto plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; };
-  if (std::all_of(text.begin(), text.end(), plain)) return std::string(text);
-  std::string out;
-  out.reserve(text.size());
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    if (length == 0) {
-      out += fmt::format("\\x{:02X}", static_cast<unsigned char>(text[i]));
-      ++i;
-      continue;
-    }
-    const std::string_view sequence = text.substr(i, length);
-    const auto code = static_cast<std::uint32_t>(code_point(sequence));
-    if (is_control(code)) {
-      out += fmt::format("\\x{:02X}", code);
-    } else if (is_invisible(code)) {
-      out += fmt::format("\\u{:04X}", code);
-    } else {
-      out += sequence;
-    }
-    i += length;
-  }
-  return out;
-}
-
 std::string escaped(std::string_view text) {
   std::string out;
-  const std::string shown = visible(text);
+  const std::string shown = visible(text, "\n\t");
   out.reserve(shown.size());
   for (std::string_view rest = shown; !rest.empty();) {
     const std::size_t plain = std::min(rest.find_first_of("&<>\"'"), rest.size());

@@ -6,11 +6,7 @@
 /// Text made safe for HTML; the markup is also well-formed XML.
 namespace boxbeam::report::html {
 
-/// Text in which everything can be seen: control characters and bytes that are not UTF-8 as
-/// "\x07", marks of writing direction and the like as "\u202E". Line ends and tabs stay.
-std::string visible(std::string_view text);
-
-/// Any text, made visible, for content and quoted attributes.
+/// Any text for content and quoted attributes: what is hidden is shown, but line ends and tabs.
 std::string escaped(std::string_view text);
 
 /// Source: RFC 4648, 4.

@@ -17,9 +17,6 @@ namespace {
 
 using html::escaped;
 
-/// Tables with more rows are folded away.
-constexpr std::size_t rows_shown = 24;
-
 struct MarkWords {
   const char* style;  ///< class in the style sheet
   const char* words;
@@ -162,8 +159,7 @@ class Writer {
   void write(const Table& table, bool named = false) {
     const std::string caption = escaped(table.caption);
     const std::string name = caption.empty() ? escaped(*heading_) : caption;
-    const bool folded = table.rows.size() > rows_shown;
-    if (folded) {
+    if (table.folded) {
       out_ += fmt::format("<details>\n<summary>{} <span>{} rows</span></summary>\n", name,
                           table.rows.size());
     } else if (!caption.empty()) {
@@ -181,7 +177,7 @@ class Writer {
     out_ += "</tr></thead>\n<tbody>\n";
     for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, columns, named);
     out_ += "</tbody>\n</table>\n</div>\n";
-    if (folded) out_ += "</details>\n";
+    if (table.folded) out_ += "</details>\n";
   }
 
   struct Columns {

@@ -7,7 +7,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \usepackage[utf8]{inputenc}
 \usepackage{textcomp}
 \usepackage{lmodern}
-\usepackage[a4paper,left=24mm,textwidth=468pt,top=26mm,bottom=24mm,headsep=7mm,footskip=11mm]{geometry}
+\usepackage[a4paper,left=24mm,textwidth=468pt,top=24mm,bottom=21mm,headsep=6mm,footskip=10mm]{geometry}
 \usepackage{amsmath}
 \usepackage{array}
 \usepackage{booktabs}
@@ -34,7 +34,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \setlength{\LTpre}{6pt}
 \setlength{\LTpost}{8pt}
 \setlength{\tabcolsep}{0pt}
-\renewcommand{\arraystretch}{1.1}
+\renewcommand{\arraystretch}{1.02}
 \raggedbottom
 \clubpenalty=10000
 \widowpenalty=10000
@@ -69,41 +69,72 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \def\@oddhead{\vbox{\hsize\textwidth\hbox to\textwidth{\sffamily\footnotesize\color{quiet}\headleft\hfil\headright}%
     \vskip3pt{\color{pale}\hrule height.4pt}}}%
   \def\@oddfoot{\hbox to\textwidth{\sffamily\footnotesize\color{quiet}\footleft\hfil page \thepage{} of \lastpage}}}
-\renewcommand{\section}{\@startsection{section}{1}{0pt}{-20pt plus -4pt}{6pt}{\sffamily\bfseries\Large\raggedright}}
-\renewcommand{\subsection}{\@startsection{subsection}{2}{0pt}{-12pt plus -2pt}{3pt}{\sffamily\bfseries\normalsize\raggedright}}
+\renewcommand{\section}{\@startsection{section}{1}{0pt}{\ifshort-12pt\else-16pt plus -4pt\fi}{\ifshort3pt\else6pt\fi}{\sffamily\bfseries\Large\raggedright}}
+\renewcommand{\subsection}{\@startsection{subsection}{2}{0pt}{\ifshort-7pt\else-9pt plus -2pt\fi}{\ifshort1pt\else3pt\fi}{\sffamily\bfseries\normalsize\raggedright}}
 \AtEndDocument{\clearpage\immediate\write\@auxout{\gdef\string\lastpage{\the\numexpr\value{page}-1\relax}}}
 \makeatother
 
 % \chapter{number}{title}{title as a string of the PDF}
 \newcommand{\chapterline}[3]{\section{\hbox to0pt{\pdfdest name{c#1} xyz\hss}#1\hskip0.8em #2}%
   \pdfoutline goto name{c#1} count 0{#3}\label{c#1}\nopagebreak}
-\newcommand{\contentsentry}[2]{\hbox to\linewidth{\pdfstartlink attr{/Border[0 0 0]} goto name{c#1}%
-  \hbox to1.8em{#1\hfil}#2\ \color{pale}\leaders\hbox to.6em{\hss.\hss}\hfil\ \color{black}\pageref{c#1}\pdfendlink}}
+\newcommand{\contentsentry}[2]{\hbox to.47\linewidth{\pdfstartlink attr{/Border[0 0 0]} goto name{c#1}%
+  \hbox to1.6em{#1\hfil}#2\ \color{pale}\leaders\hbox to.6em{\hss.\hss}\hfil\ \color{black}\pageref{c#1}\pdfendlink}}
 
 \newcommand{\tablecaption}[1]{\par\vskip6pt{\raggedright\noindent\sffamily\footnotesize\color{quiet}\hskip0pt#1\par}\nopagebreak\vskip-2pt}
 
-% A figure, never larger than it is, and down to three quarters of it where that fits the page.
-% \takefigure{file}{height of what comes with it}
+% A figure, never larger than it is, and somewhat smaller where that fits the page. Where it does not,
+% it waits: what follows in its chapter may fill the page before it.
+% \takefigure{file}{height of what comes with it}{caption}
 \newsavebox{\figurebox}
+\newif\ifwaiting
+\newif\iffits
 \makeatletter
-\newcommand{\takefigure}[2]{\par\if@nobreak\else\penalty0\fi
-  \setbox\figurebox\hbox{\includegraphics{#1}}%
+\newdimen\figureleast
+\newcommand{\lowerfigure}[1]{\ifdim\ht\figurebox>#1\setbox\figurebox\hbox{\resizebox{!}{#1}{\box\figurebox}}\fi}
+\newcommand{\loadfigure}[2]{\def\figureextra{#2}\setbox\figurebox\hbox{\includegraphics{#1}}%
   \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
-  \ifdim\ht\figurebox>.8\textheight\setbox\figurebox\hbox{\resizebox{!}{.8\textheight}{\box\figurebox}}\fi
-  \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal-\pagetotal\else\textheight\fi-#2-1pt\relax
-  \ifdim\ht\figurebox>\dimen0\ifdim.75\ht\figurebox<\dimen0
-    \setbox\figurebox\hbox{\resizebox{!}{\dimen0}{\box\figurebox}}\fi\fi}
+  \lowerfigure{.7\textheight}\figureleast=.65\ht\figurebox
+  \ifdim\figureleast>.4\textheight\lowerfigure{\figureleast}\else\lowerfigure{.4\textheight}\fi}
+\newcommand{\findroom}{\par\if@nobreak\else\penalty0\fi
+  \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal-\pagetotal\else\textheight\fi\relax}
+% Whether there is room for the figure, which may become somewhat smaller.
+\newcommand{\fitfigure}{\findroom\advance\dimen0-\dimexpr\figureextra+1pt\relax
+  \fitstrue\ifdim\ht\figurebox>\dimen0
+    \ifdim\figureleast>\dimen0 \fitsfalse\else\lowerfigure{\dimen0}\fi\fi}
+\newcommand{\takefigure}[3]{\loadfigure{#1}{#2}\def\figurecaption{#3}\waitingtrue
+  \fitfigure\iffits\showfigure\fi}
+% Before a block of this height the figure that waits, where there is room, or not for both.
+\newcommand{\beforeblock}[1]{\ifwaiting
+  \fitfigure\iffits\showfigure\else
+    \findroom\ifdim\dimen0<\dimexpr#1\relax
+      \newpage\fitfigure\showfigure
+  \fi\fi\fi}
+% As \need for a figure with what comes with it, or what may stand before it.
+\newcommand{\needfigure}[3]{\par\if@nobreak\@nobreakfalse\else
+  \loadfigure{#1}{#2}\fitfigure\iffits\else
+    \findroom\ifdim\dimen0<\dimexpr#3\relax\newpage\fi\fi\fi}
 \makeatother
-\newcommand{\showfigure}[1]{%
+\newcommand{\captionlines}[1]{{\leftskip=0pt plus 1fil\rightskip=0pt plus 1fil\parfillskip=0pt\noindent
+  \sffamily\footnotesize\color{quiet}#1\par}}
+\newcommand{\showfigure}{\waitingfalse
   \vskip6pt\hbox to\linewidth{\hfil\box\figurebox\hfil}\nopagebreak\vskip4pt
-  {\leftskip=2em plus 1fil\rightskip=2em plus 1fil\parfillskip=0pt\noindent\sffamily\footnotesize\color{quiet}#1\par}%
-  \vskip8pt}
+  \hbox to\linewidth{\hfil\vtop{\hsize=\dimexpr\linewidth-4em\relax\captionlines{\figurecaption}}\hfil}\vskip8pt}
+% Two figures abreast: \figurepair{file}{caption}{file}{caption}
+\newcommand{\halffigure}[1]{\setbox0\hbox{\includegraphics{#1}}%
+  \ifdim\wd0>.485\linewidth\setbox0\hbox{\resizebox{.485\linewidth}{!}{\box0}}\fi
+  \ifdim\ht0>.3\textheight\setbox0\hbox{\resizebox{!}{.3\textheight}{\box0}}\fi
+  \hbox to.485\linewidth{\hfil\box0\hfil}}
+\newcommand{\halfcaption}[1]{\vtop{\hsize=.485\linewidth\captionlines{#1}}}
+\newcommand{\figurepair}[4]{%
+  \setbox2\vbox{\hbox to\linewidth{\halffigure{#1}\hfil\halffigure{#3}}\vskip4pt
+    \hbox to\linewidth{\halfcaption{#2}\hfil\halfcaption{#4}}}%
+  \need{\dimexpr\ht2+\dp2+6pt\relax}\vskip6pt\box2\vskip6pt}
 )"
                                    R"(
 % A calculation sheet: a frame that goes on over pages, its left side in the colour of the result.
 \newsavebox{\sheetbox}
 \newcommand{\sheetpart}{\hbox{{\color{\sheetcolour}\vrule width2.5pt}\vbox{{\color{pale}\hrule height.5pt}%
-  \hbox to\dimexpr\textwidth-3pt\relax{\hskip8pt\vbox{\vskip5pt\unvbox2\vskip5pt}\hss{\color{pale}\vrule width.5pt}}%
+  \hbox to\dimexpr\textwidth-3pt\relax{\hskip8pt\vbox{\vskip4pt\unvbox2\vskip4pt}\hss{\color{pale}\vrule width.5pt}}%
   {\color{pale}\hrule height.5pt}}}}
 \makeatletter
 \newcommand{\sheetrest}{%
@@ -122,34 +153,44 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \makeatother
 \newenvironment{sheet}[1]{\par\def\sheetcolour{#1}\sheetindent=0pt
   \setbox\sheetbox\vbox\bgroup\hsize=\dimexpr\textwidth-20pt\relax\linewidth=\hsize\textwidth=\hsize
-  \columnwidth=\hsize\parskip=0pt\lineskip=3pt\lineskiplimit=2pt\relax}
+  \columnwidth=\hsize\parskip=0pt\footnotesize\lineskip=1pt\lineskiplimit=.5pt\relax}
  {\par\egroup\vskip4pt\sheetrest}
 \newcommand{\sheethead}[3]{\hbox to\linewidth{\vtop{\hsize=.78\linewidth\raggedright\sffamily\bfseries#1\par
   \normalfont\ttfamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
 \newdimen\sheetindent
 \newcommand{\widest}[1]{\setbox0\hbox{$\displaystyle#1$}\ifdim\wd0>.3\linewidth\else
   \ifdim\wd0>\sheetindent\sheetindent=\wd0\fi\fi}
-\newcommand{\formula}[1]{{\raggedright\hangindent=\dimexpr\sheetindent+1.8em\relax\hangafter=1\noindent\box4
-  \hbox to1.8em{\hfil$=$\hfil}$\displaystyle#1$\par}}
-\newcommand{\symbolof}[1]{\par\vskip7pt\setbox4\hbox{$\displaystyle#1$}%
-  \ifdim\wd4>\sheetindent\hbox{\box4}\nobreak\setbox4\hbox to\sheetindent{}\else
+% A step: its chain "symbol = formula = value  note" stands on one line as far as it fits, else it is
+% broken before a "=" or a note; a formula too long for any line breaks at its signs. Box 4 is the
+% line that is being filled.
+\newif\ifbegun
+\newcommand{\symbolof}[1]{\par\vskip2pt plus 1pt\begunfalse\setbox4\hbox{$\displaystyle#1$}%
+  \ifdim\wd4>\sheetindent\hbox{\box4}\nobreak\emptyline\else
   \setbox4\hbox to\sheetindent{\hfil\unhbox4}\fi}
-\newcommand{\nextformula}{\nobreak\vskip2pt\setbox4\hbox to\sheetindent{}}
-\newcommand{\note}[1]{\nobreak{\raggedright\leftskip=\dimexpr\sheetindent+1.8em\relax\noindent\footnotesize\color{quiet}#1\par}}
-% The last formula of a chain, and what is noted of it: beside it where there is room.
-\newcommand{\notedformula}[2]{%
-  \setbox0\hbox{$\displaystyle#1$}\setbox2\hbox{{\footnotesize\color{quiet}#2}}%
-  \ifdim\dimexpr\sheetindent+3.8em+\wd0+\wd2\relax<\linewidth
-    \hbox{\box4\hbox to1.8em{\hfil$=$\hfil}\box0\hskip2em\box2}%
-  \else\formula{#1}\note{#2}\fi}
+\newcommand{\emptyline}{\begunfalse\setbox4\hbox to\sheetindent{}}
+\newcommand{\closeline}{\hbox{\box4}\nobreak\emptyline}
+\newcommand{\equals}{\hbox to1.6em{\hfil$=$\hfil}}
+\newcommand{\formula}[1]{\setbox0\hbox{\equals$\displaystyle#1$}%
+  \ifbegun\ifdim\dimexpr\wd4+\wd0\relax>\linewidth\closeline\fi\fi
+  \ifdim\dimexpr\wd4+\wd0\relax>\linewidth
+    {\raggedright\hangindent=\dimexpr\sheetindent+1.6em\relax\hangafter=1\noindent\box4
+      \equals$\displaystyle#1$\par}\nobreak\emptyline
+  \else\setbox4\hbox{\box4\box0}\beguntrue\fi}
+\newcommand{\note}[1]{\setbox0\hbox{{\scriptsize\color{quiet}#1}}%
+  \ifbegun\ifdim\dimexpr\wd4+1.6em+\wd0\relax>\linewidth\closeline\fi\fi
+  \ifdim\dimexpr\wd4+1.6em+\wd0\relax>\linewidth
+    {\raggedright\leftskip=\dimexpr\sheetindent+1.6em\relax\noindent\scriptsize\color{quiet}#1\par}\nobreak
+  \else\setbox4\hbox{\box4\hskip1.6em\box0}\beguntrue\fi}
+\newcommand{\laststep}{\ifbegun\hbox{\box4}\fi\par}
 % \result{text}{bar [mm], 34 are 100 %}{source}
-\newcommand{\result}[3]{\par\nobreak\vskip8pt{\color{pale}\hrule height.4pt}\nobreak\vskip5pt
+\newcommand{\result}[3]{\par\nobreak\vskip4pt{\color{pale}\hrule height.4pt}\nobreak\vskip4pt
   \hbox to\linewidth{\vtop{\hsize=\dimexpr\linewidth-53mm\relax\raggedright\small\bfseries#1\par}\hfil
     \hbox to51mm{\rlap{\color{pale}\vrule width34mm height6pt}\rlap{\color{\sheetcolour}\vrule width#2mm height6pt}%
       \rlap{\hskip34mm\vrule width.7pt height8pt depth2pt\relax\raise-7pt\hbox to0pt{\hss\sffamily\tiny 100\,\%\hss}}\hss}}%
-  \def\sheetsource{#3}\ifx\sheetsource\empty\else\nobreak\vskip3pt{\raggedright\noindent\footnotesize\color{quiet}#3\par}\fi}
+  \def\sheetsource{#3}\ifx\sheetsource\empty\else\nobreak\vskip1pt{\raggedright\noindent\scriptsize\color{quiet}#3\par}\fi}
 
-\newcommand{\bulletitem}[1]{{\leftskip=1.2em\relax\noindent\hbox to0pt{\hss\textbullet\hskip.5em}#1\par}}
+\newif\ifshort
+\newcommand{\bulletitem}[1]{{\parskip=2pt\small\leftskip=1.2em\relax\noindent\hbox to0pt{\hss\textbullet\hskip.5em}#1\par}}
 
 % Names with what is said of each.
 \newcommand{\fact}[3]{\hbox to\linewidth{\vtop{\hsize=#1\raggedright\noindent\color{quiet}\hskip0pt#2\par}\hskip1em\relax

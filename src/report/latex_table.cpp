@@ -134,8 +134,9 @@ double lines_of(const Table& table, const Layout& layout) {
   return lines;
 }
 
-/// In the largest type in which no cell wraps; where that would be the smallest, in the largest in
-/// which no word breaks and few texts wrap.
+/// In the largest type in which no cell wraps, so that a row is a line (a table over pages in the
+/// smallest); where none is small enough,
+/// in the largest in which no word breaks and few texts wrap.
 Layout layout_of(const Table& table) {
   Layout layout;
   layout.marked = std::any_of(table.marks.begin(), table.marks.end(),
@@ -154,9 +155,11 @@ Layout layout_of(const Table& table) {
   const auto holds_well = [&](const Type& type) {
     return words <= available(type) && cells <= 1.8 * available(type);
   };
-  auto type = std::find_if(types.begin(), types.end() - 1,
+  constexpr std::size_t a_page = 60;  // of rows: what is longer is looked up, not read
+  const auto largest = table.rows.size() > a_page ? types.end() - 1 : types.begin();
+  auto type = std::find_if(largest, types.end(),
                            [&](const Type& each) { return cells <= available(each); });
-  if (type == types.end() - 1) type = std::find_if(types.begin(), types.end() - 1, holds_well);
+  if (type == types.end()) type = std::find_if(types.begin(), types.end() - 1, holds_well);
   layout.type = *type;
   layout.widths = fitting(needs, available(*type));
   for (double& width : layout.widths) width *= layout.type.em;
@@ -164,29 +167,18 @@ Layout layout_of(const Table& table) {
   return layout;
 }
 
-double height_of(const Table& table, const Layout& layout) {
-  constexpr double most = 200;
+TableHeight height_of(const Table& table, const Layout& layout) {
+  constexpr double most = 150;
   constexpr double of_a_long_one = 90;
   const auto rows = static_cast<double>(table.rows.size());
-  const double lines = lines_of(table, layout) + 3;
-  const double height = lines * layout.type.height * 1.1 + (layout.wraps ? 2.5 * rows : 0) + 20;
-  return height < most ? height : of_a_long_one;
+  const double lines = lines_of(table, layout) + 2;
+  const double height = lines * layout.type.height * 1.02 + (layout.wraps ? 2.5 * rows : 0) + 14;
+  return {height, height < most ? height : of_a_long_one};
 }
 
 }  // namespace
 
-bool holds_numbers(const Table& table, std::size_t column) {
-  const auto number = [column](const std::vector<Cell>& row) {
-    const std::string& text = row[column].text;
-    if (text.empty()) return false;
-    const bool sign = text.front() == '-' || text.front() == '+';
-    return (text.front() >= '0' && text.front() <= '9') || (sign && text.size() == 1) ||
-           (sign && text[1] >= '0' && text[1] <= '9');
-  };
-  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), number);
-}
-
-double latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
+TableHeight latex_table_height(const Table& table) { return height_of(table, layout_of(table)); }
 
 std::string latex_table(const Table& table) {
   const std::size_t columns = table.header.size();

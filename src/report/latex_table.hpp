@@ -10,8 +10,13 @@ namespace boxbeam::report {
 /// and long texts wrap until it fits. Rows that fail have a red "!" before them.
 std::string latex_table(const Table& table);
 
-/// Height of what of a table should stand on one page, about [pt]: all of a short one, else its
-/// head and some rows.
-double latex_table_height(const Table& table);
+/// Heights of a table, about [pt].
+struct TableHeight {
+  double all = 0;
+  double together =
+      0;  ///< of what should stand on one page: all of a short one, else its beginning
+};
+
+TableHeight latex_table_height(const Table& table);
 
 }  // namespace boxbeam::report

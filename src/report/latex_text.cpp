@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/latex_writer.hpp"
-#include "code_points.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -113,10 +113,6 @@ const char* find(const std::array<Sign, n>& signs, char32_t point) {
   return at == signs.end() ? nullptr : at->code;
 }
 
-bool is_control(char32_t point) { return point < 0x20 || (point >= 0x7F && point < 0xA0); }
-
-bool is_byte(char32_t point) { return point >= 0xDC00 && point < 0xDD00; }
-
 bool is_space(char32_t point) {
   return point == U' ' || point == U'\t' || point == U'\n' || point == U'\r';
 }
@@ -145,8 +141,9 @@ std::string copied_as(char32_t point, const std::string& code) {
 
 Glyph glyph_of(char32_t point) {
   if (is_space(point)) return {" ", 0.5};
-  if (is_control(point) || is_byte(point)) {
-    return {fmt::format("\\textbackslash{{}}x{:02x}", static_cast<unsigned>(point) & 0xFFU), 2.0};
+  if (is_hidden(point)) {
+    const std::string escape = escape_of(point);
+    return {"\\textbackslash{}" + escape.substr(1), 0.6 * static_cast<double>(escape.size())};
   }
   if (point < 0x7F) {
     const char* code = find(special, point);
@@ -296,7 +293,7 @@ std::string latex_pdf_string(const std::string& text) {
   };
   for (const char32_t point : code_points_of(text)) {
     const auto value = static_cast<unsigned>(point);
-    if (is_control(point) || is_byte(point)) {
+    if (is_hidden(point)) {
       unit(' ');
     } else if (value < 0x10000) {
       unit(value);

@@ -56,20 +56,11 @@ std::string facts(const Facts& facts) {
 
 std::string step(const Step& step) {
   std::string out = fmt::format("\\symbolof{{{}}}\n", latex_of_formula(step.symbol));
-  if (step.formulas.empty()) out += "\\noindent\\box4\\par\n";
-  std::size_t noted = 0;
-  for (std::size_t i = 0; i < step.formulas.size(); ++i) {
-    const std::string formula = latex_of_formula(step.formulas[i]);
-    if (i > 0) out += "\\nextformula";
-    if (i + 1 == step.formulas.size() && !step.notes.empty()) {
-      out += fmt::format("\\notedformula{{{}}}{{{}}}\n", formula, running(step.notes[noted++]));
-    } else {
-      out += fmt::format("\\formula{{{}}}\n", formula);
-    }
-  }
-  for (; noted < step.notes.size(); ++noted)
-    out += fmt::format("\\note{{{}}}\n", running(step.notes[noted]));
-  return out;
+  if (step.formulas.empty()) out += "\\beguntrue\n";
+  for (const std::string& formula : step.formulas)
+    out += fmt::format("\\formula{{{}}}\n", latex_of_formula(formula));
+  for (const std::string& note : step.notes) out += fmt::format("\\note{{{}}}\n", running(note));
+  return out + "\\laststep\n";
 }
 
 /// Length of the bar of a utilisation [mm]; 34 are 100 %, and no bar is longer than 51.
@@ -87,9 +78,15 @@ std::string block(const Table& table) { return latex_table(table); }
 
 std::string block(const Facts& entries) { return facts(entries); }
 
-/// The figure itself has been taken when its room was looked for.
+/// Height of what comes with a picture [pt].
+double height_with(const Picture& picture) {
+  constexpr double line = 420;  // of its caption [pt]
+  return 30 + 10 * std::ceil(latex_width(picture.caption) * 9 / line);
+}
+
 std::string block(const Picture& picture) {
-  return fmt::format("\\showfigure{{{}}}\n", running(picture.caption));
+  return fmt::format("\\takefigure{{{}.pdf}}{{{:.0f}pt}}{{{}}}\n", picture.name,
+                     height_with(picture), running(picture.caption));
 }
 
 std::string block(const MovingPicture& /*on paper nothing moves*/) { return ""; }
@@ -128,16 +125,26 @@ std::string block(const Listing& listing) {
 
 std::string contents(const std::vector<Chapter>& chapters) {
   std::string out = "\\need{100pt}\\vskip14pt{\\sffamily\\bfseries Contents\\par}{\\small\n";
-  for (std::size_t i = 0; i < chapters.size(); ++i)
-    out +=
-        fmt::format("\\contentsentry{{{}}}{{{}}}\n", i + 1, latex_shortened(chapters[i].title, 44));
+  const auto entry = [&](std::size_t i) {
+    if (i >= chapters.size()) return std::string();
+    return fmt::format("\\contentsentry{{{}}}{{{}}}", i + 1,
+                       latex_shortened(chapters[i].title, 18));
+  };
+  const std::size_t half = (chapters.size() + 1) / 2;
+  for (std::size_t i = 0; i < half; ++i)
+    out += fmt::format("\\hbox to\\linewidth{{{}\\hfil {}}}\n", entry(i), entry(half + i));
   return out + "}\n";
 }
 
+/// Of few chapters: it goes without contents, and its figures stand two abreast.
+bool is_short_one(const Document& document) { return document.chapters.size() <= 5; }
+
 /// What stands on the first page: the verdict and what decides it first.
 std::string title_page(const Document& document) {
-  std::string out = fmt::format("{{\\raggedright\\sffamily\\bfseries\\huge\\hskip0pt {}\\par}}\n",
-                                latex_breakable(document.title, 20));
+  const bool is_short = is_short_one(document);
+  std::string out = is_short ? "\\shorttrue\n" : "";
+  out += fmt::format("{{\\raggedright\\sffamily\\bfseries\\huge\\hskip0pt {}\\par}}\n",
+                     latex_breakable(document.title, 20));
   if (!document.subtitle.empty())
     out += fmt::format("{{\\raggedright\\large\\hskip0pt {}\\par}}\n", running(document.subtitle));
   out += fmt::format("\\verdict{{{}}}{{{}}}\n", colour_of(document.mark),
@@ -149,33 +156,79 @@ std::string title_page(const Document& document) {
   all.entries.insert(all.entries.begin(), document.facts.entries.begin(),
                      document.facts.entries.end());
   out += facts(all);
-  out +=
-      "\\need{70pt}\\vskip14pt\\hbox to\\textwidth{\\signfield{prepared}\\hfil"
-      "\\signfield{checked}\\hfil\\signfield{approved}}\n";
-  return out + contents(document.chapters);
+  out += fmt::format(
+      "\\need{{70pt}}\\vskip{}\\hbox to\\textwidth{{\\signfield{{prepared}}\\hfil"
+      "\\signfield{{checked}}\\hfil\\signfield{{approved}}}}\n",
+      is_short ? "4pt" : "14pt");
+  return is_short ? out : out + contents(document.chapters);
 }
 
-/// Height that a block needs on its page [pt], what a heading heads included; the figure among them
-/// is appended to `figure`, its height is known by TeX only.
-double height_needed(const std::vector<Block>& blocks, std::size_t i, std::string& figure) {
+constexpr double no_page = 9999;  ///< higher than any [pt]
+
+/// Height of words that may go over lines of this width, about [pt].
+double height_of_words(const std::string& text, double width) {
+  constexpr double em = 10;
+  constexpr double line = 12;
+  return line * std::ceil(1.02 * latex_width(text) * em / width);
+}
+
+/// Height of all of a block, about and rather too much [pt], a heading with what it heads;
+/// `no_page` for what a picture cannot wait behind.
+double height_of_all(const std::vector<Block>& blocks, std::size_t i) {
   if (i == blocks.size()) return 0;
-  if (std::holds_alternative<Subheading>(blocks[i]))
-    return 35 + height_needed(blocks, i + 1, figure);
-  if (const auto* table = std::get_if<Table>(&blocks[i])) return latex_table_height(*table);
-  if (std::holds_alternative<Sheet>(blocks[i])) return 130;
-  if (const auto* picture = std::get_if<Picture>(&blocks[i])) {
-    constexpr double line = 420;  // of its caption [pt]
-    figure = picture->name;
-    return 30 + 10 * std::ceil(latex_width(picture->caption) * 9 / line);
+  if (std::holds_alternative<Subheading>(blocks[i])) return 35 + height_of_all(blocks, i + 1);
+  if (const auto* table = std::get_if<Table>(&blocks[i])) return latex_table_height(*table).all;
+  if (const auto* paragraph = std::get_if<Paragraph>(&blocks[i]))
+    return 6 + height_of_words(paragraph->text, 460);
+  double height = 6;
+  if (const auto* bullets = std::get_if<Bullets>(&blocks[i])) {
+    for (const std::string& item : bullets->items) height += 5 + height_of_words(item, 450);
+    return height;
   }
-  return 28;
+  if (const auto* entries = std::get_if<Facts>(&blocks[i])) {
+    for (const auto& [name, text] : entries->entries) {
+      height += 3 + std::max({12.0, height_of_words(name, 70), height_of_words(text, 330)});
+    }
+    return height;
+  }
+  return no_page;
 }
 
-std::string room_for(double height, const std::string& figure) {
-  if (figure.empty()) return fmt::format("\\need{{{:.0f}pt}}\n", height);
-  return fmt::format(
-      "\\takefigure{{{0}.pdf}}{{{1:.0f}pt}}\\need{{\\dimexpr{1:.0f}pt+\\ht\\figurebox\\relax}}\n",
-      figure, height);
+/// Height that a block needs on its page [pt], what a heading heads included; the picture among
+/// them is told, its height is known by TeX only.
+struct Needed {
+  double height = 0;
+  const Picture* picture = nullptr;
+  double instead = no_page;  ///< with what follows the picture, while that waits
+};
+
+Needed needed_by(const std::vector<Block>& blocks, std::size_t i, double heading) {
+  if (i == blocks.size()) return {heading};
+  if (std::holds_alternative<Subheading>(blocks[i])) return needed_by(blocks, i + 1, heading + 35);
+  if (const auto* table = std::get_if<Table>(&blocks[i]))
+    return {heading + latex_table_height(*table).together};
+  if (std::holds_alternative<Sheet>(blocks[i])) return {heading + 130};
+  if (const auto* picture = std::get_if<Picture>(&blocks[i])) {
+    const double behind = i + 1 < blocks.size() ? height_of_all(blocks, i + 1) : no_page;
+    return {heading + height_with(*picture), picture, std::min(no_page, heading + behind)};
+  }
+  return {heading + 28};
+}
+
+std::string room_for(const Needed& needed) {
+  if (needed.picture == nullptr) return fmt::format("\\need{{{:.0f}pt}}\n", needed.height);
+  return fmt::format("\\needfigure{{{}.pdf}}{{{:.0f}pt}}{{{:.0f}pt}}\n", needed.picture->name,
+                     needed.height, needed.instead);
+}
+
+/// Two pictures beside each other, where the next two blocks are some; else "".
+std::string pair_of_pictures(const std::vector<Block>& blocks, std::size_t i) {
+  if (i + 1 >= blocks.size()) return "";
+  const auto* left = std::get_if<Picture>(&blocks[i]);
+  const auto* right = std::get_if<Picture>(&blocks[i + 1]);
+  if (left == nullptr || right == nullptr) return "";
+  return fmt::format("\\figurepair{{{}.pdf}}{{{}}}{{{}.pdf}}{{{}}}\n", left->name,
+                     running(left->caption), right->name, running(right->caption));
 }
 
 /// What a chapter has for paper.
@@ -191,21 +244,27 @@ std::vector<Block> printed(const std::vector<Block>& blocks,
   return kept;
 }
 
-std::string latex_chapter(std::size_t number, const Chapter& chapter,
+std::string latex_chapter(std::size_t number, const Chapter& chapter, bool abreast,
                           const std::function<bool(const std::string&)>& has_picture) {
+  constexpr double heading = 46;
+  constexpr double pair_height = 270;
   const std::vector<Block> blocks = printed(chapter.blocks, has_picture);
-  std::string figure;
-  const double height = 50 + height_needed(blocks, 0, figure);
-  std::string out = room_for(height, figure);
+  const bool begins_with_pair = abreast && !pair_of_pictures(blocks, 0).empty();
+  std::string out =
+      room_for(begins_with_pair ? Needed{heading + pair_height} : needed_by(blocks, 0, heading));
   out += fmt::format("\\chapterline{{{}}}{{{}}}{{{}}}\n", number, running(chapter.title),
                      latex_pdf_string(chapter.title));
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    figure.clear();
-    const double needed = height_needed(blocks, i, figure);
-    out += room_for(needed, figure);
+    out += fmt::format("\\beforeblock{{{:.0f}pt}}\n", height_of_all(blocks, i));
+    if (const std::string pair = abreast ? pair_of_pictures(blocks, i) : ""; !pair.empty()) {
+      out += pair;
+      ++i;
+      continue;
+    }
+    out += room_for(needed_by(blocks, i, 0));
     out += std::visit([](const auto& each) { return block(each); }, blocks[i]);
   }
-  return out;
+  return out + fmt::format("\\beforeblock{{{:.0f}pt}}\n", no_page);
 }
 
 std::string head_and_foot(const Document& document) {
@@ -226,9 +285,8 @@ std::string latex_of(const Document& document,
   std::string out = latex_preamble;
   out += head_and_foot(document);
   out += "\\begin{document}\n\\pagestyle{report}\n" + title_page(document);
-  if (!document.chapters.empty()) out += "\\newpage\n";
   for (std::size_t i = 0; i < document.chapters.size(); ++i)
-    out += latex_chapter(i + 1, document.chapters[i], has_picture);
+    out += latex_chapter(i + 1, document.chapters[i], is_short_one(document), has_picture);
   return out + "\\end{document}\n";
 }
 

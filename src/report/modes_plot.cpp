@@ -14,7 +14,7 @@ void modes(Script& gp, const Project&, const Verification& verification) {
   Extents extents;
   for (const PostureFigure& mode : figures.modes) extents.take(mode);
   extents.take(figures.rest);
-  const int columns = std::min(2, count);
+  const int columns = std::clamp(count, 1, 2);
   const int rows = (count + columns - 1) / columns;
   const double width = (figure_width - 8.0) / columns - left_of_frame - 8.0;
   const double most = std::min(360.0, 730.0 / rows - above_frame - below_frame);
@@ -30,7 +30,8 @@ void modes(Script& gp, const Project&, const Verification& verification) {
   for (int k = 0; k < count; ++k) {
     const auto index = static_cast<std::size_t>(k);
     const double left = left_of_frame + (k % columns) * (width + left_of_frame + 8.0);
-    const double top = gp.height() - above_frame - (k / columns) * step;
+    const int row = k / columns;
+    const double top = gp.height() - above_frame - row * step;
     const Panel panel = panel_to_scale({left, top - height, left + width, top}, metres_per_pixel,
                                        extents.middle().x(), extents.middle().y());
     place(gp, panel);

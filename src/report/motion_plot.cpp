@@ -23,7 +23,7 @@ std::vector<Quantity> quantities_of(const DriverLine& line) {
   std::vector<Quantity> quantities{
       {turns ? "angle [deg]" : "x [mm]", &line.position, turns ? degree : 1e-3},
       {turns ? "angular velocity [rad/s]" : "v [m/s]", &line.speed, 1.0},
-      {turns ? "angular acceleration [rad/s²]" : "a [m/s²]", &line.acceleration, 1.0},
+      {turns ? "angular acceleration [rad/s^2]" : "a [m/s^2]", &line.acceleration, 1.0},
       {turns ? "driving moment [kN m]" : "driving force [kN]", &line.force, 1e3}};
   if (line.force.empty()) quantities.pop_back();
   // Long ways are told in metres.
@@ -99,7 +99,7 @@ void motion(Script& gp, const Project&, const Verification& verification) {
   const std::vector<DriverLine>& drivers = verification.drivers;
   const auto instants = instants_of(verification);
   // Several drivers stand two beside each other, in blocks below each other.
-  const std::size_t columns = std::min<std::size_t>(2, drivers.size());
+  const std::size_t columns = std::clamp<std::size_t>(drivers.size(), 1, 2);
   const std::size_t blocks = (drivers.size() + columns - 1) / columns;
   const double height = blocks == 1 ? 92.0 : 58.0;
   constexpr double above = 50.0, below = footing_room;
@@ -119,7 +119,8 @@ void motion(Script& gp, const Project&, const Verification& verification) {
   for (std::size_t k = 0; k < drivers.size(); ++k) {
     const DriverLine& line = drivers[k];
     const double left = 56.0 + static_cast<double>(k % columns) * (width + 58.0);
-    double top = gp.height() - static_cast<double>(k / columns) * block - above;
+    const std::size_t row = k / columns;
+    double top = gp.height() - static_cast<double>(row) * block - above;
     put_text(gp, fitted(line.name, width), {left - 44.0, top + 36.0});
     if (k == 0 && !legend.empty()) draw_legend(gp, legend, 2.0);
     const std::vector<Quantity> quantities = quantities_of(line);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/core/code_points.hpp"
 #include "text_layout.hpp"
 
 namespace boxbeam {
@@ -13,7 +14,7 @@ using layout::Table;
 
 std::string motion_text(const Project& project, const MotionResult& motion) {
   std::string out = fmt::format(
-      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", project.title,
+      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", visible(project.title),
       motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s", motion.freedom.gruebler,
       motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s");
   if (!motion.redundant.empty()) {
@@ -60,7 +61,7 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
 std::string assemblies_text(const Project& project, const std::vector<AssemblyResult>& assemblies,
                             double time) {
   std::string out =
-      fmt::format("{}: {} {} found at t = {:.6g} s\n", project.title, assemblies.size(),
+      fmt::format("{}: {} {} found at t = {:.6g} s\n", visible(project.title), assemblies.size(),
                   assemblies.size() == 1 ? "assembly" : "assemblies", time);
   for (std::size_t i = 0; i < assemblies.size(); ++i) {
     out += fmt::format("\nassembly {}", i + 1);

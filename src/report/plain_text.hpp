@@ -10,10 +10,6 @@ namespace boxbeam::plain_text {
 /// Columns that a text takes: none for combining marks, two for wide letters of East Asia.
 std::size_t columns_of(std::string_view text);
 
-/// The text with what would move the cursor, turn the direction of writing or is no UTF-8 shown as
-/// escape: "\x1B", "\n", "\u202E". Tabs and line ends stay where `lines` says so.
-std::string shown(std::string_view text, bool lines = false);
-
 /// The words of a text in lines of at most `width` columns, the first of at most `first`; a word
 /// that is longer than a line is broken. At least one line.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::size_t first);

@@ -79,6 +79,12 @@ Chapter input_chapter(const Source& source) {
   return chapter;
 }
 
+void fold_long_tables(Chapter& chapter) {
+  for (Block& block : chapter.blocks) {
+    if (auto* table = std::get_if<Table>(&block)) table->folded = is_long(*table);
+  }
+}
+
 }  // namespace
 
 std::string report::verdict_text(Verdict verdict) {
@@ -105,6 +111,7 @@ report::Document report_of(const Project& project, const Verification& verificat
         loads_chapter, cut_force_chapter, section_chapter, stress_chapter, sheets_chapter,
         fatigue_chapter, checks_chapter, comparison_chapter, figures_chapter, input_chapter}) {
     Chapter chapter = chapter_of(source);
+    fold_long_tables(chapter);
     if (!chapter.blocks.empty()) document.chapters.push_back(std::move(chapter));
   }
   return document;

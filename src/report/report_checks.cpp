@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "blocks.hpp"
 #include "report_parts.hpp"
@@ -64,6 +65,19 @@ std::size_t checks_above(const Verification& verification, double utilisation, s
                   std::min(fewest, verification.checks.size()));
 }
 
+/// The worst check of every criterion at every station, and of every neighbour of the beam; worst
+/// first.
+std::vector<const CheckResult*> worst_of_stations(const Verification& verification) {
+  std::set<std::pair<Criterion, std::string>> seen;
+  std::vector<const CheckResult*> worst;
+  for (const CheckResult& result : verification.checks) {
+    const Check& check = result.check;
+    const std::string place = check.on_beam ? to_text(check.station) : check.point;
+    if (seen.emplace(check.criterion, place).second) worst.push_back(&result);
+  }
+  return worst;
+}
+
 void add_sheet(const Source& source, const CheckResult& result, std::vector<Block>& blocks) {
   blocks.emplace_back(sheet_of(source.project, source.verification, result));
 }
@@ -112,10 +126,11 @@ Chapter sheets_chapter(const Source& source) {
   const std::vector<const CheckResult*> governing = governing_checks(source.verification);
   for (const CheckResult* result : governing) add_sheet(source, *result, chapter.blocks);
   if (source.level != ReportLevel::full) return chapter;
-  chapter.blocks.emplace_back(Subheading{"All other checks"});
-  for (const CheckResult& result : source.verification.checks) {
-    if (std::find(governing.begin(), governing.end(), &result) != governing.end()) continue;
-    add_sheet(source, result, chapter.blocks);
+  chapter.blocks.emplace_back(
+      Subheading{"The worst check of every criterion at every other station"});
+  for (const CheckResult* result : worst_of_stations(source.verification)) {
+    if (std::find(governing.begin(), governing.end(), result) != governing.end()) continue;
+    add_sheet(source, *result, chapter.blocks);
   }
   return chapter;
 }
@@ -137,7 +152,13 @@ Chapter checks_chapter(const Source& source) {
                 "the beam endures; use is the required factor over it, and above 100 % fails."});
   Table table = checks_table(source, "", checks);
   if (source.level == ReportLevel::full) {
-    for (const Check* check : checks) table.sheets.push_back(check->id);
+    std::set<std::string> derived;
+    for (const CheckResult* result : worst_of_stations(source.verification)) {
+      derived.insert(result->check.id);
+    }
+    for (const Check* check : checks) {
+      table.sheets.push_back(derived.count(check->id) == 1 ? check->id : "");
+    }
   }
   chapter.blocks.emplace_back(std::move(table));
   if (shown < all.size()) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "blocks.hpp"
 #include "report_parts.hpp"
@@ -11,12 +10,12 @@ namespace {
 
 using text::Quantity;
 
-/// The fatigue check with the highest utilisation, or nullptr.
+/// The fatigue check that the figures show, or nullptr where its stress is given.
 const CheckResult* governing_fatigue(const Verification& verification) {
-  const auto worst = std::find_if(
-      verification.checks.begin(), verification.checks.end(),
-      [](const CheckResult& result) { return result.basis && !result.basis->spectrum.empty(); });
-  return worst == verification.checks.end() ? nullptr : &*worst;
+  const CheckResult* governing = verification.governing(Criterion::fatigue);
+  const bool counted =
+      governing != nullptr && governing->basis && !governing->basis->spectrum.empty();
+  return counted ? governing : nullptr;
 }
 
 Facts demand_facts(const Project& project) {
@@ -34,13 +33,18 @@ Facts demand_facts(const Project& project) {
   return facts;
 }
 
-/// What the cycles of the governing check do, its loads taken so many times as its factor says.
-Table spectrum_table(const Source& source, const CheckResult& governing) {
+/// What the cycles of the governing check do, its loads as they are, partial factors applied.
+void add_spectrum(const Source& source, const CheckResult& governing, std::vector<Block>& blocks) {
   const Check& check = governing.check;
+  const FatigueDemand& demand = source.project.fatigue.demand;
   const bool several = source.project.situations.size() > 1;
+  const double damage = governing.basis->damage;
   Table table = table_of(
-      fmt::format("Cycles of the governing check, {} at {}; N is endured under {} times the loads",
-                  to_text(check.criterion), place_of(check), text::factor(check.safety_factor)),
+      fmt::format("Cycles of the governing check, {} at {}; N under the loads as they are, ranges "
+                  "times gamma_Ff gamma_Mf = {}: {}",
+                  to_text(check.criterion), place_of(check),
+                  text::factor(demand.gamma_Ff * demand.gamma_Mf),
+                  damage > 0.0 ? "D = sum n/N = " + text::factor(damage) : "no damage"),
       {"stress", "range [MPa]", "mean [MPa]", "n in the life", "N endured", "n/N"});
   if (several) table.header.emplace_back("situation");
   std::vector<const SpectrumRow*> rows;
@@ -49,20 +53,32 @@ Table spectrum_table(const Source& source, const CheckResult& governing) {
     return a->cycle.range > b->cycle.range;
   });
   constexpr std::size_t most = 20;
-  if (source.level != ReportLevel::full && rows.size() > most) rows.resize(most);
-  for (const SpectrumRow* row : rows) {
-    const double n = row->cycle.count;
-    const double N = row->endured;
-    std::vector<Cell> cells =
-        row_of(row->kind == StressKind::direct ? "normal" : "shear",
-               cell(Quantity::stress, row->cycle.range.value()),
-               cell(Quantity::stress, row->cycle.mean.value()), Cell{text::cycles(n), n},
-               std::isfinite(N) ? Cell{text::cycles(N), N} : cell("unlimited"),
-               cell(Quantity::factor, n / N));
-    if (several) cells.push_back(cell(row->situation));
+  const std::size_t shown =
+      source.level == ReportLevel::full ? rows.size() : std::min(rows.size(), most);
+  double rest = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const SpectrumRow& row = *rows[i];
+    if (i >= shown) {
+      rest += row.damage;
+      continue;
+    }
+    Cell endured = cell("unlimited");
+    if (row.damage > 0.0) {
+      const double N = row.cycle.count / row.damage;
+      endured = {text::cycles(N), N};
+    }
+    std::vector<Cell> cells = row_of(row.kind == StressKind::direct ? "normal" : "shear",
+                                     cell(Quantity::stress, row.cycle.range.value()),
+                                     cell(Quantity::stress, row.cycle.mean.value()),
+                                     Cell{text::cycles(row.cycle.count), row.cycle.count},
+                                     std::move(endured), cell(Quantity::factor, row.damage));
+    if (several) cells.push_back(cell(row.situation));
     add_row(table, std::move(cells));
   }
-  return table;
+  blocks.emplace_back(std::move(table));
+  if (shown == rows.size()) return;
+  blocks.emplace_back(Paragraph{fmt::format("{} smaller ranges more have together n/N = {}.",
+                                            rows.size() - shown, text::factor(rest))});
 }
 
 void add_codes(const Verification& verification, std::vector<Block>& blocks) {
@@ -99,7 +115,7 @@ Chapter fatigue_chapter(const Source& source) {
   add_pictures(source, {"spectrum"}, chapter.blocks);
   chapter.blocks.emplace_back(demand_facts(source.project));
   if (const CheckResult* governing = governing_fatigue(source.verification)) {
-    chapter.blocks.emplace_back(spectrum_table(source, *governing));
+    add_spectrum(source, *governing, chapter.blocks);
   }
   add_codes(source.verification, chapter.blocks);
   return chapter;

@@ -36,16 +36,29 @@ Quantity quantity_of(const CriticalInstant& instant) {
   return moment ? Quantity::moment : Quantity::force;
 }
 
+std::string end_text(End end) {
+  switch (end) {
+    case End::largest: return "largest";
+    case End::smallest: return "smallest";
+    case End::neither: break;
+  }
+  return "at the largest sigma_v";
+}
+
 Table critical_table(const Source& source) {
   const Project& project = source.project;
   const bool several = project.situations.size() > 1;
-  Table table = table_of("Critical instants: the extremes over the beam and all situations",
-                         {"extreme of", "value", "s [m]", "t [s]"});
+  Table table = table_of(
+      "Critical instants: extremes of the cut forces over the beam and all situations, and of the "
+      "stress at the governing place",
+      {"quantity", "extreme", "value", "s [m]", "t [s]"});
   if (several) table.header.emplace_back("situation");
   for (const CriticalInstant& instant : source.verification.critical_instants) {
-    std::vector<Cell> row = row_of(
-        instant.quantity, Cell{text::with_unit(quantity_of(instant), instant.value), instant.value},
-        to_text(instant.station), cell(Quantity::time, instant.time.value()));
+    std::vector<Cell> row =
+        row_of(instant.quantity == "stress" ? "stress, governing place" : instant.quantity,
+               end_text(instant.end),
+               Cell{text::with_unit(quantity_of(instant), instant.value), instant.value},
+               to_text(instant.station), cell(Quantity::time, instant.time.value()));
     if (several) row.push_back(cell(project.situations[instant.situation].name));
     add_row(table, std::move(row));
   }
@@ -61,15 +74,18 @@ Chapter motion_chapter(const Source& source) {
   if (source.level == ReportLevel::summary) return chapter;
   Facts facts{drivers_of(project)};
   for (const MotionSummary& motion : verification.motions) {
-    facts.entries.emplace_back("period", period_text(project, motion));
+    facts.entries.emplace_back(motion.closed ? "period" : "time looked at",
+                               period_text(project, motion));
   }
   chapter.blocks.emplace_back(std::move(facts));
   if (verification.cycle) {
-    chapter.blocks.emplace_back(
-        MovingPicture{*verification.cycle,
-                      "The mechanism, the forces on the beam and its cut forces over one "
-                      "cycle" +
-                          in_brackets(verification.cycle->situation) + "."});
+    const bool repeats = verification.motions.front().closed;
+    chapter.blocks.emplace_back(MovingPicture{
+        *verification.cycle,
+        fmt::format("The mechanism, the forces on the beam and its cut forces over {}{}.",
+                    repeats ? "one cycle" : "the time looked at",
+                    in_brackets(verification.cycle->situation)),
+        repeats});
   }
   add_pictures(source, {"motion"}, chapter.blocks);
   chapter.blocks.emplace_back(critical_table(source));

@@ -32,9 +32,11 @@ const CriticalInstant* largest_of(const Source& source, const std::string& first
 }
 
 std::string mechanism_caption(const Source& source) {
-  const std::string what =
-      "The mechanism at rest and at the critical instants, with the forces on "
-      "the beam";
+  const double begin = source.verification.postures.front().time.value();
+  const std::string what = fmt::format(
+      "The mechanism {} and at the critical instants, with the forces on the beam",
+      is_flexible(source.project) ? "unloaded"
+                                  : "at t = " + (begin == 0.0 ? "0" : text::seconds(begin)));
   const BeamLoadRow* largest = nullptr;
   for (const PostureFigure& posture : source.verification.postures) {
     for (const BeamLoadRow& row : posture.loads) {
@@ -55,9 +57,15 @@ std::string stroke_text(const DriverLine& driver) {
 }
 
 std::string motion_caption(const Source& source) {
-  const bool elastic = is_flexible(source.project);
-  const std::string what = elastic ? "Position, speed and acceleration where the loads act"
-                                   : "Position, speed and acceleration that the drivers prescribe";
+  const auto& closure = source.verification.motions.front().closure;
+  // Elsewhere forces are prescribed and the motion is the answer.
+  const bool driven = !is_flexible(source.project) && (!closure || closure->freedom.undriven == 0);
+  const std::string what =
+      driven ? "Position, speed and acceleration that the drivers prescribe"
+      : is_flexible(source.project)
+          ? "Displacement, speed and acceleration with which the points of the prescribed loads "
+            "answer them"
+          : "Position, speed and acceleration that the prescribed forces cause";
   const DriverLine* hardest = nullptr;
   double largest = 0.0;
   for (const DriverLine& driver : source.verification.drivers) {
@@ -71,8 +79,8 @@ std::string motion_caption(const Source& source) {
     return fmt::format("{}: {}.", what, stroke_text(source.verification.drivers.front()));
   }
   return fmt::format("{}, and {}: {} {} up to {}.", what,
-                     elastic ? "the loads" : "the force that this takes", hardest->name,
-                     elastic ? "has" : "needs",
+                     driven ? "the force that this takes" : "these themselves", hardest->name,
+                     driven ? "needs" : "has",
                      hardest->turns ? text::kNm(largest) : text::kN(largest));
 }
 
@@ -96,11 +104,12 @@ std::string loads_caption(const Source& source) {
 }
 
 std::string stress_caption(const Source& source) {
-  const std::string what = "Normal stress over the cycle at the places with the largest ranges";
+  const std::string what = "Normal stress over time at the places that are used most";
   const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
   if (fatigue == nullptr) return what + ".";
-  return fmt::format("{}: at {} it changes by {}.", what, place_of(fatigue->check),
-                     text::MPa(fatigue->check.acting.value()));
+  return fmt::format("{}: at {} its range is {}{}.", what, place_of(fatigue->check),
+                     text::MPa(fatigue->check.acting.value()),
+                     in_brackets(fatigue->check.situation));
 }
 
 std::string section_caption(const Source& source) {
@@ -127,20 +136,40 @@ std::string sn_caption(const Source& source) {
   const std::string what = fmt::format(
       "S-N curve {} of {} and the cycles of the governing fatigue check", sn.name, sn.code);
   const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
-  if (fatigue == nullptr) return what + ".";
+  if (fatigue == nullptr || sn.working.empty()) return what + ".";
   const Check& check = fatigue->check;
-  return fmt::format("{}: range {} at {}, factor {}, required {}.", what,
-                     text::MPa(check.acting.value()), place_of(check),
-                     text::factor(check.safety_factor), text::factor(check.required));
+  double factored = 0.0;
+  for (const auto& [cycles, range] : sn.working) factored = std::max(factored, range);
+  const FatigueDemand& demand = source.project.fatigue.demand;
+  return fmt::format(
+      "{}, {}: the largest range is {}, with partial factors, as drawn, {}; factor {}, required "
+      "{}.",
+      what, place_of(check), text::MPa(factored / (demand.gamma_Ff * demand.gamma_Mf)),
+      text::MPa(factored), text::factor(check.safety_factor), text::factor(check.required));
 }
 
 std::string spectrum_caption(const Source& source) {
   const std::string what =
-      "Stress ranges of the governing fatigue check, and how often they are "
-      "exceeded in the wanted life";
+      "Stress ranges of the governing fatigue check, without partial factors, and how often they "
+      "are exceeded in the wanted life";
   const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
-  if (fatigue == nullptr) return what + ".";
-  return fmt::format("{}: the largest is {}.", what, text::MPa(fatigue->check.acting.value()));
+  if (fatigue == nullptr || !fatigue->basis || fatigue->basis->spectrum.empty()) return what + ".";
+  const std::vector<SpectrumRow>& rows = fatigue->basis->spectrum;
+  const auto largest = std::max_element(
+      rows.begin(), rows.end(),
+      [](const SpectrumRow& a, const SpectrumRow& b) { return a.cycle.range < b.cycle.range; });
+  const auto worst = std::max_element(
+      rows.begin(), rows.end(),
+      [](const SpectrumRow& a, const SpectrumRow& b) { return a.damage < b.damage; });
+  const std::string reach =
+      fmt::format("{}: the largest is {}", what, text::MPa(largest->cycle.range.value()));
+  if (worst->damage == 0.0)
+    return reach + "; with the loads as they are and partial factors none does damage.";
+  return fmt::format(
+      "{}; with the loads as they are and partial factors the damage is {}, of which the range of "
+      "{}{} does {}.",
+      reach, text::factor(fatigue->basis->damage), text::MPa(worst->cycle.range.value()),
+      in_brackets(worst->situation), text::percent(worst->damage / fatigue->basis->damage));
 }
 
 std::string frequencies_text(const ElasticFigures& elastic) {

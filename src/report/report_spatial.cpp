@@ -109,8 +109,9 @@ Entries spatial_entries(const Project& project) {
   for (const spatial::Joint& joint : mechanism.joints) {
     if (joint.kind == spatial::JointKind::fixed) continue;
     const bool turns = joint.kind == spatial::JointKind::revolute;
-    entries.emplace_back("driver", fmt::format("{}: {} = {}", joint.name, turns ? "angle" : "shift",
-                                               function_text(joint.driver, turns ? "rad" : "m")));
+    entries.emplace_back(
+        "driver", fmt::format("{}: {} = {}", spatial::driver_text(joint), turns ? "angle" : "shift",
+                              function_text(joint.driver, turns ? "rad" : "m")));
   }
   for (const spatial::AppliedLoad& load : mechanism.loads) {
     const bool force = load.kind == spatial::LoadKind::force;

@@ -32,7 +32,8 @@ void panels(Script& gp, const std::string& name, const JointLines& lines,
     const double span =
         std::max(std::get<1>(*high) - std::get<1>(*low), std::max(1e-3 * std::get<1>(*high), 1e-9));
     const double left = j % 2 == 0 ? 56.0 : 358.0;
-    const double top = gp.height() - above - step * static_cast<double>(j / 2) - 2.0;
+    const std::size_t row = j / 2;
+    const double top = gp.height() - above - step * static_cast<double>(row) - 2.0;
     const Panel panel{{left, top - height, left + 242.0, top},
                       std::get<0>(line.front()),
                       std::get<0>(line.back()),

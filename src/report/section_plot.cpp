@@ -77,9 +77,12 @@ std::string in_percent(double share) {
   return fmt::format("{:.{}f} %", 100.0 * share, share < 0.9995 ? 1 : 0);
 }
 
+/// In two columns.
+std::size_t rows_of_list(std::size_t shown) { return (shown + 1) / 2; }
+
 /// What is checked, in two columns below the drawing.
 void draw_list(Script& gp, const SectionFigure& figure, std::size_t shown, double top) {
-  const std::size_t rows = (shown + 1) / 2;
+  const std::size_t rows = std::max<std::size_t>(1, rows_of_list(shown));
   for (std::size_t i = 0; i < shown; ++i) {
     const SectionFigure::Point& point = figure.points[i];
     const double left = i < rows ? 14.0 : 318.0;
@@ -211,7 +214,7 @@ void section(Script& gp, const Project& project, const Verification& verificatio
   }
   constexpr std::size_t most = 20;
   const std::size_t shown = std::min(most, figure.points.size());
-  const double list = 17.0 * static_cast<double>((shown + 1) / 2) + 24.0;
+  const double list = 17.0 * static_cast<double>(rows_of_list(shown)) + 24.0;
   // To scale, with room for numbers around it.
   constexpr double width = 296.0, room = 30.0, highest = 380.0;
   const double scale =

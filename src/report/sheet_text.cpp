@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "plain_text.hpp"
 
@@ -83,10 +84,10 @@ class StepLines {
 };
 
 std::string text_of(const Step& step) {
-  StepLines lines(plain_text::shown(step.symbol));
-  for (const std::string& formula : step.formulas) lines.add(plain_text::shown(formula));
+  StepLines lines(visible(step.symbol));
+  for (const std::string& formula : step.formulas) lines.add(visible(formula));
   for (const std::string& note : step.notes) {
-    lines.note(plain_text::shown(note), &note == &step.notes.front());
+    lines.note(visible(note), &note == &step.notes.front());
   }
   return lines.text();
 }
@@ -94,10 +95,9 @@ std::string text_of(const Step& step) {
 }  // namespace
 
 std::string text_of(const Sheet& sheet) {
-  using plain_text::shown;
-  std::string out = fmt::format("  {}\n    {}\n", shown(sheet.id), shown(sheet.title));
+  std::string out = fmt::format("  {}\n    {}\n", visible(sheet.id), visible(sheet.title));
   for (const Step& step : sheet.steps) out += text_of(step);
-  out += fmt::format("    {}\n", shown(sheet.result));
+  out += fmt::format("    {}\n", visible(sheet.result));
   std::string before = "    source: ";
   for (const std::string& line :
        plain_text::wrapped(sheet.source, widest - before.size(), widest - before.size())) {

@@ -15,9 +15,11 @@ double decade_above(double value) { return std::pow(10.0, std::ceil(std::log10(v
 /// Marks of an axis of ranges, closer than decades.
 std::string range_tics(double low, double high) {
   std::string tics;
-  for (double decade = low; decade < 1.001 * high; decade *= 10.0) {
+  const auto last = static_cast<int>(std::lround(std::log10(high)));
+  for (auto power = static_cast<int>(std::lround(std::log10(low))); power <= last; ++power) {
     for (const double digit : {1.0, 2.0, 5.0}) {
-      if (digit * decade <= 1.001 * high) tics += fmt::format("{:.6g},", digit * decade);
+      const double tic = digit * std::pow(10.0, power);
+      if (tic <= 1.001 * high) tics += fmt::format("{:.6g},", tic);
     }
   }
   tics.pop_back();

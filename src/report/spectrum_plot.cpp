@@ -14,8 +14,7 @@ void spectrum(Script& gp, const Project&, const Verification& verification) {
   std::stable_sort(rows.begin(), rows.end(), [](const SpectrumRow& a, const SpectrumRow& b) {
     return a.cycle.range > b.cycle.range;
   });
-  double damage = 0.0;
-  for (const SpectrumRow& row : rows) damage += row.cycle.count / row.endured;
+  const double damage = governing.basis->damage;
   // A stair: ranges over how many cycles are as large or larger.
   std::vector<Row2> stair;
   double count = 0.0;
@@ -40,12 +39,14 @@ void spectrum(Script& gp, const Project&, const Verification& verification) {
   gp << "set logscale x\nset format x '10^{%T}'\nset xtics 10\nset mxtics 1\n";
   place(gp, panel);
   put_footing(gp, panel, "cycles in the wanted life with this range or a larger one");
-  put_text(
-      gp,
-      fitted(fmt::format("s = {} m, {}", to_text(governing.check.station), governing.check.point),
-             gp.width() - 24.0),
-      {12.0, panel.frame.top + 34.0});
-  put_heading(gp, panel, "stress range [MPa] and its share of the damage");
+  put_text(gp,
+           fitted(fmt::format("{}; s = {} m, {}",
+                              damage > 0.0 ? "D = " + text::factor(damage) : "no damage",
+                              to_text(governing.check.station), governing.check.point),
+                  gp.width() - 24.0),
+           {12.0, panel.frame.top + 34.0});
+  put_heading(gp, panel,
+              "stress range [MPa]: share of the damage, loads as they are with partial factors");
   gp.block("stair", stair);
   Labels labels;
   labels.keep_off(panel, stair);
@@ -53,8 +54,9 @@ void spectrum(Script& gp, const Project&, const Verification& verification) {
     const auto [x, y] = stair[2 * i + 1];
     // What is too small to be seen goes without a name.
     if (y < 0.02 * std::get<1>(stair.front())) continue;
-    const double share = damage > 0.0 ? rows[i].cycle.count / rows[i].endured / damage : 0.0;
-    std::string label = fmt::format("{}: {}", text::significant(y, 3), text::percent(share));
+    std::string label =
+        fmt::format("{}: {}", text::significant(y, 3),
+                    rows[i].damage > 0.0 ? text::percent(rows[i].damage / damage) : "no damage");
     if (!rows[i].situation.empty()) label += ", " + rows[i].situation;
     labels.put(gp, fitted(label, 240.0), panel.at(x, y), panel.frame, colour(1), 5.0);
   }

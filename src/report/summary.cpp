@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "plain_text.hpp"
 #include "report_parts.hpp"
@@ -40,7 +41,7 @@ std::string summary(const Project& project, const Verification& verification) {
   const report::Table governing = report::with_results(
       report::governing_table({project, verification, ReportLevel::summary, {}}));
   return fmt::format("{}  {}\n{}\nRemarks:\n{}", report::verdict_text(verification.verdict),
-                     plain_text::shown(project.title), report::table_text(governing, layout::width),
+                     visible(project.title), report::table_text(governing, layout::width),
                      remarks_summary(project, verification));
 }
 

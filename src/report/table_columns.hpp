@@ -1,13 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "boxbeam/report/document.hpp"
 
 namespace boxbeam::report {
 
-/// A column of numbers, which stands at the right: every cell begins with a digit, a sign or is
-/// "-".
+/// Whether a cell is a number: it begins with a digit, which a sign may precede, or is a sign by
+/// itself.
+bool is_number(const std::string& cell);
+
+/// A column of numbers, which stands at the right: every cell is one.
 bool holds_numbers(const Table& table, std::size_t column);
 
 }  // namespace boxbeam::report

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cctype>
 
+#include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
 
 namespace boxbeam::layout {
@@ -41,14 +42,14 @@ std::string item(const std::string& text) { return wrapped(text, "  - ", "    ")
 std::string entry(const std::string& name, const std::string& text) {
   const std::size_t used = columns_of(name);
   const std::string gap(used < 10 ? 10 - used : 1, ' ');
-  return wrapped(text, "  " + plain_text::shown(name) + gap, std::string(12, ' '));
+  return wrapped(text, "  " + visible(name) + gap, std::string(12, ' '));
 }
 
 Table::Table(std::vector<std::string> header) : rows_{std::move(header)} {}
 
 void Table::row(std::vector<std::string> cells) {
   assert(cells.size() == rows_.front().size());
-  for (std::string& cell : cells) cell = plain_text::shown(cell);
+  for (std::string& cell : cells) cell = visible(cell);
   rows_.push_back(std::move(cells));
 }
 

@@ -1,10 +1,11 @@
 #include "text_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
+#include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
+#include "table_columns.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -16,22 +17,15 @@ constexpr std::size_t gap = 2;  // before every column
 /// A table whose cells are safe for a terminal.
 using Grid = std::vector<std::vector<std::string>>;
 
-/// Whether a cell stands at the right, as numbers do.
-bool is_numeric(const std::string& cell) {
-  if (cell.empty()) return true;
-  const char c = cell.front();
-  return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+';
-}
-
 Grid grid_of(const Table& table) {
   Grid grid;
   grid.reserve(table.rows.size() + 1);
   std::vector<std::string>& header = grid.emplace_back();
-  for (const std::string& title : table.header) header.push_back(plain_text::shown(title));
+  for (const std::string& title : table.header) header.push_back(visible(title));
   for (const auto& row : table.rows) {
     std::vector<std::string>& line = grid.emplace_back();
     line.reserve(row.size());
-    for (const Cell& cell : row) line.push_back(plain_text::shown(cell.text));
+    for (const Cell& cell : row) line.push_back(visible(cell.text));
   }
   return grid;
 }
@@ -39,29 +33,29 @@ Grid grid_of(const Table& table) {
 struct Column {
   std::size_t width = 0;      ///< of its widest cell, then what it gets
   std::size_t narrowest = 0;  ///< that wrapping can make it
-  bool right = true;
+  bool right = false;         ///< as numbers do
 };
 
-/// Where the longest word is a path or a name without end, it is broken.
+/// Where there is no room for whole words, longer ones are broken.
 constexpr std::size_t longest_word = 24;
 
-std::size_t longest_word_in(const std::string& cell) {
+std::size_t longest_word_in(const std::string& cell, std::size_t most) {
   std::size_t longest = 1;
   for (std::size_t at = 0; at < cell.size();) {
     const std::size_t end = std::min(cell.find(' ', at), cell.size());
     longest = std::max(longest, columns_of(std::string_view(cell).substr(at, end - at)));
     at = end + 1;
   }
-  return std::min(longest, longest_word);
+  return std::min(longest, most);
 }
 
-std::vector<Column> columns_in(const Grid& grid) {
+std::vector<Column> columns_in(const Table& table, const Grid& grid) {
   std::vector<Column> columns(grid.front().size());
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].right = holds_numbers(table, k);
   for (std::size_t i = 0; i < grid.size(); ++i) {
     for (std::size_t k = 0; k < columns.size(); ++k) {
       Column& column = columns[k];
       column.width = std::max(column.width, columns_of(grid[i][k]));
-      if (i > 0) column.right = column.right && is_numeric(grid[i][k]);
     }
   }
   return columns;
@@ -72,14 +66,15 @@ std::size_t width_of(const std::vector<Column>& columns) {
                          [](std::size_t sum, const Column& of) { return sum + gap + of.width; });
 }
 
-/// Takes width from the widest column that can give some, until the table fits or none can.
-void narrow(const Grid& grid, std::size_t width, std::vector<Column>& columns) {
+/// Takes width from the widest column that can give some, until the table fits or none can. Words
+/// longer than `most` may be broken.
+void narrow(const Grid& grid, std::size_t width, std::size_t most, std::vector<Column>& columns) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     for (std::size_t i = 0; i < grid.size(); ++i) {
       // A number is never broken, but the words above it may stand one below the other.
       const bool whole = columns[k].right && i > 0;
-      columns[k].narrowest = std::max(columns[k].narrowest,
-                                      whole ? columns_of(grid[i][k]) : longest_word_in(grid[i][k]));
+      columns[k].narrowest = std::max(
+          columns[k].narrowest, whole ? columns_of(grid[i][k]) : longest_word_in(grid[i][k], most));
     }
   }
   for (std::size_t total = width_of(columns); total > width; --total) {
@@ -148,8 +143,12 @@ char sign_of(Mark mark) {
 std::string table_text(const Table& table, std::size_t width) {
   if (table.header.empty()) return "";
   const Grid grid = grid_of(table);
-  std::vector<Column> columns = columns_in(grid);
-  if (width_of(columns) > width) narrow(grid, width, columns);
+  std::vector<Column> columns = columns_in(table, grid);
+  for (const std::size_t most : {width, longest_word}) {
+    if (width_of(columns) <= width) break;
+    columns = columns_in(table, grid);
+    narrow(grid, width, most, columns);
+  }
   std::string out;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const bool marked = i > 0 && !table.marks.empty();

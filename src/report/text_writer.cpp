@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
 #include "text_table.hpp"
 
@@ -12,7 +13,6 @@ namespace boxbeam::report {
 namespace {
 
 using plain_text::columns_of;
-using plain_text::shown;
 using plain_text::wrapped;
 
 constexpr std::size_t width = 110;
@@ -30,7 +30,7 @@ std::string hanging(const std::string& first, const std::string& rest, const std
 }
 
 std::string heading(const std::string& text, char line) {
-  const std::string title = shown(text);
+  const std::string title = visible(text);
   return fmt::format("{}\n{}\n", title, std::string(columns_of(title), line));
 }
 
@@ -40,7 +40,7 @@ std::string facts_text(const Facts& facts) {
   const std::size_t beside = std::min<std::size_t>(longest, 30) + 4;
   std::string out;
   for (const auto& [name, text] : facts.entries) {
-    std::string first = "  " + shown(name);
+    std::string first = "  " + visible(name);
     first.resize(
         first.size() + std::max<std::size_t>(2, beside - std::min(beside, columns_of(first))), ' ');
     out += hanging(first, std::string(beside, ' '), text);
@@ -53,7 +53,7 @@ std::string listing_text(const std::string& text) {
   std::string out;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = shown(std::string_view(text).substr(begin, end - begin), true);
+    const std::string line = visible(std::string_view(text).substr(begin, end - begin), "\n\t");
     out += line.empty() ? "\n" : "  " + line + "\n";
     begin = end + 1;
   }
@@ -81,17 +81,17 @@ struct BlockText {
   std::string operator()(const Listing& listing) const { return listing_text(listing.text); }
   std::string operator()(const MovingPicture&) const { return ""; }
   std::string operator()(const Subheading& subheading) const {
-    return "  " + shown(subheading.text) + "\n";
+    return "  " + visible(subheading.text) + "\n";
   }
 };
 
 }  // namespace
 
 std::string text_of(const Document& document) {
-  std::string out = fmt::format("{}: {}, {}\n", shown(document.program), shown(document.title),
-                                shown(document.date));
+  std::string out = fmt::format("{}: {}, {}\n", visible(document.program), visible(document.title),
+                                visible(document.date));
   out += hanging("", "", document.subtitle);
-  out += fmt::format("\nVERDICT: {}\n\n", shown(document.verdict));
+  out += fmt::format("\nVERDICT: {}\n\n", visible(document.verdict));
   if (!document.governing.rows.empty()) {
     out += table_text(with_results(document.governing), width) + "\n";
   }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
 
 #include "beam_outline.hpp"
 #include "boxbeam/report/format.hpp"
@@ -9,49 +12,131 @@
 namespace boxbeam::plot {
 namespace {
 
-/// The worst check of a criterion at every station, in the order of the beam.
-std::vector<const CheckResult*> worst_along(const Verification& verification, Criterion criterion) {
-  std::vector<const CheckResult*> worst;
+bool before(const Station& one, const Station& other) {
+  return one.s < other.s ||
+         (one.s == other.s && one.side == Side::before && other.side != Side::before);
+}
+
+/// What the places of a kind along the beam share: "fibre" of "fibre +z", and what resists there.
+std::string kind_of(const CheckResult& result) {
+  std::string kind;
+  std::istringstream words(result.check.point);
+  for (std::string word; words >> word;) {
+    if (!word.starts_with('+') && !word.starts_with('-')) kind += word + " ";
+  }
+  if (result.basis && !result.basis->curves.empty()) kind += result.basis->curves.front().name;
+  return kind;
+}
+
+/// The worst check of each kind of place at one station.
+struct Section {
+  Station station;
+  std::map<std::string, const CheckResult*> worst;
+};
+
+std::vector<Section> sections_of(const Verification& verification, Criterion criterion) {
+  std::vector<Section> sections;
   // The worst of all come first.
   for (const CheckResult& result : verification.checks) {
     if (result.check.criterion != criterion || !result.check.on_beam) continue;
-    const bool known = std::any_of(worst.begin(), worst.end(), [&](const CheckResult* other) {
-      return other->check.station == result.check.station;
+    auto section = std::find_if(sections.begin(), sections.end(), [&](const Section& other) {
+      return other.station == result.check.station;
     });
-    if (!known) worst.push_back(&result);
+    if (section == sections.end())
+      section = sections.insert(sections.end(), {result.check.station, {}});
+    section->worst.try_emplace(kind_of(result), &result);
   }
-  std::sort(worst.begin(), worst.end(), [](const CheckResult* a, const CheckResult* b) {
-    const Station& one = a->check.station;
-    const Station& other = b->check.station;
-    return one.s < other.s ||
-           (one.s == other.s && one.side == Side::before && other.side != Side::before);
-  });
-  return worst;
+  std::sort(sections.begin(), sections.end(),
+            [](const Section& a, const Section& b) { return before(a.station, b.station); });
+  return sections;
 }
 
-/// What a curve of the figure shows.
+Row2 row_of(const CheckResult& result) {
+  return {result.check.station.s.value(), 100.0 * result.check.utilisation()};
+}
+
+/// The stretches over which a kind of place goes on from section to section.
+std::vector<std::vector<Row2>> runs_of(const std::vector<Section>& sections,
+                                       const std::string& kind) {
+  std::vector<std::vector<Row2>> runs(1);
+  for (const Section& section : sections) {
+    const auto found = section.worst.find(kind);
+    if (found != section.worst.end())
+      runs.back().push_back(row_of(*found->second));
+    else if (!runs.back().empty())
+      runs.emplace_back();
+  }
+  std::erase_if(runs, [](const std::vector<Row2>& run) {
+    return run.empty() || std::get<0>(run.front()) == std::get<0>(run.back());
+  });
+  return runs;
+}
+
+bool is_on(const std::vector<std::vector<Row2>>& lines, const Row2& row) {
+  return std::any_of(lines.begin(), lines.end(), [&](const std::vector<Row2>& line) {
+    return std::find(line.begin(), line.end(), row) != line.end();
+  });
+}
+
+/// What the figure shows of a criterion.
 struct Curve {
-  Criterion criterion;
-  std::vector<Row2> rows;
-  const CheckResult* worst;
+  Criterion criterion = Criterion::yield;
+  std::vector<std::vector<Row2>> lines;  ///< of kinds that are somewhere the worst of those
+  std::vector<Row2> single;              ///< of each section the worst, where no line leads to it
+  const CheckResult* worst = nullptr;
 };
+
+Curve curve_of(const Verification& verification, Criterion criterion) {
+  Curve curve{criterion, {}, {}, nullptr};
+  for (const CheckResult& result : verification.checks) {
+    if (result.check.criterion != criterion || !result.check.on_beam) continue;
+    curve.worst = &result;
+    break;
+  }
+  const std::vector<Section> sections = sections_of(verification, criterion);
+  std::map<std::string, std::vector<std::vector<Row2>>> runs;
+  for (const Section& section : sections) {
+    for (const auto& [kind, result] : section.worst) {
+      if (!runs.contains(kind)) runs.emplace(kind, runs_of(sections, kind));
+    }
+  }
+  std::set<std::string> leading;
+  for (const Section& section : sections) {
+    const std::string* highest = nullptr;
+    double most = 0.0;
+    for (const auto& [kind, result] : section.worst) {
+      if (result->check.utilisation() <= most || !is_on(runs.at(kind), row_of(*result))) continue;
+      most = result->check.utilisation();
+      highest = &kind;
+    }
+    if (highest != nullptr) leading.insert(*highest);
+    const CheckResult* single = nullptr;
+    for (const auto& [kind, result] : section.worst) {
+      if (result->check.utilisation() <= most || is_on(runs.at(kind), row_of(*result))) continue;
+      most = result->check.utilisation();
+      single = result;
+    }
+    if (single != nullptr) curve.single.push_back(row_of(*single));
+  }
+  for (const std::string& kind : leading) {
+    const auto& of_kind = runs.at(kind);
+    curve.lines.insert(curve.lines.end(), of_kind.begin(), of_kind.end());
+  }
+  return curve;
+}
 
 }  // namespace
 
 void utilisation(Script& gp, const Project& project, const Verification& verification) {
   std::vector<Curve> curves;
   double highest = 100.0;
+  bool any_single = false;
   for (const Criterion criterion : criteria) {
-    Curve curve{criterion, {}, nullptr};
-    for (const CheckResult* result : worst_along(verification, criterion)) {
-      const double percent = 100.0 * result->check.utilisation();
-      curve.rows.emplace_back(result->check.station.s.value(), percent);
-      highest = std::max(highest, percent);
-      const bool worse =
-          curve.worst == nullptr || result->check.utilisation() > curve.worst->check.utilisation();
-      if (worse) curve.worst = result;
-    }
-    if (!curve.rows.empty()) curves.push_back(std::move(curve));
+    Curve curve = curve_of(verification, criterion);
+    if (curve.lines.empty() && curve.single.empty()) continue;
+    highest = std::max(highest, 100.0 * curve.worst->check.utilisation());
+    any_single = any_single || !curve.single.empty();
+    curves.push_back(std::move(curve));
   }
   std::vector<LegendEntry> legend;
   for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -60,6 +145,9 @@ void utilisation(Script& gp, const Project& project, const Verification& verific
                                   text::percent(worst.utilisation()), to_text(worst.station)),
                       line_style(k, 1.6)});
   }
+  if (any_single)
+    legend.push_back({"holes, single welds and other places of no line", "",
+                      "pt 6 ps 0.7 lw 1.3 lc rgb '#202020'"});
   const double below = footing_room + height_of_legend(legend);
   constexpr double height = 270.0;
   gp.begin("utilisation", below + height + heading_room + outline_height + 40.0);
@@ -69,7 +157,7 @@ void utilisation(Script& gp, const Project& project, const Verification& verific
   const auto [s_low, s_high] = range_of_s(project.beam);
   const Panel panel{{56.0, below, 600.0, below + height}, s_low, s_high, 0.0, 1.15 * highest};
   place(gp, panel);
-  put_heading(gp, panel, "utilisation [%], the worst place of every section that is checked");
+  put_heading(gp, panel, "utilisation [%], lines through the worst places of one kind");
   draw_legend(gp, legend, 2.0);
   gp << "set format x '%g'\n";
   put_footing(gp, panel, "s [m], from the start of the beam");
@@ -77,12 +165,21 @@ void utilisation(Script& gp, const Project& project, const Verification& verific
   Labels labels;
   labels.keep_off(panel.at(s_low, 100.0), panel.at(s_high, 100.0));
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    const std::string data = fmt::format("u{}", k);
-    gp.block(data, curves[k].rows);
-    plots.push_back(fmt::format("${} using 1:2 with lines {}", data, line_style(k, 1.6)));
+    for (std::size_t i = 0; i < curves[k].lines.size(); ++i) {
+      const std::string data = fmt::format("u{}_{}", k, i);
+      gp.block(data, curves[k].lines[i]);
+      plots.push_back(fmt::format("${} using 1:2 with lines {}", data, line_style(k, 1.6)));
+      plots.push_back(
+          fmt::format("${} using 1:2 with points pt 7 ps 0.3 lc rgb '{}'", data, colour(k)));
+      labels.keep_off(panel, curves[k].lines[i]);
+    }
+    if (curves[k].single.empty()) continue;
+    const std::string data = fmt::format("single{}", k);
+    gp.block(data, curves[k].single);
     plots.push_back(
-        fmt::format("${} using 1:2 with points pt 7 ps 0.3 lc rgb '{}'", data, colour(k)));
-    labels.keep_off(panel, curves[k].rows);
+        fmt::format("${} using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '{}'", data, colour(k)));
+    for (const auto& [s, percent] : curves[k].single)
+      labels.keep_off(panel.at(s, percent), panel.at(s, percent));
   }
   std::vector<std::size_t> order(curves.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;

@@ -133,7 +133,7 @@ std::vector<SpectrumRow> spectrum_of(const Project& project, const Turns& turns,
     if (compression_reduced) cycles = boxbeam::compression_reduced(std::move(cycles));
     for (Cycle& cycle : cycles) {
       cycle.count *= situation.cycles;
-      spectrum.push_back({situation.name, kind, cycle, 0.0});
+      spectrum.push_back({situation.name, kind, cycle});
     }
   };
   for (std::size_t i = 0; i < project.situations.size(); ++i) {
@@ -278,10 +278,12 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   const auto spectrum_at = [&](double k) {
     std::vector<SpectrumRow> rows;
     for (std::size_t i = 0; i < channels.size(); ++i) {
+      const auto endured = [&](const Cycle& cycle, double times) {
+        return cycles_to_failure_in(loads[i].cycles, cycle, loads[i].curve, demand, times);
+      };
       for (SpectrumRow row : channels[i].spectrum) {
-        row.endured = cycles_to_failure_in(loads[i].cycles, row.cycle, loads[i].curve, demand, k);
-        row.endured_as_is =
-            cycles_to_failure_in(loads[i].cycles, row.cycle, loads[i].curve, demand, 1.0);
+        row.endured = endured(row.cycle, k);
+        row.damage = row.cycle.count / endured(row.cycle, 1.0);
         rows.push_back(std::move(row));
       }
     }

@@ -8,22 +8,71 @@
 namespace boxbeam {
 namespace {
 
-/// Whether an extreme is the upper or the lower one of its quantity, and what to call it; "" where
-/// it is smaller than a share of the other, `nothing`.
+double size_of(const CriticalInstant& instant) { return std::abs(instant.value); }
+
+bool is_stress(const CriticalInstant& instant) { return instant.quantity == "stress"; }
+
+/// What is so small beside the largest force, moments over the length of the beam, is the rounding
+/// of sums or no load to speak of.
+constexpr double nothing = 1e-5;
+
+void drop_nothing(const Project& project, std::vector<CriticalInstant>& cut) {
+  const auto is_moment = [](const CriticalInstant& instant) {
+    return instant.quantity.starts_with("M") || instant.quantity == "T";
+  };
+  const double length = project.beam.length().value();
+  const auto as_force = [&](const CriticalInstant& instant) {
+    return size_of(instant) / (is_moment(instant) ? length : 1.0);
+  };
+  double largest = 0.0;
+  for (const CriticalInstant& instant : cut) largest = std::max(largest, as_force(instant));
+  std::erase_if(
+      cut, [&](const CriticalInstant& instant) { return as_force(instant) < nothing * largest; });
+}
+
+/// What to call an extreme; "" where it is smaller than a share of the other of its quantity.
 std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
-                            const CriticalInstant& instant, double nothing) {
-  double highest = instant.value;
+                            const CriticalInstant& instant, double share) {
+  if (is_stress(instant)) {
+    const std::string end = instant.end == End::largest    ? "highest"
+                            : instant.end == End::smallest ? "lowest"
+                                                           : "largest equivalent";
+    return end + " stress at the governing place";
+  }
   double size = 0.0;
   for (const CriticalInstant& other : instants) {
-    if (other.quantity != instant.quantity) continue;
-    highest = std::max(highest, other.value);
-    size = std::max(size, std::abs(other.value));
+    if (other.quantity == instant.quantity) size = std::max(size, size_of(other));
   }
-  if (std::abs(instant.value) < nothing * size) return "";
-  const bool upper = instant.value == highest;
-  if (upper) return (instant.value > 0.0 ? "largest " : "least negative ") + instant.quantity;
+  if (size_of(instant) < share * size) return "";
+  if (instant.end == End::largest)
+    return (instant.value > 0.0 ? "largest " : "least negative ") + instant.quantity;
   return (instant.value > 0.0 ? "smallest " : "most negative ") + instant.quantity;
 }
+
+/// An instant at which one or more quantities have their extremes.
+struct Shared {
+  std::size_t situation;
+  Time time;
+  std::vector<std::pair<const CriticalInstant*, std::string>> reasons;
+
+  /// Of a quantity that is there with both extremes, at different places, the larger counts.
+  void add(const CriticalInstant& instant, const std::string& why) {
+    for (auto& [other, other_why] : reasons) {
+      if (other->quantity != instant.quantity) continue;
+      if (size_of(instant) <= size_of(*other)) return;
+      other = &instant;
+      other_why = why;
+      return;
+    }
+    reasons.emplace_back(&instant, why);
+  }
+
+  std::string why() const {
+    std::string all;
+    for (const auto& [instant, reason] : reasons) all += (all.empty() ? "" : ", ") + reason;
+    return all;
+  }
+};
 
 }  // namespace
 
@@ -34,27 +83,32 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
     // Outside the beam, at the first and the last of the stations, nothing is cut.
     const std::span inside =
         std::span(verification.stations).subspan(1, verification.stations.size() - 2);
+    const bool largest = end == &Envelope::largest;
     const StationEnvelope* best = &inside.front();
     for (const StationEnvelope& station : inside) {
       const double value = (station.of[quantity.which].*end).value;
       const double so_far = (best->of[quantity.which].*end).value;
-      if (end == &Envelope::largest ? value > so_far : value < so_far) best = &station;
+      if (largest ? value > so_far : value < so_far) best = &station;
     }
     const Extreme& at = best->of[quantity.which].*end;
-    instants.push_back({quantity.name, best->station, at.time, at.value, at.situation});
+    instants.push_back({quantity.name, best->station, at.time, at.value, at.situation,
+                        largest ? End::largest : End::smallest});
   };
   for (const auto end : {&Envelope::largest, &Envelope::smallest}) {
     for (const CutForceName& quantity : cut_forces_looked_at(project)) add(quantity, end);
   }
+  drop_nothing(project, instants);
   const CheckResult* governing = verification.governing(Criterion::fatigue);
   if (governing == nullptr || !governing->basis)
     governing = verification.governing(Criterion::yield);
   if (governing != nullptr && governing->basis) {
-    const auto add_stress = [&](const Extreme& at) {
-      instants.push_back({"stress", governing->check.station, at.time, at.value, at.situation});
+    const auto add_stress = [&](const Extreme& at, End end) {
+      instants.push_back(
+          {"stress", governing->check.station, at.time, at.value, at.situation, end});
     };
-    add_stress(governing->basis->highest);
-    if (governing->check.criterion == Criterion::fatigue) add_stress(governing->basis->lowest);
+    const bool ranges = governing->check.criterion == Criterion::fatigue;
+    add_stress(governing->basis->highest, ranges ? End::largest : End::neither);
+    if (ranges) add_stress(governing->basis->lowest, End::smallest);
   }
   return instants;
 }
@@ -62,24 +116,26 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
 std::vector<ShownInstant> instants_to_show(const Project& project,
                                            const Verification& verification) {
   // In space two moments and several situations compete for the place.
-  const double nothing = in_space(project) ? 1e-2 : 1e-6;
-  std::vector<ShownInstant> shown;
+  const double share = in_space(project) ? 1e-2 : nothing;
+  std::vector<Shared> found;
   for (const CriticalInstant& instant : verification.critical_instants) {
-    if (!instant.quantity.starts_with("M") && instant.quantity != "stress") continue;
-    const std::string why = name_of_extreme(verification.critical_instants, instant, nothing);
+    if (!instant.quantity.starts_with("M") && !is_stress(instant)) continue;
+    const std::string why = name_of_extreme(verification.critical_instants, instant, share);
     if (why.empty()) continue;
     const auto motion =
         std::find_if(verification.motions.begin(), verification.motions.end(),
                      [&](const MotionSummary& of) { return of.situation == instant.situation; });
-    const auto same = std::find_if(shown.begin(), shown.end(), [&](const ShownInstant& other) {
+    const auto same = std::find_if(found.begin(), found.end(), [&](const Shared& other) {
       return other.situation == instant.situation &&
              abs(other.time - instant.time) < 0.01 * motion->period;
     });
-    if (same == shown.end())
-      shown.push_back({instant.situation, instant.time, why});
+    if (same == found.end())
+      found.push_back({instant.situation, instant.time, {{&instant, why}}});
     else
-      same->why += ", " + why;
+      same->add(instant, why);
   }
+  std::vector<ShownInstant> shown;
+  for (const Shared& at : found) shown.push_back({at.situation, at.time, at.why()});
   std::sort(shown.begin(), shown.end(), [](const ShownInstant& a, const ShownInstant& b) {
     return std::pair(a.situation, a.time) < std::pair(b.situation, b.time);
   });

@@ -138,7 +138,7 @@ std::vector<DriverLine> lines_in_space_of(const Project& project, const Situatio
       const spatial::Joint& joint = mechanism.joints[i];
       if (joint.kind == spatial::JointKind::fixed) continue;
       const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
-      lines[i].name = joint.name;
+      lines[i].name = spatial::driver_text(joint);
       lines[i].turns = joint.kind == spatial::JointKind::revolute;
       add_sample(lines[i], time, driver_at(joint.driver, time),
                  axis.dot(lines[i].turns ? wrenches[i].moment : wrenches[i].force));

@@ -62,6 +62,10 @@ TEST_CASE("values that are no quantity of the wanted kind are refused", "[bad_in
 
 TEST_CASE("unknown names are refused with the nearest known one", "[bad_input]") {
   check_refused({
+      replaced("inertia twice", "uniform_rod = \"0.5 m\"",
+               "inertia = \"7.43 kg m^2\"\nuniform_rod = \"0.5 m\"",
+               {"\"uniform_rod\" gives the inertia, and \"inertia\" gives it too",
+                "leave out one of the two"}),
       replaced("unknown key", "uniform_rod = \"0.5 m\"", "uniform_rot = \"0.5 m\"",
                {"unknown key \"uniform_rot\"", "did you mean \"uniform_rod\"?"}),
       replaced(

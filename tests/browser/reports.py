@@ -311,7 +311,6 @@ def main():
         for case in CASES:
             results.case = case
             folder = pathlib.Path(temporary) / pathlib.Path(case).stem
-            folder.mkdir()
             run = subprocess.run([program, "verify", root / case, "--out", folder, "--no-pdf", "--quiet"],
                                  capture_output=True, text=True, check=False)
             if run.returncode > 1:

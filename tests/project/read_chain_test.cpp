@@ -7,6 +7,7 @@
 
 #include "boxbeam/mechanism/spatial/chain.hpp"
 #include "project/small_chain.hpp"
+#include "support/program.hpp"
 
 using namespace boxbeam;
 using namespace small_chain;
@@ -69,6 +70,13 @@ TEST_CASE("axis and turn of a joint are in the axes of the body that it carries"
       weld);
   CHECK((joint(one, "hinge").axis - Vector3d(0, -1, 0)).norm() < 1e-15);
   CHECK(joint(one, "hinge").point == Vector3d(1, 0, 0));
+}
+
+TEST_CASE("a joint's driver is called as the case calls it") {
+  const Project project = read_project(test::project_file("sections/landing-gear/retraction.toml"));
+  CHECK(spatial::driver_text(joint(project, "hinge")) == "retraction (joint hinge)");
+  CHECK(spatial::driver_text(joint(project, "yaw")) == "yawing (joint yaw)");
+  CHECK(spatial::driver_text(joint(project, "foot")) == "foot");
 }
 
 TEST_CASE("a spherical joint is three revolutes through one point") {

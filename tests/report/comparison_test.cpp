@@ -2,6 +2,8 @@
 
 #include "boxbeam/report/comparison.hpp"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -40,10 +42,21 @@ const Verified& gear() {
   return verified;
 }
 
+std::string motion_document(const Project& project, const std::vector<double>& times) {
+  if (is_flexible(project)) return motion_json(flexible_motion_of(project));
+  if (in_space(project)) return motion_json(chain_motion_of(project, times, "world"));
+  return motion_json(motion_of(project, times));
+}
+
+Comparison compared(const Verified& with, const PublishedValues& values) {
+  return compare(with.project, with.verification, values, [&](const std::vector<double>& times) {
+    return motion_document(with.project, times);
+  });
+}
+
 Comparison compared(const Verified& with, const std::string& rows) {
   const test::TemporaryFolder folder;
-  return compare(with.project, with.verification,
-                 read_published(folder.write("published.csv", header + rows)));
+  return compared(with, read_published(folder.write("published.csv", header + rows)));
 }
 
 ComparedValue one(const Verified& with, const std::string& row) {
@@ -66,7 +79,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 Comparison shipped(const Verified& with, const std::string& table) {
-  return compare(with.project, with.verification, read_published(test::project_file(table)));
+  return compared(with, read_published(test::project_file(table)));
 }
 
 std::set<std::string> keys_of(const Comparison& comparison, Agreement agreement) {
@@ -240,7 +253,7 @@ TEST_CASE("the numbers of the thesis: sound ones agree, wrong ones are those kno
   // Positions: 108 numbers, all right to 5e-5.
   std::size_t positions = 0;
   for (const ComparedValue& row : comparison.rows) {
-    if (row.published.source != "table E.1") continue;
+    if (row.published.source != "E.1") continue;
     ++positions;
     CHECK(row.agreement == Agreement::agrees);
     CHECK(row.tolerance == 5e-5);
@@ -308,4 +321,116 @@ TEST_CASE("the comparison's document and its JSON hold every row", "[compare]") 
   CHECK(json["rows"][1]["published"] == Approx(5000.0));
   CHECK(json["rows"][1]["status"] == "differs, explained");
   CHECK(json["rows"][1]["line"] == 3);
+}
+
+TEST_CASE("the motion is asked for where a key wants it, once for all instants", "[compare]") {
+  std::vector<std::vector<double>> asked;
+  const auto motion = [&](const std::vector<double>& times) {
+    asked.push_back(times);
+    return motion_document(rig().project, times);
+  };
+  const test::TemporaryFolder folder;
+  const auto compared_rows = [&](const std::string& rows) {
+    compare(rig().project, rig().verification,
+            read_published(folder.write("published.csv", header + rows)), motion);
+  };
+  compared_rows("beam.length,6.2 m,1 %,,\n");
+  CHECK(asked.empty());
+  compared_rows(
+      "motion[0.5].bodies.beam.x,0 m,9 m,,\nmotion[0].bodies.beam.x,0 m,9 m,,\n"
+      "motion[0.5].bodies.beam.y,0 m,9 m,,\n");
+  CHECK(asked == std::vector<std::vector<double>>{{0.5, 0.0}});
+}
+
+namespace {
+
+/// The tables of a comparison by their captions.
+std::map<std::string, report::Table> tables_of(const Comparison& comparison) {
+  std::map<std::string, report::Table> tables;
+  const report::Document document = comparison_document(rig().project, comparison);
+  for (const report::Block& block : document.chapters.at(0).blocks) {
+    if (const auto* table = std::get_if<report::Table>(&block)) tables[table->caption] = *table;
+  }
+  return tables;
+}
+
+/// What stands in a row of a table under a title.
+std::string cell_of(const report::Table& table, std::size_t row, const std::string& title) {
+  const auto found = std::find(table.header.begin(), table.header.end(), title);
+  REQUIRE(found != table.header.end());
+  return table.rows.at(row).at(static_cast<std::size_t>(found - table.header.begin())).text;
+}
+
+const std::string within = "Within the tolerance";
+const std::string explained = "Beyond the tolerance, with a reason";
+const std::string unexplained = "Beyond the tolerance, without a reason";
+
+}  // namespace
+
+TEST_CASE("a comparison shows reasons where something differs, and no empty columns", "[compare]") {
+  auto tables = tables_of(compared(rig(),
+                                   "beam.length,6.2 m,1 %,not needed,\n"
+                                   "beam.mass,7 t,1 %,another beam,\n"
+                                   "governing.fatigue.required,3,1 %,,a table\n"));
+  using Header = std::vector<std::string>;
+  CHECK(tables[within].header ==
+        Header{"result", "published", "ours", "difference", "within", "unit"});
+  CHECK(tables[explained].header ==
+        Header{"result", "published", "ours", "difference", "within", "unit", "why"});
+  CHECK(cell_of(tables[explained], 0, "why") == "1");
+  CHECK(tables[unexplained].header ==
+        Header{"result", "published", "ours", "difference", "within", "source"});
+  for (const auto& [caption, table] : tables) {
+    for (const auto& row : table.rows) CHECK(row.size() == table.header.size());
+  }
+}
+
+TEST_CASE("a difference is in per cent up to twice the value, then in its unit", "[compare]") {
+  // The beam is 6.2 m long.
+  const auto difference = [](const std::string& published) {
+    auto tables = tables_of(compared(rig(), "beam.length," + published + ",1 %,,\n"));
+    return cell_of(tables[unexplained], 0, "difference");
+  };
+  CHECK(difference("3.1 m") == "+100 %");
+  CHECK(difference("-6.2 m") == "+200 %");
+  CHECK(difference("2.07 m") == "+200 %");  // 199.5 %
+  CHECK(difference("2 m") == "+4.2 m");
+  CHECK(difference("12.4 m") == "-50 %");
+  CHECK(difference("1 mm") == "+6199 mm");
+}
+
+TEST_CASE("of a comparison only many values that agree are folded", "[compare]") {
+  std::string rows;
+  for (int i = 0; i < 40; ++i) {
+    const std::string source = std::to_string(i);
+    rows += "beam.length,6.2 m,1 %,," + source + "\n";
+    rows += "beam.length,7 m,1 %,why,a" + source + "\n";
+    rows += "beam.length,8 m,1 %,,b" + source + "\n";
+  }
+  auto tables = tables_of(compared(rig(), rows));
+  CHECK(tables[within].folded);
+  CHECK_FALSE(tables[explained].folded);
+  CHECK_FALSE(tables[unexplained].folded);
+  CHECK_FALSE(tables_of(compared(rig(), "beam.length,6.2 m,1 %,,\n"))[within].folded);
+}
+
+TEST_CASE("keys stay whole in the shipped comparisons", "[compare]") {
+  const auto check_keys = [](const Verified& with, const std::string& table) {
+    const Comparison comparison = shipped(with, table);
+    const std::string text = comparison_text(with.project, comparison);
+    for (const ComparedValue& row : comparison.rows) {
+      INFO(row.key);
+      CHECK(contains(text, row.key));
+    }
+  };
+  check_keys(published(), "sections/sledge-rig/thesis.csv");
+  check_keys(rig(), "sections/sledge-rig/thesis-rigorous.csv");
+  check_keys(gear(), "sections/landing-gear/published.csv");
+}
+
+TEST_CASE("a comparison of one value is said in the singular", "[compare]") {
+  const std::string text =
+      comparison_text(rig().project, compared(rig(), "beam.length,6.2 m,1 %,,\n"));
+  CHECK(contains(text, "1 value: 1 within"));
+  CHECK_FALSE(contains(text, "1 values"));
 }

@@ -175,6 +175,19 @@ TEST_CASE("pictures stand inside the page in base64") {
   CHECK(test::elements_named(page, "figcaption").at(0).text == "Figure 1. Seen");
 }
 
+TEST_CASE("a table is folded where its maker says so, however long it is") {
+  Document document;
+  const std::vector<report::Cell> row{report::Cell{"1", {}}};
+  Table few{"few", {"a"}, {row, row}, {}};
+  const Table many{"many", {"a"}, {99, row}, {}};
+  few.folded = true;
+  document.chapters = {{"", {few, many}}};
+  const test::Markup page = test::read_markup(html_of(document, no_pictures));
+  const std::vector<test::Element> folded = test::elements_named(page, "summary");
+  REQUIRE(folded.size() == 1);
+  CHECK(folded[0].text == "few 2 rows");
+}
+
 TEST_CASE("a page of a shipped case holds all numbers, links to itself only and is not large") {
   const std::string path =
       GENERATE(as<std::string>{}, "sections/sledge-rig/rig.toml", "sections/landing-gear/gear.toml",

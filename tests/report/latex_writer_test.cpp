@@ -56,9 +56,9 @@ TEST_CASE("a bracket or star cannot become an argument of the row before", "[rep
 
 TEST_CASE("what would not be seen stands as its code", "[report][latex]") {
   CHECK(latex_escaped(std::string("\x07\x1b\x7f\0", 4)) ==
-        "\\textbackslash{}x07\\textbackslash{}x1b\\textbackslash{}x7f\\textbackslash{}x00");
+        "\\textbackslash{}x07\\textbackslash{}x1B\\textbackslash{}x7F\\textbackslash{}x00");
   CHECK(contains(latex_escaped("\xE4\xB8\xAD"), "U+4E2D"));
-  CHECK(contains(latex_escaped("\xE2\x80\xAE"), "U+202E"));
+  CHECK(contains(latex_escaped("\xE2\x80\xAE"), "\\textbackslash{}u202E"));
   CHECK(contains(latex_escaped("\xF0\x9F\x98\x80"), "U+1F600"));
 }
 
@@ -67,9 +67,9 @@ TEST_CASE("bytes that are no UTF-8 stand as such", "[report][latex]") {
   // 3.3 (sequences cut short), 4.1 (overlong "/"), 5.1 (surrogates).
   const std::string byte = "\\textbackslash{}x";
   CHECK(latex_escaped("a\x80") == "a" + byte + "80");
-  CHECK(latex_escaped("\xC3") == byte + "c3");
-  CHECK(latex_escaped("\xC0\xAF") == byte + "c0" + byte + "af");
-  CHECK(latex_escaped("\xED\xA0\x80") == byte + "ed" + byte + "a0" + byte + "80");
+  CHECK(latex_escaped("\xC3") == byte + "C3");
+  CHECK(latex_escaped("\xC0\xAF") == byte + "C0" + byte + "AF");
+  CHECK(latex_escaped("\xED\xA0\x80") == byte + "ED" + byte + "A0" + byte + "80");
 }
 
 TEST_CASE("a hyphen before a number is set as a minus and copied as a hyphen", "[report][latex]") {

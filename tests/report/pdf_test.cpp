@@ -261,7 +261,8 @@ TEST_CASE("a figure beside the report is in it, in its own size at most", "[repo
 TEST_CASE("where pdflatex is missing the message names the packages", "[report][pdf]") {
   const test::TemporaryFolder folder;
   const std::string stale = folder.write("report.pdf", "of an earlier run");
-  const std::string path = std::getenv("PATH");
+  const char* set = std::getenv("PATH");
+  const std::string path = set != nullptr ? set : "";
   ::setenv("PATH", folder.path().c_str(), 1);
   CHECK_THROWS_AS(write_pdf(document_of("a"), "", stale), boxbeam::OutputError);
   try {

@@ -167,7 +167,8 @@ std::string words_of_draw_with(const std::string& tools, bool also_path = true) 
   const test::TemporaryFolder folder;
   const Project project = shipped_case("sections/sledge-rig/rig.toml");
   const Verification verification = verify(project);
-  const std::string path = std::getenv("PATH");
+  const char* const set = std::getenv("PATH");
+  const std::string path = set != nullptr ? set : "/usr/bin:/bin";
   setenv("PATH", (also_path ? tools + ":" + path : tools).c_str(), 1);
   std::string message;
   try {

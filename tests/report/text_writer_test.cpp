@@ -158,6 +158,34 @@ TEST_CASE("a table wider than the page wraps its texts, never its numbers", "[te
   for (int i = 0; i < 30; ++i) CHECK(contains(lines, "word" + std::to_string(i)));
 }
 
+TEST_CASE("keys stay whole while texts can give way, else they break at a dot", "[text]") {
+  const std::string key = "motion[0.357].newton_chain.steps.2.moment";
+  std::string prose = "word";
+  for (int i = 0; i < 30; ++i) prose += " word";
+  Table table;
+  table.header = {"result", "why", "number"};
+  table.rows = {row({key, prose, "-12.5"})};
+  CHECK(contains(lines_with({table}), "  " + key + "  "));
+  // Three of them are too many for a line.
+  table.header = {"a", "b", "c"};
+  table.rows = {row({key, key, key})};
+  const std::vector<std::string> lines = lines_with({table});
+  for (const std::string& line : lines) CHECK(letters_in(line) <= 110);
+  for (const std::string& line : lines) {
+    if (line == lines.front()) continue;
+    // Every piece ends where a name of the key ends, and none begins within a number.
+    std::istringstream pieces(line);
+    for (std::string piece; pieces >> piece;) {
+      INFO(piece);
+      const std::size_t at = key.find(piece);
+      REQUIRE(at != std::string::npos);
+      const std::size_t end = at + piece.size();
+      CHECK((end == key.size() || key[end] == '.'));
+      CHECK((at == 0 || piece.front() == '.'));
+    }
+  }
+}
+
 TEST_CASE("what would move a terminal's cursor is shown as an escape", "[text]") {
   const std::string hostile = "a\x1b[31mred\x07 \r\x7f \u202Eturned\u2066 \u009b2J \xff";
   const std::string shown = "a\\x1B[31mred\\x07";

@@ -7,6 +7,7 @@ tables written here for the kinds that they lack:
   those of the schema;
 - a key without which the program says that the table "has no" such key is missing for the schema
   too; one that the schema requires, the program does not do without.
+Values that contradict each other or that cannot be meant are refused by both.
 
 Usage: case_schema.py PROGRAM PROJECT_ROOT
 """
@@ -299,6 +300,42 @@ def kinds_of_flexible(case):
     return case
 
 
+def both_refuse(schema, reader, templates):
+    """What is wrong with contradictions and with values out of range: nothing, if both refuse them."""
+    changes = {
+        "planar": [
+            ("bodies.crank", {"inertia": "0.3 kg m^2"}),  # beside its uniform_rod
+            ("bodies.crank", {"mass": "-40 kg"}),
+            ("sections.ends", {"left_web": "8 mm"}),  # beside its web
+            ("sections.ends", {"left_web": "8 mm", "right_web": "8 mm"}),
+            ("sections.ends", {"bottom_flange": "8 mm"}),
+            ("fatigue", {"consequence": "high"}),  # beside its gamma_Mf
+            ("fatigue", {"assessment": "safe life", "consequence": "high"}),
+            ("fatigue", {"category": 81}),
+            ("fatigue", {"category": 71, "kind": "shear"}),
+            ("fatigue", {"category": 80, "raise_asterisk": True}),
+            ("fatigue", {"cycles": 0}),
+            ("fatigue", {"cycles": -1e7}),
+            ("fatigue", {"cycles": float("inf")}),
+            ("fatigue", {"cycles": 1e21}),
+            ("", {"equivalent_mass": {"joint": "B", "on": "lever", "adjust": "load",
+                                      "wanted": "0.0 kg"}}),
+        ],
+        "spatial": [
+            ("bodies.load", {"uniform_rod": ["D", "D"]}),  # beside its inertia
+            ("bodies.load", {"mass": "-1 kg"}),
+        ],
+    }
+    for name, cases in changes.items():
+        for place, change in cases:
+            case = copy.deepcopy(templates[name][1])
+            at(case, place.split(".") if place else []).update(change)
+            if schema.is_valid(case):
+                yield f"{name} {place}: the schema takes {change}"
+            if not reader.complaints(case, templates[name][0]):
+                yield f"{name} {place}: the program takes {change}"
+
+
 def known_in(complaints):
     """The keys that the program knows where it found the alien one."""
     found = re.search(rf'unknown key "{ALIEN}".*?hint: known here: ([^\n]*)', complaints, re.S)
@@ -309,7 +346,7 @@ def main(program, root):
     root = pathlib.Path(root).resolve()
     text = subprocess.run([program, "schema", "case"], capture_output=True, text=True, check=True).stdout
     schema = Schema(text)
-    cases = []
+    cases, templates = [], {}
     for file in sorted(root.glob("sections/*/*.toml")):
         if file.parent.name == "catalogue":
             continue
@@ -319,6 +356,7 @@ def main(program, root):
         cases.append((file.parent, case))
         more = {"planar": kinds_of_planar, "spatial": kinds_of_spatial, "flexible": kinds_of_flexible}
         if file.parent.name == "templates":
+            templates[file.stem] = cases[-1]
             cases.append((file.parent, more[file.stem](copy.deepcopy(case))))
             errors = [f"{list(e.absolute_path)}: {e.message}"
                       for e in schema.validator.iter_errors(cases[-1][1])]
@@ -327,6 +365,7 @@ def main(program, root):
     of_schema, known, looked_at, taken_away, offences = {}, {}, set(), set(), []
     with tempfile.TemporaryDirectory(prefix="boxbeam-schema-") as folder:
         reader = Reader(program, folder)
+        offences += both_refuse(schema, reader, templates)
         for beside, case in cases:
             for path, name, keys, required in schema.tables(case):
                 table = at(case, path)

@@ -48,10 +48,15 @@ TEST_CASE("explain: beginnings of ids stand for the worst check below them", "[e
       const std::string id = check["id"];
       if (begin.empty() || id.starts_with(begin + "/")) return id;
     }
+    for (const Json& check : checks) {
+      const std::string id = check["id"];
+      if (id.starts_with(begin)) return id;
+    }
     return std::string();
   };
   CHECK(is_about(explain("governing"), worst_below("")));
-  for (const std::string begin : {"yield", "shear-fatigue", "weld", "fatigue/5.2+"}) {
+  for (const std::string begin :
+       {"yield", "shear-fatigue", "weld", "fatigue/5.2+", "shear", "combined"}) {
     INFO(begin);
     CHECK(is_about(explain(begin), worst_below(begin)));
   }
@@ -120,4 +125,30 @@ TEST_CASE("validate: lists everything that is wrong, in the order of the file", 
   CHECK(result.err.find("did you mean \"mass\"?") != std::string::npos);
   CHECK(result.err.find("a density, not a bare number") != std::string::npos);
   CHECK(result.err.find("2 errors; nothing was written") != std::string::npos);
+}
+
+TEST_CASE("validate, motion, section and errors show what a user's text would do to a terminal",
+          "[explain]") {
+  const test::TemporaryFolder folder;
+  std::string text = test::read_file(test::project_file("sections/templates/planar.toml"));
+  const std::size_t title = text.find("\ntitle = ");
+  REQUIRE(title != std::string::npos);
+  text.replace(title, text.find('\n', title + 1) - title,
+               "\ntitle = \"a\\u001b[31mred\\u0007 \\u202e\\nend\"");
+  const std::string file = folder.write("hostile.toml", text);
+  const std::string shown = "a\\x1B[31mred\\x07 \\u202E\\nend";
+  for (const std::string command : {"validate", "motion"}) {
+    INFO(command);
+    CHECK(test::run_program({command, file}).out.find(shown) != std::string::npos);
+  }
+  for (const test::ProgramResult& result :
+       {test::run_program({"section", "RHS \x1b[31m"}),
+        test::run_program({"motion", file, "--at", "\x1b[31m"}),
+        test::run_program({"fatigue", "\x1b[31m", "--detail", "100"}),
+        test::run_program({"verify", file, "--no-plots", "--no-pdf", "--out", file + "/\x1b[31m"}),
+        test::run_program({"validate", folder.write("bad.toml", "\t\x1b[31m = 1\n")})}) {
+    INFO(result.err);
+    CHECK(result.err.find("\\x1B[31m") != std::string::npos);
+    CHECK((result.err + result.out).find('\x1b') == std::string::npos);
+  }
 }

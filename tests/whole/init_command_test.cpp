@@ -100,4 +100,15 @@ TEST_CASE("init: nothing is overwritten, and standard output takes a case as wel
   const test::ProgramResult nowhere =
       test::run_program({"init", "planar", mine + "/case.toml"}, folder.path());
   CHECK(nowhere.exit_code == 4);
+  const fs::path missing = folder.path() / "missing";
+  CHECK(test::run_program({"init", "planar", (missing / "case.toml").string()}).exit_code == 4);
+  CHECK_FALSE(fs::exists(missing));
+}
+
+TEST_CASE("init: a file alone is that of a planar case", "[init]") {
+  const test::TemporaryFolder folder;
+  CHECK(test::run_program({"init", "my.toml"}, folder.path()).exit_code == 0);
+  CHECK(test::read_file(folder.path() / "my.toml") == template_of("planar"));
+  CHECK(test::run_program({"init", "my.toml", "other.toml"}, folder.path()).exit_code == 2);
+  CHECK_FALSE(fs::exists(folder.path() / "other.toml"));
 }

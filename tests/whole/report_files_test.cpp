@@ -293,6 +293,20 @@ TEST_CASE("text, HTML and PDF hold the numbers of results.json, for all shipped 
   }
 }
 
+TEST_CASE("figures are drawn into a folder that is not there yet, with or without PDF", "[files]") {
+  const test::TemporaryFolder folder;
+  for (const bool pdf : {false, true}) {
+    const fs::path out = folder.path() / (pdf ? "with" : "without") / "folder";
+    std::vector<std::string> words{"verify", rig, "--out", out.string()};
+    if (!pdf) words.emplace_back("--no-pdf");
+    const test::ProgramResult result = test::run_program(words);
+    INFO(result.err);
+    CHECK(result.exit_code == 1);
+    CHECK(fs::exists(out / "mechanism.svg"));
+    CHECK(fs::exists(out / "report.pdf") == pdf);
+  }
+}
+
 TEST_CASE("two runs give the same bytes in every file", "[files]") {
   const Environment epoch("SOURCE_DATE_EPOCH", "1700000000");
   const test::TemporaryFolder folder;
@@ -355,8 +369,7 @@ TEST_CASE("without pdflatex text, HTML, JSON and figures are written, with 4", "
 TEST_CASE("a pdflatex that fails is reported with its first error line", "[files]") {
   const test::TemporaryFolder folder;
   const std::string fake = folder.write(
-      "pdflatex",
-      "#!/bin/sh\necho '! LaTeX Error: no fonts today.' > report.log\nexit 1\n");
+      "pdflatex", "#!/bin/sh\necho '! LaTeX Error: no fonts today.' > report.log\nexit 1\n");
   fs::permissions(fake, fs::perms::owner_all);
   const Environment path("PATH", folder.path().string() + ":" + std::getenv("PATH"));
   const std::string out = (folder.path() / "out").string();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct ComparedValue {
   Agreement agreement = Agreement::agrees;
 };
 
+/// The document of the motion, "boxbeam.motion/1", with the states at these times [s]; of elastic
+/// links, which have none, without them.
+using MotionDocument = std::function<std::string(const std::vector<double>& times)>;
+
 struct Comparison {
   std::string path;                 ///< of the table
   std::vector<ComparedValue> rows;  ///< in its order
@@ -44,10 +49,11 @@ struct Comparison {
 /// of smallest and largest value "stations[3.2-].M.max", of vectors "x", "y", "z". Results of
 /// `verify` as they stand in results.json ("beam." before stations may be left out); results of
 /// `motion` at a time as "motion[1.071].bodies.4.x", with the time in seconds.
+/// The motion is asked for where a key wants it, once, for all the times.
 /// Throws InputError for keys that are no result, with the nearest one, and for units of another
-/// dimension; AnalysisError where a time's posture cannot be found.
+/// dimension, and what `motion` throws.
 Comparison compare(const Project& project, const Verification& verification,
-                   const PublishedValues& published);
+                   const PublishedValues& published, const MotionDocument& motion);
 
 /// The table with differences first said in one line, plain text.
 std::string comparison_text(const Project& project, const Comparison& comparison);
@@ -55,8 +61,7 @@ std::string comparison_text(const Project& project, const Comparison& comparison
 /// "boxbeam.comparison/1": SI units, key order fixed.
 std::string comparison_json(const Project& project, const Comparison& comparison);
 
-/// As a chapter of the report, and as a document of its own.
-report::Chapter comparison_chapter(const Comparison& comparison);
+/// As a document of its own.
 report::Document comparison_document(const Project& project, const Comparison& comparison);
 
 }  // namespace boxbeam

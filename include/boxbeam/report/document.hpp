@@ -42,6 +42,8 @@ struct Table {
   std::vector<Mark> marks;  ///< one per row, or none at all
   /// The id of the sheet that derives a row, "" for none; one per row, or none at all.
   std::vector<std::string> sheets = {};
+  /// Whether a page that can unfold it shows its caption only at first.
+  bool folded = false;
 };
 
 /// A figure that stands as NAME.svg beside the report.

@@ -13,7 +13,7 @@ namespace boxbeam {
 enum class ReportLevel {
   summary,    ///< verdict, governing checks, remarks, the pictures that decide
   governing,  ///< and everything that the governing checks rest on
-  full,       ///< and every check with its derivation, every table, the input
+  full,       ///< and every check, the worst of every station derived, every table, the input
 };
 
 /// The report of a verification. Source of its date: SOURCE_DATE_EPOCH where it is set, else the

@@ -18,8 +18,7 @@ struct SpectrumRow {
   Cycle cycle;  ///< its count is that of the life; the range as it counts (7.2.1)
   /// Cycles to failure, the loads taken safety_factor times; infinity where it does no damage.
   double endured = 0.0;
-  /// The same under the loads as they are, partial factors applied.
-  double endured_as_is = 0.0;
+  double damage = 0.0;  ///< with the loads as they are, partial factors applied
 };
 
 /// What a computed check rests on, for the calculation sheet and the plots.

@@ -17,7 +17,7 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
 struct ShownInstant {
   std::size_t situation = 0;  ///< index in the case
   Time time;
-  std::string why;  ///< "largest M, largest stress"
+  std::string why;  ///< "largest M, highest stress at the governing place"
 };
 
 /// The distinct times of the extremes of bending and stress, in order.

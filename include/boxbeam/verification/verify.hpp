@@ -48,13 +48,22 @@ struct StationEnvelope {
   std::array<Envelope, cut_force::count> of;
 };
 
-/// Where and when a quantity has its extreme over the whole beam and all situations.
+/// Which extreme of its quantity an instant is.
+enum class End {
+  largest,
+  smallest,
+  neither,  ///< the stress where a yield check governs, which looks at the equivalent stress
+};
+
+/// Where and when a quantity has its extreme: a cut force over the whole beam and all situations,
+/// the stress at the governing place only.
 struct CriticalInstant {
   std::string quantity;  ///< the name of a cut force, or "stress"
   Station station;
   Time time;
   double value = 0.0;         ///< SI: N, N m, Pa
   std::size_t situation = 0;  ///< index in the case
+  End end = End::largest;
 };
 
 /// The same loads by the Newton chain, beside the rigorous ones.

@@ -23,6 +23,11 @@ const char* to_text(JointKind kind) {
   return "";
 }
 
+std::string driver_text(const Joint& joint) {
+  if (joint.driver_name.empty() || joint.driver_name == joint.name) return joint.name;
+  return joint.driver_name + " (joint " + joint.name + ")";
+}
+
 int body_index(const Mechanism& mechanism, std::string_view name) {
   return index_by_name(mechanism.bodies, name);
 }

@@ -48,7 +48,11 @@ struct Joint {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< R_PB where q is zero
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< unit vector, axes of the parent
   Driver driver = PolynomialDriver{{0.0}};             ///< q over time [rad or m]
+  std::string driver_name = {};                        ///< "" where it has none of its own
 };
+
+/// "retraction (joint hinge)", or the joint's name alone where its driver has none.
+std::string driver_text(const Joint& joint);
 
 /// A place that moves with a body.
 struct Attachment {
