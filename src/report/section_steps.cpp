@@ -49,13 +49,22 @@ Steps plain_box_steps(const PlainBox& box, const SectionProperties& gross, bool 
   return steps;
 }
 
-/// The branch of EN 1993-1-5 table 3.1 that gave beta.
-std::string shear_lag_formula(const ShearLag& lag) {
+/// The factor of EN 1993-1-5 table 3.1 that a stretch of the beam has.
+struct TableFactor {
+  const char* formula;
+  const char* where;
+};
+
+TableFactor table_factor_of(const ShearLag& lag) {
   const bool wide = lag.kappa > 0.7;
-  if (lag.beta == shear_lag_factor(lag.kappa, BendingRegion::sagging)) {
-    return wide ? "1/(5.9 kappa)" : "1/(1 + 6.4 kappa^2)";
+  if (lag.region == BendingRegion::sagging) {
+    return {wide ? "1/(5.9 kappa)" : "1/(1 + 6.4 kappa^2)",
+            "beta_1 of table 3.1, sagging: no force makes a peak of the moment in this stretch"};
   }
-  return wide ? "1/(8.6 kappa)" : "1/(1 + 6 (kappa - 1/(2500 kappa)) + 1.6 kappa^2)";
+  return {wide ? "1/(8.6 kappa)" : "1/(1 + 6 (kappa - 1/(2500 kappa)) + 1.6 kappa^2)",
+          lag.region == BendingRegion::cantilever
+              ? "beta_2 of table 3.1, cantilever: the moment is largest at the clamped end"
+              : "beta_2 of table 3.1, hogging: a force makes a peak of the moment in this stretch"};
 }
 
 /// A formula with a value in the place of a symbol.
@@ -100,11 +109,11 @@ Steps shear_lag_steps(const ShearLag& lag, const std::string& of, const std::str
     steps.push_back({"beta" + index, {value}, {"no reduction for so small a kappa"}});
     return steps;
   }
-  const std::string formula = shear_lag_formula(lag);
+  const auto [formula, where] = table_factor_of(lag);
   steps.push_back({"beta" + index,
                    {with(formula, "kappa", "kappa" + index),
                     with(formula, "kappa", text::significant(lag.kappa, 5)), value},
-                   {}});
+                   {where}});
   return steps;
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "boxbeam/report/format.hpp"
+#include "boxbeam/section/level_shear.hpp"
 #include "hole_steps.hpp"
 #include "section_steps.hpp"
 
@@ -53,17 +54,30 @@ struct Contribution {
   std::string values;   ///< "104.8 kN x 2.1500e6 mm^3/(3.8657e9 mm^4 x 40.00 mm)"
 };
 
+/// A part of the coefficient of a cut force that has a symbol of its own.
+struct CoefficientPart {
+  std::string symbol;
+  double value = 0.0;
+};
+
+using CoefficientParts = std::function<std::vector<CoefficientPart>(std::size_t)>;
+
 /// The cut forces that have a part in a stress above round-off, with their coefficients.
 std::vector<Contribution> contributions_of(const std::array<double, cut_force::count>& influence,
-                                           char letter, const CutForces& cut, bool space) {
+                                           char letter, const CutForces& cut, bool space,
+                                           const CoefficientParts& parts_of = {}) {
   std::vector<Contribution> parts;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const double force = value_of(cut, static_cast<cut_force::Index>(k));
     if (force == 0.0 || std::abs(influence[k] * force) < no_stress) continue;
-    parts.push_back({k, influence[k] * force,
-                     fmt::format("{} {}", name_of(k, space), coefficient_name(letter, k, space)),
-                     fmt::format("{} x {}", term(cut_force_text(cut, k)),
-                                 term(coefficient_text(influence[k], k)))});
+    std::vector<CoefficientPart> coefficients;
+    if (parts_of) coefficients = parts_of(k);
+    if (coefficients.empty()) coefficients = {{coefficient_name(letter, k, space), influence[k]}};
+    for (const CoefficientPart& of : coefficients) {
+      parts.push_back({k, of.value * force, fmt::format("{} {}", name_of(k, space), of.symbol),
+                       fmt::format("{} x {}", term(cut_force_text(cut, k)),
+                                   term(coefficient_text(of.value, k)))});
+    }
   }
   return parts;
 }
@@ -202,30 +216,21 @@ Steps skew_coefficient_steps(const StressPoint& point, bool space) {
   });
 }
 
-/// The wall that a level crosses, and the first moment beyond it, in a section in the plane.
-struct LevelShear {
-  double S, b;
-};
-
 SectionProperties net_without_lag(const Project& project, const StressPoint& point) {
   return properties_of(point.section, holes_at(project.beam, point.station.s));
 }
 
-/// S and b for which V S/(I_y b) is the stress of a level; nothing where the flow at the point is
-/// not that of a level across equal walls.
-std::optional<LevelShear> level_shear_of(const Project& project, const StressPoint& point,
-                                         const SectionProperties& net) {
-  if (in_space(project) || point.on_throat || !is_symmetric_about_z(point.section)) {
-    return std::nullopt;
-  }
-  const std::vector<Hole> holes = holes_at(project.beam, point.station.s);
-  const double b = width_at(point.section, holes, point.z).value();
-  const double S = point.prismatic.shear[cut_force::V_z] * net.I_y.value() * b;
-  const double exact = first_moment_beyond(point.section, holes, point.z, net.centroid_z).value();
-  // Mid-lines of walls leave out what is of second order in the thickness.
-  constexpr double second_order = 0.05;
-  if (b <= 0.0 || S <= 0.0 || std::abs(S - exact) > second_order * exact) return std::nullopt;
-  return LevelShear{S, b};
+/// S and b for which V S/(I_y b) is the stress at a point in the plane; nothing where the flow
+/// there is another one.
+std::optional<LevelMoment> level_moment_at(const Project& project, const StressPoint& point) {
+  if (in_space(project)) return std::nullopt;
+  const auto at = level_moment_of(point.section, holes_at(project.beam, point.station.s), point.z,
+                                  point.prismatic.shear[cut_force::V_z]);
+  // A seam takes the flow of its web.
+  constexpr double round_off = 1e-9;
+  const bool both_webs =
+      at && point.torsion && std::abs(at->b.value() - 2.0 * point.torsion->thickness) <= round_off;
+  return point.on_throat && !both_webs ? std::nullopt : at;
 }
 
 double throat_of(const StressPoint& point) {
@@ -234,8 +239,79 @@ double throat_of(const StressPoint& point) {
   return (point.y.value() < 0.0 ? box.right_web : box.left_web).value();
 }
 
+/// Thickness over which a wall's flow is spread.
+double spread_of(const StressPoint& point) {
+  return point.on_throat ? throat_of(point) : point.torsion->thickness;
+}
+
+/// Bredt's flow over the thickness [1/m^3].
+double cell_shear_of(const StressPoint& point) { return point.torsion->flow / spread_of(point); }
+
+/// Saint-Venant's stress on the face of the wall; a weld carries the flow only.
+double face_shear_of(const StressPoint& point) {
+  return point.on_throat ? 0.0 : point.torsion->face;
+}
+
+/// What the coefficient of T is made of in a wall.
+std::vector<CoefficientPart> torsion_parts_of(const StressPoint& point) {
+  std::vector<CoefficientPart> parts;
+  if (!point.torsion) return parts;
+  if (const double cell = cell_shear_of(point); cell != 0.0) parts.push_back({"c_TB", cell});
+  if (const double face = face_shear_of(point); face != 0.0) parts.push_back({"c_TV", face});
+  return parts;
+}
+
+/// T/(2 A_m t) and T t/I_T, which add up on the face of a wall.
+Steps torsion_steps(const StressPoint& point) {
+  const WallTorsion& torsion = *point.torsion;
+  const double cell = cell_shear_of(point), face = face_shear_of(point);
+  const char* const spread = point.on_throat ? "a" : "t";
+  const std::string thickness = text::mm(spread_of(point));
+  const std::string I_T = mm4(torsion.I_T);
+  Steps steps;
+  if (cell != 0.0 || face != 0.0) {
+    steps.push_back({"I_T", {I_T}, {"torsion constant, free warping"}});
+    steps.push_back({spread,
+                     {thickness},
+                     {point.on_throat ? "throat of the seam, all its welds together"
+                                      : "thickness of the wall"}});
+  }
+  if (cell != 0.0 && torsion.enclosed > 0.0) {
+    const std::string A_m = mm2(torsion.enclosed), I_w = mm4(torsion.I_w);
+    const char* const sign = cell < 0.0 ? "-" : "";
+    steps.push_back({"A_m", {A_m}, {"inside the walls' mid-lines"}});
+    steps.push_back(
+        {"I_w", {I_w}, {"sum of s t^3/3 over the walls: their own part of the torsion constant"}});
+    steps.push_back(
+        {"c_TB",
+         {fmt::format("{}(1 - I_w/I_T)/(2 A_m {})", sign, spread),
+          fmt::format("{}(1 - {}/{})/(2 x {} x {})", sign, I_w, I_T, A_m, thickness),
+          coefficient_text(cell, cut_force::T)},
+         {"shear stress per T of the cell's flow, after Bredt, of what of T the walls do "
+          "not carry themselves"}});
+  } else if (cell != 0.0) {
+    steps.push_back({"c_TB",
+                     {coefficient_text(cell, cut_force::T)},
+                     {"shear stress per T of the flow in this wall, after Bredt: all cells twist "
+                      "alike"}});
+  }
+  if (face != 0.0) {
+    const char* const sign = face < 0.0 ? "-" : "";
+    steps.push_back(
+        {"c_TV",
+         {fmt::format("{}t/I_T", sign), fmt::format("{}{}/{}", sign, thickness, I_T),
+          coefficient_text(face, cut_force::T)},
+         {"per T on the face of the wall, after Saint-Venant: the wall's own torsion"}});
+  }
+  return steps;
+}
+
 bool is_free(const StressPoint& point, const CutForces& cut) {
   return std::abs(stress_at(point.influence, cut).shear.value()) < no_stress;
+}
+
+std::string inertia_without_lag(const StressPoint& point, const SectionProperties& net) {
+  return net.area == point.gross.area ? "I_y" : "I_y,net";
 }
 
 /// V S/(I_y b) and, in a taper, what N and M add.
@@ -244,20 +320,18 @@ Steps planar_shear_steps(const std::string& symbol, const Project& project,
   if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
   std::vector<Contribution> parts = contributions_of(point.influence.shear, 'c', cut, false);
   const SectionProperties net = net_without_lag(project, point);
-  const std::string I_y = net.area == point.gross.area ? "I_y" : "I_y,net";
+  const std::string I_y = inertia_without_lag(point, net);
+  const auto at = level_moment_at(project, point);
   for (Contribution& part : parts) {
-    if (part.which != cut_force::V_z) continue;
+    if (part.which != cut_force::V_z || !at) continue;
     const std::string V = term(kN(cut.V_z.value()));
+    const std::string S = mm3(at->S.value()), I = mm4(net.I_y.value());
     if (point.on_throat) {
-      const double a = throat_of(point);
-      const double S = point.influence.shear[cut_force::V_z] * a * net.I_y.value();
-      part.symbols = fmt::format("V S/({} a)", I_y);
-      part.values =
-          fmt::format("{} x {}/({} x {})", V, term(mm3(S)), mm4(net.I_y.value()), text::mm(a));
-    } else if (const auto at = level_shear_of(project, point, net)) {
+      part.symbols = fmt::format("V S/(2 {} a)", I_y);
+      part.values = fmt::format("{} x {}/(2 x {} x {})", V, S, I, text::mm(throat_of(point)));
+    } else {
       part.symbols = fmt::format("V S/({} b)", I_y);
-      part.values =
-          fmt::format("{} x {}/({} x {})", V, mm3(at->S), mm4(net.I_y.value()), text::mm(at->b));
+      part.values = fmt::format("{} x {}/({} x {})", V, S, I, text::mm(at->b.value()));
     }
   }
   return {sum_step(symbol, parts)};
@@ -266,21 +340,33 @@ Steps planar_shear_steps(const std::string& symbol, const Project& project,
 Steps spatial_shear_steps(const std::string& symbol, const StressPoint& point,
                           const CutForces& cut) {
   if (is_free(point, cut)) return {{symbol, {"0 MPa"}, {"free of shear"}}};
-  return {sum_step(symbol, contributions_of(point.influence.shear, 'c', cut, true))};
+  return {sum_step(
+      symbol, contributions_of(point.influence.shear, 'c', cut, true, [&](std::size_t which) {
+        return which == cut_force::T ? torsion_parts_of(point) : std::vector<CoefficientPart>{};
+      }))};
 }
 
 /// What a coefficient of shear stress means.
-std::string shear_coefficient_note(std::size_t which, bool space, bool on_throat) {
-  const char* const where = on_throat ? "in the throat" : "in the wall";
+std::string shear_coefficient_note(std::size_t which, bool space, const StressPoint& point) {
+  const std::string name = name_of(which, space);
+  const bool wall = point.torsion.has_value();
+  const char* const part = wall ? "what hangs on the wall" : "the part beyond the level";
+  const char* const closed =
+      wall ? "; cells closed without twist, the torque about the axis balanced" : "";
+  const char* over = wall ? "the wall's thickness" : "the width";
+  if (point.on_throat) over = "the throat";
   switch (which) {
     case cut_force::V_y:
     case cut_force::V_z:
-      return fmt::format("shear stress per {} {}, by the flow of the section",
-                         name_of(which, space), where);
-    case cut_force::T: return fmt::format("shear stress per T {}, by Bredt's flow in cells", where);
+      return fmt::format("shear stress per {}: S/I of {}, by equilibrium, over {}{}", name, part,
+                         over, closed);
+    case cut_force::T:
+      return "shear stress per T of a solid rectangle in the middle of a side, after Saint-Venant";
     default:
-      return fmt::format("shear stress per {} {}: the section changes along the taper",
-                         name_of(which, space), where);
+      return fmt::format(
+          "shear stress per {0} in the taper: the derivative along the axis, from sections close "
+          "by, of the share of {0} that {1} carries ({2}), over {3}{4}",
+          name, part, which == cut_force::N ? "its area over A" : "its S/I", over, closed);
   }
 }
 
@@ -309,30 +395,35 @@ Steps normal_stress_steps(const std::string& symbol, const Project& project,
 Steps shear_section_steps(const Project& project, const StressPoint& point) {
   const bool space = in_space(project);
   const SectionProperties net = net_without_lag(project, point);
-  const auto at = level_shear_of(project, point, net);
-  const bool by_S = !space && (at || point.on_throat);
+  const auto at = level_moment_at(project, point);
+  const std::string z = text::mm(point.z.value());
   Steps steps;
-  if (by_S) {
-    const bool whole = net.area == point.gross.area;
-    steps.push_back({whole ? "I_y" : "I_y,net", {mm4(net.I_y.value())}, {}});
-  }
-  if (by_S && point.on_throat) {
-    const double a = throat_of(point);
-    steps.push_back({"S",
-                     {mm3(point.influence.shear[cut_force::V_z] * a * net.I_y.value())},
-                     {"first moment of what hangs on this seam, along the walls' mid-lines"}});
-    steps.push_back({"a", {text::mm(a)}, {"throat of the seam, all its welds together"}});
-  } else if (by_S) {
-    steps.push_back({"S",
-                     {mm3(at->S)},
-                     {fmt::format("first moment beyond z = {}, along the walls' mid-lines",
-                                  text::mm(point.z.value()))}});
-    steps.push_back({"b", {text::mm(at->b)}, {"width of the material at that level"}});
+  if (at) {
+    steps.push_back({inertia_without_lag(point, net), {mm4(net.I_y.value())}, {}});
+    std::string what = "first moment of what lies beyond z = " + z;
+    if (at->on_webs) {
+      what = fmt::format(
+          "first moment of what hangs on both webs beyond z = {}, stiffeners of the "
+          "flange with it, nothing of an inner profile",
+          z);
+    }
+    steps.push_back({"S", {mm3(at->S.value())}, {what + ", about the centroid"}});
+    if (point.on_throat) {
+      steps.push_back({"a",
+                       {text::mm(throat_of(point))},
+                       {"throat of the seam, all its welds together; there are two seams"}});
+    } else {
+      steps.push_back({"b",
+                       {text::mm(at->b.value())},
+                       {at->on_webs ? "both webs" : "width of the material at that level"}});
+    }
   }
   append(steps, coefficient_steps(point.influence.shear, 'c', space, [&](std::size_t which) {
-           if (by_S && which == cut_force::V_z) return std::string();
-           return shear_coefficient_note(which, space, point.on_throat);
+           const bool shown =
+               (at && which == cut_force::V_z) || (point.torsion && which == cut_force::T);
+           return shown ? std::string() : shear_coefficient_note(which, space, point);
          }));
+  if (space && point.torsion) append(steps, torsion_steps(point));
   return steps;
 }
 

@@ -1,9 +1,12 @@
 #include "boxbeam/section/level_shear.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "boxbeam/section/outline.hpp"
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/wall_graph.hpp"
 
 namespace boxbeam {
 namespace {
@@ -67,6 +70,54 @@ CutFactors level_shear_of(const Section& section, const std::vector<Hole>& holes
     slope += near.weight * force_beyond(near.section, holes, level);
   }
   return flow_out_of(force_beyond(section, holes, z), slope) / width;
+}
+
+LevelMoment moment_beyond_level(const Section& section, const std::vector<Hole>& holes, Length z) {
+  const Length centroid = properties_of(section, holes).centroid_z;
+  return {first_moment_beyond(section, holes, z, centroid), width_at(section, holes, z), false};
+}
+
+std::optional<LevelMoment> moment_on_webs(const Section& section, const std::vector<Hole>& holes,
+                                          Length z) {
+  const auto graph = wall_graph_of(section, holes);
+  if (!graph) return std::nullopt;
+  const double level = z.value();
+  double left = 0.0, right = 0.0;  // thicknesses
+  Eigen::Vector3d beyond = Eigen::Vector3d::Zero();
+  for (const Wall& wall : graph->walls) {
+    if (wall.inner) continue;
+    if (wall.part == WallPart::left_web) left = wall.thickness;
+    if (wall.part == WallPart::right_web) right = wall.thickness;
+    if (wall.part != WallPart::left_web && wall.part != WallPart::right_web) {
+      // A stiffener hangs where it is welded on.
+      const Eigen::Vector2d hangs =
+          wall.part == WallPart::stiffener ? graph->nodes[wall.from] : point_on(wall, 0.5);
+      if (hangs.y() > level) beyond += material_up_to(wall, 1.0);
+      continue;
+    }
+    const double low = wall.start.y(), high = wall.end.y();
+    const double part = std::clamp((level - low) / (high - low), 0.0, 1.0);
+    beyond += material_up_to(wall, 1.0) - material_up_to(wall, part);
+  }
+  if (left == 0.0 || left != right) return std::nullopt;
+  const double centroid = properties_of(section, holes).centroid_z.value();
+  return LevelMoment{si<SectionModulus>(beyond[2] - centroid * beyond[0]), si<Length>(left + right),
+                     true};
+}
+
+std::optional<LevelMoment> level_moment_of(const Section& section, const std::vector<Hole>& holes,
+                                           Length z, double per_V) {
+  const double I = properties_of(section, holes).I_y.value();
+  const auto gives = [&](const LevelMoment& of) {
+    constexpr double round_off = 1e-9;
+    const double stress = of.S.value() / (I * of.b.value());
+    return of.b.value() > 0.0 && of.S.value() > 0.0 &&
+           std::abs(stress - per_V) <= round_off * std::abs(stress);
+  };
+  const LevelMoment level = moment_beyond_level(section, holes, z);
+  if (gives(level)) return level;
+  const auto webs = moment_on_webs(section, holes, z);
+  return webs && gives(*webs) ? webs : std::nullopt;
 }
 
 CutFactors level_shear_across_of(const Section& section, const std::vector<Hole>& holes,

@@ -157,6 +157,24 @@ Eigen::Matrix<double, 3, 6> of_inclined_stress(const ShearFlow& flow) {
   return sum;
 }
 
+/// The walls' own torsion constant s t^3/3.
+double own_torsion_of(const Wall& wall) {
+  return length_of(wall) * wall.thickness * wall.thickness * wall.thickness / 3.0;
+}
+
+/// Bredt's flow in a wall per torque.
+double cell_flow_in(const ShearFlow& flow, std::size_t wall) {
+  double sum = 0.0;
+  const std::vector<Cell>& cells = flow.at.cells.cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const Cell::Side& side : cells[i].sides) {
+      if (side.wall == wall)
+        sum += side.sign * flow.cell_flows_per_torque[static_cast<Eigen::Index>(i)];
+    }
+  }
+  return sum;
+}
+
 /// Torsion constants of the outer and the inner profile. Precondition: thin-walled.
 std::vector<double> torsion_constants_of(const Section& section) {
   std::vector<double> constants{torsion_constant_of(section.outer)->value()};
@@ -173,9 +191,7 @@ void set_torsion(ShearFlow& flow, const Section& section) {
   flow.cell_flows_per_torque = flows_per_twist(cells);
   std::vector<double> own(constants.size(), 0.0), bredt(constants.size(), 0.0);
   for (std::size_t i = 0; i < flow.at.graph.walls.size(); ++i) {
-    const Wall& wall = flow.at.graph.walls[i];
-    own[cells.component[i]] +=
-        length_of(wall) * wall.thickness * wall.thickness * wall.thickness / 3.0;
+    own[cells.component[i]] += own_torsion_of(flow.at.graph.walls[i]);
   }
   for (std::size_t i = 0; i < cells.cells.size(); ++i) {
     bredt[cells.cells[i].component] +=
@@ -210,21 +226,27 @@ std::optional<ShearFlow> shear_flow_of(const Section& section, const std::vector
 }
 
 CutFactors flow_at(const ShearFlow& flow, std::size_t wall, double fraction) {
-  CutFactors factors = transverse_flow(flow, wall, fraction);
-  const std::vector<Cell>& cells = flow.at.cells.cells;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (const Cell::Side& side : cells[i].sides) {
-      if (side.wall != wall) continue;
-      factors += side.sign * flow.cell_flows_per_torque[static_cast<Eigen::Index>(i)] * flow.torque;
-    }
-  }
-  return factors;
+  return transverse_flow(flow, wall, fraction) + cell_flow_in(flow, wall) * flow.torque;
 }
 
 CutFactors face_shear_of(const ShearFlow& flow, std::size_t wall) {
   // A wall's own stress runs round within its thickness, counter-clockwise for T > 0: forwards on
   // the right.
   return flow.at.graph.walls[wall].thickness * flow.twist_per_torque * flow.torque;
+}
+
+WallTorsion wall_torsion_of(const ShearFlow& flow, std::size_t wall, double face) {
+  WallTorsion torsion;
+  torsion.flow = cell_flow_in(flow, wall);
+  torsion.thickness = flow.at.graph.walls[wall].thickness;
+  if (face == 0.0) face = torsion.flow < 0.0 ? -1.0 : 1.0;
+  torsion.face = face * torsion.thickness * flow.twist_per_torque;
+  torsion.I_T = 1.0 / flow.twist_per_torque;
+  for (const Wall& each : flow.at.graph.walls) torsion.I_w += own_torsion_of(each);
+  const WallCells& cells = flow.at.cells;
+  if (cells.cells.size() == 1 && cells.total.size() == 1)
+    torsion.enclosed = cells.cells.front().area;
+  return torsion;
 }
 
 Eigen::Matrix<double, 3, 6> resultants_of(const ShearFlow& flow) {
@@ -234,9 +256,7 @@ Eigen::Matrix<double, 3, 6> resultants_of(const ShearFlow& flow) {
       of_inclined_stress(flow);
   // The walls' own share of the torque, which runs round within their thickness.
   double own = 0.0;
-  for (const Wall& wall : flow.at.graph.walls) {
-    own += length_of(wall) * wall.thickness * wall.thickness * wall.thickness / 3.0;
-  }
+  for (const Wall& wall : flow.at.graph.walls) own += own_torsion_of(wall);
   sum.row(2) += own * flow.twist_per_torque * flow.torque.transpose();
   return sum;
 }

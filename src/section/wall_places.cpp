@@ -45,6 +45,7 @@ SectionPoint wall_point(const StressField& field, const std::string& name, const
   SectionPoint point = point_at(field, name, y, z, plate);
   set_shear(point.influence, wall_shear(*field.flow, place, face));
   set_shear(point.prismatic, wall_shear(*field.prismatic, place, face));
+  point.torsion = wall_torsion_of(*field.flow, place.wall, face);
   return point;
 }
 

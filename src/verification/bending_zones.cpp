@@ -185,6 +185,7 @@ std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, cons
   lag.effective_length = zone->effective_length;
   if (!shear_lag_counts(lag.b_0, lag.effective_length)) return std::nullopt;
   lag.kappa = shear_lag_kappa(lag.b_0, plates->thickness, plates->stiffeners, lag.effective_length);
+  lag.region = zone->region;
   lag.beta = shear_lag_factor(lag.kappa, zone->region);
   // What is left out lies in the middle, of the width between the webs' middles.
   lag.flange_part = std::max(1e-3, 1.0 - (1.0 - lag.beta) * (plates->middles / plates->clear));

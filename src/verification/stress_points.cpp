@@ -185,6 +185,7 @@ class StressPoints {
     point.gross = gross_;
     point.net = net_;
     point.prismatic = place.prismatic;
+    point.torsion = place.torsion;
     point.lag = lags_.flanges;
     point.web_lag = lags_.webs;
     point.influence = influence_in(point, place);

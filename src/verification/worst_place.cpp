@@ -210,6 +210,7 @@ StressPoint at_worst_on_stretch(const Project& project, const StressPoint& point
   moved.y = place.y;
   moved.z = place.z;
   moved.prismatic = place.prismatic;
+  moved.torsion = place.torsion;
   moved.influence = influence_in(point, place);
   return moved;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -328,4 +329,117 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
     }
   });
   CHECK(seen.size() == criteria.size());
+}
+
+namespace {
+
+/// The sheet of a check of a shipped case.
+Sheet shipped_sheet(const std::string& file, const std::string& id) {
+  for (const Verified& of : shipped_cases()) {
+    if (std::filesystem::path(of.name).filename() != file) continue;
+    for (const CheckResult& result : of.verification.checks) {
+      if (result.check.id == id) return sheet_of(of.project, of.verification, result);
+    }
+  }
+  FAIL("no " << id << " in " << file);
+  return {};
+}
+
+/// The value of a step, in the unit that it is printed in.
+double value_in(const Sheet& sheet, const std::string& symbol) {
+  const Step* step = find(sheet, symbol);
+  if (step == nullptr) FAIL("no step " << symbol);
+  return std::stod(step->formulas.back());
+}
+
+std::string notes_of(const Sheet& sheet, const std::string& symbol) {
+  const Step* step = find(sheet, symbol);
+  if (step == nullptr) FAIL("no step " << symbol);
+  std::string notes;
+  for (const std::string& note : step->notes) notes += note + "\n";
+  return notes;
+}
+
+}  // namespace
+
+TEST_CASE("Ranges of a sheet are numbered from 1 without gaps, and never one alone twice",
+          "[report][sheet]") {
+  int numbered = 0;
+  for_all_sheets([&](const Sheet& sheet, const Check& check) {
+    if (check.criterion != Criterion::fatigue && check.criterion != Criterion::shear_fatigue &&
+        check.criterion != Criterion::combined_fatigue)
+      return;
+    int last = 0;
+    std::set<std::string> symbols;
+    for (const Step& step : sheet.steps) {
+      if (!symbols.insert(step.symbol).second && step.symbol != "k_s")
+        FAIL_CHECK(step.symbol << " twice");
+      const std::string number = step.symbol.substr(step.symbol.rfind('_') + 1);
+      const bool range = step.symbol.starts_with("d_sigma_") || step.symbol.starts_with("d_tau_");
+      if (!range || number.find_first_not_of("0123456789") != std::string::npos) continue;
+      ++numbered;
+      if (std::stoi(number) != ++last) FAIL_CHECK(step.symbol << " behind number " << last - 1);
+    }
+  });
+  CHECK(numbered > 100);
+}
+
+TEST_CASE("The damage of several ranges stands row by row, its largest share in words",
+          "[report][sheet]") {
+  const Sheet sheet = shipped_sheet("rig-detailed.toml", "fatigue/5.2+/fibre+z");
+  INFO(report::text_of(sheet));
+  // By hand: 5e6 (52.31/(1.35 26.23))^5 = 3.52e7 cycles of running, 1.41e7 of over-stroke.
+  CHECK(value_in(sheet, "N_1") == Approx(5e6 * std::pow(52.31 / (1.35 * 26.23), 5)).epsilon(2e-3));
+  CHECK(value_in(sheet, "D") == Approx(1e8 / value_in(sheet, "N_1")).epsilon(1e-3));
+  CHECK(find(sheet, "D")->formulas.size() == 4);
+  CHECK(notes_of(sheet, "D").find("normal running does all but 0.0") != std::string::npos);
+  // Wherever there is damage its rows are there.
+  for_all_sheets([&](const Sheet& of, const Check& check) {
+    const Step* D = find(of, "D");
+    if (D == nullptr || check.criterion == Criterion::yield) return;
+    if (D->formulas.back() != "0" && D->formulas.size() < 3) FAIL_CHECK("D is not laid open");
+  });
+}
+
+TEST_CASE("Torsion stands as Bredt's flow and Saint-Venant's stress on the face",
+          "[report][sheet]") {
+  // The foot 100 x 100 x 10: A_m = 90 x 90, T = 4.2 kN m. Bredt alone: 25.9 MPa.
+  const Sheet sheet = shipped_sheet("retraction.toml", "yield/1.1-/fibre-z");
+  INFO(report::text_of(sheet));
+  CHECK(value_in(sheet, "A_m") == Approx(8100));
+  const double I_T = value_in(sheet, "I_T");
+  CHECK(std::abs(value_in(sheet, "c_TB")) ==
+        Approx((1.0 - 1.2e5 / I_T) / (2.0 * 8100 * 10)).epsilon(1e-3));
+  CHECK(std::abs(value_in(sheet, "c_TV")) == Approx(10.0 / I_T).epsilon(1e-3));
+  CHECK(find(sheet, "c_T") == nullptr);
+  const Sheet seam = shipped_sheet("retraction.toml", "shear-fatigue/1.1-/seam-y-z-throat");
+  CHECK(find(seam, "c_TB") != nullptr);
+  CHECK(find(seam, "c_TV") == nullptr);
+  CHECK(notes_of(seam, "c_My").find("derivative along the axis") != std::string::npos);
+}
+
+TEST_CASE("A first moment says what it is of, and beta which of the table it is",
+          "[report][sheet]") {
+  // Tube 290 x 490 x 56, sharp corners: the half beyond its axis.
+  const Sheet sheet = shipped_sheet("rig.toml", "shear-fatigue/6.2-/neutral-axis");
+  INFO(report::text_of(sheet));
+  CHECK(notes_of(sheet, "S").find("what lies beyond z = 0") != std::string::npos);
+  std::set<std::string> factors;
+  for_all_sheets([&](const Sheet& of, const Check&) {
+    for (const Step& step : of.steps) {
+      for (const std::string& note : step.notes) {
+        if (note.find("mid-lines") != std::string::npos && step.symbol != "A_m")
+          FAIL_CHECK(step.symbol << ": " << note);
+      }
+      if (step.symbol != "beta" && step.symbol != "beta_web") continue;
+      if (step.formulas.size() == 1) continue;
+      const std::string note = notes_of(of, step.symbol);
+      factors.insert(note.substr(0, 6));
+      // Sagging has the square of kappa only.
+      if (note.starts_with("beta_1") != (step.formulas.front().find("6.4") != std::string::npos ||
+                                         step.formulas.front().find("5.9") != std::string::npos))
+        FAIL_CHECK(note);
+    }
+  });
+  CHECK(factors == std::set<std::string>{"beta_1", "beta_2"});
 }

@@ -32,6 +32,7 @@ struct SectionPoint {
   StressInfluence prismatic;  ///< shear by V S/(I t), for comparison; the same without taper
   /// On a seam of a box: the shear on the throat of the weld, q/a, a the throat of the whole seam.
   std::optional<StressInfluence> on_throat;
+  std::optional<WallTorsion> torsion = std::nullopt;  ///< in walls: what its c_T is made of
 };
 
 /// Which places of a section are looked at.

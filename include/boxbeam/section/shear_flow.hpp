@@ -66,6 +66,24 @@ CutFactors flow_at(const ShearFlow& flow, std::size_t wall, double fraction);
 /// mid-line: t/I_T per torque; the left face has as much less.
 CutFactors face_shear_of(const ShearFlow& flow, std::size_t wall);
 
+/// How the shear stress of a torque at a place of a wall comes about:
+///
+///     tau/T = q/t +- t/I_T,  q = (1 - I_w/I_T)/(2 A_m) in the walls of a single cell
+///
+/// The cells' flow (Bredt) carries what the walls do not carry themselves (Saint-Venant), I_w = sum
+/// s t^3/3 of all walls of the section.
+struct WallTorsion {
+  double flow = 0.0;       ///< q per torque, positive along the wall; 0 in open walls [1/m^2]
+  double face = 0.0;       ///< +-t/I_T on the face looked at [1/m^3]
+  double thickness = 0.0;  ///< t [m]
+  double I_T = 0.0;        ///< of the whole section [m^4]
+  double I_w = 0.0;        ///< [m^4]
+  double enclosed = 0.0;   ///< A_m [m^2]; 0 unless the section is one cell, with or without ribs
+};
+
+/// Of a wall; `face` is 1 for its right face, -1 for the left one, 0 for that on which both add up.
+WallTorsion wall_torsion_of(const ShearFlow& flow, std::size_t wall, double face);
+
 /// V_y, V_z and T that the flows and, in a taper, the inclined normal stresses of the mid-lines add
 /// up to, per cut force: rows V_y, V_z, T.
 Eigen::Matrix<double, 3, 6> resultants_of(const ShearFlow& flow);

@@ -39,6 +39,7 @@ struct ShearLag {
   Length effective_length;  ///< L_e
   double kappa = 0.0;
   double beta = 1.0;
+  BendingRegion region = BendingRegion::sagging;
   double flange_part = 1.0;  ///< of the clear width, see properties_of
 };
 

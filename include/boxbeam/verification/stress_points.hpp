@@ -40,7 +40,8 @@ struct StressPoint {
   SectionProperties net;      ///< holes, and what shear lag leaves idle of the flanges, taken out
   StressInfluence influence;  ///< shear by equilibrium in the taper
   StressInfluence prismatic;  ///< shear by V S/(I b), for comparison
-  Length plate;               ///< thickness that decides the yield strength
+  std::optional<WallTorsion> torsion;  ///< of the wall that it lies in
+  Length plate;                        ///< thickness that decides the yield strength
   Stress yield_strength;
   std::optional<EdgeConcentration> concentration;
   std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found
