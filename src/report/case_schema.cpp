@@ -16,12 +16,10 @@ struct Schema {
   const char* text;
 };
 
-constexpr Schema schemas[] = {{"case", schema_data::case_file},
-                              {"results", schema_data::results},
-                              {"motion", schema_data::motion},
-                              {"fatigue", schema_data::fatigue},
-                              {"section", schema_data::section},
-                              {"comparison", schema_data::comparison}};
+constexpr Schema schemas[] = {
+    {"case", schema_data::case_file},  {"results", schema_data::results},
+    {"motion", schema_data::motion},   {"fatigue", schema_data::fatigue},
+    {"section", schema_data::section}, {"comparison", schema_data::comparison}};
 
 }  // namespace
 
