@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.7516 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,644 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: drill-truck' noenhanced
-set xrange [-8.400000000e-02:4.284000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 1.500000000e+02
 4.200000000e+00 1.500000000e+02
@@ -17,18 +22,35 @@ $outline_z << e
 0.000000000e+00 -1.500000000e+02
 0.000000000e+00 1.500000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-2.400000000e+02:2.850000000e+02]
-set ytics 100
-set label 1 'lift' at 1.500000000e+00,1.875000000e+02 center noenhanced
-set arrow 1 from 1.500000000e+00,1.725000000e+02 to 1.500000000e+00,-1.725000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'sleeve' at 2.600000000e+00,1.875000000e+02 center noenhanced
-set arrow 2 from 2.600000000e+00,1.725000000e+02 to 2.600000000e+00,-1.725000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.0100 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 0.0300 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 1.400000000e+02 4.200000000e+00 0.000000000e+00
+0.000000000e+00 -1.400000000e+02 4.200000000e+00 0.000000000e+00
+e
+$supports_outline_z << e
+0.000000000e+00 -2.010000000e+02
+1.500000000e+00 -2.010000000e+02
+2.600000000e+00 -2.010000000e+02
+4.200000000e+00 -2.010000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.198757764e-01
+set tmargin at screen 9.378881988e-01
+set xrange [-8.400000000e-02:4.284000000e+00]
+set yrange [-2.550000000e+02:2.550000000e+02]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.96118 left enhanced front tc rgb '#202020'
+set ytics 2.000000000e+02
+set arrow from screen 0.408508,0.920533 to screen 0.408508,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'lift' at screen 0.411733,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.629469,0.920533 to screen 0.629469,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'sleeve' at screen 0.632695,0.930964 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 3.328790389e+01 3.431060907e+01
@@ -108,7 +130,16 @@ $band_N << e
 4.200000000e+00 -1.398348104e-14 1.364242053e-15
 4.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 5.993788820e-01
+set tmargin at screen 7.795031056e-01
+set xrange [-8.400000000e-02:4.284000000e+00]
+set yrange [-3.241469020e+01:4.605104093e+01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.802795 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 3.431060907e+01
 6.250000000e-02 3.433277137e+01
@@ -187,7 +218,7 @@ $N0 << e
 4.200000000e+00 -1.330136001e-14
 4.200000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 3.328790389e+01
 6.250000000e-02 3.330642308e+01
@@ -266,11 +297,15 @@ $N1 << e
 4.200000000e+00 -3.524291969e-15
 4.200000000e+00 0.000000000e+00
 e
-set label 1 '34.84' at 1.500000000e+00,3.484165077e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'N [kN]'
-set yrange [-3.129375118e+01:4.493010192e+01]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '34.84 (1)' at screen 0.414959,0.766398 left noenhanced front tc rgb '#0b5fa5'
+set label '33.73 (2)' at screen 0.414959,0.7386 left noenhanced front tc rgb '#c8500a'
+set label '-21.21 (2)' at screen 0.302379,0.637738 left noenhanced front tc rgb '#c8500a'
+set label '-11.98 (1)' at screen 0.414959,0.658917 left noenhanced front tc rgb '#0b5fa5'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 2.121739403e+01 2.191808435e+01
@@ -350,7 +385,16 @@ $band_V << e
 4.200000000e+00 -2.121398259e+01 -1.927511938e+01
 4.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.788819876e-01
+set tmargin at screen 5.590062112e-01
+set xrange [-8.400000000e-02:4.284000000e+00]
+set yrange [-3.033446736e+01:3.196409628e+01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+01
+set label 'V  [kN]' at screen 0.0193548,0.582298 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 2.121739403e+01
 6.250000000e-02 2.126486701e+01
@@ -429,7 +473,7 @@ $V0 << e
 4.200000000e+00 -2.121398259e+01
 4.200000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 2.191808435e+01
 6.250000000e-02 2.195785313e+01
@@ -508,13 +552,21 @@ $V1 << e
 4.200000000e+00 -1.927511938e+01
 4.200000000e+00 0.000000000e+00
 e
-set label 1 '23.06' at 1.500000000e+00,2.306430148e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'V [kN]'
-set yrange [-2.944448788e+01:3.107411680e+01]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '23.06 (2)' at screen 0.414959,0.545901 left noenhanced front tc rgb '#c8500a'
+set label '22.16 (1)' at screen 0.414959,0.518047 left noenhanced front tc rgb '#0b5fa5'
+set label '-21.43 (1)' at screen 0.52334,0.417241 left noenhanced front tc rgb '#0b5fa5'
+set label '-21.29 (2)' at screen 0.635921,0.392412 left noenhanced front tc rgb '#c8500a'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.125323,0.0729814 to screen 0.17371,0.0729814 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.186613,0.0729814 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.125323,0.0450311 to screen 0.17371,0.0450311 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.0100 s, highest stress at the governing place' at screen 0.186613,0.0450311 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.125323,0.0170807 to screen 0.17371,0.0170807 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 0.0300 s, largest M, lowest stress at the governing place' at screen 0.186613,0.0170807 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -594,7 +646,17 @@ $band_M << e
 4.200000000e+00 5.093170330e-14 9.458744898e-14
 4.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.583850932e-01
+set tmargin at screen 3.385093168e-01
+set xrange [-8.400000000e-02:4.284000000e+00]
+set yrange [-2.096377052e+00:5.031304926e+01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+01
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.361801 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.10559 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 1.327574276e+00
@@ -673,7 +735,7 @@ $M0 << e
 4.200000000e+00 8.003553376e-14
 4.200000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 1.371119427e+00
@@ -752,9 +814,10 @@ $M1 << e
 4.200000000e+00 7.275957614e-14
 4.200000000e+00 0.000000000e+00
 e
-set label 1 '41.93' at 1.500000000e+00,4.192754105e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-7.546957389e+00:4.947449844e+01]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '41.93 (2)' at screen 0.414959,0.322316 left noenhanced front tc rgb '#c8500a'
+set label '39.61 (1)' at screen 0.309927,0.314351 left noenhanced front tc rgb '#0b5fa5'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

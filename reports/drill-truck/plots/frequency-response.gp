@@ -1,11 +1,52 @@
-# Redraw with: gnuplot frequency-response.gp
-set terminal svg size 1000,640 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'frequency-response.svg'
+# Redraw in the folder above: gnuplot plots/frequency-response.gp; as PDF: gnuplot -e 'pdf = 1' plots/frequency-response.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,4.8226 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'frequency-response.pdf'
+} else {
+  set terminal svg size 620,460 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'frequency-response.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set logscale y
+set format y '10^{%T}'
+set ytics 10
+set mytics 1
+set lmargin at screen 9.677419355e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.826086957e-01
+set tmargin at screen 9.000000000e-01
+set xrange [0.000000000e+00:4.500000000e+01]
+set yrange [1.000000000e-02:1.000000000e+03]
+set xtics 5.000000000e+00
+set label 'frequency of the harmonic loads [Hz]' at screen 0.532258,0.108696 center noenhanced front tc rgb '#202020'
+set label 'largest force of the joints [kN]' at screen 0.0258065,0.932609 left enhanced front tc rgb '#202020'
+set arrow from screen 0.0225806,0.0630435 to screen 0.0709677,0.0630435 nohead lw 1.4 dt 1 lc rgb '#0b5fa5'
+set label 'front_axle' at screen 0.083871,0.0630435 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0225806,0.023913 to screen 0.0709677,0.023913 nohead lw 1.4 dt (9,4) lc rgb '#c8500a'
+set label 'rear_axle' at screen 0.083871,0.023913 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.217419,0.0630435 to screen 0.265806,0.0630435 nohead lw 1.4 dt (3,3) lc rgb '#00785a'
+set label 'w1' at screen 0.27871,0.0630435 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.217419,0.023913 to screen 0.265806,0.023913 nohead lw 1.4 dt (9,3,2,3) lc rgb '#a04f86'
+set label 'w2' at screen 0.27871,0.023913 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.412258,0.0630435 to screen 0.460645,0.0630435 nohead lw 1.4 dt (14,4) lc rgb '#8a6d00'
+set label 'w5' at screen 0.473548,0.0630435 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.412258,0.023913 to screen 0.460645,0.023913 nohead lw 1.4 dt (2,5) lc rgb '#4a4a4a'
+set label 'w8' at screen 0.473548,0.023913 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.607097,0.0630435 to screen 0.655484,0.0630435 nohead lw 1.4 dt (9,4) lc rgb '#0b5fa5'
+set label 'w6' at screen 0.668387,0.0630435 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.607097,0.023913 to screen 0.655484,0.023913 nohead lw 1.4 dt (3,3) lc rgb '#c8500a'
+set label 'w7' at screen 0.668387,0.023913 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.801935,0.0630435 to screen 0.850323,0.0630435 nohead lw 1.4 dt (9,3,2,3) lc rgb '#00785a'
+set label 'P2' at screen 0.863226,0.0630435 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.801935,0.023913 to screen 0.850323,0.023913 nohead lw 1.4 dt (14,4) lc rgb '#a04f86'
+set label 'P1' at screen 0.863226,0.023913 left noenhanced front tc rgb '#202020'
 $joint0 << e
 5.625000000e-02 4.055091269e+00
 1.125000000e-01 4.057348948e+00
@@ -8026,37 +8067,17 @@ $joint9 << e
 4.494375000e+01 2.053366164e+00
 4.500000000e+01 2.032058701e+00
 e
-set title 'Largest force of the joints under the harmonic loads, over their frequency'
-set logscale y
-set format y '10^{%T}'
-unset key
-set lmargin at screen 0.08
-set rmargin at screen 0.98
-set bmargin at screen 0.2
-set xlabel 'frequency [Hz]'
-set ylabel 'force [kN]'
-set xrange [0:4.500000000e+01]
-set yrange [1.000000000e-02:1.000000000e+03]
-set arrow 1 from first 2.500000000e+01,graph 0 to first 2.500000000e+01,graph 1 nohead lw 1.2 dt 3 lc rgb '#202020' front
-set label 1 'drive' at first 2.500000000e+01,graph 0.97 left offset 0.5,0 tc rgb '#202020' front
-set arrow 500 from screen 7.400000000e-02,5.937500000e-02 to screen 1.080000000e-01,5.937500000e-02 nohead lw 1.6 dt 1 lc rgb '#1f5fa8'
-set label 500 'front_axle' at screen 1.160000000e-01,5.937500000e-02 left noenhanced
-set arrow 501 from screen 2.160000000e-01,5.937500000e-02 to screen 2.500000000e-01,5.937500000e-02 nohead lw 1.6 dt 1 lc rgb '#c8551b'
-set label 501 'rear_axle' at screen 2.580000000e-01,5.937500000e-02 left noenhanced
-set arrow 502 from screen 3.580000000e-01,5.937500000e-02 to screen 3.920000000e-01,5.937500000e-02 nohead lw 1.6 dt 1 lc rgb '#3f8f4f'
-set label 502 'w1' at screen 4.000000000e-01,5.937500000e-02 left noenhanced
-set arrow 503 from screen 5.000000000e-01,5.937500000e-02 to screen 5.340000000e-01,5.937500000e-02 nohead lw 1.6 dt 1 lc rgb '#7a4fa0'
-set label 503 'w2' at screen 5.420000000e-01,5.937500000e-02 left noenhanced
-set arrow 504 from screen 6.420000000e-01,5.937500000e-02 to screen 6.760000000e-01,5.937500000e-02 nohead lw 1.6 dt 1 lc rgb '#8a6d1d'
-set label 504 'w5' at screen 6.840000000e-01,5.937500000e-02 left noenhanced
-set arrow 505 from screen 7.840000000e-01,5.937500000e-02 to screen 8.180000000e-01,5.937500000e-02 nohead lw 1.6 dt 1 lc rgb '#4a4a4a'
-set label 505 'w8' at screen 8.260000000e-01,5.937500000e-02 left noenhanced
-set arrow 506 from screen 7.400000000e-02,2.812500000e-02 to screen 1.080000000e-01,2.812500000e-02 nohead lw 1.6 dt 2 lc rgb '#1f5fa8'
-set label 506 'w6' at screen 1.160000000e-01,2.812500000e-02 left noenhanced
-set arrow 507 from screen 2.160000000e-01,2.812500000e-02 to screen 2.500000000e-01,2.812500000e-02 nohead lw 1.6 dt 2 lc rgb '#c8551b'
-set label 507 'w7' at screen 2.580000000e-01,2.812500000e-02 left noenhanced
-set arrow 508 from screen 3.580000000e-01,2.812500000e-02 to screen 3.920000000e-01,2.812500000e-02 nohead lw 1.6 dt 2 lc rgb '#3f8f4f'
-set label 508 'P2' at screen 4.000000000e-01,2.812500000e-02 left noenhanced
-set arrow 509 from screen 5.000000000e-01,2.812500000e-02 to screen 5.340000000e-01,2.812500000e-02 nohead lw 1.6 dt 2 lc rgb '#7a4fa0'
-set label 509 'P1' at screen 5.420000000e-01,2.812500000e-02 left noenhanced
-plot $joint0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#1f5fa8' notitle, $joint1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#c8551b' notitle, $joint2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#3f8f4f' notitle, $joint3 using 1:2 with lines lw 1.6 dt 1 lc rgb '#7a4fa0' notitle, $joint4 using 1:2 with lines lw 1.6 dt 1 lc rgb '#8a6d1d' notitle, $joint5 using 1:2 with lines lw 1.6 dt 1 lc rgb '#4a4a4a' notitle, $joint6 using 1:2 with lines lw 1.6 dt 2 lc rgb '#1f5fa8' notitle, $joint7 using 1:2 with lines lw 1.6 dt 2 lc rgb '#c8551b' notitle, $joint8 using 1:2 with lines lw 1.6 dt 2 lc rgb '#3f8f4f' notitle, $joint9 using 1:2 with lines lw 1.6 dt 2 lc rgb '#7a4fa0' notitle
+set arrow from screen 0.580645,0.182609 to screen 0.580645,0.9 nohead lw 1 dt (4,3) lc rgb '#202020' front
+set label 'drive 25 Hz' at screen 0.580645,0.917391 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.131895,0.9 to screen 0.131895,0.882609 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.16498,0.9 to screen 0.16498,0.882609 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.187414,0.9 to screen 0.187414,0.882609 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.22276,0.9 to screen 0.22276,0.882609 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.343636,0.9 to screen 0.343636,0.882609 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.707016,0.9 to screen 0.707016,0.882609 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.871228,0.9 to screen 0.871228,0.882609 nohead lw 1.4 lc rgb '#202020' front
+plot $joint0 using 1:2 with lines lw 1.4 dt 1 lc rgb '#0b5fa5' notitle, $joint1 using 1:2 with lines lw 1.4 dt (9,4) lc rgb '#c8500a' notitle, $joint2 using 1:2 with lines lw 1.4 dt (3,3) lc rgb '#00785a' notitle, $joint3 using 1:2 with lines lw 1.4 dt (9,3,2,3) lc rgb '#a04f86' notitle, $joint4 using 1:2 with lines lw 1.4 dt (14,4) lc rgb '#8a6d00' notitle, $joint5 using 1:2 with lines lw 1.4 dt (2,5) lc rgb '#4a4a4a' notitle, $joint6 using 1:2 with lines lw 1.4 dt (9,4) lc rgb '#0b5fa5' notitle, $joint7 using 1:2 with lines lw 1.4 dt (3,3) lc rgb '#c8500a' notitle, $joint8 using 1:2 with lines lw 1.4 dt (9,3,2,3) lc rgb '#00785a' notitle, $joint9 using 1:2 with lines lw 1.4 dt (14,4) lc rgb '#a04f86' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

@@ -1,11 +1,20 @@
-# Redraw with: gnuplot joint-forces.gp
-set terminal svg size 1000,880 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'joint-forces.svg'
+# Redraw in the folder above: gnuplot plots/joint-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/joint-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.1855 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'joint-forces.pdf'
+} else {
+  set terminal svg size 620,590 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'joint-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set format x ''
 $joint0 << e
 0.000000000e+00 3.315445082e+01
 2.000000000e-01 3.315536117e+01
@@ -209,6 +218,21 @@ $joint0 << e
 3.980000000e+01 3.315354078e+01
 4.000000000e+01 3.315445082e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 8.135593220e-01
+set tmargin at screen 9.559322034e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [3.311983695e+01:3.320097303e+01]
+set xtics 1.000000000e+01
+set ytics 5.000000000e-02
+set label 'front_axle  [kN]' at screen 0.0193548,0.976271 left noenhanced front tc rgb '#202020'
+set label '33.18' at screen 0.192742,0.938008 left noenhanced front tc rgb '#0b5fa5'
+plot $joint0 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint1 << e
 0.000000000e+00 7.263513746e+01
 2.000000000e-01 7.263954667e+01
@@ -412,6 +436,21 @@ $joint1 << e
 3.980000000e+01 7.263072824e+01
 4.000000000e+01 7.263513746e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.135593220e-01
+set tmargin at screen 9.559322034e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [7.246669002e+01:7.285973403e+01]
+set xtics 1.000000000e+01
+set ytics 1.000000000e-01
+set label 'rear_axle  [kN]' at screen 0.506452,0.976271 left noenhanced front tc rgb '#202020'
+set label '72.78' at screen 0.679839,0.938008 left noenhanced front tc rgb '#0b5fa5'
+plot $joint1 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint2 << e
 0.000000000e+00 4.009435262e+01
 2.000000000e-01 4.010131554e+01
@@ -615,6 +654,21 @@ $joint2 << e
 3.980000000e+01 4.008739699e+01
 4.000000000e+01 4.009435262e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 6.305084746e-01
+set tmargin at screen 7.728813559e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [3.983220118e+01:4.045250375e+01]
+set xtics 1.000000000e+01
+set ytics 2.000000000e-01
+set label 'w1  [kN]' at screen 0.0193548,0.79322 left noenhanced front tc rgb '#202020'
+set label '40.32' at screen 0.192742,0.754957 left noenhanced front tc rgb '#0b5fa5'
+plot $joint2 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint3 << e
 0.000000000e+00 5.943537388e+01
 2.000000000e-01 5.928830919e+01
@@ -818,6 +872,21 @@ $joint3 << e
 3.980000000e+01 5.958243857e+01
 4.000000000e+01 5.943537388e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.305084746e-01
+set tmargin at screen 7.728813559e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [5.381699265e+01:6.692654922e+01]
+set xtics 1.000000000e+01
+set ytics 5.000000000e+00
+set label 'w2  [kN]' at screen 0.506452,0.79322 left noenhanced front tc rgb '#202020'
+set label '64.12' at screen 0.875,0.754957 left noenhanced front tc rgb '#0b5fa5'
+plot $joint3 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint4 << e
 0.000000000e+00 5.896528780e+01
 2.000000000e-01 5.881847169e+01
@@ -1021,6 +1090,21 @@ $joint4 << e
 3.980000000e+01 5.911210392e+01
 4.000000000e+01 5.896528780e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 4.474576271e-01
+set tmargin at screen 5.898305085e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [5.335640972e+01:6.644380655e+01]
+set xtics 1.000000000e+01
+set ytics 5.000000000e+00
+set label 'w5  [kN]' at screen 0.0193548,0.610169 left noenhanced front tc rgb '#202020'
+set label '63.64' at screen 0.387903,0.571906 left noenhanced front tc rgb '#0b5fa5'
+plot $joint4 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint5 << e
 0.000000000e+00 2.070973802e+01
 2.000000000e-01 2.086964552e+01
@@ -1224,6 +1308,21 @@ $joint5 << e
 3.980000000e+01 2.054989554e+01
 4.000000000e+01 2.070973802e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 4.474576271e-01
+set tmargin at screen 5.898305085e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [1.464730080e+01:2.887473890e+01]
+set xtics 1.000000000e+01
+set ytics 5.000000000e+00
+set label 'w8  [kN]' at screen 0.506452,0.610169 left noenhanced front tc rgb '#202020'
+set label '25.83' at screen 0.679839,0.571906 left noenhanced front tc rgb '#0b5fa5'
+plot $joint5 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint6 << e
 0.000000000e+00 3.373210253e+01
 2.000000000e-01 3.375414123e+01
@@ -1427,6 +1526,21 @@ $joint6 << e
 3.980000000e+01 3.371006394e+01
 4.000000000e+01 3.373210253e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 2.644067797e-01
+set tmargin at screen 4.067796610e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [3.289021021e+01:3.485476280e+01]
+set xtics 1.000000000e+01
+set ytics 5.000000000e-01
+set label 'w6  [kN]' at screen 0.0193548,0.427119 left noenhanced front tc rgb '#202020'
+set label '34.43' at screen 0.192742,0.388855 left noenhanced front tc rgb '#0b5fa5'
+plot $joint6 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint7 << e
 0.000000000e+00 3.360121211e+01
 2.000000000e-01 3.362102373e+01
@@ -1630,6 +1744,21 @@ $joint7 << e
 3.980000000e+01 3.358140058e+01
 4.000000000e+01 3.360121211e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.644067797e-01
+set tmargin at screen 4.067796610e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [3.284439021e+01:3.461041966e+01]
+set xtics 1.000000000e+01
+set ytics 5.000000000e-01
+set label 'w7  [kN]' at screen 0.506452,0.427119 left noenhanced front tc rgb '#202020'
+set label '34.23' at screen 0.679839,0.388855 left noenhanced front tc rgb '#0b5fa5'
+plot $joint7 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x '%g'
 $joint8 << e
 0.000000000e+00 2.168311292e+01
 2.000000000e-01 2.161299918e+01
@@ -1833,6 +1962,22 @@ $joint8 << e
 3.980000000e+01 2.175409941e+01
 4.000000000e+01 2.168311292e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 8.135593220e-02
+set tmargin at screen 2.237288136e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [1.948407669e+01:2.564739538e+01]
+set xtics 1.000000000e+01
+set ytics 2.000000000e+00
+set label 't [ms]' at screen 0.285484,0.0237288 center noenhanced front tc rgb '#202020'
+set label 'P2  [kN]' at screen 0.0193548,0.244068 left noenhanced front tc rgb '#202020'
+set label '24.33' at screen 0.387903,0.205804 left noenhanced front tc rgb '#0b5fa5'
+plot $joint8 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x '%g'
 $joint9 << e
 0.000000000e+00 2.024455099e+01
 2.000000000e-01 2.027470302e+01
@@ -2036,58 +2181,19 @@ $joint9 << e
 3.980000000e+01 2.021439896e+01
 4.000000000e+01 2.024455099e+01
 e
-set multiplot layout 5,2 margins 0.06,0.98,7.954545455e-02,9.318181818e-01 spacing 0.07,3.636363636e-02 title 'Length of the joint forces over a period, static part included' noenhanced
-set xrange [0:4.000000000e+01]
-unset key
-set offsets 0,0,graph 0.25,graph 0.05
-set format x ''
-unset xlabel
-set ytics 1.000000000e-02
-set label 1 'front_axle  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint0 using 1:2 with lines lw 1.6 lc rgb '#1f5fa8' notitle
-set format x ''
-unset xlabel
-set ytics 5.000000000e-02
-set label 1 'rear_axle  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' notitle
-set format x ''
-unset xlabel
-set ytics 1.000000000e-01
-set label 1 'w1  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' notitle
-set format x ''
-unset xlabel
-set ytics 2.000000000e+00
-set label 1 'w2  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint3 using 1:2 with lines lw 1.6 lc rgb '#7a4fa0' notitle
-set format x ''
-unset xlabel
-set ytics 2.000000000e+00
-set label 1 'w5  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint4 using 1:2 with lines lw 1.6 lc rgb '#8a6d1d' notitle
-set format x ''
-unset xlabel
-set ytics 2.000000000e+00
-set label 1 'w8  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint5 using 1:2 with lines lw 1.6 lc rgb '#4a4a4a' notitle
-set format x ''
-unset xlabel
-set ytics 2.000000000e-01
-set label 1 'w6  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint6 using 1:2 with lines lw 1.6 lc rgb '#1f5fa8' notitle
-set format x ''
-unset xlabel
-set ytics 2.000000000e-01
-set label 1 'w7  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint7 using 1:2 with lines lw 1.6 lc rgb '#c8551b' notitle
-set format x '%g'
-set xlabel 't [ms]'
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.135593220e-02
+set tmargin at screen 2.237288136e-01
+set xrange [0.000000000e+00:4.000000000e+01]
+set yrange [1.909263878e+01:2.178043393e+01]
+set xtics 1.000000000e+01
 set ytics 1.000000000e+00
-set label 1 'P2  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint8 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' notitle
-set format x '%g'
-set xlabel 't [ms]'
-set ytics 5.000000000e-01
-set label 1 'P1  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint9 using 1:2 with lines lw 1.6 lc rgb '#7a4fa0' notitle
+set label 't [ms]' at screen 0.772581,0.0237288 center noenhanced front tc rgb '#202020'
+set label 'P1  [kN]' at screen 0.506452,0.244068 left noenhanced front tc rgb '#202020'
+set label '21.20' at screen 0.679839,0.205804 left noenhanced front tc rgb '#0b5fa5'
+plot $joint9 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
 unset multiplot

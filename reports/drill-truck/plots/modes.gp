@@ -1,18 +1,30 @@
-# Redraw with: gnuplot modes.gp
-set terminal svg size 1000,944 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'modes.svg'
+# Redraw in the folder above: gnuplot plots/modes.gp; as PDF: gnuplot -e 'pdf = 1' plots/modes.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.5659 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'modes.pdf'
+} else {
+  set terminal svg size 620,626.289 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'modes.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 3,2 title 'Natural modes of the mechanism; grey: without load'
-set size ratio -1
-set xlabel 'x [m]'
-set ylabel 'y [m]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
-set xrange [-2.690834102e+00:1.168630747e+01]
-set yrange [-1.019607174e+00:6.635644425e+00]
+set multiplot
+set label 'grey: without load;  how far a mode moves has no scale' at screen 0.5,0.0175638 center noenhanced front tc rgb '#505050'
+set lmargin at screen 7.096774194e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 7.486309470e-01
+set tmargin at screen 9.584856242e-01
+set xrange [-2.467082433e+00:1.146255580e+01]
+set yrange [-7.958555047e-01:6.411892755e+00]
+set xtics 5.000000000e+00
+set ytics 2.000000000e+00
+set label 'x [m]' at screen 0.275806,0.694343 center noenhanced front tc rgb '#202020'
+set label 'y [m]   mode 1: 1.815 Hz' at screen 0.0225806,0.979243 left noenhanced front tc rgb '#202020'
 $rest0_0_lines << e
 -1.600000000e+00 5.000000000e-01 3.000000000e+00 0.000000000e+00
 1.400000000e+00 5.000000000e-01 1.000000000e-01 5.000000000e-01
@@ -219,8 +231,20 @@ $mode0_grounds << e
 -1.600000000e+00 5.000000000e-01
 1.400000000e+00 5.000000000e-01
 e
-set title '1: 1.815 Hz'
-plot $rest0_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest0_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest0_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest0_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest0_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest0_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest0_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest0_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest0_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest0_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest0_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest0_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $mode0_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#1f5fa8', $mode0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $mode0_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#1f5fa8', $mode0_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#1f5fa8', $mode0_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#1f5fa8', $mode0_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $mode0_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#1f5fa8', $mode0_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $mode0_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#1f5fa8', $mode0_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $mode0_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#1f5fa8', $mode0_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#1f5fa8', $mode0_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
+plot $rest0_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest0_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest0_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest0_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest0_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest0_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $mode0_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#0b5fa5' notitle, $mode0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $mode0_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#0b5fa5' notitle, $mode0_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $mode0_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#0b5fa5' notitle, $mode0_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $mode0_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#0b5fa5' notitle, $mode0_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $mode0_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#0b5fa5' notitle, $mode0_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $mode0_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#0b5fa5' notitle, $mode0_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $mode0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.645161290e-01
+set rmargin at screen 9.741935484e-01
+set bmargin at screen 7.486309470e-01
+set tmargin at screen 9.584856242e-01
+set xrange [-2.467082433e+00:1.146255580e+01]
+set yrange [-7.958555047e-01:6.411892755e+00]
+set xtics 5.000000000e+00
+set ytics 2.000000000e+00
+set label 'x [m]' at screen 0.769355,0.694343 center noenhanced front tc rgb '#202020'
+set label 'y [m]   mode 2: 3.524 Hz' at screen 0.516129,0.979243 left noenhanced front tc rgb '#202020'
 $rest1_0_lines << e
 -1.600000000e+00 5.000000000e-01 3.000000000e+00 0.000000000e+00
 1.400000000e+00 5.000000000e-01 1.000000000e-01 5.000000000e-01
@@ -427,8 +451,20 @@ $mode1_grounds << e
 -1.600000000e+00 5.000000000e-01
 1.400000000e+00 5.000000000e-01
 e
-set title '2: 3.524 Hz'
-plot $rest1_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest1_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest1_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest1_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest1_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest1_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest1_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $mode1_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c8551b', $mode1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $mode1_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c8551b', $mode1_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c8551b', $mode1_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c8551b', $mode1_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $mode1_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c8551b', $mode1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $mode1_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c8551b', $mode1_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $mode1_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c8551b', $mode1_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8551b', $mode1_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
+plot $rest1_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest1_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest1_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest1_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $mode1_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c8500a' notitle, $mode1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $mode1_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c8500a' notitle, $mode1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $mode1_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c8500a' notitle, $mode1_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $mode1_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c8500a' notitle, $mode1_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $mode1_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c8500a' notitle, $mode1_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $mode1_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c8500a' notitle, $mode1_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $mode1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 7.096774194e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 4.270067966e-01
+set tmargin at screen 6.368614738e-01
+set xrange [-2.467082433e+00:1.146255580e+01]
+set yrange [-7.958555047e-01:6.411892755e+00]
+set xtics 5.000000000e+00
+set ytics 2.000000000e+00
+set label 'x [m]' at screen 0.275806,0.372719 center noenhanced front tc rgb '#202020'
+set label 'y [m]   mode 3: 4.683 Hz' at screen 0.0225806,0.657619 left noenhanced front tc rgb '#202020'
 $rest2_0_lines << e
 -1.600000000e+00 5.000000000e-01 3.000000000e+00 0.000000000e+00
 1.400000000e+00 5.000000000e-01 1.000000000e-01 5.000000000e-01
@@ -635,8 +671,20 @@ $mode2_grounds << e
 -1.600000000e+00 5.000000000e-01
 1.400000000e+00 5.000000000e-01
 e
-set title '3: 4.683 Hz'
-plot $rest2_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest2_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest2_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest2_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest2_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest2_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest2_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest2_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $mode2_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#3f8f4f', $mode2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#3f8f4f', $mode2_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#3f8f4f', $mode2_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#3f8f4f', $mode2_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#3f8f4f', $mode2_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#3f8f4f', $mode2_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#3f8f4f', $mode2_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#3f8f4f', $mode2_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#3f8f4f', $mode2_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#3f8f4f', $mode2_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#3f8f4f', $mode2_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#3f8f4f', $mode2_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
+plot $rest2_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest2_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest2_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest2_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest2_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest2_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $mode2_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#00785a' notitle, $mode2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $mode2_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#00785a' notitle, $mode2_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $mode2_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#00785a' notitle, $mode2_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $mode2_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#00785a' notitle, $mode2_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $mode2_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#00785a' notitle, $mode2_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $mode2_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#00785a' notitle, $mode2_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $mode2_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.645161290e-01
+set rmargin at screen 9.741935484e-01
+set bmargin at screen 4.270067966e-01
+set tmargin at screen 6.368614738e-01
+set xrange [-2.467082433e+00:1.146255580e+01]
+set yrange [-7.958555047e-01:6.411892755e+00]
+set xtics 5.000000000e+00
+set ytics 2.000000000e+00
+set label 'x [m]' at screen 0.769355,0.372719 center noenhanced front tc rgb '#202020'
+set label 'y [m]   mode 4: 6.509 Hz' at screen 0.516129,0.657619 left noenhanced front tc rgb '#202020'
 $rest3_0_lines << e
 -1.600000000e+00 5.000000000e-01 3.000000000e+00 0.000000000e+00
 1.400000000e+00 5.000000000e-01 1.000000000e-01 5.000000000e-01
@@ -843,8 +891,20 @@ $mode3_grounds << e
 -1.600000000e+00 5.000000000e-01
 1.400000000e+00 5.000000000e-01
 e
-set title '4: 6.509 Hz'
-plot $rest3_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest3_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest3_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest3_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest3_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest3_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest3_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest3_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest3_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest3_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest3_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest3_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest3_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $mode3_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#7a4fa0', $mode3_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#7a4fa0', $mode3_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#7a4fa0', $mode3_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#7a4fa0', $mode3_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#7a4fa0', $mode3_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#7a4fa0', $mode3_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#7a4fa0', $mode3_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#7a4fa0', $mode3_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#7a4fa0', $mode3_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#7a4fa0', $mode3_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#7a4fa0', $mode3_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#7a4fa0', $mode3_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
+plot $rest3_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest3_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest3_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest3_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest3_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest3_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest3_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $mode3_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#a04f86' notitle, $mode3_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $mode3_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#a04f86' notitle, $mode3_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $mode3_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#a04f86' notitle, $mode3_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $mode3_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#a04f86' notitle, $mode3_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $mode3_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#a04f86' notitle, $mode3_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $mode3_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#a04f86' notitle, $mode3_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $mode3_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 7.096774194e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 1.053826462e-01
+set tmargin at screen 3.152373234e-01
+set xrange [-2.467082433e+00:1.146255580e+01]
+set yrange [-7.958555047e-01:6.411892755e+00]
+set xtics 5.000000000e+00
+set ytics 2.000000000e+00
+set label 'x [m]' at screen 0.275806,0.0510946 center noenhanced front tc rgb '#202020'
+set label 'y [m]   mode 5: 12.75 Hz' at screen 0.0225806,0.335995 left noenhanced front tc rgb '#202020'
 $rest4_0_lines << e
 -1.600000000e+00 5.000000000e-01 3.000000000e+00 0.000000000e+00
 1.400000000e+00 5.000000000e-01 1.000000000e-01 5.000000000e-01
@@ -1051,8 +1111,20 @@ $mode4_grounds << e
 -1.600000000e+00 5.000000000e-01
 1.400000000e+00 5.000000000e-01
 e
-set title '5: 12.75 Hz'
-plot $rest4_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest4_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest4_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest4_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest4_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest4_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest4_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest4_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest4_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest4_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest4_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest4_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest4_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $mode4_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#8a6d1d', $mode4_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d1d', $mode4_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#8a6d1d', $mode4_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#8a6d1d', $mode4_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#8a6d1d', $mode4_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d1d', $mode4_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#8a6d1d', $mode4_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d1d', $mode4_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#8a6d1d', $mode4_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d1d', $mode4_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#8a6d1d', $mode4_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d1d', $mode4_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
+plot $rest4_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest4_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest4_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest4_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest4_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest4_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest4_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest4_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest4_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest4_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest4_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest4_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest4_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $mode4_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#8a6d00' notitle, $mode4_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d00' notitle, $mode4_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#8a6d00' notitle, $mode4_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d00' notitle, $mode4_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#8a6d00' notitle, $mode4_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d00' notitle, $mode4_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#8a6d00' notitle, $mode4_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d00' notitle, $mode4_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#8a6d00' notitle, $mode4_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d00' notitle, $mode4_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#8a6d00' notitle, $mode4_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#8a6d00' notitle, $mode4_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.645161290e-01
+set rmargin at screen 9.741935484e-01
+set bmargin at screen 1.053826462e-01
+set tmargin at screen 3.152373234e-01
+set xrange [-2.467082433e+00:1.146255580e+01]
+set yrange [-7.958555047e-01:6.411892755e+00]
+set xtics 5.000000000e+00
+set ytics 2.000000000e+00
+set label 'x [m]' at screen 0.769355,0.0510946 center noenhanced front tc rgb '#202020'
+set label 'y [m]   mode 6: 31.53 Hz' at screen 0.516129,0.335995 left noenhanced front tc rgb '#202020'
 $rest5_0_lines << e
 -1.600000000e+00 5.000000000e-01 3.000000000e+00 0.000000000e+00
 1.400000000e+00 5.000000000e-01 1.000000000e-01 5.000000000e-01
@@ -1259,6 +1331,8 @@ $mode5_grounds << e
 -1.600000000e+00 5.000000000e-01
 1.400000000e+00 5.000000000e-01
 e
-set title '6: 31.53 Hz'
-plot $rest5_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest5_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest5_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#c4c4c4', $rest5_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#c4c4c4', $rest5_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest5_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest5_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest5_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest5_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest5_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest5_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#c4c4c4', $rest5_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4', $rest5_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050', $mode5_0_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#4a4a4a', $mode5_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a', $mode5_1_axis using 1:2:3:4 with vectors nohead lw 5 lc rgb '#4a4a4a', $mode5_1 using 1:2 with points pt 7 ps 0.6 lc rgb '#4a4a4a', $mode5_2_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#4a4a4a', $mode5_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a', $mode5_3_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#4a4a4a', $mode5_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a', $mode5_4_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#4a4a4a', $mode5_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a', $mode5_5_lines using 1:2:3:4 with vectors nohead lw 2 lc rgb '#4a4a4a', $mode5_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a', $mode5_grounds using 1:2 with points pt 9 ps 1.2 lc rgb '#505050'
+plot $rest5_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest5_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest5_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest5_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest5_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest5_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest5_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest5_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest5_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest5_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest5_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#c4c4c4' notitle, $rest5_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest5_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $mode5_0_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#4a4a4a' notitle, $mode5_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a' notitle, $mode5_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#4a4a4a' notitle, $mode5_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a' notitle, $mode5_2_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#4a4a4a' notitle, $mode5_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a' notitle, $mode5_3_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#4a4a4a' notitle, $mode5_3 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a' notitle, $mode5_4_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#4a4a4a' notitle, $mode5_4 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a' notitle, $mode5_5_lines using 1:2:3:4 with vectors nohead lw 1.6 lc rgb '#4a4a4a' notitle, $mode5_5 using 1:2 with points pt 7 ps 0.5 lc rgb '#4a4a4a' notitle, $mode5_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
+unset label
+unset arrow
+unset object
 unset multiplot

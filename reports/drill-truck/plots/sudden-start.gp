@@ -1,11 +1,20 @@
-# Redraw with: gnuplot sudden-start.gp
-set terminal svg size 1000,880 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'sudden-start.svg'
+# Redraw in the folder above: gnuplot plots/sudden-start.gp; as PDF: gnuplot -e 'pdf = 1' plots/sudden-start.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.1855 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'sudden-start.pdf'
+} else {
+  set terminal svg size 620,590 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'sudden-start.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set format x ''
 $joint0 << e
 0.000000000e+00 3.315445082e+01
 1.585832882e-03 3.315445077e+01
@@ -1052,6 +1061,21 @@ $joint0 << e
 1.652437863e+00 3.388509163e+01
 1.654023696e+00 3.389592125e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 8.135593220e-01
+set tmargin at screen 9.559322034e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [3.212309432e+01:3.462105487e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+00
+set label 'front_axle  [kN]' at screen 0.0193548,0.976271 left noenhanced front tc rgb '#202020'
+set label '34.09' at screen 0.412883,0.938008 left noenhanced front tc rgb '#0b5fa5'
+plot $joint0 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint1 << e
 0.000000000e+00 7.263513746e+01
 1.585832882e-03 7.263513772e+01
@@ -2098,6 +2122,21 @@ $joint1 << e
 1.652437863e+00 7.225494801e+01
 1.654023696e+00 7.219249419e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.135593220e-01
+set tmargin at screen 9.559322034e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [7.157952883e+01:7.381831215e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+00
+set label 'rear_axle  [kN]' at screen 0.506452,0.976271 left noenhanced front tc rgb '#202020'
+set label '73.34' at screen 0.669454,0.938008 left noenhanced front tc rgb '#0b5fa5'
+plot $joint1 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint2 << e
 0.000000000e+00 4.009435262e+01
 1.585832882e-03 4.009509653e+01
@@ -3144,6 +3183,21 @@ $joint2 << e
 1.652437863e+00 4.209830114e+01
 1.654023696e+00 4.210877280e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 6.305084746e-01
+set tmargin at screen 7.728813559e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [3.144319437e+01:5.190694392e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+01
+set label 'w1  [kN]' at screen 0.0193548,0.79322 left noenhanced front tc rgb '#202020'
+set label '47.52' at screen 0.193584,0.754957 left noenhanced front tc rgb '#0b5fa5'
+plot $joint2 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint3 << e
 0.000000000e+00 5.943537388e+01
 1.585832882e-03 5.943487482e+01
@@ -4190,6 +4244,21 @@ $joint3 << e
 1.652437863e+00 5.959872110e+01
 1.654023696e+00 6.114634741e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.305084746e-01
+set tmargin at screen 7.728813559e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [4.635664987e+01:7.614487236e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+01
+set label 'w2  [kN]' at screen 0.506452,0.79322 left noenhanced front tc rgb '#202020'
+set label '69.76' at screen 0.825508,0.754957 left noenhanced front tc rgb '#0b5fa5'
+plot $joint3 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint4 << e
 0.000000000e+00 5.896528780e+01
 1.585832882e-03 5.896580847e+01
@@ -5236,6 +5305,21 @@ $joint4 << e
 1.652437863e+00 5.915577874e+01
 1.654023696e+00 6.056225752e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 4.474576271e-01
+set tmargin at screen 5.898305085e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [4.593086198e+01:7.561954086e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+01
+set label 'w5  [kN]' at screen 0.0193548,0.610169 left noenhanced front tc rgb '#202020'
+set label '69.26' at screen 0.338411,0.571906 left noenhanced front tc rgb '#0b5fa5'
+plot $joint4 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint5 << e
 0.000000000e+00 2.070973802e+01
 1.585832882e-03 2.076529936e+01
@@ -6282,6 +6366,21 @@ $joint5 << e
 1.652437863e+00 2.375864574e+01
 1.654023696e+00 2.222821264e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 4.474576271e-01
+set tmargin at screen 5.898305085e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [7.836574599e+00:3.926826097e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+01
+set label 'w8  [kN]' at screen 0.506452,0.610169 left noenhanced front tc rgb '#202020'
+set label '32.53' at screen 0.651117,0.571906 left noenhanced front tc rgb '#0b5fa5'
+plot $joint5 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint6 << e
 0.000000000e+00 3.373210253e+01
 1.585832882e-03 3.373634447e+01
@@ -7328,6 +7427,21 @@ $joint6 << e
 1.652437863e+00 3.397949680e+01
 1.654023696e+00 3.368496840e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 2.644067797e-01
+set tmargin at screen 4.067796610e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [2.570974550e+01:4.474328977e+01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'w6  [kN]' at screen 0.0193548,0.427119 left noenhanced front tc rgb '#202020'
+set label '40.66' at screen 0.201817,0.388855 left noenhanced front tc rgb '#0b5fa5'
+plot $joint6 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x ''
 $joint7 << e
 0.000000000e+00 3.360121211e+01
 1.585832882e-03 3.354752778e+01
@@ -8374,6 +8488,21 @@ $joint7 << e
 1.652437863e+00 3.359964266e+01
 1.654023696e+00 3.347957003e+01
 e
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.644067797e-01
+set tmargin at screen 4.067796610e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [2.575313531e+01:4.436409853e+01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'w7  [kN]' at screen 0.506452,0.427119 left noenhanced front tc rgb '#202020'
+set label '40.38' at screen 0.688914,0.388855 left noenhanced front tc rgb '#0b5fa5'
+plot $joint7 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x '%g'
 $joint8 << e
 0.000000000e+00 2.168311292e+01
 1.585832882e-03 2.168362411e+01
@@ -9420,6 +9549,22 @@ $joint8 << e
 1.652437863e+00 2.104053032e+01
 1.654023696e+00 2.151985902e+01
 e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 8.135593220e-02
+set tmargin at screen 2.237288136e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [1.635601449e+01:3.114058349e+01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 't [s]' at screen 0.285484,0.0237288 center noenhanced front tc rgb '#202020'
+set label 'P2  [kN]' at screen 0.0193548,0.244068 left noenhanced front tc rgb '#202020'
+set label '27.97' at screen 0.385564,0.205804 left noenhanced front tc rgb '#0b5fa5'
+plot $joint8 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+set format x '%g'
 $joint9 << e
 0.000000000e+00 2.024455099e+01
 1.585832882e-03 2.024240915e+01
@@ -10466,58 +10611,19 @@ $joint9 << e
 1.652437863e+00 2.126612556e+01
 1.654023696e+00 2.103639390e+01
 e
-set multiplot layout 5,2 margins 0.06,0.98,7.954545455e-02,9.318181818e-01 spacing 0.07,3.636363636e-02 title 'Length of the joint forces after the harmonic loads are switched on at t = 0' noenhanced
-set xrange [0:1.654023696e+00]
-unset key
-set offsets 0,0,graph 0.25,graph 0.05
-set format x ''
-unset xlabel
-set ytics 5.000000000e-01
-set label 1 'front_axle  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint0 using 1:2 with lines lw 1.6 lc rgb '#1f5fa8' notitle
-set format x ''
-unset xlabel
-set ytics 5.000000000e-01
-set label 1 'rear_axle  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' notitle
-set format x ''
-unset xlabel
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.135593220e-02
+set tmargin at screen 2.237288136e-01
+set xrange [0.000000000e+00:1.654023696e+00]
+set yrange [1.768593963e+01:2.375648325e+01]
+set xtics 5.000000000e-01
 set ytics 2.000000000e+00
-set label 1 'w1  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' notitle
-set format x ''
-unset xlabel
-set ytics 5.000000000e+00
-set label 1 'w2  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint3 using 1:2 with lines lw 1.6 lc rgb '#7a4fa0' notitle
-set format x ''
-unset xlabel
-set ytics 5.000000000e+00
-set label 1 'w5  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint4 using 1:2 with lines lw 1.6 lc rgb '#8a6d1d' notitle
-set format x ''
-unset xlabel
-set ytics 5.000000000e+00
-set label 1 'w8  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint5 using 1:2 with lines lw 1.6 lc rgb '#4a4a4a' notitle
-set format x ''
-unset xlabel
-set ytics 2.000000000e+00
-set label 1 'w6  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint6 using 1:2 with lines lw 1.6 lc rgb '#1f5fa8' notitle
-set format x ''
-unset xlabel
-set ytics 2.000000000e+00
-set label 1 'w7  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint7 using 1:2 with lines lw 1.6 lc rgb '#c8551b' notitle
-set format x '%g'
-set xlabel 't [s]'
-set ytics 2.000000000e+00
-set label 1 'P2  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint8 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' notitle
-set format x '%g'
-set xlabel 't [s]'
-set ytics 1.000000000e+00
-set label 1 'P1  [kN]' at graph 0.02,0.9 left noenhanced front
-plot $joint9 using 1:2 with lines lw 1.6 lc rgb '#7a4fa0' notitle
+set label 't [s]' at screen 0.772581,0.0237288 center noenhanced front tc rgb '#202020'
+set label 'P1  [kN]' at screen 0.506452,0.244068 left noenhanced front tc rgb '#202020'
+set label '22.46' at screen 0.716233,0.205804 left noenhanced front tc rgb '#0b5fa5'
+plot $joint9 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
 unset multiplot

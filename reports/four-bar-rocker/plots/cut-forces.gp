@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.7516 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,644 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: four-bar-rocker' noenhanced
-set xrange [-6.000000000e-02:3.060000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 1.500000000e+02
 1.200000000e+00 2.400000000e+02
@@ -21,20 +26,38 @@ $outline_z << e
 0.000000000e+00 -1.500000000e+02
 0.000000000e+00 1.500000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-3.840000000e+02:4.560000000e+02]
-set ytics 100
-set label 1 'C' at 0.000000000e+00,3.000000000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,2.760000000e+02 to 0.000000000e+00,-2.760000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'B' at 1.200000000e+00,3.000000000e+02 center noenhanced
-set arrow 2 from 1.200000000e+00,2.760000000e+02 to 1.200000000e+00,-2.760000000e+02 nohead lc rgb '#909090' dt 3
-set label 3 'D' at 3.000000000e+00,3.000000000e+02 center noenhanced
-set arrow 3 from 3.000000000e+00,2.760000000e+02 to 3.000000000e+00,-2.760000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.5232 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0979 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 1.380000000e+02 1.200000000e+00 9.000000000e+01
+0.000000000e+00 -1.380000000e+02 1.200000000e+00 -9.000000000e+01
+1.200000000e+00 2.280000000e+02 1.800000000e+00 -2.000000000e+02
+1.200000000e+00 -2.280000000e+02 1.800000000e+00 2.000000000e+02
+e
+$supports_outline_z << e
+1.200000000e+00 -3.216000000e+02
+0.000000000e+00 -3.216000000e+02
+3.000000000e+00 -3.216000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.198757764e-01
+set tmargin at screen 9.378881988e-01
+set xrange [-6.000000000e-02:3.060000000e+00]
+set yrange [-4.080000000e+02:4.080000000e+02]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.96118 left enhanced front tc rgb '#202020'
+set ytics 2.000000000e+02
+set arrow from screen 0.107196,0.920533 to screen 0.107196,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'C' at screen 0.110422,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.444665,0.920533 to screen 0.444665,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.447891,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.920533 to screen 0.950868,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'D' at screen 0.954094,0.930964 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.571998586e+01 -4.000119866e+00
@@ -89,7 +112,16 @@ $band_N << e
 3.000000000e+00 -4.413127609e+00 -2.429741473e+00
 3.000000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 5.993788820e-01
+set tmargin at screen 7.795031056e-01
+set xrange [-6.000000000e-02:3.060000000e+00]
+set yrange [-1.886398303e+01:7.859992928e-01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'N  [kN]' at screen 0.0193548,0.802795 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.464165999e+01
 5.000000000e-02 -1.460189931e+01
@@ -143,7 +175,7 @@ $N0 << e
 3.000000000e+00 -4.376435115e+00
 3.000000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.515105890e+01
 5.000000000e-02 -1.511130878e+01
@@ -197,11 +229,15 @@ $N1 << e
 3.000000000e+00 -4.404069518e+00
 3.000000000e+00 0.000000000e+00
 e
-set label 1 '-15.15' at 0.000000000e+00,-1.515105890e+01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'N [kN]'
-set yrange [-1.854958331e+01:2.829597454e+00]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-15.15 (2)' at screen 0.113648,0.620787 left noenhanced front tc rgb '#c8500a'
+set label '-14.64 (1)' at screen 0.123325,0.657298 left noenhanced front tc rgb '#0b5fa5'
+set label '-15.72' at screen 0.129662,0.683323 left noenhanced front tc rgb '#606060'
+set arrow from screen 0.129662,0.671677 to screen 0.107196,0.628199 nohead lw 0.6 lc rgb '#606060'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.628862372e+01 2.185875877e+01
@@ -256,7 +292,16 @@ $band_V << e
 3.000000000e+00 -1.245140135e+01 9.286861687e+00
 3.000000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.788819876e-01
+set tmargin at screen 5.590062112e-01
+set xrange [-6.000000000e-02:3.060000000e+00]
+set yrange [-2.489668276e+01:3.063338420e+01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+01
+set label 'V  [kN]' at screen 0.0193548,0.582298 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.628950714e+01
 5.000000000e-02 -1.629848838e+01
@@ -310,7 +355,7 @@ $V0 << e
 3.000000000e+00 9.287428967e+00
 3.000000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 2.186019743e+01
 5.000000000e-02 2.186946476e+01
@@ -364,14 +409,21 @@ $V1 << e
 3.000000000e+00 -1.245219888e+01
 3.000000000e+00 0.000000000e+00
 e
-set label 1 '22.70' at 1.200000000e+00,2.270188583e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set label 2 '-16.97' at 1.200000000e+00,-1.696510010e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'V [kN]'
-set yrange [-2.410339609e+01:2.984009753e+01]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '22.70 (2)' at screen 0.451117,0.545905 left noenhanced front tc rgb '#c8500a'
+set label '-16.97 (1)' at screen 0.451117,0.391983 left noenhanced front tc rgb '#0b5fa5'
+set label '-14.93 (2)' at screen 0.338536,0.423831 left noenhanced front tc rgb '#c8500a'
+set label '11.16 (1)' at screen 0.451117,0.50848 left noenhanced front tc rgb '#0b5fa5'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.0868065,0.0729814 to screen 0.135194,0.0729814 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.148097,0.0729814 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0868065,0.0450311 to screen 0.135194,0.0450311 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.5232 s, most negative M, highest stress at the governing place' at screen 0.148097,0.0450311 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0868065,0.0170807 to screen 0.135194,0.0170807 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 1.0979 s, largest M, lowest stress at the governing place' at screen 0.148097,0.0170807 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -426,7 +478,17 @@ $band_M << e
 3.000000000e+00 -1.485317380e+00 1.994842415e+00
 3.000000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.583850932e-01
+set tmargin at screen 3.385093168e-01
+set xrange [-6.000000000e-02:3.060000000e+00]
+set yrange [-2.911557223e+01:3.585819920e+01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+01
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.361801 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.10559 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 5.000000000e-02 -8.144100576e-01
@@ -480,7 +542,7 @@ $M0 << e
 3.000000000e+00 -1.485388889e+00
 3.000000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 5.000000000e-02 1.092842412e+00
@@ -534,10 +596,10 @@ $M1 << e
 3.000000000e+00 1.994976833e+00
 3.000000000e+00 0.000000000e+00
 e
-set label 1 '26.58' at 1.200000000e+00,2.657790328e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set label 2 '-19.83' at 1.200000000e+00,-1.983490560e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-2.818737549e+01:3.493000247e+01]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '26.58 (2)' at screen 0.451117,0.325409 left noenhanced front tc rgb '#c8500a'
+set label '-19.83 (1)' at screen 0.451117,0.171487 left noenhanced front tc rgb '#0b5fa5'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

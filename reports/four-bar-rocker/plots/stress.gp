@@ -1,17 +1,36 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.8790 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,370 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: four-bar-rocker' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.756756757e-01
+set tmargin at screen 9.243243243e-01
 set xrange [0.000000000e+00:1.111111111e+00]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-2.733953890e+01:2.069997727e+01]
+set xtics 2.000000000e-01
+set ytics 5.000000000e+00
+set label 'normal stress [MPa]' at screen 0.0193548,0.962162 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.183784 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.253935,0.127027 to screen 0.302323,0.127027 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 2.6614 m, fibre -z: range 36.39 MPa' at screen 0.315226,0.127027 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.253935,0.0783784 to screen 0.302323,0.0783784 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 1.3 m, fibre -z: range 29.04 MPa' at screen 0.315226,0.0783784 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.253935,0.0297297 to screen 0.302323,0.0297297 nohead lw 1.5 dt (3,3) lc rgb '#00785a'
+set label 's = 1.2- m, fibre -z: range 28.57 MPa' at screen 0.315226,0.0297297 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 -2.142996250e+01
 1.157407407e-02 -2.120785609e+01
 2.314814815e-02 -2.085786158e+01
@@ -110,13 +129,7 @@ $h0 << e
 1.099537037e+00 -2.151656725e+01
 1.111111111e+00 -2.142996250e+01
 e
-$x0 << e
-5.219186936e-01 1.487721095e+01
-1.098181407e+00 -2.151754311e+01
-e
-set label '14.88 MPa at 0.5219 s' at 5.219186936e-01,1.487721095e+01 center offset 0,9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-21.52 MPa at 1.0982 s' at 1.098181407e+00,-2.151754311e+01 right offset -0.6,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 -1.695806261e+01
 1.157407407e-02 -1.678191262e+01
 2.314814815e-02 -1.650465330e+01
@@ -215,11 +228,7 @@ $h1 << e
 1.099537037e+00 -1.702708008e+01
 1.111111111e+00 -1.695806261e+01
 e
-$x1 << e
-5.224230417e-01 1.200847916e+01
-1.098126169e+00 -1.702791603e+01
-e
-$h2 << e
+$history2 << e
 0.000000000e+00 -1.719441112e+01
 1.157407407e-02 -1.698485583e+01
 2.314814815e-02 -1.667192283e+01
@@ -318,9 +327,14 @@ $h2 << e
 1.099537037e+00 -1.729369043e+01
 1.111111111e+00 -1.719441112e+01
 e
-$x2 << e
-5.284872079e-01 1.127310534e+01
-1.095371377e+00 -1.730128827e+01
+$extremes << e
+5.219186936e-01 1.487721095e+01
+1.098181407e+00 -2.151754311e+01
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 2.6614 m, fibre -z: range 36.39 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 1.3 m, fibre -z: range 29.04 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 1.2- m, fibre -z: range 28.57 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle
+set label '14.88 MPa at 0.5219 s' at screen 0.510535,0.869592 left noenhanced front tc rgb '#0b5fa5'
+set label '-21.52 MPa at 1.0982 s' at screen 0.706951,0.330398 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $history2 using 1:2 with lines lw 1.5 dt (3,3) lc rgb '#00785a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

@@ -1,24 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 1240,1090 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,7.1290 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,680 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,2 columnsfirst margins 0.07,0.985,1.422018349e-01,0.95 spacing 0.08,0.03 title 'Cut forces along the beam: landing-gear-retraction' noenhanced
-set xrange [-2.200000000e-02:1.122000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
-set arrow 500 from screen 2.298387097e-01,7.155963303e-02 to screen 2.572580645e-01,7.155963303e-02 nohead lw 10 lc rgb '#e0e0e0'
-set label 500 'envelope' at screen 2.637096774e-01,7.155963303e-02 left noenhanced
-set arrow 501 from screen 2.298387097e-01,5.321100917e-02 to screen 2.572580645e-01,5.321100917e-02 nohead lw 1.8 lc rgb '#1f5fa8'
-set label 501 't = 6.0000 s, most negative M_y (retraction)' at screen 2.637096774e-01,5.321100917e-02 left noenhanced
-set arrow 502 from screen 2.298387097e-01,3.486238532e-02 to screen 2.572580645e-01,3.486238532e-02 nohead lw 1.8 lc rgb '#c8551b'
-set label 502 't = 4.4956 s, largest stress (extension)' at screen 2.637096774e-01,3.486238532e-02 left noenhanced
-set arrow 503 from screen 2.298387097e-01,1.651376147e-02 to screen 2.572580645e-01,1.651376147e-02 nohead lw 1.8 lc rgb '#3f8f4f'
-set label 503 't = 0.1000 s, largest M_y, most negative M_z, most negative stress (landing)' at screen 2.637096774e-01,1.651376147e-02 left noenhanced
+set multiplot
 set format x ''
-unset xlabel
 $outline_z << e
 0.000000000e+00 7.000000000e+01
 1.100000000e+00 5.000000000e+01
@@ -26,18 +22,33 @@ $outline_z << e
 0.000000000e+00 -7.000000000e+01
 0.000000000e+00 7.000000000e+01
 e
-set ylabel 'beam z [mm]'
-set yrange [-1.120000000e+02:1.330000000e+02]
-set ytics autofreq
-set label 1 'B' at 0.000000000e+00,8.750000000e+01 center noenhanced
-set arrow 1 from 0.000000000e+00,8.050000000e+01 to 0.000000000e+00,-8.050000000e+01 nohead lc rgb '#909090' dt 3
-set label 2 'foot' at 1.100000000e+00,8.750000000e+01 center noenhanced
-set arrow 2 from 1.100000000e+00,8.050000000e+01 to 1.100000000e+00,-8.050000000e+01 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle
-unset key
+$inner_outline_z << e
+0.000000000e+00 6.000000000e+01 1.100000000e+00 -2.000000000e+01
+0.000000000e+00 -6.000000000e+01 1.100000000e+00 2.000000000e+01
+e
+$supports_outline_z << e
+0.000000000e+00 -9.380000000e+01
+1.100000000e+00 -9.380000000e+01
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 8.294117647e-01
+set tmargin at screen 9.411764706e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.190000000e+02:1.190000000e+02]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.963235 left enhanced front tc rgb '#202020'
+set ytics 1.000000000e+02
+set arrow from screen 0.0978908,0.92474 to screen 0.0978908,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.101117,0.934619 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.476303,0.92474 to screen 0.476303,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'foot' at screen 0.428367,0.934619 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -4.385942073e+01 1.181460896e+00
@@ -67,7 +78,16 @@ $band_N << e
 1.100000000e+00 -4.421520000e+01 8.016593555e-01
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 6.205882353e-01
+set tmargin at screen 7.911764706e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-5.329453218e+01:1.026079308e+01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.813235 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 4.126705899e-01
 4.583333333e-02 4.020834745e-01
@@ -96,7 +116,7 @@ $N0 << e
 1.100000000e+00 1.683486253e-01
 1.100000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.179241789e+00
 4.583333333e-02 1.161527974e+00
@@ -125,7 +145,7 @@ $N1 << e
 1.100000000e+00 8.016624295e-01
 1.100000000e+00 0.000000000e+00
 e
-$N2 << e
+$N_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -4.385942073e+01
 4.583333333e-02 -4.387627436e+01
@@ -154,12 +174,12 @@ $N2 << e
 1.100000000e+00 -4.421520000e+01
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '-44.22' at 1.100000000e+00,-4.421520000e+01 offset -1,-6.000000000e-01 right tc rgb '#3f8f4f' front
-set label 2 '1.179' at 0.000000000e+00,1.179241789e+00 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'N  [kN]'
-set yrange [-5.238659896e+01:9.352859857e+00]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $N2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-44.22 (3)' at screen 0.370174,0.656916 left noenhanced front tc rgb '#00785a'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $N_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V_z << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -4.102965416e-01 8.000000000e+00
@@ -189,7 +209,16 @@ $band_V_z << e
 1.100000000e+00 -1.665235903e-01 8.000000000e+00
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V_z0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 4.117647059e-01
+set tmargin at screen 5.823529412e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-2.092355850e+00:9.682059308e+00]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'V_{z}  [kN]' at screen 0.0193548,0.604412 left enhanced front tc rgb '#202020'
+$V_z_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.134881124e+00
 4.583333333e-02 1.118111691e+00
@@ -218,7 +247,7 @@ $V_z0 << e
 1.100000000e+00 7.808792689e-01
 1.100000000e+00 0.000000000e+00
 e
-$V_z1 << e
+$V_z_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.425621310e-02
 4.583333333e-02 -5.994808632e-02
@@ -247,7 +276,7 @@ $V_z1 << e
 1.100000000e+00 3.581800754e-02
 1.100000000e+00 0.000000000e+00
 e
-$V_z2 << e
+$V_z_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.000000000e+00
 4.583333333e-02 8.000000000e+00
@@ -276,15 +305,14 @@ $V_z2 << e
 1.100000000e+00 8.000000000e+00
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '8.000' at 0.000000000e+00,8.000000000e+00 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
-set label 2 '1.135' at 0.000000000e+00,1.134881124e+00 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 3 '-0.06426' at 0.000000000e+00,-6.425621310e-02 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'V_{z}  [kN]'
-set yrange [-1.924149919e+00:9.513853377e+00]
-plot $band_V_z using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V_z1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V_z2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '8.000 (3)' at screen 0.104342,0.569942 left noenhanced front tc rgb '#00785a'
+set label '1.135 (1)' at screen 0.104342,0.470479 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.4103' at screen 0.104342,0.424176 left noenhanced front tc rgb '#606060'
+plot $band_V_z using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_z_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_z_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $V_z_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
 $band_M_y << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.096690031e+00 4.066221500e+00
@@ -314,7 +342,17 @@ $band_M_y << e
 1.100000000e+00 -2.495320158e-01 1.286622150e+01
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M_y0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 2.029411765e-01
+set tmargin at screen 3.735294118e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-3.889272337e+00:1.565880381e+01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'M_{y}  [kN m], positive: tension at +z' at screen 0.0193548,0.395588 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.287097,0.152941 center noenhanced front tc rgb '#202020'
+$M_y_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.096690031e+00
 4.583333333e-02 -1.045059616e+00
@@ -343,7 +381,7 @@ $M_y0 << e
 1.100000000e+00 -5.229329175e-02
 1.100000000e+00 0.000000000e+00
 e
-$M_y1 << e
+$M_y_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -2.344494475e-01
 4.583333333e-02 -2.372957381e-01
@@ -372,7 +410,7 @@ $M_y1 << e
 1.100000000e+00 -2.495324463e-01
 1.100000000e+00 0.000000000e+00
 e
-$M_y2 << e
+$M_y_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 4.066221500e+00
 4.583333333e-02 4.432888167e+00
@@ -401,15 +439,13 @@ $M_y2 << e
 1.100000000e+00 1.286622150e+01
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '12.87' at 1.100000000e+00,1.286622150e+01 offset -1,6.000000000e-01 right tc rgb '#3f8f4f' front
-set label 2 '-1.097' at 0.000000000e+00,-1.096690031e+00 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 3 '-0.2567' at 6.875000000e-01,-2.567299262e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'M_{y}  [kN m], + tension at +z'
-set yrange [-3.610014107e+00:1.537954558e+01]
-plot $band_M_y using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M_y1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M_y2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '12.87 (3)' at screen 0.377722,0.361118 left noenhanced front tc rgb '#00785a'
+set label '-1.097 (1)' at screen 0.104342,0.215353 left noenhanced front tc rgb '#0b5fa5'
+plot $band_M_y using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_y_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_y_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $M_y_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle
 unset label
+unset arrow
+unset object
 set format x ''
-unset xlabel
 $outline_y << e
 0.000000000e+00 6.000000000e+01
 1.100000000e+00 5.000000000e+01
@@ -417,18 +453,29 @@ $outline_y << e
 0.000000000e+00 -6.000000000e+01
 0.000000000e+00 6.000000000e+01
 e
-set ylabel 'beam y [mm]'
-set yrange [-9.600000000e+01:1.140000000e+02]
-set ytics autofreq
-set label 1 'B' at 0.000000000e+00,7.500000000e+01 center noenhanced
-set arrow 1 from 0.000000000e+00,6.900000000e+01 to 0.000000000e+00,-6.900000000e+01 nohead lc rgb '#909090' dt 3
-set label 2 'foot' at 1.100000000e+00,7.500000000e+01 center noenhanced
-set arrow 2 from 1.100000000e+00,6.900000000e+01 to 1.100000000e+00,-6.900000000e+01 nohead lc rgb '#909090' dt 3
-plot $outline_y using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_y using 1:2 with lines lc rgb '#505050' lw 1.5 notitle
-unset key
+$supports_outline_y << e
+0.000000000e+00 -8.040000000e+01
+1.100000000e+00 -8.040000000e+01
+e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.294117647e-01
+set tmargin at screen 9.411764706e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.020000000e+02:1.020000000e+02]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+02
+set label 'beam, y [mm]' at screen 0.503226,0.963235 left enhanced front tc rgb '#202020'
+set ytics 5.000000000e+01
+set arrow from screen 0.581762,0.92474 to screen 0.581762,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.584988,0.934619 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.960174,0.92474 to screen 0.960174,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'foot' at screen 0.912238,0.934619 left noenhanced front tc rgb '#202020'
+plot $outline_y using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $outline_y using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_y using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_T << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -4.200000000e+00 0.000000000e+00
@@ -458,7 +505,16 @@ $band_T << e
 1.100000000e+00 -4.200000000e+00 0.000000000e+00
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$T0 << e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.205882353e-01
+set tmargin at screen 7.911764706e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-5.040000000e+00:2.100000000e-01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+00
+set label 'T  [kN m]' at screen 0.503226,0.813235 left enhanced front tc rgb '#202020'
+$T_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.880149836e-02
 4.583333333e-02 -6.880149836e-02
@@ -487,7 +543,7 @@ $T0 << e
 1.100000000e+00 -6.880149836e-02
 1.100000000e+00 0.000000000e+00
 e
-$T1 << e
+$T_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -8.144789840e-02
 4.583333333e-02 -8.144789840e-02
@@ -516,7 +572,7 @@ $T1 << e
 1.100000000e+00 -8.144789840e-02
 1.100000000e+00 0.000000000e+00
 e
-$T2 << e
+$T_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -4.200000000e+00
 4.583333333e-02 -4.200000000e+00
@@ -545,12 +601,12 @@ $T2 << e
 1.100000000e+00 -4.200000000e+00
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '-4.200' at 0.000000000e+00,-4.200000000e+00 offset 0.5,-6.000000000e-01 left tc rgb '#3f8f4f' front
-set label 2 '-0.08145' at 0.000000000e+00,-8.144789840e-02 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'T  [kN m]'
-set yrange [-4.956000000e+00:7.560000000e-01]
-plot $band_T using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $T0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $T1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $T2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-4.200 (3)' at screen 0.588213,0.659841 left noenhanced front tc rgb '#00785a'
+plot $band_T using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $T_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $T_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $T_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V_y << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.227500000e+01 -2.750000000e-01
@@ -580,7 +636,16 @@ $band_V_y << e
 1.100000000e+00 -1.200000000e+01 0.000000000e+00
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V_y0 << e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 4.117647059e-01
+set tmargin at screen 5.823529412e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.473000000e+01:6.137500000e-01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'V_{y}  [kN]' at screen 0.503226,0.604412 left enhanced front tc rgb '#202020'
+$V_y_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -5.395709812e-01
 4.583333333e-02 -5.257253839e-01
@@ -609,7 +674,7 @@ $V_y0 << e
 1.100000000e+00 -2.214937573e-01
 1.100000000e+00 0.000000000e+00
 e
-$V_y1 << e
+$V_y_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.304733304e-01
 4.583333333e-02 -6.145270515e-01
@@ -638,7 +703,7 @@ $V_y1 << e
 1.100000000e+00 -2.623736407e-01
 1.100000000e+00 0.000000000e+00
 e
-$V_y2 << e
+$V_y_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.227500000e+01
 4.583333333e-02 -1.226354167e+01
@@ -667,14 +732,24 @@ $V_y2 << e
 1.100000000e+00 -1.200000000e+01
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '-12.28' at 0.000000000e+00,-1.227500000e+01 offset 0.5,-6.000000000e-01 left tc rgb '#3f8f4f' front
-set label 2 '-0.6305' at 0.000000000e+00,-6.304733304e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'V_{y}  [kN]'
-set yrange [-1.448450000e+01:2.209500000e+00]
-plot $band_V_y using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V_y1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V_y2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-12.28 (3)' at screen 0.588213,0.451017 left noenhanced front tc rgb '#00785a'
+set label '-0.6305 (2)' at screen 0.588213,0.556562 left noenhanced front tc rgb '#c8500a'
+set label '-0.5396 (1)' at screen 0.585879,0.532031 left noenhanced front tc rgb '#0b5fa5'
+set arrow from screen 0.585879,0.54306 to screen 0.581762,0.569531 nohead lw 0.6 lc rgb '#0b5fa5'
+plot $band_V_y using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_y_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_y_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $V_y_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.0377419,0.122059 to screen 0.086129,0.122059 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.0990323,0.122059 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0377419,0.0955882 to screen 0.086129,0.0955882 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 6.0000 s, most negative M_y (retraction)' at screen 0.0990323,0.0955882 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0377419,0.0691176 to screen 0.086129,0.0691176 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 4.4956 s, highest stress at the governing place (extension)' at screen 0.0990323,0.0691176 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0377419,0.0426471 to screen 0.086129,0.0426471 nohead lw 1.8 dt (3,3) lc rgb '#00785a'
+set label '(3) t = 0.1000 s, largest M_y, most negative M_z, lowest stress at the governing' at screen 0.0990323,0.0426471 left noenhanced front tc rgb '#202020'
+set label 'place (landing)' at screen 0.0990323,0.0161765 left noenhanced front tc rgb '#202020'
 $band_M_z << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.731125000e+01 -1.512500000e-01
@@ -704,7 +779,17 @@ $band_M_z << e
 1.100000000e+00 -3.960000000e+00 5.200000000e-05
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M_z0 << e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.029411765e-01
+set tmargin at screen 3.735294118e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-2.077351040e+01:3.462312400e+00]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'M_{z}  [kN m], positive: tension at -y' at screen 0.503226,0.395588 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.770968,0.152941 center noenhanced front tc rgb '#202020'
+$M_z_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -4.418201963e-01
 4.583333333e-02 -4.174073523e-01
@@ -733,7 +818,7 @@ $M_z0 << e
 1.100000000e+00 -2.594800000e-02
 1.100000000e+00 0.000000000e+00
 e
-$M_z1 << e
+$M_z_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -4.883383015e-01
 4.583333333e-02 -4.598072413e-01
@@ -762,7 +847,7 @@ $M_z1 << e
 1.100000000e+00 -9.100723111e-05
 1.100000000e+00 0.000000000e+00
 e
-$M_z2 << e
+$M_z_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.731125000e+01
 4.583333333e-02 -1.674890842e+01
@@ -791,10 +876,9 @@ $M_z2 << e
 1.100000000e+00 -3.960000000e+00
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '-17.31' at 0.000000000e+00,-1.731125000e+01 offset 0.5,-6.000000000e-01 left tc rgb '#3f8f4f' front
-set label 2 '-0.4883' at 0.000000000e+00,-4.883383015e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'M_{z}  [kN m], + tension at -y'
-set yrange [-2.042728436e+01:3.116086360e+00]
-plot $band_M_z using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M_z1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M_z2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-17.31 (3)' at screen 0.588213,0.215353 left noenhanced front tc rgb '#00785a'
+plot $band_M_z using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_z_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_z_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $M_z_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

@@ -1,15 +1,36 @@
-# Redraw with: gnuplot loads.gp
-set terminal svg size 1000,860 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'loads.svg'
+# Redraw in the folder above: gnuplot plots/loads.gp; as PDF: gnuplot -e 'pdf = 1' plots/loads.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,5.7871 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'loads.pdf'
+} else {
+  set terminal svg size 620,552 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'loads.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 3,2 columnsfirst margins 0.085,0.98,0.12,0.93 spacing 0.095,0.035 title 'Cut forces at s = 1.1- m over time: landing-gear-retraction' noenhanced
-set offsets 0,0,graph 0.08,graph 0.08
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
-set xrange [0:1]
+set multiplot
+set label 'cut forces at s = 1.1- m' at screen 0.0193548,0.978261 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.153548,0.0199275 to screen 0.201935,0.0199275 nohead lw 1.6 dt 1 lc rgb '#0b5fa5'
+set label 'retraction, 6 s' at screen 0.214839,0.0199275 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.390968,0.0199275 to screen 0.439355,0.0199275 nohead lw 1.6 dt (9,4) lc rgb '#c8500a'
+set label 'extension, 6 s' at screen 0.452258,0.0199275 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.628387,0.0199275 to screen 0.676774,0.0199275 nohead lw 1.6 dt (3,3) lc rgb '#00785a'
+set label 'landing, 0.2 s' at screen 0.689677,0.0199275 left noenhanced front tc rgb '#202020'
+set format x ''
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 6.847826087e-01
+set tmargin at screen 9.202898551e-01
+set xrange [0.000000000e+00:1.000000000e+00]
+set yrange [-5.321857187e+01:9.805031227e+00]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.947464 left enhanced front tc rgb '#202020'
 $N0 << e
 0.000000000e+00 7.808792689e-01
 1.302083333e-03 7.809636481e-01
@@ -979,18 +1000,21 @@ $N2 << e
 9.895833333e-01 7.366257729e-01
 1.000000000e+00 7.848000000e-01
 e
-set format x ''
-unset xlabel
-set ylabel 'N  [kN]'
-set arrow 500 from screen 2.270000000e-01,2.093023256e-02 to screen 2.610000000e-01,2.093023256e-02 nohead lw 1.8 lc rgb '#1f5fa8'
-set label 500 'retraction, 6 s' at screen 2.690000000e-01,2.093023256e-02 left noenhanced
-set arrow 501 from screen 4.090000000e-01,2.093023256e-02 to screen 4.430000000e-01,2.093023256e-02 nohead lw 1.8 lc rgb '#c8551b'
-set label 501 'extension, 6 s' at screen 4.510000000e-01,2.093023256e-02 left noenhanced
-set arrow 502 from screen 5.910000000e-01,2.093023256e-02 to screen 6.250000000e-01,2.093023256e-02 nohead lw 1.8 lc rgb '#3f8f4f'
-set label 502 'landing, 0.2 s' at screen 6.330000000e-01,2.093023256e-02 left noenhanced
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $N2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-44.22' at screen 0.290323,0.704976 left noenhanced front tc rgb '#00785a'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $N0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $N1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $N2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle
 unset label
 unset arrow
+unset object
+set format x ''
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 4.021739130e-01
+set tmargin at screen 6.376811594e-01
+set xrange [0.000000000e+00:1.000000000e+00]
+set yrange [-1.799828308e+00:9.633304718e+00]
+set xtics 5.000000000e-01
+set ytics 2.000000000e+00
+set label 'V_{z}  [kN]' at screen 0.0193548,0.664855 left enhanced front tc rgb '#202020'
 $V_z0 << e
 0.000000000e+00 3.578750000e-04
 1.302083333e-03 5.500498485e-04
@@ -1960,12 +1984,22 @@ $V_z2 << e
 9.895833333e-01 8.564307046e-03
 1.000000000e+00 0.000000000e+00
 e
-set format x ''
-unset xlabel
-set ylabel 'V_{z}  [kN]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $V_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V_z1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V_z2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '8.000' at screen 0.290323,0.617488 left noenhanced front tc rgb '#00785a'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_z0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $V_z1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $V_z2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle
 unset label
 unset arrow
+unset object
+set format x '%g'
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 1.195652174e-01
+set tmargin at screen 3.550724638e-01
+set xrange [0.000000000e+00:1.000000000e+00]
+set yrange [-2.872682719e+00:1.548937220e+01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'M_{y}  [kN m]' at screen 0.0193548,0.382246 left enhanced front tc rgb '#202020'
+set label 'time, as part of each situation' at screen 0.285484,0.057971 center noenhanced front tc rgb '#202020'
 $M_y0 << e
 0.000000000e+00 -2.347606229e-01
 1.302083333e-03 -2.347798141e-01
@@ -2935,12 +2969,21 @@ $M_y2 << e
 9.895833333e-01 -2.297437418e-01
 1.000000000e+00 -2.437785000e-01
 e
-set format x '%g'
-set xlabel 'time, as part of each situation'
-set ylabel 'M_{y}  [kN m]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $M_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M_y1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M_y2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '12.87' at screen 0.290323,0.334879 left noenhanced front tc rgb '#00785a'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_y0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $M_y1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $M_y2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle
 unset label
 unset arrow
+unset object
+set format x ''
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.847826087e-01
+set tmargin at screen 9.202898551e-01
+set xrange [0.000000000e+00:1.000000000e+00]
+set yrange [-5.040000000e+00:2.100000000e-01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+00
+set label 'T  [kN m]' at screen 0.506452,0.947464 left enhanced front tc rgb '#202020'
 $T0 << e
 0.000000000e+00 -8.730934056e-02
 1.302083333e-03 -8.730722834e-02
@@ -3910,12 +3953,21 @@ $T2 << e
 9.895833333e-01 -4.496261199e-03
 1.000000000e+00 0.000000000e+00
 e
-set format x ''
-unset xlabel
-set ylabel 'T  [kN m]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $T0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $T1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $T2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-4.200' at screen 0.777419,0.709013 left noenhanced front tc rgb '#00785a'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $T0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $T1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $T2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle
 unset label
 unset arrow
+unset object
+set format x ''
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 4.021739130e-01
+set tmargin at screen 6.376811594e-01
+set xrange [0.000000000e+00:1.000000000e+00]
+set yrange [-1.440000000e+01:6.000000000e-01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'V_{y}  [kN]' at screen 0.506452,0.664855 left enhanced front tc rgb '#202020'
 $V_y0 << e
 0.000000000e+00 -2.812122654e-01
 1.302083333e-03 -2.812121268e-01
@@ -4885,12 +4937,22 @@ $V_y2 << e
 9.895833333e-01 -1.284646057e-02
 1.000000000e+00 0.000000000e+00
 e
-set format x ''
-unset xlabel
-set ylabel 'V_{y}  [kN]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $V_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V_y1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V_y2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-12.00' at screen 0.777419,0.426405 left noenhanced front tc rgb '#00785a'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_y0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $V_y1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $V_y2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle
 unset label
 unset arrow
+unset object
+set format x '%g'
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.195652174e-01
+set tmargin at screen 3.550724638e-01
+set xrange [0.000000000e+00:1.000000000e+00]
+set yrange [-4.752010400e+00:7.920624000e-01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+00
+set label 'M_{z}  [kN m]' at screen 0.506452,0.382246 left enhanced front tc rgb '#202020'
+set label 'time, as part of each situation' at screen 0.772581,0.057971 center noenhanced front tc rgb '#202020'
 $M_z0 << e
 0.000000000e+00 -2.600000000e-02
 1.302083333e-03 -2.599999827e-02
@@ -5860,10 +5922,9 @@ $M_z2 << e
 9.895833333e-01 -4.239331988e-03
 1.000000000e+00 0.000000000e+00
 e
-set format x '%g'
-set xlabel 'time, as part of each situation'
-set ylabel 'M_{z}  [kN m]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $M_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M_z1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M_z2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f'
+set label '-3.960' at screen 0.777419,0.139759 left noenhanced front tc rgb '#00785a'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_z0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $M_z1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $M_z2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle
 unset label
 unset arrow
+unset object
 unset multiplot

@@ -1,17 +1,34 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.6903 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,352 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: landing-gear-retraction, landing' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.386363636e-01
+set tmargin at screen 9.204545455e-01
 set xrange [0.000000000e+00:2.000000000e-01]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-2.140179923e+02:3.260112987e+01]
+set xtics 5.000000000e-02
+set ytics 5.000000000e+01
+set label 'normal stress [MPa], landing' at screen 0.0193548,0.960227 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.142045 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.246387,0.0823864 to screen 0.294774,0.0823864 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 1.1- m, corner -y -z: range 186.9 MPa' at screen 0.307677,0.0823864 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.246387,0.03125 to screen 0.294774,0.03125 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 0+ m, corner -y -z: range 145.7 MPa' at screen 0.307677,0.03125 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 2.707902944e+00
 2.083333333e-03 2.507891402e+00
 4.166666667e-03 1.908713256e+00
@@ -110,11 +127,7 @@ $h0 << e
 1.979166667e-01 2.507891402e+00
 2.000000000e-01 2.707902944e+00
 e
-$x0 << e
-1.000000000e-01 -1.841247654e+02
-e
-set label '-184.1 MPa at 0.1000 s' at 1.000000000e-01,-1.841247654e+02 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 6.562091596e-01
 2.083333333e-03 5.031414824e-01
 4.166666667e-03 4.459391006e-02
@@ -213,8 +226,12 @@ $h1 << e
 1.979166667e-01 5.031414824e-01
 2.000000000e-01 6.562091596e-01
 e
-$x1 << e
-1.000000000e-01 -1.423257520e+02
+$extremes << e
+1.000000000e-01 -1.841247654e+02
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 1.1- m, corner -y -z: range 186.9 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 0+ m, corner -y -z: range 145.7 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle
+set label '-184.1 MPa at 0.1000 s' at screen 0.537097,0.296171 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

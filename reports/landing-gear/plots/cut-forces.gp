@@ -1,22 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 1240,1070 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.9403 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,662 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,2 columnsfirst margins 0.07,0.985,1.261682243e-01,0.95 spacing 0.08,0.03 title 'Cut forces along the beam: landing-gear' noenhanced
-set xrange [-2.200000000e-02:1.122000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
-set arrow 500 from screen 1.750000000e-01,5.420560748e-02 to screen 2.024193548e-01,5.420560748e-02 nohead lw 10 lc rgb '#e0e0e0'
-set label 500 'envelope' at screen 2.088709677e-01,5.420560748e-02 left noenhanced
-set arrow 501 from screen 1.750000000e-01,3.551401869e-02 to screen 2.024193548e-01,3.551401869e-02 nohead lw 1.8 lc rgb '#1f5fa8'
-set label 501 't = 0.0000 s, most negative M_z' at screen 2.088709677e-01,3.551401869e-02 left noenhanced
-set arrow 502 from screen 1.750000000e-01,1.682242991e-02 to screen 2.024193548e-01,1.682242991e-02 nohead lw 1.8 lc rgb '#c8551b'
-set label 502 't = 0.5000 s, least negative M_y, least negative M_z, most negative M_y, most negative stress' at screen 2.088709677e-01,1.682242991e-02 left noenhanced
+set multiplot
 set format x ''
-unset xlabel
 $outline_z << e
 0.000000000e+00 7.000000000e+01
 1.100000000e+00 5.000000000e+01
@@ -24,18 +22,33 @@ $outline_z << e
 0.000000000e+00 -7.000000000e+01
 0.000000000e+00 7.000000000e+01
 e
-set ylabel 'beam z [mm]'
-set yrange [-1.120000000e+02:1.330000000e+02]
-set ytics autofreq
-set label 1 'B' at 0.000000000e+00,8.750000000e+01 center noenhanced
-set arrow 1 from 0.000000000e+00,8.050000000e+01 to 0.000000000e+00,-8.050000000e+01 nohead lc rgb '#909090' dt 3
-set label 2 'foot' at 1.100000000e+00,8.750000000e+01 center noenhanced
-set arrow 2 from 1.100000000e+00,8.050000000e+01 to 1.100000000e+00,-8.050000000e+01 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle
-unset key
+$inner_outline_z << e
+0.000000000e+00 6.000000000e+01 1.100000000e+00 -2.000000000e+01
+0.000000000e+00 -6.000000000e+01 1.100000000e+00 2.000000000e+01
+e
+$supports_outline_z << e
+0.000000000e+00 -9.380000000e+01
+1.100000000e+00 -9.380000000e+01
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 8.247734139e-01
+set tmargin at screen 9.395770393e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.190000000e+02:1.190000000e+02]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.962236 left enhanced front tc rgb '#202020'
+set ytics 1.000000000e+02
+set arrow from screen 0.0978908,0.922694 to screen 0.0978908,0.841656 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.101117,0.932841 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.476303,0.922694 to screen 0.476303,0.841656 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'foot' at screen 0.428367,0.932841 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.198173957e-01 1.091093802e+00
@@ -65,7 +78,16 @@ $band_N << e
 1.100000000e+00 6.398520219e-01 7.582645251e-01
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 6.102719033e-01
+set tmargin at screen 7.854984894e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-5.455469011e-02:1.309312563e+00]
+set xtics 5.000000000e-01
+set ytics 5.000000000e-01
+set label 'N  [kN]' at screen 0.0193548,0.808157 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.091093802e+00
 4.583333333e-02 1.075637480e+00
@@ -94,7 +116,7 @@ $N0 << e
 1.100000000e+00 7.582645251e-01
 1.100000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.198173957e-01
 4.583333333e-02 9.070696434e-01
@@ -123,12 +145,14 @@ $N1 << e
 1.100000000e+00 6.398520219e-01
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '1.091' at 0.000000000e+00,1.091093802e+00 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '0.9198' at 0.000000000e+00,9.198173957e-01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'N  [kN]'
-set yrange [-1.963968844e-01:1.287490687e+00]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '1.091 (1)' at screen 0.104342,0.769746 left noenhanced front tc rgb '#0b5fa5'
+set label '0.9198 (2)' at screen 0.126923,0.70822 left noenhanced front tc rgb '#c8500a'
+set arrow from screen 0.126923,0.719549 to screen 0.0978908,0.735457 nohead lw 0.6 lc rgb '#c8500a'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V_z << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 4.655101958e-01 7.678402393e-01
@@ -158,7 +182,16 @@ $band_V_z << e
 1.100000000e+00 3.217979429e-01 5.320921506e-01
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V_z0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 3.957703927e-01
+set tmargin at screen 5.709969789e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-3.839201196e-02:9.214082872e-01]
+set xtics 5.000000000e-01
+set ytics 2.000000000e-01
+set label 'V_{z}  [kN]' at screen 0.0193548,0.593656 left enhanced front tc rgb '#202020'
+$V_z_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 4.655101958e-01
 4.583333333e-02 4.589598080e-01
@@ -187,7 +220,7 @@ $V_z0 << e
 1.100000000e+00 3.217979429e-01
 1.100000000e+00 0.000000000e+00
 e
-$V_z1 << e
+$V_z_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.678402393e-01
 4.583333333e-02 7.568973231e-01
@@ -216,14 +249,13 @@ $V_z1 << e
 1.100000000e+00 5.320921506e-01
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '0.7678' at 0.000000000e+00,7.678402393e-01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set label 2 '0.4655' at 0.000000000e+00,4.655101958e-01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'V_{z}  [kN]'
-set yrange [-1.382112431e-01:9.060514824e-01]
-plot $band_V_z using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V_z1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '0.7678 (2)' at screen 0.104342,0.555244 left noenhanced front tc rgb '#c8500a'
+set label '0.4655 (1)' at screen 0.104342,0.500049 left noenhanced front tc rgb '#0b5fa5'
+plot $band_V_z using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_z_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_z_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
 $band_M_y << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.026454667e-01 -6.593264352e-01
@@ -253,7 +285,17 @@ $band_M_y << e
 1.100000000e+00 -2.289844945e-01 -1.929204811e-01
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M_y0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.838709677e-01
+set bmargin at screen 1.812688822e-01
+set tmargin at screen 3.564954683e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.083174560e+00:4.513227333e-02]
+set xtics 5.000000000e-01
+set ytics 5.000000000e-01
+set label 'M_{y}  [kN m], positive: tension at +z' at screen 0.0193548,0.379154 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.287097,0.129909 center noenhanced front tc rgb '#202020'
+$M_y_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.593264352e-01
 4.583333333e-02 -6.381408363e-01
@@ -282,7 +324,7 @@ $M_y0 << e
 1.100000000e+00 -2.289844945e-01
 1.100000000e+00 0.000000000e+00
 e
-$M_y1 << e
+$M_y_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.026454667e-01
 4.583333333e-02 -8.677039215e-01
@@ -311,14 +353,14 @@ $M_y1 << e
 1.100000000e+00 -1.929204811e-01
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '-0.9026' at 0.000000000e+00,-9.026454667e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set label 2 '-0.6593' at 0.000000000e+00,-6.593264352e-01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'M_{y}  [kN m], + tension at +z'
-set yrange [-1.065121651e+00:1.624761840e-01]
-plot $band_M_y using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M_y1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-0.9026 (2)' at screen 0.104342,0.197022 left noenhanced front tc rgb '#c8500a'
+set label '-0.6593 (1)' at screen 0.102008,0.285612 left noenhanced front tc rgb '#0b5fa5'
+set arrow from screen 0.102008,0.274283 to screen 0.0978908,0.247093 nohead lw 0.6 lc rgb '#0b5fa5'
+plot $band_M_y using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_y_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_y_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x ''
-unset xlabel
 $outline_y << e
 0.000000000e+00 6.000000000e+01
 1.100000000e+00 5.000000000e+01
@@ -326,18 +368,29 @@ $outline_y << e
 0.000000000e+00 -6.000000000e+01
 0.000000000e+00 6.000000000e+01
 e
-set ylabel 'beam y [mm]'
-set yrange [-9.600000000e+01:1.140000000e+02]
-set ytics autofreq
-set label 1 'B' at 0.000000000e+00,7.500000000e+01 center noenhanced
-set arrow 1 from 0.000000000e+00,6.900000000e+01 to 0.000000000e+00,-6.900000000e+01 nohead lc rgb '#909090' dt 3
-set label 2 'foot' at 1.100000000e+00,7.500000000e+01 center noenhanced
-set arrow 2 from 1.100000000e+00,6.900000000e+01 to 1.100000000e+00,-6.900000000e+01 nohead lc rgb '#909090' dt 3
-plot $outline_y using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_y using 1:2 with lines lc rgb '#505050' lw 1.5 notitle
-unset key
+$supports_outline_y << e
+0.000000000e+00 -8.040000000e+01
+1.100000000e+00 -8.040000000e+01
+e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.247734139e-01
+set tmargin at screen 9.395770393e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.020000000e+02:1.020000000e+02]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+02
+set label 'beam, y [mm]' at screen 0.503226,0.962236 left enhanced front tc rgb '#202020'
+set ytics 5.000000000e+01
+set arrow from screen 0.581762,0.922694 to screen 0.581762,0.841656 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.584988,0.932841 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.960174,0.922694 to screen 0.960174,0.841656 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'foot' at screen 0.912238,0.932841 left noenhanced front tc rgb '#202020'
+plot $outline_y using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $outline_y using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_y using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_T << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.799362868e-03 2.354454050e-02
@@ -367,7 +420,16 @@ $band_T << e
 1.100000000e+00 7.799362868e-03 2.354454050e-02
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$T0 << e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.102719033e-01
+set tmargin at screen 7.854984894e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.177227025e-03:2.825344860e-02]
+set xtics 5.000000000e-01
+set ytics 1.000000000e-02
+set label 'T  [kN m]' at screen 0.503226,0.808157 left enhanced front tc rgb '#202020'
+$T_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.799362868e-03
 4.583333333e-02 7.799362868e-03
@@ -396,7 +458,7 @@ $T0 << e
 1.100000000e+00 7.799362868e-03
 1.100000000e+00 0.000000000e+00
 e
-$T1 << e
+$T_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 2.354454050e-02
 4.583333333e-02 2.354454050e-02
@@ -425,12 +487,13 @@ $T1 << e
 1.100000000e+00 2.354454050e-02
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '0.02354' at 0.000000000e+00,2.354454050e-02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set label 2 '0.007799' at 0.000000000e+00,7.799362868e-03 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'T  [kN m]'
-set yrange [-4.238017290e-03:2.778255779e-02]
-plot $band_T using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $T0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $T1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '0.02354 (2)' at screen 0.588213,0.769746 left noenhanced front tc rgb '#c8500a'
+set label '0.007799 (1)' at screen 0.588213,0.676001 left noenhanced front tc rgb '#0b5fa5'
+plot $band_T using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $T_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $T_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V_y << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.777951172e-01 -6.767313180e-01
@@ -460,7 +523,16 @@ $band_V_y << e
 1.100000000e+00 -2.762835425e-01 -2.756583668e-01
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V_y0 << e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.957703927e-01
+set tmargin at screen 5.709969789e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-8.133541407e-01:3.388975586e-02]
+set xtics 5.000000000e-01
+set ytics 2.000000000e-01
+set label 'V_{y}  [kN]' at screen 0.503226,0.593656 left enhanced front tc rgb '#202020'
+$V_y_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.777951172e-01
 4.583333333e-02 -6.602895372e-01
@@ -489,7 +561,7 @@ $V_y0 << e
 1.100000000e+00 -2.762835425e-01
 1.100000000e+00 0.000000000e+00
 e
-$V_y1 << e
+$V_y_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.767313180e-01
 4.583333333e-02 -6.592329990e-01
@@ -518,13 +590,21 @@ $V_y1 << e
 1.100000000e+00 -2.756945796e-01
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '-0.6778' at 0.000000000e+00,-6.777951172e-01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'V_{y}  [kN]'
-set yrange [-7.997982383e-01:1.220031211e-01]
-plot $band_V_y using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V_y1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-0.6778 (1)' at screen 0.588213,0.411523 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.6767 (2)' at screen 0.585879,0.462546 left noenhanced front tc rgb '#c8500a'
+set arrow from screen 0.585879,0.451217 to screen 0.581762,0.424027 nohead lw 0.6 lc rgb '#c8500a'
+plot $band_V_y using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_y_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_y_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.0587419,0.0981873 to screen 0.107129,0.0981873 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.120032,0.0981873 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0587419,0.070997 to screen 0.107129,0.070997 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.0000 s, most negative M_z, highest stress at the governing place' at screen 0.120032,0.070997 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0587419,0.0438066 to screen 0.107129,0.0438066 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 0.5000 s, most negative M_y, least negative M_z, lowest stress at the' at screen 0.120032,0.0438066 left noenhanced front tc rgb '#202020'
+set label 'governing place' at screen 0.120032,0.0166163 left noenhanced front tc rgb '#202020'
 $band_M_z << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -5.419087641e-01 -5.409131510e-01
@@ -554,7 +634,17 @@ $band_M_z << e
 1.100000000e+00 -2.070790749e-02 -2.067843536e-02
 1.100000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M_z0 << e
+set lmargin at screen 5.741935484e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.812688822e-01
+set tmargin at screen 3.564954683e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-6.502905169e-01:2.709543821e-02]
+set xtics 5.000000000e-01
+set ytics 2.000000000e-01
+set label 'M_{z}  [kN m], positive: tension at -y' at screen 0.503226,0.379154 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.770968,0.129909 center noenhanced front tc rgb '#202020'
+$M_z_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -5.419087641e-01
 4.583333333e-02 -5.112445849e-01
@@ -583,7 +673,7 @@ $M_z0 << e
 1.100000000e+00 -2.070790749e-02
 1.100000000e+00 0.000000000e+00
 e
-$M_z1 << e
+$M_z_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -5.409182030e-01
 4.583333333e-02 -5.103026199e-01
@@ -612,9 +702,11 @@ $M_z1 << e
 1.100000000e+00 -2.067843536e-02
 1.100000000e+00 0.000000000e+00
 e
-set label 1 '-0.5419' at 0.000000000e+00,-5.419087641e-01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'M_{z}  [kN m], + tension at -y'
-set yrange [-6.394523417e-01:9.754357754e-02]
-plot $band_M_z using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M_z1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-0.5419 (1)' at screen 0.588213,0.197022 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.5409 (2)' at screen 0.626936,0.302462 left noenhanced front tc rgb '#c8500a'
+set arrow from screen 0.626936,0.291132 to screen 0.581762,0.209561 nohead lw 0.6 lc rgb '#c8500a'
+plot $band_M_z using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_z_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_z_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

@@ -1,15 +1,30 @@
-# Redraw with: gnuplot loads.gp
-set terminal svg size 1000,860 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'loads.svg'
+# Redraw in the folder above: gnuplot plots/loads.gp; as PDF: gnuplot -e 'pdf = 1' plots/loads.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,5.5565 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'loads.pdf'
+} else {
+  set terminal svg size 620,530 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'loads.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 3,2 columnsfirst margins 0.085,0.98,0.12,0.93 spacing 0.095,0.035 title 'Cut forces at s = 0+ m over time: landing-gear' noenhanced
-set offsets 0,0,graph 0.08,graph 0.08
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
+set multiplot
+set label 'cut forces at s = 0+ m' at screen 0.0193548,0.977358 left noenhanced front tc rgb '#202020'
+set format x ''
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 6.716981132e-01
+set tmargin at screen 9.169811321e-01
 set xrange [0.000000000e+00:5.000000000e-01]
+set yrange [-5.455469011e-02:1.309312563e+00]
+set xtics 2.000000000e-01
+set ytics 5.000000000e-01
+set label 'N  [kN]' at screen 0.0193548,0.945283 left enhanced front tc rgb '#202020'
 $N0 << e
 0.000000000e+00 1.091093802e+00
 5.208333333e-03 1.089974436e+00
@@ -109,12 +124,22 @@ $N0 << e
 4.947916667e-01 9.223446216e-01
 5.000000000e-01 9.198173957e-01
 e
-set format x ''
-unset xlabel
-set ylabel 'N  [kN]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8'
+set label '1.091' at screen 0.0951613,0.891744 left noenhanced front tc rgb '#0b5fa5'
+set label '0.9198' at screen 0.406323,0.832924 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $N0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
+unset object
+set format x ''
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 3.773584906e-01
+set tmargin at screen 6.226415094e-01
+set xrange [0.000000000e+00:5.000000000e-01]
+set yrange [-3.839201196e-02:9.214082872e-01]
+set xtics 2.000000000e-01
+set ytics 2.000000000e-01
+set label 'V_{z}  [kN]' at screen 0.0193548,0.650943 left enhanced front tc rgb '#202020'
 $V_z0 << e
 0.000000000e+00 4.655101958e-01
 5.208333333e-03 4.685697578e-01
@@ -214,12 +239,23 @@ $V_z0 << e
 4.947916667e-01 7.647241337e-01
 5.000000000e-01 7.678402393e-01
 e
-set format x ''
-unset xlabel
-set ylabel 'V_{z}  [kN]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $V_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8'
+set label '0.7678' at screen 0.406323,0.597405 left noenhanced front tc rgb '#0b5fa5'
+set label '0.4655' at screen 0.0951613,0.492125 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_z0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
+unset object
+set format x '%g'
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 4.806451613e-01
+set bmargin at screen 8.301886792e-02
+set tmargin at screen 3.283018868e-01
+set xrange [0.000000000e+00:5.000000000e-01]
+set yrange [-1.083174560e+00:4.513227333e-02]
+set xtics 2.000000000e-01
+set ytics 2.000000000e-01
+set label 'M_{y}  [kN m]' at screen 0.0193548,0.356604 left enhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.285484,0.0188679 center noenhanced front tc rgb '#202020'
 $M_y0 << e
 0.000000000e+00 -6.593264352e-01
 5.208333333e-03 -6.619207296e-01
@@ -319,12 +355,22 @@ $M_y0 << e
 4.947916667e-01 -9.003021713e-01
 5.000000000e-01 -9.026454667e-01
 e
-set format x '%g'
-set xlabel 't [s]'
-set ylabel 'M_{y}  [kN m]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $M_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8'
+set label '-0.6593' at screen 0.0951613,0.189168 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.9026' at screen 0.398774,0.108256 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_y0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
+unset object
+set format x ''
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.716981132e-01
+set tmargin at screen 9.169811321e-01
+set xrange [0.000000000e+00:5.000000000e-01]
+set yrange [-1.177227025e-03:2.825344860e-02]
+set xtics 2.000000000e-01
+set ytics 5.000000000e-03
+set label 'T  [kN m]' at screen 0.506452,0.945283 left enhanced front tc rgb '#202020'
 $T0 << e
 0.000000000e+00 7.799362868e-03
 5.208333333e-03 7.981938357e-03
@@ -424,12 +470,22 @@ $T0 << e
 4.947916667e-01 2.339996746e-02
 5.000000000e-01 2.354454050e-02
 e
-set format x ''
-unset xlabel
-set ylabel 'T  [kN m]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $T0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8'
+set label '0.02354' at screen 0.881032,0.891744 left noenhanced front tc rgb '#0b5fa5'
+set label '0.007799' at screen 0.582258,0.732503 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $T0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
+unset object
+set format x ''
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.773584906e-01
+set tmargin at screen 6.226415094e-01
+set xrange [0.000000000e+00:5.000000000e-01]
+set yrange [-8.133541407e-01:3.388975586e-02]
+set xtics 2.000000000e-01
+set ytics 2.000000000e-01
+set label 'V_{y}  [kN]' at screen 0.506452,0.650943 left enhanced front tc rgb '#202020'
 $V_y0 << e
 0.000000000e+00 -6.777951172e-01
 5.208333333e-03 -6.777767169e-01
@@ -529,12 +585,23 @@ $V_y0 << e
 4.947916667e-01 -6.767319036e-01
 5.000000000e-01 -6.767313180e-01
 e
-set format x ''
-unset xlabel
-set ylabel 'V_{y}  [kN]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $V_y0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8'
+set label '-0.6767' at screen 0.876194,0.438925 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.6778' at screen 0.591935,0.438617 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_y0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
+unset object
+set format x '%g'
+set lmargin at screen 5.774193548e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.301886792e-02
+set tmargin at screen 3.283018868e-01
+set xrange [0.000000000e+00:5.000000000e-01]
+set yrange [-6.502905169e-01:2.709543821e-02]
+set xtics 2.000000000e-01
+set ytics 2.000000000e-01
+set label 'M_{z}  [kN m]' at screen 0.506452,0.356604 left enhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.772581,0.0188679 center noenhanced front tc rgb '#202020'
 $M_z0 << e
 0.000000000e+00 -5.419087641e-01
 5.208333333e-03 -5.418899192e-01
@@ -634,10 +701,10 @@ $M_z0 << e
 4.947916667e-01 -5.409165458e-01
 5.000000000e-01 -5.409182030e-01
 e
-set format x '%g'
-set xlabel 't [s]'
-set ylabel 'M_{z}  [kN m]'
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $M_z0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8'
+set label '-0.5409' at screen 0.874174,0.142436 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.5419' at screen 0.591935,0.144278 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_z0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
+unset object
 unset multiplot

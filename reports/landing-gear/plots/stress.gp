@@ -1,17 +1,36 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.8790 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,370 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: landing-gear' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.756756757e-01
+set tmargin at screen 9.243243243e-01
 set xrange [0.000000000e+00:5.000000000e-01]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-2.572641252e+00:3.496513736e+00]
+set xtics 1.000000000e-01
+set ytics 1.000000000e+00
+set label 'normal stress [MPa]' at screen 0.0193548,0.962162 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.183784 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.220548,0.127027 to screen 0.268935,0.127027 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 0+ m, corner +y +z: range 1.402 MPa' at screen 0.281839,0.127027 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.220548,0.0783784 to screen 0.268935,0.0783784 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 1.1- m, corner +y -z: range 0.4015 MPa' at screen 0.281839,0.0783784 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.220548,0.0297297 to screen 0.268935,0.0297297 nohead lw 1.5 dt (3,3) lc rgb '#00785a'
+set label 's = 0.6728 m, corner +y +z: range 0.5144 MPa' at screen 0.281839,0.0297297 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 5.238546149e-03
 5.208333333e-03 -9.600244230e-03
 1.041666667e-02 -2.444768146e-02
@@ -110,13 +129,7 @@ $h0 << e
 4.947916667e-01 -1.382821619e+00
 5.000000000e-01 -1.396446641e+00
 e
-$x0 << e
-0.000000000e+00 5.238546149e-03
-5.000000000e-01 -1.396446641e+00
-e
-set label '0.005239 MPa at 0.0000 s' at 0.000000000e+00,5.238546149e-03 left offset 0.6,9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-1.396 MPa at 0.5000 s' at 5.000000000e-01,-1.396446641e+00 right offset -0.6,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 2.760858586e+00
 5.208333333e-03 2.758219750e+00
 1.041666667e-02 2.755552571e+00
@@ -215,11 +228,7 @@ $h1 << e
 4.947916667e-01 2.365216311e+00
 5.000000000e-01 2.359311130e+00
 e
-$x1 << e
-0.000000000e+00 2.760858586e+00
-5.000000000e-01 2.359311130e+00
-e
-$h2 << e
+$history2 << e
 0.000000000e+00 -1.322570236e+00
 5.208333333e-03 -1.328705448e+00
 1.041666667e-02 -1.334832814e+00
@@ -318,9 +327,15 @@ $h2 << e
 4.947916667e-01 -1.832844556e+00
 5.000000000e-01 -1.836986102e+00
 e
-$x2 << e
-0.000000000e+00 -1.322570236e+00
-5.000000000e-01 -1.836986102e+00
+$extremes << e
+0.000000000e+00 5.238546149e-03
+5.000000000e-01 -1.396446641e+00
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 0+ m, corner +y +z: range 1.402 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 1.1- m, corner +y -z: range 0.4015 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 0.6728 m, corner +y +z: range 0.5144 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle
+set label '0.005239 MPa at 0.0000 s' at screen 0.0983871,0.575078 left noenhanced front tc rgb '#0b5fa5'
+set label '-1.396 MPa at 0.5000 s' at screen 0.678452,0.471137 left noenhanced front tc rgb '#0b5fa5'
+set arrow from screen 0.920968,0.450867 to screen 0.967742,0.401383 nohead lw 0.6 lc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $history2 using 1:2 with lines lw 1.5 dt (3,3) lc rgb '#00785a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

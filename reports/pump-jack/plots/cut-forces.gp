@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.7516 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,644 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: pump-jack' noenhanced
-set xrange [-1.120000000e-01:5.712000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 2.250000000e+02
 2.100000000e+00 4.000000000e+02
@@ -29,20 +34,42 @@ $outline_z << e
 0.000000000e+00 -2.250000000e+02
 0.000000000e+00 2.250000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-6.400000000e+02:7.600000000e+02]
-set ytics 500
-set label 1 'T' at 0.000000000e+00,5.000000000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,4.600000000e+02 to 0.000000000e+00,-4.600000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'S' at 2.500000000e+00,5.000000000e+02 center noenhanced
-set arrow 2 from 2.500000000e+00,4.600000000e+02 to 2.500000000e+00,-4.600000000e+02 nohead lc rgb '#909090' dt 3
-set label 3 'H' at 5.600000000e+00,5.000000000e+02 center noenhanced
-set arrow 3 from 5.600000000e+00,4.600000000e+02 to 5.600000000e+00,-4.600000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 2.7077 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 4.7839 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 2.000000000e+02 2.100000000e+00 1.750000000e+02
+0.000000000e+00 -2.000000000e+02 2.100000000e+00 -1.750000000e+02
+2.100000000e+00 3.750000000e+02 8.000000000e-01 0.000000000e+00
+2.100000000e+00 -3.750000000e+02 8.000000000e-01 0.000000000e+00
+2.900000000e+00 3.750000000e+02 2.000000000e+00 -2.000000000e+02
+2.900000000e+00 -3.750000000e+02 2.000000000e+00 2.000000000e+02
+4.900000000e+00 1.750000000e+02 7.000000000e-01 0.000000000e+00
+4.900000000e+00 -1.750000000e+02 7.000000000e-01 0.000000000e+00
+e
+$supports_outline_z << e
+0.000000000e+00 -5.360000000e+02
+2.500000000e+00 -5.360000000e+02
+5.600000000e+00 -5.360000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.198757764e-01
+set tmargin at screen 9.378881988e-01
+set xrange [-1.120000000e-01:5.712000000e+00]
+set yrange [-6.800000000e+02:6.800000000e+02]
+set xtics 1.000000000e+00
+set ytics 5.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.96118 left enhanced front tc rgb '#202020'
+set ytics 5.000000000e+02
+set arrow from screen 0.107196,0.920533 to screen 0.107196,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'T' at screen 0.110422,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.483836,0.920533 to screen 0.483836,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'S' at screen 0.487061,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.920533 to screen 0.950868,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'H' at screen 0.954094,0.930964 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -2.429572071e+01 5.671015392e+01
@@ -172,7 +199,16 @@ $band_N << e
 5.600000000e+00 -2.443893404e+00 2.403923742e+00
 5.600000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 5.993788820e-01
+set tmargin at screen 7.795031056e-01
+set xrange [-1.120000000e-01:5.712000000e+00]
+set yrange [-4.312730162e+01:7.522866386e+01]
+set xtics 1.000000000e+00
+set ytics 5.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.802795 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -2.101455929e+01
 8.750000000e-02 -2.104360396e+01
@@ -301,7 +337,7 @@ $N0 << e
 5.600000000e+00 1.529365539e+00
 5.600000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.251039015e+00
 8.750000000e-02 8.222600445e+00
@@ -430,12 +466,16 @@ $N1 << e
 5.600000000e+00 1.466828079e+00
 5.600000000e+00 0.000000000e+00
 e
-set label 1 '-22.07' at 2.500000000e+00,-2.207026815e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '8.251' at 0.000000000e+00,8.251039015e+00 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'N [kN]'
-set yrange [-4.143650211e+01:7.353786435e+01]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-22.07 (1)' at screen 0.490287,0.644052 left noenhanced front tc rgb '#0b5fa5'
+set label '8.251 (2)' at screen 0.113648,0.690198 left noenhanced front tc rgb '#c8500a'
+set label '2.882 (1)' at screen 0.490287,0.682027 left noenhanced front tc rgb '#0b5fa5'
+set label '58.32' at screen 0.490287,0.766398 left noenhanced front tc rgb '#606060'
+set label '-26.22' at screen 0.490287,0.612484 left noenhanced front tc rgb '#606060'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 5.040235621e+01 1.136663743e+02
@@ -565,7 +605,16 @@ $band_V << e
 5.600000000e+00 -8.313000078e+01 -3.660324567e+01
 5.600000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.788819876e-01
+set tmargin at screen 5.590062112e-01
+set xrange [-1.120000000e-01:5.712000000e+00]
+set yrange [-1.322492194e+02:1.615911566e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+02
+set label 'V  [kN]' at screen 0.0193548,0.582298 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 5.037184290e+01
 8.750000000e-02 5.054080361e+01
@@ -694,7 +743,7 @@ $V0 << e
 5.600000000e+00 -3.658148983e+01
 5.600000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.136714374e+02
 8.750000000e-02 1.138412456e+02
@@ -823,14 +872,21 @@ $V1 << e
 5.600000000e+00 -8.313534944e+01
 5.600000000e+00 0.000000000e+00
 e
-set label 1 '119.6' at 2.500000000e+00,1.196265220e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set label 2 '56.31' at 2.500000000e+00,5.630968763e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'V [kN]'
-set yrange [-1.280514997e+02:1.573934370e+02]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '119.6 (2)' at screen 0.490287,0.545909 left noenhanced front tc rgb '#c8500a'
+set label '-90.28 (2)' at screen 0.377706,0.417236 left noenhanced front tc rgb '#c8500a'
+set label '56.31 (1)' at screen 0.490287,0.507095 left noenhanced front tc rgb '#0b5fa5'
+set label '-43.73 (1)' at screen 0.377706,0.445769 left noenhanced front tc rgb '#0b5fa5'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.125323,0.0729814 to screen 0.17371,0.0729814 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.186613,0.0729814 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.125323,0.0450311 to screen 0.17371,0.0450311 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 2.7077 s, highest stress at the governing place' at screen 0.186613,0.0450311 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.125323,0.0170807 to screen 0.17371,0.0170807 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 4.7839 s, largest M, lowest stress at the governing place' at screen 0.186613,0.0170807 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -960,7 +1016,17 @@ $band_M << e
 5.600000000e+00 9.205010783e+00 2.317765577e+01
 5.600000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.583850932e-01
+set tmargin at screen 3.385093168e-01
+set xrange [-1.120000000e-01:5.712000000e+00]
+set yrange [-1.455691128e+01:3.493658708e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+02
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.361801 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.10559 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 8.750000000e-02 4.414907661e+00
@@ -1089,7 +1155,7 @@ $M0 << e
 5.600000000e+00 9.205638656e+00
 5.600000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 8.750000000e-02 9.953659336e+00
@@ -1218,10 +1284,10 @@ $M1 << e
 5.600000000e+00 2.318343378e+01
 5.600000000e+00 0.000000000e+00
 e
-set label 1 '291.2' at 2.500000000e+00,2.911609080e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set label 2 '132.9' at 2.500000000e+00,1.328867832e+02 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-5.240488061e+01:3.435431062e+02]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '291.2 (2)' at screen 0.490287,0.322327 left noenhanced front tc rgb '#c8500a'
+set label '132.9 (1)' at screen 0.490287,0.243989 left noenhanced front tc rgb '#0b5fa5'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

@@ -1,17 +1,36 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.6903 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,352 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: pump-jack' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.386363636e-01
+set tmargin at screen 9.204545455e-01
 set xrange [0.000000000e+00:7.500000000e+00]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-4.323583496e+01:4.878761124e+01]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+01
+set label 'normal stress [MPa]' at screen 0.0193548,0.960227 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.142045 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.0229677,0.0823864 to screen 0.0713548,0.0823864 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 3.9 m, fibre -z: range 17.89 MPa' at screen 0.0842581,0.0823864 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0229677,0.03125 to screen 0.0713548,0.03125 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 4 m, fibre -z: range 17.81 MPa' at screen 0.0842581,0.03125 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.0823864 to screen 0.558065,0.0823864 nohead lw 1.5 dt (3,3) lc rgb '#00785a'
+set label 's = 2.5- m, fibre +z: range 21.20 MPa' at screen 0.570968,0.0823864 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 -2.301790131e+01
 7.812500000e-02 -2.229599819e+01
 1.562500000e-01 -2.158760158e+01
@@ -110,13 +129,7 @@ $h0 << e
 7.421875000e+00 -2.374009114e+01
 7.500000000e+00 -2.301790131e+01
 e
-$x0 << e
-2.707672386e+00 -1.419507647e+01
-4.790162195e+00 -3.208602779e+01
-e
-set label '-14.20 MPa at 2.7077 s' at 2.707672386e+00,-1.419507647e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-32.09 MPa at 4.7902 s' at 4.790162195e+00,-3.208602779e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 -2.286764801e+01
 7.812500000e-02 -2.214893056e+01
 1.562500000e-01 -2.144363049e+01
@@ -215,11 +228,7 @@ $h1 << e
 7.421875000e+00 -2.358662106e+01
 7.500000000e+00 -2.286764801e+01
 e
-$x1 << e
-2.707938803e+00 -1.407320369e+01
-4.790327939e+00 -3.188310675e+01
-e
-$h2 << e
+$history2 << e
 0.000000000e+00 2.770425460e+01
 7.812500000e-02 2.680149500e+01
 1.562500000e-01 2.591696575e+01
@@ -318,9 +327,14 @@ $h2 << e
 7.421875000e+00 2.860922027e+01
 7.500000000e+00 2.770425460e+01
 e
-$x2 << e
-4.860465450e+00 3.763540073e+01
-2.708546197e+00 1.643470548e+01
+$extremes << e
+2.707672386e+00 -1.419507647e+01
+4.790162195e+00 -3.208602779e+01
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 3.9 m, fibre -z: range 17.89 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 4 m, fibre -z: range 17.81 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 2.5- m, fibre +z: range 21.20 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle
+set label '-14.20 MPa at 2.7077 s' at screen 0.415156,0.478915 left noenhanced front tc rgb '#0b5fa5'
+set label '-32.09 MPa at 4.7902 s' at screen 0.658785,0.296137 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $history2 using 1:2 with lines lw 1.5 dt (3,3) lc rgb '#00785a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

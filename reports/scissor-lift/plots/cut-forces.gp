@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.7516 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,644 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: scissor-lift' noenhanced
-set xrange [-4.800000000e-02:2.448000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 5.000000000e+01
 9.000000000e-01 8.500000000e+01
@@ -25,22 +30,47 @@ $outline_z << e
 0.000000000e+00 -5.000000000e+01
 0.000000000e+00 5.000000000e+01
 e
-set ylabel 'beam z [mm]'
-set yrange [-1.360000000e+02:1.615000000e+02]
-set ytics autofreq
-set label 1 'A' at 0.000000000e+00,1.062500000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,9.775000000e+01 to 0.000000000e+00,-9.775000000e+01 nohead lc rgb '#909090' dt 3
-set label 2 'P' at 1.050000000e+00,1.062500000e+02 center noenhanced
-set arrow 2 from 1.050000000e+00,9.775000000e+01 to 1.050000000e+00,-9.775000000e+01 nohead lc rgb '#909090' dt 3
-set label 3 'M' at 1.200000000e+00,1.062500000e+02 center noenhanced
-set arrow 3 from 1.200000000e+00,9.775000000e+01 to 1.200000000e+00,-9.775000000e+01 nohead lc rgb '#909090' dt 3
-set label 4 'C' at 2.400000000e+00,1.062500000e+02 center noenhanced
-set arrow 4 from 2.400000000e+00,9.775000000e+01 to 2.400000000e+00,-9.775000000e+01 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 10.9327 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 36.0099 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 4.200000000e+01 9.000000000e-01 3.500000000e+01
+0.000000000e+00 -4.200000000e+01 9.000000000e-01 -3.500000000e+01
+9.000000000e-01 7.700000000e+01 6.000000000e-01 0.000000000e+00
+9.000000000e-01 -7.700000000e+01 6.000000000e-01 0.000000000e+00
+1.500000000e+00 7.700000000e+01 9.000000000e-01 -3.500000000e+01
+1.500000000e+00 -7.700000000e+01 9.000000000e-01 3.500000000e+01
+e
+$supports_outline_z << e
+0.000000000e+00 -1.139000000e+02
+1.200000000e+00 -1.139000000e+02
+2.400000000e+00 -1.139000000e+02
+1.050000000e+00 -1.139000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.198757764e-01
+set tmargin at screen 9.378881988e-01
+set xrange [-4.800000000e-02:2.448000000e+00]
+set yrange [-1.445000000e+02:1.445000000e+02]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.96118 left enhanced front tc rgb '#202020'
+set ytics 1.000000000e+02
+set object ellipse center 1.2,0 size 0.05,50 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 1.2,0 size 0.05,50 front fs empty border lc rgb '#303030'
+set object ellipse center 1.2,-0 size 0.05,50 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 1.2,-0 size 0.05,50 front fs empty border lc rgb '#303030'
+set arrow from screen 0.107196,0.920533 to screen 0.107196,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'A' at screen 0.110422,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.476303,0.920533 to screen 0.476303,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'P' at screen 0.479529,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.529032,0.920533 to screen 0.529032,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'M' at screen 0.532258,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.920533 to screen 0.950868,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'C' at screen 0.954094,0.930964 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.410435990e+00 1.188035533e+01
@@ -170,7 +200,16 @@ $band_N << e
 2.400000000e+00 -7.490777680e+00 -5.086048312e-01
 2.400000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 5.993788820e-01
+set tmargin at screen 7.795031056e-01
+set xrange [-4.800000000e-02:2.448000000e+00]
+set yrange [-1.687754625e+01:1.674753630e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.802795 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.187145765e+01
 3.750000000e-02 1.187335484e+01
@@ -299,7 +338,7 @@ $N0 << e
 2.400000000e+00 -2.554831655e+00
 2.400000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.412961304e+00
 3.750000000e-02 1.417330310e+00
@@ -428,12 +467,16 @@ $N1 << e
 2.400000000e+00 -1.491165247e+00
 2.400000000e+00 0.000000000e+00
 e
-set label 1 '11.94' at 1.050000000e+00,1.193523552e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '-3.603' at 1.050000000e+00,-3.602876824e+00 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'N [kN]'
-set yrange [-1.639718793e+01:1.626717798e+01]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '11.94 (1)' at screen 0.482754,0.766351 left noenhanced front tc rgb '#0b5fa5'
+set label '-5.931 (1)' at screen 0.370174,0.670643 left noenhanced front tc rgb '#0b5fa5'
+set label '-3.603 (2)' at screen 0.426464,0.643315 left noenhanced front tc rgb '#c8500a'
+set label '1.560 (2)' at screen 0.482754,0.710772 left noenhanced front tc rgb '#c8500a'
+set label '-12.07' at screen 0.482754,0.612484 left noenhanced front tc rgb '#606060'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.985275997e+00 1.066131135e+01
@@ -563,7 +606,16 @@ $band_V << e
 2.400000000e+00 -8.595975367e+00 -1.712888366e+00
 2.400000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.788819876e-01
+set tmargin at screen 5.590062112e-01
+set xrange [-4.800000000e-02:2.448000000e+00]
+set yrange [-2.612242802e+01:1.704233483e+01]
+set xtics 5.000000000e-01
+set ytics 1.000000000e+01
+set label 'V  [kN]' at screen 0.0193548,0.582298 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.066099353e+01
 3.750000000e-02 1.066737544e+01
@@ -692,7 +744,7 @@ $V0 << e
 2.400000000e+00 -8.594018907e+00
 2.400000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.985283791e+00
 3.750000000e-02 1.990307547e+00
@@ -821,14 +873,21 @@ $V1 << e
 2.400000000e+00 -1.714663614e+00
 2.400000000e+00 0.000000000e+00
 e
-set label 1 '-19.95' at 1.050000000e+00,-1.995253600e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '-4.142' at 1.050000000e+00,-4.142060066e+00 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'V [kN]'
-set yrange [-2.550578855e+01:1.642569536e+01]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-19.95 (1)' at screen 0.370174,0.417255 left noenhanced front tc rgb '#0b5fa5'
+set label '10.88 (1)' at screen 0.482754,0.5459 left noenhanced front tc rgb '#0b5fa5'
+set label '-4.142 (2)' at screen 0.370174,0.457978 left noenhanced front tc rgb '#c8500a'
+set label '2.154 (2)' at screen 0.482754,0.509505 left noenhanced front tc rgb '#c8500a'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.119129,0.0729814 to screen 0.167516,0.0729814 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.180419,0.0729814 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.119129,0.0450311 to screen 0.167516,0.0450311 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 10.9327 s, largest M, lowest stress at the governing place' at screen 0.180419,0.0450311 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.119129,0.0170807 to screen 0.167516,0.0170807 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 36.0099 s, highest stress at the governing place' at screen 0.180419,0.0170807 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -958,7 +1017,17 @@ $band_M << e
 2.400000000e+00 -3.365130397e-14 3.092281986e-14
 2.400000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.583850932e-01
+set tmargin at screen 3.385093168e-01
+set xrange [-4.800000000e-02:2.448000000e+00]
+set yrange [-2.688878290e+00:1.613326974e+01]
+set xtics 5.000000000e-01
+set ytics 5.000000000e+00
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.361801 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.10559 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 3.750000000e-02 3.999066149e-01
@@ -1087,7 +1156,7 @@ $M0 << e
 2.400000000e+00 1.182343112e-14
 2.400000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 3.750000000e-02 7.454209976e-02
@@ -1216,10 +1285,10 @@ $M1 << e
 2.400000000e+00 -1.136868377e-15
 2.400000000e+00 0.000000000e+00
 e
-set label 1 '13.44' at 1.050000000e+00,1.344440363e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '2.788' at 1.050000000e+00,2.787768914e+00 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-2.419990461e+00:1.586438191e+01]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '13.44 (1)' at screen 0.482754,0.325404 left noenhanced front tc rgb '#0b5fa5'
+set label '2.788 (2)' at screen 0.482754,0.223422 left noenhanced front tc rgb '#c8500a'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

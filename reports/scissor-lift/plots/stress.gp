@@ -1,17 +1,36 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.8790 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,370 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: scissor-lift' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.756756757e-01
+set tmargin at screen 9.243243243e-01
 set xrange [0.000000000e+00:6.000000000e+01]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-1.255056726e+02:1.123117407e+02]
+set xtics 1.000000000e+01
+set ytics 5.000000000e+01
+set label 'normal stress [MPa]' at screen 0.0193548,0.962162 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.183784 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.260129,0.127027 to screen 0.308516,0.127027 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 1.05+ m, fibre -z: range 75.87 MPa' at screen 0.321419,0.127027 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.260129,0.0783784 to screen 0.308516,0.0783784 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 1.05- m, fibre +z: range 67.70 MPa' at screen 0.321419,0.0783784 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.260129,0.0297297 to screen 0.308516,0.0297297 nohead lw 1.5 dt (3,3) lc rgb '#00785a'
+set label 's = 1.15 m, fibre -z: range 64.97 MPa' at screen 0.321419,0.0297297 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 -2.210713126e+01
 1.250000000e-01 -2.210715565e+01
 2.500000000e-01 -2.210717698e+01
@@ -494,13 +513,7 @@ $h0 << e
 5.987500000e+01 -2.210711942e+01
 6.000000000e+01 -2.210713126e+01
 e
-$x0 << e
-3.600989750e+01 -2.080486062e+01
-1.147282048e+01 -9.667937372e+01
-e
-set label '-20.80 MPa at 36.0099 s' at 3.600989750e+01,-2.080486062e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-96.68 MPa at 11.4728 s' at 1.147282048e+01,-9.667937372e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 1.851611605e+01
 1.250000000e-01 1.851613731e+01
 2.500000000e-01 1.851615589e+01
@@ -983,11 +996,7 @@ $h1 << e
 5.987500000e+01 1.851610573e+01
 6.000000000e+01 1.851611605e+01
 e
-$x1 << e
-1.059674711e+01 8.348541672e+01
-3.584784244e+01 1.578366903e+01
-e
-$h2 << e
+$history2 << e
 0.000000000e+00 -1.807050852e+01
 1.250000000e-01 -1.807052963e+01
 2.500000000e-01 -1.807054809e+01
@@ -1470,9 +1479,14 @@ $h2 << e
 5.987500000e+01 -1.807049827e+01
 6.000000000e+01 -1.807050852e+01
 e
-$x2 << e
-3.651160743e+01 -1.788301735e+01
-1.645901785e+01 -8.285022182e+01
+$extremes << e
+3.600989750e+01 -2.080486062e+01
+1.147282048e+01 -9.667937372e+01
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 1.05+ m, fibre -z: range 75.87 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 1.05- m, fibre +z: range 67.70 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 1.15 m, fibre -z: range 64.97 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle
+set label '-20.80 MPa at 36.0099 s' at screen 0.489467,0.595032 left noenhanced front tc rgb '#0b5fa5'
+set label '-96.68 MPa at 11.4728 s' at screen 0.266162,0.330411 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $history2 using 1:2 with lines lw 1.5 dt (3,3) lc rgb '#00785a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

@@ -1,25 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,1088 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,7.1290 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,680 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,1.533088235e-01,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-detailed' noenhanced
-set xrange [-1.240000000e-01:6.324000000e+00]
-set format x ''
-set arrow 500 from screen 2.267441860e-01,9.007352941e-02 to screen 2.662790698e-01,9.007352941e-02 nohead lw 10 lc rgb '#e0e0e0'
-set label 500 'envelope' at screen 2.755813953e-01,9.007352941e-02 left noenhanced
-set arrow 501 from screen 2.267441860e-01,7.169117647e-02 to screen 2.662790698e-01,7.169117647e-02 nohead lw 1.8 lc rgb '#1f5fa8'
-set label 501 't = 0.3571 s, most negative stress (normal running)' at screen 2.755813953e-01,7.169117647e-02 left noenhanced
-set arrow 502 from screen 2.267441860e-01,5.330882353e-02 to screen 2.662790698e-01,5.330882353e-02 nohead lw 1.8 lc rgb '#c8551b'
-set label 502 't = 1.0714 s, largest stress (normal running)' at screen 2.755813953e-01,5.330882353e-02 left noenhanced
-set arrow 503 from screen 2.267441860e-01,3.492647059e-02 to screen 2.662790698e-01,3.492647059e-02 nohead lw 1.8 lc rgb '#3f8f4f'
-set label 503 't = 0.3571 s, most negative M (over-stroke)' at screen 2.755813953e-01,3.492647059e-02 left noenhanced
-set arrow 504 from screen 2.267441860e-01,1.654411765e-02 to screen 2.662790698e-01,1.654411765e-02 nohead lw 1.8 lc rgb '#7a4fa0'
-set label 504 't = 1.0714 s, largest M (over-stroke)' at screen 2.755813953e-01,1.654411765e-02 left noenhanced
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
+set multiplot
+set format x ''
 $outline_z << e
 0.000000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
@@ -47,20 +42,56 @@ $outline_z << e
 0.000000000e+00 -3.000000000e+02
 0.000000000e+00 3.000000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-8.000000000e+02:9.500000000e+02]
-set ytics 500
-set label 1 'C' at 0.000000000e+00,6.250000000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,5.750000000e+02 to 0.000000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'O' at 3.200000000e+00,6.250000000e+02 center noenhanced
-set arrow 2 from 3.200000000e+00,5.750000000e+02 to 3.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set label 3 'B' at 6.200000000e+00,6.250000000e+02 center noenhanced
-set arrow 3 from 6.200000000e+00,5.750000000e+02 to 6.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle
-unset key
+$inner_outline_z << e
+0.000000000e+00 2.500000000e+02 1.500000000e+00 0.000000000e+00
+0.000000000e+00 -2.500000000e+02 1.500000000e+00 0.000000000e+00
+1.500000000e+00 2.500000000e+02 1.700000000e+00 2.000000000e+02
+1.500000000e+00 -2.500000000e+02 1.700000000e+00 -2.000000000e+02
+3.200000000e+00 4.500000000e+02 1.000000000e+00 -2.000000000e+02
+3.200000000e+00 -4.500000000e+02 1.000000000e+00 2.000000000e+02
+4.200000000e+00 2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.200000000e+00 -2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -2.450000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 2.450000000e+02 5.000000000e-01 0.000000000e+00
+5.200000000e+00 1.890000000e+02 1.000000000e+00 0.000000000e+00
+5.200000000e+00 -1.890000000e+02 1.000000000e+00 0.000000000e+00
+e
+$supports_outline_z << e
+3.200000000e+00 -6.700000000e+02
+6.200000000e+00 -6.700000000e+02
+0.000000000e+00 -6.700000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.294117647e-01
+set tmargin at screen 9.411764706e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-8.500000000e+02:8.500000000e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+03
+set label 'beam, z [mm]' at screen 0.0193548,0.963235 left enhanced front tc rgb '#202020'
+set ytics 5.000000000e+02
+set object ellipse center 3.2,0 size 0.145,145 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,0 size 0.145,145 front fs empty border lc rgb '#303030'
+set object ellipse center 3.2,-0 size 0.145,145 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,-0 size 0.145,145 front fs empty border lc rgb '#303030'
+set object ellipse center 3.2,100 size 0.018000000000000002,18.000000000000004 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,100 size 0.018000000000000002,18.000000000000004 front fs empty border lc rgb '#303030'
+set object ellipse center 3.2,-100 size 0.018000000000000002,18.000000000000004 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,-100 size 0.018000000000000002,18.000000000000004 front fs empty border lc rgb '#303030'
+set arrow from screen 0.107196,0.92474 to screen 0.107196,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'C' at screen 0.110422,0.934619 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.54264,0.92474 to screen 0.54264,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'O' at screen 0.545866,0.934619 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.92474 to screen 0.950868,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.954094,0.934619 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.482400760e-01 1.494990320e+01
@@ -215,7 +246,16 @@ $band_N << e
 6.200000000e+00 -1.811890416e+01 -5.609726347e-01
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.205882353e-01
+set tmargin at screen 7.911764706e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-5.817778366e+01:5.575382032e+01]
+set xtics 1.000000000e+00
+set ytics 5.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.813235 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.259255488e+00
 6.250000000e-02 7.688389444e+00
@@ -369,7 +409,7 @@ $N0 << e
 6.200000000e+00 -1.223525933e+01
 6.200000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.032728766e+01
 6.250000000e-02 1.075642423e+01
@@ -523,7 +563,7 @@ $N1 << e
 6.200000000e+00 -7.487208678e+00
 6.200000000e+00 0.000000000e+00
 e
-$N2 << e
+$N_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.695253675e+00
 6.250000000e-02 1.012372495e+01
@@ -677,7 +717,7 @@ $N2 << e
 6.200000000e+00 -1.811890416e+01
 6.200000000e+00 0.000000000e+00
 e
-$N3 << e
+$N_3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.494990320e+01
 6.250000000e-02 1.537838100e+01
@@ -831,12 +871,20 @@ $N3 << e
 6.200000000e+00 -9.824617266e+00
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-41.90' at 3.200000000e+00,-4.190184023e+01 offset 0.5,-6.000000000e-01 left tc rgb '#3f8f4f' front
-set label 2 '39.48' at 3.200000000e+00,3.947787690e+01 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
-set ylabel 'N [kN]'
-set yrange [-5.655018932e+01:5.412622598e+01]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $N2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $N3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
+set label '-41.90 (3)' at screen 0.436511,0.656916 left noenhanced front tc rgb '#00785a'
+set label '39.48 (4)' at screen 0.549091,0.778765 left noenhanced front tc rgb '#a04f86'
+set label '-36.05 (1)' at screen 0.558769,0.635515 left noenhanced front tc rgb '#0b5fa5'
+set label '34.89 (2)' at screen 0.549091,0.747983 left noenhanced front tc rgb '#c8500a'
+set label '34.22 (3)' at screen 0.434382,0.777136 left noenhanced front tc rgb '#00785a'
+set label '-33.61 (4)' at screen 0.446155,0.631641 left noenhanced front tc rgb '#a04f86'
+set label '31.82 (1)' at screen 0.421479,0.728832 left noenhanced front tc rgb '#0b5fa5'
+set arrow from screen 0.513608,0.739861 to screen 0.54264,0.755348 nohead lw 0.6 lc rgb '#0b5fa5'
+set label '-31.31 (2)' at screen 0.426833,0.679019 left noenhanced front tc rgb '#c8500a'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $N_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle, $N_3 using 1:2 with lines lw 1.8 dt (9,3,2,3) lc rgb '#a04f86' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.164942482e+02 1.147117028e+02
@@ -991,7 +1039,16 @@ $band_V << e
 6.200000000e+00 -1.314871211e+02 1.334444950e+02
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 4.117647059e-01
+set tmargin at screen 5.823529412e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-1.844734443e+02:1.864308182e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+02
+set label 'V  [kN]' at screen 0.0193548,0.604412 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.691019647e+01
 6.250000000e-02 -9.709959098e+01
@@ -1145,7 +1202,7 @@ $V0 << e
 6.200000000e+00 1.110023206e+02
 6.200000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.605113696e+01
 6.250000000e-02 9.623977619e+01
@@ -1299,7 +1356,7 @@ $V1 << e
 6.200000000e+00 -1.100591198e+02
 6.200000000e+00 0.000000000e+00
 e
-$V2 << e
+$V_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.164942482e+02
 6.250000000e-02 -1.167222745e+02
@@ -1453,7 +1510,7 @@ $V2 << e
 6.200000000e+00 1.334444950e+02
 6.200000000e+00 0.000000000e+00
 e
-$V3 << e
+$V_3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.147117028e+02
 6.250000000e-02 1.149381550e+02
@@ -1607,14 +1664,29 @@ $V3 << e
 6.200000000e+00 -1.314871211e+02
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '133.4' at 6.200000000e+00,1.334444950e+02 offset -1,6.000000000e-01 right tc rgb '#3f8f4f' front
-set label 2 '-131.5' at 6.200000000e+00,-1.314871211e+02 offset -1,-6.000000000e-01 right tc rgb '#7a4fa0' front
-set ylabel 'V [kN]'
-set yrange [-1.791748119e+02:1.811321859e+02]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $V3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
+set label '133.4 (3)' at screen 0.852288,0.569942 left noenhanced front tc rgb '#00785a'
+set label '-131.5 (4)' at screen 0.844739,0.424176 left noenhanced front tc rgb '#a04f86'
+set label '-121.6 (3)' at screen 0.48162,0.428736 left noenhanced front tc rgb '#00785a'
+set label '119.8 (4)' at screen 0.376588,0.563643 left noenhanced front tc rgb '#a04f86'
+set label '111.0 (1)' at screen 0.84261,0.529464 left noenhanced front tc rgb '#0b5fa5'
+set label '-110.1 (2)' at screen 0.835062,0.464187 left noenhanced front tc rgb '#c8500a'
+set label '-101.1 (1)' at screen 0.36904,0.462057 left noenhanced front tc rgb '#0b5fa5'
+set label '100.2 (2)' at screen 0.376588,0.530757 left noenhanced front tc rgb '#c8500a'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $V_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle, $V_3 using 1:2 with lines lw 1.8 dt (9,3,2,3) lc rgb '#a04f86' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.0877742,0.122059 to screen 0.136161,0.122059 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.149065,0.122059 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0877742,0.0955882 to screen 0.136161,0.0955882 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.3571 s, lowest stress at the governing place (normal running)' at screen 0.149065,0.0955882 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0877742,0.0691176 to screen 0.136161,0.0691176 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 1.0714 s, highest stress at the governing place (normal running)' at screen 0.149065,0.0691176 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0877742,0.0426471 to screen 0.136161,0.0426471 nohead lw 1.8 dt (3,3) lc rgb '#00785a'
+set label '(3) t = 0.3571 s, most negative M (over-stroke)' at screen 0.149065,0.0426471 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0877742,0.0161765 to screen 0.136161,0.0161765 nohead lw 1.8 dt (9,3,2,3) lc rgb '#a04f86'
+set label '(4) t = 1.0714 s, largest M (over-stroke)' at screen 0.149065,0.0161765 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -1769,7 +1841,17 @@ $band_M << e
 6.200000000e+00 -1.746229827e-13 1.746229827e-13
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.029411765e-01
+set tmargin at screen 3.735294118e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-5.368697119e+02:5.310792104e+02]
+set xtics 1.000000000e+00
+set ytics 5.000000000e+02
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.395588 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.152941 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 -6.062829002e+00
@@ -1923,7 +2005,7 @@ $M0 << e
 6.200000000e+00 1.164153218e-13
 6.200000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 6.009114099e+00
@@ -2077,7 +2159,7 @@ $M1 << e
 6.200000000e+00 -7.275957614e-14
 6.200000000e+00 0.000000000e+00
 e
-$M2 << e
+$M_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 -7.288044187e+00
@@ -2231,7 +2313,7 @@ $M2 << e
 6.200000000e+00 -5.820766091e-14
 6.200000000e+00 0.000000000e+00
 e
-$M3 << e
+$M_3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 7.176585738e+00
@@ -2385,10 +2467,12 @@ $M3 << e
 6.200000000e+00 1.455191523e-13
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-384.3' at 3.200000000e+00,-3.843055802e+02 offset 0.5,-6.000000000e-01 left tc rgb '#3f8f4f' front
-set label 2 '378.5' at 3.200000000e+00,3.785150787e+02 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-5.216132988e+02:5.158227973e+02]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $M3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
+set label '-384.3 (3)' at screen 0.549091,0.215353 left noenhanced front tc rgb '#00785a'
+set label '378.5 (4)' at screen 0.549091,0.361118 left noenhanced front tc rgb '#a04f86'
+set label '-319.7 (1)' at screen 0.492801,0.254545 left noenhanced front tc rgb '#0b5fa5'
+set label '316.9 (2)' at screen 0.496575,0.322404 left noenhanced front tc rgb '#c8500a'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $M_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle, $M_3 using 1:2 with lines lw 1.8 dt (9,3,2,3) lc rgb '#a04f86' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

@@ -1,17 +1,36 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.6903 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,352 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: sledge-rig-friction' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.386363636e-01
+set tmargin at screen 9.204545455e-01
 set xrange [0.000000000e+00:1.428571429e+00]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-2.436076978e+01:2.358753107e+01]
+set xtics 2.000000000e-01
+set ytics 5.000000000e+00
+set label 'normal stress [MPa]' at screen 0.0193548,0.960227 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.142045 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.018129,0.0823864 to screen 0.0665161,0.0823864 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 4.2 m, fibre +z: range 36.32 MPa' at screen 0.0794194,0.0823864 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.018129,0.03125 to screen 0.0665161,0.03125 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 5.2+ m, fibre +z: range 28.51 MPa' at screen 0.0794194,0.03125 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.0823864 to screen 0.558065,0.0823864 nohead lw 1.5 dt (3,3) lc rgb '#00785a'
+set label 's = 4.7- m, fibre +z: range 27.45 MPa' at screen 0.570968,0.0823864 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 1.340332621e+00
 1.860119048e-03 1.203726287e+00
 3.720238095e-03 1.067134259e+00
@@ -782,13 +801,7 @@ $h0 << e
 1.426711310e+00 1.476944010e+00
 1.428571429e+00 1.340332621e+00
 e
-$x0 << e
-1.082964072e+00 1.777570246e+01
-3.684407229e-01 -1.854886714e+01
-e
-set label '17.78 MPa at 1.0830 s' at 1.082964072e+00,1.777570246e+01 center offset 0,9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-18.55 MPa at 0.3684 s' at 3.684407229e-01,-1.854886714e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 1.093165912e+00
 1.860119048e-03 9.859500473e-01
 3.720238095e-03 8.787400580e-01
@@ -1559,11 +1572,7 @@ $h1 << e
 1.426711310e+00 1.200380433e+00
 1.428571429e+00 1.093165912e+00
 e
-$x1 << e
-1.082920645e+00 1.396705906e+01
-3.683824539e-01 -1.454041755e+01
-e
-$h2 << e
+$history2 << e
 0.000000000e+00 9.992340803e-01
 1.860119048e-03 8.960042895e-01
 3.720238095e-03 7.927817702e-01
@@ -2334,9 +2343,14 @@ $h2 << e
 1.426711310e+00 1.102464176e+00
 1.428571429e+00 9.992340803e-01
 e
-$x2 << e
-1.082943773e+00 1.340118173e+01
-3.684088819e-01 -1.405206027e+01
+$extremes << e
+1.082964072e+00 1.777570246e+01
+3.684407229e-01 -1.854886714e+01
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 4.2 m, fibre +z: range 36.32 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 5.2+ m, fibre +z: range 28.51 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 4.7- m, fibre +z: range 27.45 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle
+set label '17.78 MPa at 1.0830 s' at screen 0.51244,0.862921 left noenhanced front tc rgb '#0b5fa5'
+set label '-18.55 MPa at 0.3684 s' at screen 0.324681,0.296171 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $history2 using 1:2 with lines lw 1.5 dt (3,3) lc rgb '#00785a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

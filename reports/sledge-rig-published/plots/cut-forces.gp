@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.5629 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,626 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-published' noenhanced
-set xrange [-1.240000000e-01:6.324000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
@@ -37,20 +42,52 @@ $outline_z << e
 0.000000000e+00 -3.000000000e+02
 0.000000000e+00 3.000000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-8.000000000e+02:9.500000000e+02]
-set ytics 500
-set label 1 'C' at 0.000000000e+00,6.250000000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,5.750000000e+02 to 0.000000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'O' at 3.200000000e+00,6.250000000e+02 center noenhanced
-set arrow 2 from 3.200000000e+00,5.750000000e+02 to 3.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set label 3 'B' at 6.200000000e+00,6.250000000e+02 center noenhanced
-set arrow 3 from 6.200000000e+00,5.750000000e+02 to 6.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3573 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0720 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 2.500000000e+02 1.500000000e+00 0.000000000e+00
+0.000000000e+00 -2.500000000e+02 1.500000000e+00 0.000000000e+00
+1.500000000e+00 2.500000000e+02 1.700000000e+00 2.000000000e+02
+1.500000000e+00 -2.500000000e+02 1.700000000e+00 -2.000000000e+02
+3.200000000e+00 4.500000000e+02 1.000000000e+00 -2.000000000e+02
+3.200000000e+00 -4.500000000e+02 1.000000000e+00 2.000000000e+02
+4.200000000e+00 2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.200000000e+00 -2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -2.450000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 2.450000000e+02 5.000000000e-01 0.000000000e+00
+5.200000000e+00 1.890000000e+02 1.000000000e+00 0.000000000e+00
+5.200000000e+00 -1.890000000e+02 1.000000000e+00 0.000000000e+00
+e
+$supports_outline_z << e
+6.200000000e+00 -6.700000000e+02
+0.000000000e+00 -6.700000000e+02
+3.200000000e+00 -6.700000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.146964856e-01
+set tmargin at screen 9.361022364e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-8.500000000e+02:8.500000000e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+03
+set label 'beam, z [mm]' at screen 0.0193548,0.960064 left enhanced front tc rgb '#202020'
+set ytics 5.000000000e+02
+set object ellipse center 3.2,0 size 0.145,145 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,0 size 0.145,145 front fs empty border lc rgb '#303030'
+set object ellipse center 3.2,-0 size 0.145,145 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,-0 size 0.145,145 front fs empty border lc rgb '#303030'
+set arrow from screen 0.107196,0.918248 to screen 0.107196,0.83255 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'C' at screen 0.110422,0.928979 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.54264,0.918248 to screen 0.54264,0.83255 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'O' at screen 0.545866,0.928979 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.918248 to screen 0.950868,0.83255 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.954094,0.928979 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.292482170e-02 8.079485340e+00
@@ -205,7 +242,16 @@ $band_N << e
 6.200000000e+00 -8.079485340e+00 -4.831968941e-01
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 5.878594249e-01
+set tmargin at screen 7.731629393e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-4.480804948e+01:4.555386522e+01]
+set xtics 1.000000000e+00
+set ytics 2.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.797125 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.079485340e+00
 6.250000000e-02 8.508619297e+00
@@ -359,7 +405,7 @@ $N0 << e
 6.200000000e+00 -8.079485340e+00
 6.200000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.072449714e+00
 6.250000000e-02 8.501586285e+00
@@ -513,11 +559,15 @@ $N1 << e
 6.200000000e+00 -8.072449714e+00
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '32.65' at 3.200000000e+00,3.264502026e+01 offset 0.5,6.000000000e-01 left tc rgb '#1f5fa8' front
-set ylabel 'N [kN]'
-set yrange [-4.351716498e+01:4.426298073e+01]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '32.65 (1)' at screen 0.549091,0.759681 left noenhanced front tc rgb '#0b5fa5'
+set label '32.64 (2)' at screen 0.444059,0.759667 left noenhanced front tc rgb '#c8500a'
+set label '-31.90 (1)' at screen 0.436511,0.627321 left noenhanced front tc rgb '#0b5fa5'
+set label '-31.89 (2)' at screen 0.549091,0.601356 left noenhanced front tc rgb '#c8500a'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.581509473e+01 9.581833310e+01
@@ -672,7 +722,16 @@ $band_V << e
 6.200000000e+00 -1.023832034e+02 1.024029645e+02
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.610223642e-01
+set tmargin at screen 5.463258786e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-1.433404370e+02:1.433601981e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+02
+set label 'V  [kN]' at screen 0.0193548,0.570288 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.581509473e+01
 6.250000000e-02 -9.577919298e+01
@@ -826,7 +885,7 @@ $V0 << e
 6.200000000e+00 1.024029645e+02
 6.200000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.581833310e+01
 6.250000000e-02 9.578246261e+01
@@ -980,14 +1039,21 @@ $V1 << e
 6.200000000e+00 -1.023832034e+02
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '102.4' at 6.200000000e+00,1.024029645e+02 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
-set label 2 '-102.4' at 6.200000000e+00,-1.023832034e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
-set ylabel 'V [kN]'
-set yrange [-1.392447137e+02:1.392644747e+02]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '102.4 (1)' at screen 0.852288,0.532844 left noenhanced front tc rgb '#0b5fa5'
+set label '-102.4 (2)' at screen 0.844739,0.400484 left noenhanced front tc rgb '#c8500a'
+set label '95.82 (2)' at screen 0.113648,0.528588 left noenhanced front tc rgb '#c8500a'
+set label '-95.82 (1)' at screen 0.113648,0.404729 left noenhanced front tc rgb '#0b5fa5'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.0792903,0.0463259 to screen 0.127677,0.0463259 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.140581,0.0463259 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0792903,0.0175719 to screen 0.127677,0.0175719 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.3573 s, most negative M' at screen 0.140581,0.0175719 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.0463259 to screen 0.558065,0.0463259 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 1.0720 s, largest M' at screen 0.570968,0.0463259 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -1142,7 +1208,17 @@ $band_M << e
 6.200000000e+00 -3.929017112e-13 3.637978807e-13
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.341853035e-01
+set tmargin at screen 3.194888179e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-4.261568521e+02:4.261000098e+02]
+set xtics 1.000000000e+00
+set ytics 2.000000000e+02
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.34345 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.0798722 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 -5.987321491e+00
@@ -1296,7 +1372,7 @@ $M0 << e
 6.200000000e+00 3.492459655e-13
 6.200000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 5.987524866e+00
@@ -1450,10 +1526,10 @@ $M1 << e
 6.200000000e+00 -1.600710675e-13
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-304.4' at 3.200000000e+00,-3.044058718e+02 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '304.3' at 3.200000000e+00,3.043490295e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-4.139817541e+02:4.139249118e+02]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-304.4 (1)' at screen 0.549091,0.147667 left noenhanced front tc rgb '#0b5fa5'
+set label '304.3 (2)' at screen 0.549091,0.306007 left noenhanced front tc rgb '#c8500a'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

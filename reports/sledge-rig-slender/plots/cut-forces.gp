@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.7516 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,644 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig-slender' noenhanced
-set xrange [-1.240000000e-01:6.324000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 1.250000000e+02
 1.500000000e+00 1.250000000e+02
@@ -37,20 +42,48 @@ $outline_z << e
 0.000000000e+00 -1.250000000e+02
 0.000000000e+00 1.250000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-3.200000000e+02:3.800000000e+02]
-set ytics 100
-set label 1 'C' at 0.000000000e+00,2.500000000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,2.300000000e+02 to 0.000000000e+00,-2.300000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'O' at 3.200000000e+00,2.500000000e+02 center noenhanced
-set arrow 2 from 3.200000000e+00,2.300000000e+02 to 3.200000000e+00,-2.300000000e+02 nohead lc rgb '#909090' dt 3
-set label 3 'B' at 6.200000000e+00,2.500000000e+02 center noenhanced
-set arrow 3 from 6.200000000e+00,2.300000000e+02 to 6.200000000e+00,-2.300000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.2778 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 0.8333 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 1.130000000e+02 1.500000000e+00 0.000000000e+00
+0.000000000e+00 -1.130000000e+02 1.500000000e+00 0.000000000e+00
+1.500000000e+00 1.130000000e+02 1.700000000e+00 7.500000000e+01
+1.500000000e+00 -1.130000000e+02 1.700000000e+00 -7.500000000e+01
+3.200000000e+00 1.880000000e+02 1.000000000e+00 -7.500000000e+01
+3.200000000e+00 -1.880000000e+02 1.000000000e+00 7.500000000e+01
+4.200000000e+00 1.130000000e+02 5.000000000e-01 0.000000000e+00
+4.200000000e+00 -1.130000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 1.130000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -1.130000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -1.100000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 1.100000000e+02 5.000000000e-01 0.000000000e+00
+5.200000000e+00 9.800000000e+01 1.000000000e+00 0.000000000e+00
+5.200000000e+00 -9.800000000e+01 1.000000000e+00 0.000000000e+00
+e
+$supports_outline_z << e
+3.200000000e+00 -2.680000000e+02
+6.200000000e+00 -2.680000000e+02
+0.000000000e+00 -2.680000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.198757764e-01
+set tmargin at screen 9.378881988e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-3.400000000e+02:3.400000000e+02]
+set xtics 1.000000000e+00
+set ytics 5.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.96118 left enhanced front tc rgb '#202020'
+set ytics 2.000000000e+02
+set arrow from screen 0.107196,0.920533 to screen 0.107196,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'C' at screen 0.110422,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.54264,0.920533 to screen 0.54264,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'O' at screen 0.545866,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.920533 to screen 0.950868,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.954094,0.930964 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.517752744e-01 8.354187084e-01
@@ -330,7 +363,16 @@ $band_N << e
 6.200000000e+00 -6.802100269e-01 -5.833159978e-01
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 5.993788820e-01
+set tmargin at screen 7.795031056e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-4.785137554e+00:4.967353131e+00]
+set xtics 1.000000000e+00
+set ytics 2.000000000e+00
+set label 'N  [kN]' at screen 0.0193548,0.802795 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.303367048e-01
 3.125000000e-02 8.547945006e-01
@@ -609,7 +651,7 @@ $N0 << e
 6.200000000e+00 -6.802100269e-01
 6.200000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 8.354187084e-01
 3.125000000e-02 8.598765049e-01
@@ -888,11 +930,15 @@ $N1 << e
 6.200000000e+00 -6.727772467e-01
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '3.574' at 3.200000000e+00,3.574140176e+00 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'N [kN]'
-set yrange [-4.645816259e+00:4.828031836e+00]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '3.574 (2)' at screen 0.549091,0.766398 left noenhanced front tc rgb '#c8500a'
+set label '3.569 (1)' at screen 0.444059,0.766304 left noenhanced front tc rgb '#0b5fa5'
+set label '-3.392 (1)' at screen 0.436511,0.637738 left noenhanced front tc rgb '#0b5fa5'
+set label '-3.384 (2)' at screen 0.549091,0.612621 left noenhanced front tc rgb '#c8500a'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.223264312e+00 6.223252683e+00
@@ -1172,7 +1218,16 @@ $band_V << e
 6.200000000e+00 -6.882312973e+00 6.882324131e+00
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.788819876e-01
+set tmargin at screen 5.590062112e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-9.635240394e+00:9.635251552e+00]
+set xtics 1.000000000e+00
+set ytics 5.000000000e+00
+set label 'V  [kN]' at screen 0.0193548,0.582298 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -6.223264312e+00
 3.125000000e-02 -6.226669244e+00
@@ -1451,7 +1506,7 @@ $V0 << e
 6.200000000e+00 6.882324131e+00
 6.200000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 6.223252683e+00
 3.125000000e-02 6.226657693e+00
@@ -1730,14 +1785,21 @@ $V1 << e
 6.200000000e+00 -6.882312973e+00
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '6.882' at 6.200000000e+00,6.882324131e+00 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
-set label 2 '-6.882' at 6.200000000e+00,-6.882312973e+00 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
-set ylabel 'V [kN]'
-set yrange [-9.359947652e+00:9.359958810e+00]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '6.882 (1)' at screen 0.852288,0.545901 left noenhanced front tc rgb '#0b5fa5'
+set label '-6.882 (2)' at screen 0.844739,0.417241 left noenhanced front tc rgb '#c8500a'
+set label '-6.384 (1)' at screen 0.397956,0.4219 left noenhanced front tc rgb '#0b5fa5'
+set label '6.384 (2)' at screen 0.405504,0.541241 left noenhanced front tc rgb '#c8500a'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.0896129,0.0729814 to screen 0.138,0.0729814 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.150903,0.0729814 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0896129,0.0450311 to screen 0.138,0.0450311 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.2778 s, most negative M, lowest stress at the governing place' at screen 0.150903,0.0450311 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0896129,0.0170807 to screen 0.138,0.0170807 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 0.8333 s, largest M, highest stress at the governing place' at screen 0.150903,0.0170807 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -2017,7 +2079,17 @@ $band_M << e
 6.200000000e+00 -1.182343112e-14 1.546140993e-14
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.583850932e-01
+set tmargin at screen 3.385093168e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-2.837664223e+01:2.837661192e+01]
+set xtics 1.000000000e+00
+set ytics 2.000000000e+01
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.361801 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.10559 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 3.125000000e-02 -1.945303118e-01
@@ -2296,7 +2368,7 @@ $M0 << e
 6.200000000e+00 -4.547473509e-15
 6.200000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 3.125000000e-02 1.945299496e-01
@@ -2575,10 +2647,10 @@ $M1 << e
 6.200000000e+00 -7.730704965e-15
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-20.27' at 3.200000000e+00,-2.026903449e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '20.27' at 3.200000000e+00,2.026900418e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-2.756588146e+01:2.756585114e+01]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-20.27 (1)' at screen 0.549091,0.17149 left noenhanced front tc rgb '#0b5fa5'
+set label '20.27 (2)' at screen 0.549091,0.325404 left noenhanced front tc rgb '#c8500a'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

@@ -1,17 +1,36 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.8790 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,370 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: sledge-rig-slender' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.756756757e-01
+set tmargin at screen 9.243243243e-01
 set xrange [0.000000000e+00:1.111111111e+00]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-2.483543816e+01:2.435266961e+01]
+set xtics 2.000000000e-01
+set ytics 5.000000000e+00
+set label 'normal stress [MPa]' at screen 0.0193548,0.962162 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.183784 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.251516,0.127027 to screen 0.299903,0.127027 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 4.2 m, fibre +z: range 37.26 MPa' at screen 0.312806,0.127027 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.251516,0.0783784 to screen 0.299903,0.0783784 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 2.9237 m, fibre +z: range 28.29 MPa' at screen 0.312806,0.0783784 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.251516,0.0297297 to screen 0.299903,0.0297297 nohead lw 1.5 dt (3,3) lc rgb '#00785a'
+set label 's = 3.2+ m, fibre +z: range 28.25 MPa' at screen 0.312806,0.0297297 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 -2.315449546e-01
 1.157407407e-02 -1.451160203e+00
 2.314814815e-02 -2.665631010e+00
@@ -110,13 +129,7 @@ $h0 << e
 1.099537037e+00 9.879658847e-01
 1.111111111e+00 -2.315449546e-01
 e
-$x0 << e
-8.333333333e-01 1.839047473e+01
-2.777777778e-01 -1.887324328e+01
-e
-set label '18.39 MPa at 0.8333 s' at 8.333333333e-01,1.839047473e+01 center offset 0,9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-18.87 MPa at 0.2778 s' at 2.777777778e-01,-1.887324328e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 2.426369451e-01
 1.157407407e-02 -6.833807626e-01
 2.314814815e-02 -1.605381805e+00
@@ -215,11 +228,7 @@ $h1 << e
 1.099537037e+00 1.168686478e+00
 1.111111111e+00 2.426369451e-01
 e
-$x1 << e
-8.333333333e-01 1.439546657e+01
-2.777777778e-01 -1.389916474e+01
-e
-$h2 << e
+$history2 << e
 0.000000000e+00 -2.378056667e-01
 1.157407407e-02 -1.162332554e+00
 2.314814815e-02 -2.082958317e+00
@@ -318,9 +327,14 @@ $h2 << e
 1.099537037e+00 6.866433554e-01
 1.111111111e+00 -2.378056667e-01
 e
-$x2 << e
-8.333333333e-01 1.387867660e+01
-2.777777778e-01 -1.436888988e+01
+$extremes << e
+8.333333333e-01 1.839047473e+01
+2.777777778e-01 -1.887324328e+01
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 4.2 m, fibre +z: range 37.26 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 2.9237 m, fibre +z: range 28.29 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 3.2+ m, fibre +z: range 28.25 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle
+set label '18.39 MPa at 0.8333 s' at screen 0.505355,0.869589 left noenhanced front tc rgb '#0b5fa5'
+set label '-18.87 MPa at 0.2778 s' at screen 0.317742,0.330411 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $history2 using 1:2 with lines lw 1.5 dt (3,3) lc rgb '#00785a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.7516 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,644 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: sledge-rig' noenhanced
-set xrange [-1.240000000e-01:6.324000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 3.000000000e+02
 1.500000000e+00 3.000000000e+02
@@ -37,20 +42,56 @@ $outline_z << e
 0.000000000e+00 -3.000000000e+02
 0.000000000e+00 3.000000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-8.000000000e+02:9.500000000e+02]
-set ytics 500
-set label 1 'C' at 0.000000000e+00,6.250000000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,5.750000000e+02 to 0.000000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'O' at 3.200000000e+00,6.250000000e+02 center noenhanced
-set arrow 2 from 3.200000000e+00,5.750000000e+02 to 3.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-set label 3 'B' at 6.200000000e+00,6.250000000e+02 center noenhanced
-set arrow 3 from 6.200000000e+00,5.750000000e+02 to 6.200000000e+00,-5.750000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3571 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 1.0714 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 2.500000000e+02 1.500000000e+00 0.000000000e+00
+0.000000000e+00 -2.500000000e+02 1.500000000e+00 0.000000000e+00
+1.500000000e+00 2.500000000e+02 1.700000000e+00 2.000000000e+02
+1.500000000e+00 -2.500000000e+02 1.700000000e+00 -2.000000000e+02
+3.200000000e+00 4.500000000e+02 1.000000000e+00 -2.000000000e+02
+3.200000000e+00 -4.500000000e+02 1.000000000e+00 2.000000000e+02
+4.200000000e+00 2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.200000000e+00 -2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -2.500000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 -2.450000000e+02 5.000000000e-01 0.000000000e+00
+4.700000000e+00 2.450000000e+02 5.000000000e-01 0.000000000e+00
+5.200000000e+00 1.890000000e+02 1.000000000e+00 0.000000000e+00
+5.200000000e+00 -1.890000000e+02 1.000000000e+00 0.000000000e+00
+e
+$supports_outline_z << e
+3.200000000e+00 -6.700000000e+02
+6.200000000e+00 -6.700000000e+02
+0.000000000e+00 -6.700000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.198757764e-01
+set tmargin at screen 9.378881988e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-8.500000000e+02:8.500000000e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+03
+set label 'beam, z [mm]' at screen 0.0193548,0.96118 left enhanced front tc rgb '#202020'
+set ytics 5.000000000e+02
+set object ellipse center 3.2,0 size 0.145,145 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,0 size 0.145,145 front fs empty border lc rgb '#303030'
+set object ellipse center 3.2,-0 size 0.145,145 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,-0 size 0.145,145 front fs empty border lc rgb '#303030'
+set object ellipse center 3.2,100 size 0.018000000000000002,18.000000000000004 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,100 size 0.018000000000000002,18.000000000000004 front fs empty border lc rgb '#303030'
+set object ellipse center 3.2,-100 size 0.018000000000000002,18.000000000000004 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 3.2,-100 size 0.018000000000000002,18.000000000000004 front fs empty border lc rgb '#303030'
+set arrow from screen 0.107196,0.920533 to screen 0.107196,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'C' at screen 0.110422,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.54264,0.920533 to screen 0.54264,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'O' at screen 0.545866,0.930964 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.920533 to screen 0.950868,0.837231 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.954094,0.930964 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.727711812e-01 1.032728766e+01
@@ -205,7 +246,16 @@ $band_N << e
 6.200000000e+00 -1.223525933e+01 -5.680064824e-01
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 5.993788820e-01
+set tmargin at screen 7.795031056e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-5.024456866e+01:4.908256239e+01]
+set xtics 1.000000000e+00
+set ytics 2.000000000e+01
+set label 'N  [kN]' at screen 0.0193548,0.802795 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 7.259255488e+00
 6.250000000e-02 7.688389444e+00
@@ -359,7 +409,7 @@ $N0 << e
 6.200000000e+00 -1.223525933e+01
 6.200000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.032728766e+01
 6.250000000e-02 1.075642423e+01
@@ -513,12 +563,15 @@ $N1 << e
 6.200000000e+00 -7.487208678e+00
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-36.05' at 3.200000000e+00,-3.605497851e+01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '34.89' at 3.200000000e+00,3.489297224e+01 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'N [kN]'
-set yrange [-4.882560964e+01:4.766360338e+01]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-36.05 (1)' at screen 0.436511,0.637738 left noenhanced front tc rgb '#0b5fa5'
+set label '34.89 (2)' at screen 0.549091,0.766398 left noenhanced front tc rgb '#c8500a'
+set label '31.82 (1)' at screen 0.549091,0.73558 left noenhanced front tc rgb '#0b5fa5'
+set label '-31.31 (2)' at screen 0.558769,0.614506 left noenhanced front tc rgb '#c8500a'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.691019647e+01 9.605113696e+01
@@ -673,7 +726,16 @@ $band_V << e
 6.200000000e+00 -1.100591198e+02 1.110023206e+02
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.788819876e-01
+set tmargin at screen 5.590062112e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-1.542714079e+02:1.552146087e+02]
+set xtics 1.000000000e+00
+set ytics 1.000000000e+02
+set label 'V  [kN]' at screen 0.0193548,0.582298 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.691019647e+01
 6.250000000e-02 -9.709959098e+01
@@ -827,7 +889,7 @@ $V0 << e
 6.200000000e+00 1.110023206e+02
 6.200000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 9.605113696e+01
 6.250000000e-02 9.623977619e+01
@@ -981,14 +1043,21 @@ $V1 << e
 6.200000000e+00 -1.100591198e+02
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '111.0' at 6.200000000e+00,1.110023206e+02 offset -1,6.000000000e-01 right tc rgb '#1f5fa8' front
-set label 2 '-110.1' at 6.200000000e+00,-1.100591198e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
-set ylabel 'V [kN]'
-set yrange [-1.498501790e+02:1.507933799e+02]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '111.0 (1)' at screen 0.852288,0.545901 left noenhanced front tc rgb '#0b5fa5'
+set label '-110.1 (2)' at screen 0.844739,0.391987 left noenhanced front tc rgb '#c8500a'
+set label '-101.1 (1)' at screen 0.36904,0.42244 left noenhanced front tc rgb '#0b5fa5'
+set label '100.2 (2)' at screen 0.376588,0.539642 left noenhanced front tc rgb '#c8500a'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.0896129,0.0729814 to screen 0.138,0.0729814 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.150903,0.0729814 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0896129,0.0450311 to screen 0.138,0.0450311 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.3571 s, most negative M, lowest stress at the governing place' at screen 0.150903,0.0450311 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0896129,0.0170807 to screen 0.138,0.0170807 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 1.0714 s, largest M, highest stress at the governing place' at screen 0.150903,0.0170807 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -1143,7 +1212,17 @@ $band_M << e
 6.200000000e+00 -1.600710675e-13 1.746229827e-13
 6.200000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.583850932e-01
+set tmargin at screen 3.385093168e-01
+set xrange [-1.240000000e-01:6.324000000e+00]
+set yrange [-4.469954680e+02:4.442050434e+02]
+set xtics 1.000000000e+00
+set ytics 2.000000000e+02
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.361801 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.10559 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 -6.062829002e+00
@@ -1297,7 +1376,7 @@ $M0 << e
 6.200000000e+00 1.164153218e-13
 6.200000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 6.250000000e-02 6.009114099e+00
@@ -1451,10 +1530,10 @@ $M1 << e
 6.200000000e+00 -7.275957614e-14
 6.200000000e+00 0.000000000e+00
 e
-set label 1 '-319.7' at 3.200000000e+00,-3.196811092e+02 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '316.9' at 3.200000000e+00,3.168906846e+02 offset 0.5,6.000000000e-01 left tc rgb '#c8551b' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-4.342640321e+02:4.314736075e+02]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b'
+set label '-319.7 (1)' at screen 0.549091,0.17149 left noenhanced front tc rgb '#0b5fa5'
+set label '316.9 (2)' at screen 0.549091,0.325404 left noenhanced front tc rgb '#c8500a'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

@@ -1,15 +1,20 @@
-# Redraw with: gnuplot cut-forces.gp
-set terminal svg size 860,980 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'cut-forces.svg'
+# Redraw in the folder above: gnuplot plots/cut-forces.gp; as PDF: gnuplot -e 'pdf = 1' plots/cut-forces.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,7.1290 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'cut-forces.pdf'
+} else {
+  set terminal svg size 620,680 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'cut-forces.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set multiplot layout 4,1 margins 0.11,0.97,6.000000000e-02,0.95 spacing 0,0.035 title 'Cut forces along the beam: slider-crank-press' noenhanced
-set xrange [-3.200000000e-02:1.632000000e+00]
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
 set format x ''
-set key top right horizontal
 $outline_z << e
 0.000000000e+00 2.100000000e+02
 2.500000000e-01 2.100000000e+02
@@ -25,18 +30,41 @@ $outline_z << e
 0.000000000e+00 -2.100000000e+02
 0.000000000e+00 2.100000000e+02
 e
-set ylabel 'beam z [mm]'
-set yrange [-3.360000000e+02:3.990000000e+02]
-set ytics 100
-set label 1 'A' at 0.000000000e+00,2.625000000e+02 center noenhanced
-set arrow 1 from 0.000000000e+00,2.415000000e+02 to 0.000000000e+00,-2.415000000e+02 nohead lc rgb '#909090' dt 3
-set label 2 'P' at 1.600000000e+00,2.625000000e+02 center noenhanced
-set arrow 2 from 1.600000000e+00,2.415000000e+02 to 1.600000000e+00,-2.415000000e+02 nohead lc rgb '#909090' dt 3
-plot $outline_z using 1:2 with filledcurves closed fc rgb '#dde6ef' notitle, $outline_z using 1:2 with lines lc rgb '#505050' lw 1.5 notitle, NaN with filledcurves fc rgb '#e9e9e9' title 'envelope', NaN with lines lw 1.8 lc rgb '#1f5fa8' title 't = 0.3321 s', NaN with lines lw 1.8 lc rgb '#c8551b' title 't = 0.5525 s', NaN with lines lw 1.8 lc rgb '#3f8f4f' title 't = 0.6470 s', NaN with lines lw 1.8 lc rgb '#7a4fa0' title 't = 0.8679 s'
-unset key
+$inner_outline_z << e
+0.000000000e+00 1.700000000e+02 2.500000000e-01 0.000000000e+00
+0.000000000e+00 -1.700000000e+02 2.500000000e-01 0.000000000e+00
+2.500000000e-01 1.700000000e+02 1.100000000e+00 -5.000000000e+01
+2.500000000e-01 -1.700000000e+02 1.100000000e+00 5.000000000e+01
+1.350000000e+00 1.200000000e+02 2.500000000e-01 0.000000000e+00
+1.350000000e+00 -1.200000000e+02 2.500000000e-01 0.000000000e+00
+e
+$supports_outline_z << e
+0.000000000e+00 -2.814000000e+02
+1.600000000e+00 -2.814000000e+02
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.294117647e-01
+set tmargin at screen 9.411764706e-01
+set xrange [-3.200000000e-02:1.632000000e+00]
+set yrange [-3.570000000e+02:3.570000000e+02]
+set xtics 2.000000000e-01
+set ytics 5.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.963235 left enhanced front tc rgb '#202020'
+set ytics 2.000000000e+02
+set object ellipse center 0.8,0 size 0.04,40 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 0.8,0 size 0.04,40 front fs empty border lc rgb '#303030'
+set object ellipse center 0.8,-0 size 0.04,40 front fs solid noborder fc rgb '#ffffff'
+set object ellipse center 0.8,-0 size 0.04,40 front fs empty border lc rgb '#303030'
+set arrow from screen 0.107196,0.92474 to screen 0.107196,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'A' at screen 0.110422,0.934619 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.92474 to screen 0.950868,0.845848 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'P' at screen 0.954094,0.934619 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
 unset label
 unset arrow
-set ytics autofreq
+unset object
+set format x ''
 $band_N << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.545508865e+02 4.669673233e+01
@@ -116,7 +144,16 @@ $band_N << e
 1.600000000e+00 -9.619239813e+02 3.932363755e+01
 1.600000000e+00 0.000000000e+00 0.000000000e+00
 e
-$N0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 6.205882353e-01
+set tmargin at screen 7.911764706e-01
+set xrange [-3.200000000e-02:1.632000000e+00]
+set yrange [-1.163648124e+03:2.484208751e+02]
+set xtics 2.000000000e-01
+set ytics 5.000000000e+02
+set label 'N  [kN]' at screen 0.0193548,0.813235 left enhanced front tc rgb '#202020'
+$N_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 3.027841933e+01
 1.041666667e-02 3.024479976e+01
@@ -195,7 +232,7 @@ $N0 << e
 1.600000000e+00 2.548598435e+01
 1.600000000e+00 0.000000000e+00
 e
-$N1 << e
+$N_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -9.557162765e+02
 1.041666667e-02 -9.557670735e+02
@@ -274,7 +311,7 @@ $N1 << e
 1.600000000e+00 -9.630990388e+02
 1.600000000e+00 0.000000000e+00
 e
-$N2 << e
+$N_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 4.683916639e+01
 1.041666667e-02 4.678835561e+01
@@ -353,7 +390,7 @@ $N2 << e
 1.600000000e+00 3.945425477e+01
 1.600000000e+00 0.000000000e+00
 e
-$N3 << e
+$N_3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 3.026433462e+01
 1.041666667e-02 3.023071505e+01
@@ -432,12 +469,16 @@ $N3 << e
 1.600000000e+00 2.547189957e+01
 1.600000000e+00 0.000000000e+00
 e
-set label 1 '-963.1' at 1.600000000e+00,-9.630990388e+02 offset -1,-6.000000000e-01 right tc rgb '#c8551b' front
-set label 2 '46.84' at 0.000000000e+00,4.683916639e+01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
-set ylabel 'N [kN]'
-set yrange [-1.143475710e+03:2.282484608e+02]
-plot $band_N using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $N0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $N1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $N2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $N3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
+set label '-963.1 (2)' at screen 0.844739,0.656774 left noenhanced front tc rgb '#c8500a'
+set label '46.84 (3)' at screen 0.113648,0.778782 left noenhanced front tc rgb '#00785a'
+set label '30.28 (1)' at screen 0.123325,0.746626 left noenhanced front tc rgb '#0b5fa5'
+set label '30.26 (4)' at screen 0.125637,0.712616 left noenhanced front tc rgb '#a04f86'
+set arrow from screen 0.125637,0.723645 to screen 0.107196,0.764822 nohead lw 0.6 lc rgb '#a04f86'
+plot $band_N using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $N_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $N_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $N_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle, $N_3 using 1:2 with lines lw 1.8 dt (9,3,2,3) lc rgb '#a04f86' notitle
 unset label
+unset arrow
+unset object
+set format x ''
 $band_V << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.222230213e+00 1.222230213e+00
@@ -517,7 +558,16 @@ $band_V << e
 1.600000000e+00 -7.245119413e-01 7.245119413e-01
 1.600000000e+00 0.000000000e+00 0.000000000e+00
 e
-$V0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 4.117647059e-01
+set tmargin at screen 5.823529412e-01
+set xrange [-3.200000000e-02:1.632000000e+00]
+set yrange [-1.711122298e+00:1.711122298e+00]
+set xtics 2.000000000e-01
+set ytics 1.000000000e+00
+set label 'V  [kN]' at screen 0.0193548,0.604412 left enhanced front tc rgb '#202020'
+$V_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -1.221758022e+00
 1.041666667e-02 -1.199290660e+00
@@ -596,7 +646,7 @@ $V0 << e
 1.600000000e+00 7.234306880e-01
 1.600000000e+00 0.000000000e+00
 e
-$V1 << e
+$V_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 -3.431815799e-01
 1.041666667e-02 -3.370851806e-01
@@ -675,7 +725,7 @@ $V1 << e
 1.600000000e+00 2.185842771e-01
 1.600000000e+00 0.000000000e+00
 e
-$V2 << e
+$V_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 3.399883819e-01
 1.041666667e-02 3.339488701e-01
@@ -754,7 +804,7 @@ $V2 << e
 1.600000000e+00 -2.165620609e-01
 1.600000000e+00 0.000000000e+00
 e
-$V3 << e
+$V_3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 1.221758021e+00
 1.041666667e-02 1.199290659e+00
@@ -833,16 +883,31 @@ $V3 << e
 1.600000000e+00 -7.234306890e-01
 1.600000000e+00 0.000000000e+00
 e
-set label 1 '-1.222' at 0.000000000e+00,-1.221758022e+00 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 2 '1.222' at 0.000000000e+00,1.221758021e+00 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
-set label 3 '-0.3432' at 0.000000000e+00,-3.431815799e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set label 4 '0.3400' at 0.000000000e+00,3.399883819e-01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
-set ylabel 'V [kN]'
-set yrange [-1.662233089e+00:1.662233089e+00]
-plot $band_V using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $V0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $V1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $V2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $V3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
+set label '-1.222 (1)' at screen 0.113648,0.4242 left noenhanced front tc rgb '#0b5fa5'
+set label '1.222 (4)' at screen 0.113648,0.569918 left noenhanced front tc rgb '#a04f86'
+set label '-0.7234 (4)' at screen 0.832352,0.44904 left noenhanced front tc rgb '#a04f86'
+set label '0.7234 (1)' at screen 0.839901,0.545078 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.3432 (2)' at screen 0.113648,0.467994 left noenhanced front tc rgb '#c8500a'
+set label '0.3400 (3)' at screen 0.113648,0.525964 left noenhanced front tc rgb '#00785a'
+set label '0.2186 (2)' at screen 0.726998,0.423207 left noenhanced front tc rgb '#c8500a'
+set arrow from screen 0.831514,0.434236 to screen 0.950868,0.507955 nohead lw 0.6 lc rgb '#c8500a'
+set label '-0.2166 (3)' at screen 0.719449,0.571012 left noenhanced front tc rgb '#00785a'
+set arrow from screen 0.831514,0.559982 to screen 0.950868,0.486264 nohead lw 0.6 lc rgb '#00785a'
+plot $band_V using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $V_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $V_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $V_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle, $V_3 using 1:2 with lines lw 1.8 dt (9,3,2,3) lc rgb '#a04f86' notitle
 unset label
+unset arrow
+unset object
 set format x '%g'
-set xlabel 's [m], from the start of the beam'
+set arrow from screen 0.181935,0.122059 to screen 0.230323,0.122059 nohead lw 9 lc rgb '#dcdcdc'
+set label 'envelope of all instants' at screen 0.243226,0.122059 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.181935,0.0955882 to screen 0.230323,0.0955882 nohead lw 1.8 dt 1 lc rgb '#0b5fa5'
+set label '(1) t = 0.3321 s, most negative M' at screen 0.243226,0.0955882 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.181935,0.0691176 to screen 0.230323,0.0691176 nohead lw 1.8 dt (9,4) lc rgb '#c8500a'
+set label '(2) t = 0.5525 s, lowest stress at the governing place' at screen 0.243226,0.0691176 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.181935,0.0426471 to screen 0.230323,0.0426471 nohead lw 1.8 dt (3,3) lc rgb '#00785a'
+set label '(3) t = 0.6470 s, highest stress at the governing place' at screen 0.243226,0.0426471 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.181935,0.0161765 to screen 0.230323,0.0161765 nohead lw 1.8 dt (9,3,2,3) lc rgb '#a04f86'
+set label '(4) t = 0.8679 s, largest M' at screen 0.243226,0.0161765 left noenhanced front tc rgb '#202020'
 $band_M << e
 0.000000000e+00 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00 0.000000000e+00
@@ -922,7 +987,17 @@ $band_M << e
 1.600000000e+00 -1.588773557e-14 1.161026830e-14
 1.600000000e+00 0.000000000e+00 0.000000000e+00
 e
-$M0 << e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.029411765e-01
+set tmargin at screen 3.735294118e-01
+set xrange [-3.200000000e-02:1.632000000e+00]
+set yrange [-5.481469355e-01:5.481469355e-01]
+set xtics 2.000000000e-01
+set ytics 5.000000000e-01
+set label 'M  [kN m], drawn on the side in tension' at screen 0.0193548,0.395588 left enhanced front tc rgb '#202020'
+set label 's [m], from the start of the beam' at screen 0.529032,0.152941 center noenhanced front tc rgb '#202020'
+$M_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 1.041666667e-02 -1.260952488e-02
@@ -1001,7 +1076,7 @@ $M0 << e
 1.600000000e+00 -2.842170943e-16
 1.600000000e+00 0.000000000e+00
 e
-$M1 << e
+$M_1 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 1.041666667e-02 -3.543030720e-03
@@ -1080,7 +1155,7 @@ $M1 << e
 1.600000000e+00 4.654054919e-15
 1.600000000e+00 0.000000000e+00
 e
-$M2 << e
+$M_2 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 1.041666667e-02 3.510064768e-03
@@ -1159,7 +1234,7 @@ $M2 << e
 1.600000000e+00 -1.008970685e-15
 1.600000000e+00 0.000000000e+00
 e
-$M3 << e
+$M_3 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
 1.041666667e-02 1.260952488e-02
@@ -1238,12 +1313,12 @@ $M3 << e
 1.600000000e+00 4.263256415e-16
 1.600000000e+00 0.000000000e+00
 e
-set label 1 '0.3916' at 7.083333333e-01,3.915523752e-01 offset 0.5,6.000000000e-01 left tc rgb '#7a4fa0' front
-set label 2 '-0.3916' at 7.083333333e-01,-3.915523752e-01 offset 0.5,-6.000000000e-01 left tc rgb '#1f5fa8' front
-set label 3 '-0.1128' at 7.083333333e-01,-1.128123413e-01 offset 0.5,-6.000000000e-01 left tc rgb '#c8551b' front
-set label 4 '0.1118' at 7.083333333e-01,1.117647989e-01 offset 0.5,6.000000000e-01 left tc rgb '#3f8f4f' front
-set ylabel 'M [kN m], on the tension side'
-set yrange [-5.324855945e-01:5.324855945e-01]
-plot $band_M using 1:2:3 with filledcurves fc rgb '#e9e9e9', 0 with lines lc rgb '#505050' lw 1, $M0 using 1:2 with lines lw 1.8 lc rgb '#1f5fa8', $M1 using 1:2 with lines lw 1.8 lc rgb '#c8551b', $M2 using 1:2 with lines lw 1.8 lc rgb '#3f8f4f', $M3 using 1:2 with lines lw 1.8 lc rgb '#7a4fa0'
+set label '0.3916 (4)' at screen 0.487148,0.361121 left noenhanced front tc rgb '#a04f86'
+set label '-0.3916 (1)' at screen 0.487148,0.21535 left noenhanced front tc rgb '#0b5fa5'
+set label '-0.1128 (2)' at screen 0.487148,0.258723 left noenhanced front tc rgb '#c8500a'
+set label '0.1118 (3)' at screen 0.487148,0.317585 left noenhanced front tc rgb '#00785a'
+plot $band_M using 1:2:3 with filledcurves fc rgb '#e2e2e2' notitle, 0 with lines lc rgb '#505050' lw 0.9 notitle, $M_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle, $M_1 using 1:2 with lines lw 1.8 dt (9,4) lc rgb '#c8500a' notitle, $M_2 using 1:2 with lines lw 1.8 dt (3,3) lc rgb '#00785a' notitle, $M_3 using 1:2 with lines lw 1.8 dt (9,3,2,3) lc rgb '#a04f86' notitle
 unset label
+unset arrow
+unset object
 unset multiplot

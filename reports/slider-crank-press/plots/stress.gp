@@ -1,17 +1,36 @@
-# Redraw with: gnuplot stress.gp
-set terminal svg size 860,520 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff'
-set output 'stress.svg'
+# Redraw in the folder above: gnuplot plots/stress.gp; as PDF: gnuplot -e 'pdf = 1' plots/stress.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,3.8790 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'stress.pdf'
+} else {
+  set terminal svg size 620,370 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'stress.svg'
+}
 set encoding utf8
-set border 3 lc rgb '#505050'
-set tics out nomirror
-set grid lc rgb '#e2e2e2' lw 0.7 lt 1
-set key noenhanced samplen 2.5 spacing 1.2
-set title 'Normal stress over the cycle at the places with the largest ranges: slider-crank-press' noenhanced
-set xlabel 't [s]'
-set ylabel 'sigma [MPa]'
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.756756757e-01
+set tmargin at screen 9.243243243e-01
 set xrange [0.000000000e+00:1.200000000e+00]
-set key outside bottom center horizontal
-$h0 << e
+set yrange [-8.983976194e+01:1.631609527e+01]
+set xtics 2.000000000e-01
+set ytics 1.000000000e+01
+set label 'normal stress [MPa]' at screen 0.0193548,0.962162 left noenhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.529032,0.183784 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.246387,0.127027 to screen 0.294774,0.127027 nohead lw 2.2 dt 1 lc rgb '#0b5fa5'
+set label 's = 0.8 m, hole oil edge: range 80.53 MPa' at screen 0.307677,0.127027 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.246387,0.0783784 to screen 0.294774,0.0783784 nohead lw 1.5 dt (9,4) lc rgb '#c8500a'
+set label 's = 1.35 m, fibre +z: range 29.00 MPa' at screen 0.307677,0.0783784 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.246387,0.0297297 to screen 0.294774,0.0297297 nohead lw 1.5 dt (3,3) lc rgb '#00785a'
+set label 's = 0.25 m, fibre +z: range 24.72 MPa' at screen 0.307677,0.0297297 left noenhanced front tc rgb '#202020'
+$history0 << e
 0.000000000e+00 1.094711545e+00
 6.185567010e-03 1.094425369e+00
 1.237113402e-02 1.094811207e+00
@@ -208,13 +227,7 @@ $h0 << e
 1.193814433e+00 1.095668810e+00
 1.200000000e+00 1.094711545e+00
 e
-$x0 << e
-6.470311971e-01 3.459361232e+00
-5.525135317e-01 -7.706610877e+01
-e
-set label '3.459 MPa at 0.6470 s' at 6.470311971e-01,3.459361232e+00 center offset 0,9.000000000e-01 tc rgb '#1f5fa8' front
-set label '-77.07 MPa at 0.5525 s' at 5.525135317e-01,-7.706610877e+01 center offset 0,-9.000000000e-01 tc rgb '#1f5fa8' front
-$h1 << e
+$history1 << e
 0.000000000e+00 3.719393707e-01
 6.185567010e-03 3.705422505e-01
 1.237113402e-02 3.693724897e-01
@@ -411,11 +424,7 @@ $h1 << e
 1.193814433e+00 3.735628454e-01
 1.200000000e+00 3.719393707e-01
 e
-$x1 << e
-6.472178717e-01 1.188144934e+00
-5.524986715e-01 -2.781207111e+01
-e
-$h2 << e
+$history2 << e
 0.000000000e+00 3.548658041e-01
 6.185567010e-03 3.534589654e-01
 1.237113402e-02 3.522750172e-01
@@ -612,9 +621,14 @@ $h2 << e
 1.193814433e+00 3.564943729e-01
 1.200000000e+00 3.548658041e-01
 e
-$x2 << e
-6.471779671e-01 1.138522617e+00
-5.524917740e-01 -2.357889749e+01
+$extremes << e
+6.470311971e-01 3.459361232e+00
+5.525135317e-01 -7.706610877e+01
 e
-set offsets 0,0,graph 0.12,graph 0.12
-plot 0 with lines lc rgb '#505050' lw 1 notitle, $h0 using 1:2 with lines lw 2.4 lc rgb '#1f5fa8' title 's = 0.8 m, hole oil edge: range 80.53 MPa', $x0 using 1:2 with points pt 7 ps 0.7 lc rgb '#1f5fa8' notitle, $h1 using 1:2 with lines lw 1.6 lc rgb '#c8551b' title 's = 1.35 m, fibre +z: range 29.00 MPa', $x1 using 1:2 with points pt 7 ps 0.7 lc rgb '#c8551b' notitle, $h2 using 1:2 with lines lw 1.6 lc rgb '#3f8f4f' title 's = 0.25 m, fibre +z: range 24.72 MPa', $x2 using 1:2 with points pt 7 ps 0.7 lc rgb '#3f8f4f' notitle
+set label '3.459 MPa at 0.6470 s' at screen 0.571485,0.869654 left noenhanced front tc rgb '#0b5fa5'
+set label '-77.07 MPa at 0.5525 s' at screen 0.502375,0.329839 left noenhanced front tc rgb '#0b5fa5'
+plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $history0 using 1:2 with lines lw 2.2 dt 1 lc rgb '#0b5fa5' notitle, $history1 using 1:2 with lines lw 1.5 dt (9,4) lc rgb '#c8500a' notitle, $history2 using 1:2 with lines lw 1.5 dt (3,3) lc rgb '#00785a' notitle, $extremes using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

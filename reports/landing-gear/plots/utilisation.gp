@@ -1,0 +1,129 @@
+# Redraw in the folder above: gnuplot plots/utilisation.gp; as PDF: gnuplot -e 'pdf = 1' plots/utilisation.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.1435 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'utilisation.pdf'
+} else {
+  set terminal svg size 620,586 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'utilisation.svg'
+}
+set encoding utf8
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set format x ''
+$outline_z << e
+0.000000000e+00 7.000000000e+01
+1.100000000e+00 5.000000000e+01
+1.100000000e+00 -5.000000000e+01
+0.000000000e+00 -7.000000000e+01
+0.000000000e+00 7.000000000e+01
+e
+$inner_outline_z << e
+0.000000000e+00 6.000000000e+01 1.100000000e+00 -2.000000000e+01
+0.000000000e+00 -6.000000000e+01 1.100000000e+00 2.000000000e+01
+e
+$supports_outline_z << e
+0.000000000e+00 -9.380000000e+01
+1.100000000e+00 -9.380000000e+01
+e
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 8.020477816e-01
+set tmargin at screen 9.317406143e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [-1.190000000e+02:1.190000000e+02]
+set xtics 2.000000000e-01
+set ytics 1.000000000e+02
+set label 'beam, z [mm]' at screen 0.0193548,0.957338 left enhanced front tc rgb '#202020'
+set ytics 1.000000000e+02
+set arrow from screen 0.107196,0.912668 to screen 0.107196,0.82112 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'B' at screen 0.110422,0.924131 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.950868,0.912668 to screen 0.950868,0.82112 nohead lw 0.8 dt (2,3) lc rgb '#707070' front
+set label 'foot' at screen 0.902933,0.924131 left noenhanced front tc rgb '#202020'
+plot $outline_z using 1:2 with filledcurves closed fc rgb '#e3eaf2' notitle, $inner_outline_z using 1:2:3:4 with vectors nohead lw 0.7 lc rgb '#8090a0' notitle, $outline_z using 1:2 with lines lc rgb '#303030' lw 1.3 notitle, $supports_outline_z using 1:2 with points pt 9 ps 1 lc rgb '#303030' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 9.032258065e-02
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.969283276e-01
+set tmargin at screen 7.576791809e-01
+set xrange [-2.200000000e-02:1.122000000e+00]
+set yrange [0.000000000e+00:1.150000000e+02]
+set xtics 2.000000000e-01
+set ytics 1.000000000e+01
+set label 'utilisation [%], lines through the worst places of one kind' at screen 0.0193548,0.783276 left enhanced front tc rgb '#202020'
+set arrow from screen 0.216,0.203072 to screen 0.264387,0.203072 nohead lw 1.6 dt 1 lc rgb '#0b5fa5'
+set label 'yield: 3.66 % at s = 0+ m' at screen 0.27729,0.203072 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.216,0.172355 to screen 0.264387,0.172355 nohead lw 1.6 dt (9,4) lc rgb '#c8500a'
+set label 'fatigue: 0.453 % at s = 0+ m' at screen 0.27729,0.172355 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.216,0.141638 to screen 0.264387,0.141638 nohead lw 1.6 dt (3,3) lc rgb '#00785a'
+set label 'shear fatigue: 0.152 % at s = 1.1- m' at screen 0.27729,0.141638 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.216,0.110922 to screen 0.264387,0.110922 nohead lw 1.6 dt (9,3,2,3) lc rgb '#a04f86'
+set label 'combined fatigue: 0.453 % at s = 0+ m' at screen 0.27729,0.110922 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.216,0.0802048 to screen 0.264387,0.0802048 nohead lw 1.6 dt (14,4) lc rgb '#8a6d00'
+set label 'stress range: 0.263 % at s = 0+ m' at screen 0.27729,0.0802048 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.216,0.0494881 to screen 0.264387,0.0494881 nohead lw 1.6 dt (2,5) lc rgb '#4a4a4a'
+set label 'weld: 0.278 % at s = 1.1- m' at screen 0.27729,0.0494881 left noenhanced front tc rgb '#202020'
+set label '' at screen 0.240194,0.0187713 point pt 6 ps 0.7 lw 1.3 lc rgb '#202020'
+set label 'holes, single welds and other places of no line' at screen 0.27729,0.0187713 left noenhanced front tc rgb '#202020'
+set format x '%g'
+set label 's [m], from the start of the beam' at screen 0.529032,0.238908 center noenhanced front tc rgb '#202020'
+$u0_0 << e
+0.000000000e+00 3.663961120e+00
+6.728099535e-01 2.139553553e+00
+6.929234377e-01 2.089539240e+00
+1.100000000e+00 1.166559966e+00
+e
+$u1_0 << e
+0.000000000e+00 4.529758786e-01
+6.728099535e-01 1.662413077e-01
+6.929234377e-01 1.554148634e-01
+e
+$single1 << e
+1.100000000e+00 1.827692468e-01
+e
+$u2_0 << e
+0.000000000e+00 9.980962334e-02
+6.728099535e-01 1.245266538e-01
+6.929234377e-01 1.255616800e-01
+1.100000000e+00 1.522731186e-01
+e
+$u3_0 << e
+0.000000000e+00 4.526374711e-01
+6.728099535e-01 1.691068398e-01
+6.929234377e-01 1.593280945e-01
+e
+$single3 << e
+1.100000000e+00 1.891763735e-01
+e
+$u4_0 << e
+0.000000000e+00 2.632272651e-01
+6.728099535e-01 9.660391834e-02
+6.929234377e-01 9.031260027e-02
+1.100000000e+00 7.540797288e-02
+e
+$u4_1 << e
+0.000000000e+00 2.268234648e-01
+6.728099535e-01 8.109889008e-02
+6.929234377e-01 7.579809058e-02
+1.100000000e+00 8.294171258e-02
+e
+$u5_0 << e
+0.000000000e+00 2.641737150e-01
+6.728099535e-01 2.643189870e-01
+6.929234377e-01 2.646307544e-01
+1.100000000e+00 2.776746870e-01
+e
+set arrow from screen 0.107196,0.311779 to screen 0.107196,0.311608 nohead lw 1 lc rgb '#202020'
+set object circle at 0.000000000e+00,3.663961120e+00 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
+set label '3.66 %: yield at s = 0+ m, corner +y -z' at screen 0.116873,0.327898 left noenhanced front tc rgb '#0b5fa5'
+plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
+unset label
+unset arrow
+unset object
+unset multiplot
