@@ -181,18 +181,19 @@ void look_at_class(const Project& project, const std::string& segment, const Pro
   }
 }
 
+/// Says the worst of a segment, not its station, so that segments of which the same is true stand
+/// together.
 void look_at_shear_lag(const std::string& segment, const std::string& plate,
-                       const std::optional<ShearLag>& lag, Length s, GateList& gates) {
+                       const std::optional<ShearLag>& lag, GateList& gates) {
   if (!lag) return;
   gates.add(
       "shear lag",
       {segment, plate,
-       fmt::format(
-           "b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: shear "
-           "lag counts; with kappa = {:.3g} a part of the width works, down to beta = {:.3g} at s "
-           "= {:.4g} m, and the normal stresses are those of the section so reduced (EN "
-           "1993-1-5, 3.1 and 3.2.1)",
-           lag->b_0.value() * 1e3, lag->effective_length.value(), lag->kappa, lag->beta, s.value()),
+       fmt::format("b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: "
+                   "shear lag counts; with kappa = {:.3g} a part of the width works, beta = "
+                   "{:.3g} of it at the worst station, and the normal stresses are those of "
+                   "the section so reduced (EN 1993-1-5, 3.1 and 3.2.1)",
+                   lag->b_0.value() * 1e3, lag->effective_length.value(), lag->kappa, lag->beta),
        false},
       -lag->beta);
 }
@@ -226,8 +227,8 @@ std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun
     look_at_class(project, segment, section.outer, sums, histories, gates);
     if (section.inner) look_at_class(project, segment, *section.inner, sums, histories, gates);
     const ShearLags lags = shear_lags_at(zones, section, station.s);
-    look_at_shear_lag(segment, "flange", lags.flanges, station.s, gates);
-    look_at_shear_lag(segment, "web as flange of M_z", lags.webs, station.s, gates);
+    look_at_shear_lag(segment, "flange", lags.flanges, gates);
+    look_at_shear_lag(segment, "web as flange of M_z", lags.webs, gates);
   }
   look_at_yield(checks, gates);
   return gates.gates();
