@@ -17,6 +17,8 @@ function(boxbeam_twin target)
     list(TRANSFORM value REPLACE "^boxbeam_library$" "boxbeam_library_sanitized")
     set_target_properties(${target}_sanitized PROPERTIES ${property} "${value}")
   endforeach()
+  # Eigen would take memory in another way than in the tests, which are compiled without sanitizers.
+  target_compile_definitions(${target}_sanitized PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   # What the pointer checks of the undefined-behaviour sanitizer find, the address sanitizer finds.
   target_compile_options(${target}_sanitized PRIVATE -O1 -UNDEBUG -fsanitize=address
     -fsanitize=undefined -fno-sanitize=null,alignment,object-size,vptr -fno-sanitize-recover=all
