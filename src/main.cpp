@@ -254,6 +254,26 @@ Entry fatigue_entry(CLI::App& app) {
           }};
 }
 
+Entry chart_entry(CLI::App& app) {
+  const auto options = std::make_shared<ChartOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "chart", "chart accuracy against cost of the numerical methods, and map where they fail");
+  std::vector<std::string> words{"all"};
+  for (const study::Topic& topic : study::topics()) words.emplace_back(topic.name);
+  command.add_option("TOPIC", options->topics, "what to chart (default: all)")
+      ->check(CLI::IsMember(words));
+  command
+      .add_option("--case", options->of_case.file,
+                  "on this case (default: the sledge rig and the drill truck)")
+      ->type_name("FILE.toml");
+  command.add_option("--out", options->out, "folder of the charts (default: reports/accuracy)")
+      ->type_name("DIR");
+  command.add_flag("--quick", options->quick, "fewer settings, shorter measurements");
+  return {&command,
+          {"boxbeam chart kinematics --quick", "boxbeam chart all --case my.toml --out charts"},
+          [options] { return run_chart(*options); }};
+}
+
 /// The first word of init: a kind, or the file of a planar case.
 CLI::Validator kind_or_file() {
   CLI::Validator kind = CLI::IsMember({"planar", "spatial", "flexible"});
@@ -346,8 +366,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   CommandLine line;
   const std::vector<Entry> entries{
-      init_entry(app),    validate_entry(app),         verify_entry(app),      explain_entry(app),
-      compare_entry(app), motion_entry(app),           section_entry(app),     fatigue_entry(app),
+      init_entry(app),    validate_entry(app),         verify_entry(app),
+      explain_entry(app), compare_entry(app),          motion_entry(app),
+      section_entry(app), fatigue_entry(app),          chart_entry(app),
       schema_entry(app),  completion_entry(app, line), manual_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {

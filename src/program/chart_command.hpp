@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program/case_options.hpp"
+
+namespace boxbeam::program {
+
+struct ChartOptions {
+  std::vector<std::string> topics;  ///< "all", or none: all
+  CaseOptions of_case;              ///< without a file: the reference cases
+  std::string out;
+  bool quick = false;
+};
+
+/// `boxbeam chart`: accuracy against cost, and where methods fail. Returns the exit code.
+int run_chart(const ChartOptions& options);
+
+}  // namespace boxbeam::program

@@ -1,0 +1,1 @@
+#include "boxbeam/report/accuracy.hpp"
