@@ -78,6 +78,10 @@ class Planner {
     const Eigen::Vector2d from = planar::position_of(step.from, position_);
     const Eigen::Vector2d to = planar::position_of(step.to, position_);
     const Eigen::Vector2d tip = planar::position_of(step.tip, position_);
+    if (step.kind == Kind::own_line) {
+      const double angle = step.direction + position_[3 * step.first + 2];
+      return Eigen::Vector2d(std::cos(angle), std::sin(angle)).dot(to - from) < 0.0 ? -1 : 1;
+    }
     if (step.kind == Kind::circle_line || step.kind == Kind::pin_pin_line) {
       const double turn = step.to.body == planar::ground ? 0.0 : position_[3 * step.to.body + 2];
       const double angle = step.direction + turn;
@@ -212,6 +216,10 @@ class Planner {
       if (const auto* slot = std::get_if<planar::PinInSlot>(&kind)) {
         step.kind = Kind::circle_line;
         if (slot->point.body == body) ends = std::pair{slot->point, slot->guide};
+        if (slot->guide.body == body) {
+          step.kind = Kind::own_line;
+          ends = std::pair{slot->guide, slot->point};
+        }
         step.direction = slot->direction;
       }
       if (!ends || !is_known(ends->second.body)) {
@@ -286,6 +294,7 @@ class DyadSolver {
         place_two_points(step.first, step.own, place_of(step.from), step.tip,
                          circle_line(step, constant(0.0)));
         break;
+      case Kind::own_line: take_own_line(step); break;
       case Kind::pin_pin_pin: {
         const V tip = two_circles(step, square_of(step.second_tip, step.second_own));
         place_two_points(step.first, step.own, place_of(step.from), step.tip, tip);
@@ -376,12 +385,16 @@ class DyadSolver {
 
   void place_two_points(int index, const Attachment& own, const V& at, const Attachment& tip,
                         const V& tip_at) {
-    Place& place = bodies_[static_cast<std::size_t>(index)];
     const V inside = vector(tip.p) - vector(own.p);
     const V outside = tip_at - at;
     const J square = dot(inside, inside);
-    place.cosine = dot(inside, outside) / square;
-    place.sine = dot(left_of(inside), outside) / square;
+    place_by(index, own, at, dot(inside, outside) / square, dot(left_of(inside), outside) / square);
+  }
+
+  void place_by(int index, const Attachment& own, const V& at, const J& cosine, const J& sine) {
+    Place& place = bodies_[static_cast<std::size_t>(index)];
+    place.cosine = cosine;
+    place.sine = sine;
     place.angle = atan2(place.sine, place.cosine);
     if constexpr (std::is_floating_point_v<Scalar>) {
       const Scalar turn = Scalar(2) * std::numbers::pi_v<Scalar>;
@@ -400,6 +413,19 @@ class DyadSolver {
     const bool is_x = step.coordinate == Coordinate::x;
     const J way = is_x ? (wanted - guide.x - arm.x) / line.x : (wanted - guide.y - arm.y) / line.y;
     place_turned(step.first, step.own, guide + way * line, angle);
+  }
+
+  /// way = s u + h (left of u), with u along the line and h what the line passes the pin by.
+  void take_own_line(const DyadStep& step) {
+    const V from = place_of(step.from);
+    const V way = place_of(step.to) - from;
+    const J c = cos(constant(step.direction));
+    const J s = sin(constant(step.direction));
+    const J h = dot(left_of(V{c, s}), vector(step.tip.p) - vector(step.own.p));
+    const J square = dot(way, way);
+    const J along = static_cast<Scalar>(step.side) * sqrt(square - h * h);
+    const V u = (constant(1.0) / square) * (along * way - h * left_of(way));
+    place_by(step.first, step.own, from, c * u.x + s * u.y, c * u.y - s * u.x);
   }
 
   /// The tip by the circles about `from` and `to`. The distance from the line between the centres

@@ -199,7 +199,7 @@ Chart toggle_chart(const Scenes& scenes, const Effort& effort) {
     point.setting = fmt::format("{:.3g} before the toggle", distance);
     std::array<Point, 5> points{point, point, point, point, point};
     try {
-      const ReferenceMotion exact{"", {0.0}, {scene.exact(there)}};
+      const ReferenceMotion exact{"", {0.0}, {scene.exact(distance)}};
       const ErrorOf error_of(there, exact);
       planar::InstantSolver solver(there);
       const planar::State state = solver.solve_from_sketch(0.0, sketch_of(there));

@@ -136,18 +136,24 @@ planar::Mechanism ToggleScene::before(double& distance) const {
   return there;
 }
 
-InstantIn<long double> ToggleScene::exact(const planar::Mechanism& there) const {
-  // The program's own state says on which side; the digits come from long double.
-  planar::InstantSolver solver(there);
-  const planar::State state = solver.solve_from_sketch(0.0, sketch_of(there));
-  InstantIn<long double> instant = instant_of(state);
+InstantIn<long double> ToggleScene::exact(double distance) const {
+  // The distance from the toggle's position goes with the root of the driver's.
+  constexpr double regular = 1e-3;
+  double farther = std::max(distance, regular);
+  const planar::Mechanism start = before(farther);
+  planar::InstantSolver solver(start);
+  const Eigen::VectorXd known = solver.solve_from_sketch(0.0, sketch_of(start)).q;
+  const planar::Mechanism there = before(distance);
+  const Eigen::VectorXd near = toggle.q + std::sqrt(distance / farther) * (known - toggle.q);
   TextbookSolver<long double> reference(there, LinearMethod::dense);
   reference.equations().set_time(0.0);
+  InstantIn<long double> instant;
+  instant.q = near.cast<long double>();
   reference.solve_position(instant.q, 0.0);
   reference.solve_rates(instant);
-  const DyadPlan plan = plan_dyads(there, state.q);
+  const DyadPlan plan = plan_dyads(there, near);
   if (plan.failure.empty()) {
-    solve_dyads(plan, reference.equations().driver_states(), state.q, instant);
+    solve_dyads(plan, reference.equations().driver_states(), near, instant);
   }
   return instant;
 }

@@ -121,10 +121,10 @@ Map toggle_map_of(const ToggleScene& scene, const Effort& effort) {
   const Eigen::VectorXd scale = planar::ConstraintEquations(scene.mechanism).col_scale();
   const double size = size_of(scene.mechanism);
   for (const double error : powers_of_ten(-4.0, 0.5, effort.quick ? 0.75 : 0.25)) {
-    for (double distance : powers_of_ten(-10.0, -1.0, effort.quick ? 1.5 : 0.5)) {
+    for (double distance : powers_of_ten(-13.0, -1.0, effort.quick ? 1.5 : 0.5)) {
       const double nominal = distance;
       const planar::Mechanism there = scene.before(distance);
-      const InstantIn<long double> exact = scene.exact(there);
+      const InstantIn<long double> exact = scene.exact(distance);
       const double apart = planar::distance_between(exact.q.cast<double>(), scene.toggle.q, size);
       for (std::size_t m = 0; m < methods.size(); ++m) {
         Cell cell;

@@ -15,6 +15,7 @@ struct DyadStep {
     slid,         ///< on a known line at a known angle, one coordinate driven
     two_circles,  ///< pinned to a known point, at a distance from another
     circle_line,  ///< pinned to a known point, with a point on a known line
+    own_line,     ///< pinned to a known point, with another known point on a line of its own
     pin_pin_pin,  ///< two bodies, pinned to each other and each to a known point
     pin_pin_line  ///< two bodies, pinned to each other, one to a known point, one on a known line
   };

@@ -32,8 +32,9 @@ struct ToggleScene {
   /// The mechanism with its driver so far before the toggle at t = 0, to the last digit of a
   /// double; `distance` becomes what it then really is.
   planar::Mechanism before(double& distance) const;
-  /// The state there on the named branch of the loops, by closed form or in long double.
-  InstantIn<long double> exact(const planar::Mechanism& there) const;
+  /// The state at such a distance on the named branch of the loops, by dyads or else Newton's
+  /// method, in long double.
+  InstantIn<long double> exact(double distance) const;
 };
 
 /// A four-bar of 1 m, 0.8 m, 0.9 m and 1.5 m with the crank driven; its coupler and rocker are
