@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -139,6 +140,8 @@ double ErrorOf::at(Quantity quantity, std::size_t index,
       difference[i] = std::remainder(difference[i], 2.0L * std::numbers::pi_v<long double>);
     }
   }
+  // A norm of numbers that are none may be one.
+  if (!difference.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   const Vector& weight = quantity == Quantity::reaction ? row_weight_ : col_weight_;
   return static_cast<double>(difference.cwiseProduct(weight).lpNorm<Eigen::Infinity>() /
                              largest_[static_cast<int>(quantity)]);
@@ -149,7 +152,8 @@ double ErrorOf::operator()(Quantity quantity,
   double worst = 0.0;
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const double error = at(quantity, i, instants[i]);
-    if (!(error <= worst)) worst = error;
+    if (!std::isfinite(error)) return error;
+    worst = std::max(worst, error);
   }
   return worst;
 }

@@ -71,9 +71,7 @@ Chart methods_chart(const DrivenScene& scene, const ReferenceMotion& reference,
                   {"closed-form dyads", {}, true},
                   {"boxbeam, with reactions and checks of the branch", {}, false}};
   for (const Run& run : runs) {
-    Point point = run.point;
-    if (point.failure.empty()) point.error = error_of(quantity, run.instants);
-    chart.series[run.series].points.push_back(std::move(point));
+    chart.series[run.series].points.push_back(point_of(run, error_of, quantity));
   }
   chart.floor = {round_off, "round-off of double"};
   chart.lesson = lesson_of(chart, quantity);

@@ -75,9 +75,7 @@ Chart format_chart(const DrivenScene& scene, const ReferenceMotion& reference,
                   {"Newton, static sparse order", {}, true},
                   {"boxbeam", {}, false}};
   for (const Run& run : runs) {
-    Point point = run.point;
-    if (point.failure.empty()) point.error = error_of(quantity, run.instants);
-    chart.series[run.series].points.push_back(std::move(point));
+    chart.series[run.series].points.push_back(point_of(run, error_of, quantity));
   }
   const std::vector<Point>& sparse = chart.series[1].points;
   const Point& program = chart.series[2].points.front();

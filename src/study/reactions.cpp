@@ -160,8 +160,7 @@ TopicResult reactions(const Scenes& scenes, const Effort& effort) {
   balance.error = "largest open force or moment of a body, by the largest that act";
   balance.reference = "forces in balance, evaluated in long double";
   for (std::size_t i = 0; i < tolerances_from; ++i) {
-    Point point = runs[i].point;
-    if (point.failure.empty()) point.error = error_of(Quantity::reaction, runs[i].instants);
+    Point point = point_of(runs[i], error_of, Quantity::reaction);
     methods.series[runs[i].series].points.push_back(point);
     if (point.failure.empty()) point.error = open_balance(scene, reference, runs[i].instants);
     balance.series[runs[i].series].points.push_back(point);
@@ -197,9 +196,7 @@ TopicResult reactions(const Scenes& scenes, const Effort& effort) {
   tolerance.series = {{"Newton, static sparse order, from the last instant", {}, true},
                       {"boxbeam", {}, false}};
   for (std::size_t i = tolerances_from; i < runs.size(); ++i) {
-    Point point = runs[i].point;
-    if (point.failure.empty()) point.error = error_of(Quantity::reaction, runs[i].instants);
-    tolerance.series[0].points.push_back(std::move(point));
+    tolerance.series[0].points.push_back(point_of(runs[i], error_of, Quantity::reaction));
   }
   tolerance.series[1].points.push_back(result.charts[0].series[5].points.front());
   if (tolerance.series[0].points.front().failure.empty()) {

@@ -101,9 +101,15 @@ std::vector<InstantIn<long double>> by_differences(const DrivenScene& scene,
   return instants;
 }
 
-double order_between(const Point& first, const Point& second) {
-  return std::log(first.error / second.error) /
-         std::log(second.operations.value() / first.operations.value());
+Point point_of(const Run& run, const ErrorOf& error_of, Quantity quantity) {
+  Point point = run.point;
+  if (!point.failure.empty()) return point;
+  point.error = error_of(quantity, run.instants);
+  if (!std::isfinite(point.error)) {
+    point.error = 0.0;
+    point.failure = "no finite result";
+  }
+  return point;
 }
 
 Chart differences_chart(const DrivenScene& scene, const ReferenceMotion& reference,

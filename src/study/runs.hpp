@@ -49,7 +49,7 @@ std::vector<InstantIn<long double>> by_differences(const DrivenScene& scene,
 Chart differences_chart(const DrivenScene& scene, const ReferenceMotion& reference,
                         Quantity quantity, const Effort& effort);
 
-/// The order of a series between two of its points, by operations: log(e1/e2)/log(w2/w1).
-double order_between(const Point& first, const Point& second);
+/// The point of a run with its error in a quantity; a failure where that is no number.
+Point point_of(const Run& run, const ErrorOf& error_of, Quantity quantity);
 
 }  // namespace boxbeam::study
