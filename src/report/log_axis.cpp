@@ -97,13 +97,16 @@ std::vector<Tic> tics_of(const LogAxis& axis, double length, TicStyle style, boo
   // 1, 2 and 5 are at least 0.3 of a decade apart.
   const bool close = 0.3 * decade >= apart + 6.0;
   const int step = std::max(1, static_cast<int>(std::ceil(apart / decade)));
+  constexpr double finest = 40.0;  // decade with small marks [px]
   std::vector<Tic> tics;
   for (int power = first; power <= last; ++power) {
-    if (power % step != 0) continue;
-    for (const int digit : {1, 2, 5}) {
-      const Tic tic = tics_at(digit, power);
-      const bool inside = tic.at >= axis.low * (1.0 - 1e-9) && tic.at <= axis.high * (1.0 + 1e-9);
-      if (inside && (digit == 1 || close)) tics.push_back(tic);
+    for (const int digit : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {
+      Tic tic = tics_at(digit, power);
+      if (tic.at < axis.low * (1.0 - 1e-9) || tic.at > axis.high * (1.0 + 1e-9)) continue;
+      const bool named = digit == 1 ? power % step == 0 : close && (digit == 2 || digit == 5);
+      if (!named && (digit == 1 || step > 1 || decade < finest)) continue;
+      if (!named) tic = {tic.at, "", 0.0, true};
+      tics.push_back(tic);
     }
   }
   return tics;
@@ -113,7 +116,7 @@ std::string list_of(const std::vector<Tic>& tics, bool named) {
   std::string out;
   for (const Tic& tic : tics) {
     if (!out.empty()) out += ", ";
-    out += fmt::format("'{}' {:.9g}", named ? tic.text : "", tic.at);
+    out += fmt::format("'{}' {:.9g}{}", named ? tic.text : "", tic.at, tic.small ? " 1" : "");
   }
   return "(" + out + ")";
 }

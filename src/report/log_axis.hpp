@@ -33,13 +33,15 @@ struct Tic {
   double at = 1.0;
   std::string text;    ///< for gnuplot's enhanced text
   double width = 0.0;  ///< [px]
+  bool small = false;  ///< without a text, between others
 };
 
 /// What a number is written as: "1000", "10^{-6}"; of a time "10 us".
 enum class TicStyle { number, time };
 
 /// Powers of ten, or 1, 2 and 5 of them on short axes, as many as have room: at least `apart` [px]
-/// from each other, and as far as their texts need on an axis that lies.
+/// from each other, and as far as their texts need on an axis that lies. Between powers of ten that
+/// are far apart there are small ones.
 std::vector<Tic> tics_of(const LogAxis& axis, double length, TicStyle style, bool lies);
 
 /// "('10' 10, '100' 100)"; `named` false: without the texts.

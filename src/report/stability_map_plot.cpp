@@ -160,13 +160,10 @@ std::string tics_up(const Panel& panel, bool named) {
                  named);
 }
 
+/// "210 solved, 3 wrong, 12 refused".
 std::string counts_of(const MapPanel& panel) {
-  std::string text;
-  for (const Outcome outcome : {Outcome::solved, Outcome::wrong, Outcome::refused}) {
-    if (!text.empty()) text += ", ";
-    text += fmt::format("{} {}", to_text(outcome), panel.count(outcome));
-  }
-  return text;
+  return fmt::format("{} solved, {} wrong, {} refused", panel.count(Outcome::solved),
+                     panel.count(Outcome::wrong), panel.count(Outcome::refused));
 }
 
 /// The scale of the values, with its numbers at both ends and its name behind.
@@ -214,9 +211,9 @@ void stability_map(Script& gp, const Map& map) {
   std::vector<std::string> about;
   if (!map.scene.empty()) about.push_back("on " + map.scene);
   if (!map.reference.empty()) about.push_back("what is right: " + map.reference);
-  about.push_back("up: " + map.y.title);
   about = all_wrapped(about, whole);
-  const std::vector<std::string> footing = wrapped(map.x.title, whole);
+  const std::vector<std::string> ordinate = all_wrapped({"up: " + map.y.title}, whole);
+  const std::vector<std::string> footing = wrapped("across: " + map.x.title, whole);
   std::size_t heads = 1;
   for (const MapPanel& panel : map.panels)
     heads = std::max(heads, wrapped(panel.method, width).size());
@@ -225,16 +222,17 @@ void stability_map(Script& gp, const Map& map) {
   std::vector<LegendEntry> legend;
   if (!range.any) legend.push_back({"solved", fmt::format("lw 9 lc rgb '{}'", solved_colour)});
   legend.push_back({"silently wrong", fmt::format("lw 9 lc rgb '{}'", wrong_colour),
-                    "pt 2 ps 0.6 lw 1 lc rgb '#202020'"});
+                    "pt 2 ps 0.6 lw 1 lc rgb '#202020' front"});
   legend.push_back({"refused, with the reason", fmt::format("lw 9 lc rgb '{}'", refused_colour),
-                    "pt 7 ps 0.3 lc rgb '#8a8a8a'"});
+                    "pt 7 ps 0.3 lc rgb '#8a8a8a' front"});
   const double head = lines(heads) + line + 8.0;
   const double foot = 28.0;  // numbers
   const double scale = range.any ? 22.0 : 0.0;
   const double legend_top = 4.0 + scale + height_of_legend(legend);
   const double panels_bottom = legend_top + lines(footing.size()) + 4.0;
   const double panels = static_cast<double>(rows) * (height + head + foot);
-  gp.begin(map.name, panels_bottom + panels + lines(about.size()) + lines(title.size()) + 16.0);
+  gp.begin(map.name,
+           panels_bottom + panels + lines(about.size() + title.size() + ordinate.size()) + 20.0);
   const auto put_lines = [&](const std::vector<std::string>& texts, const Pixel& at,
                              const char* side, const char* colour) {
     double top = at.y();
@@ -245,7 +243,8 @@ void stability_map(Script& gp, const Map& map) {
     return top;
   };
   double top = put_lines(title, {margin, gp.height() - 8.0}, "left", "#202020") - 2.0;
-  put_lines(about, {margin, top}, "left", "#5d6b79");
+  top = put_lines(about, {margin, top}, "left", "#5d6b79") - 4.0;
+  put_lines(ordinate, {margin, top}, "left", "#202020");
   put_lines(footing, {0.5 * (left + right), legend_top + lines(footing.size())}, "center",
             "#202020");
   if (range.any) draw_scale(gp, map, range, 4.0);

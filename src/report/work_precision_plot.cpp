@@ -103,7 +103,8 @@ std::optional<double> place_of(const Series& series, std::size_t i, const Abscis
 
 LogAxis error_axis(const Chart& chart) {
   LogContent content{{chart.needed_low, chart.needed_high}, false, false};
-  if (chart.floor) content.numbers.push_back(chart.floor->error);
+  // So that it is seen above the end of the axis.
+  if (chart.floor) content.numbers.push_back(0.5 * chart.floor->error);
   for (const Series& series : chart.series) {
     for (const Point& point : series.points) {
       content.beyond = content.beyond || has_failed(point);
@@ -159,7 +160,8 @@ void draw_series(Drawn& of, std::size_t k) {
   for (std::size_t i = 0; i < series.points.size(); ++i) {
     const Point& point = series.points[i];
     const Row2 row = row_of(of, series, i);
-    const bool costs = of.abscissa.of(point).has_value();
+    const bool costs =
+        of.abscissa.of(point).has_value() || (!point.operations && !point.time.has_value());
     if (has_failed(point)) failed.push_back(row);
     if (has_failed(point) || !costs) {
       if (!runs.back().empty()) runs.emplace_back();
@@ -167,7 +169,7 @@ void draw_series(Drawn& of, std::size_t k) {
     }
     runs.back().push_back(row);
     solved.push_back(row);
-    if (of.abscissa.time)
+    if (of.abscissa.time && point.time)
       spreads.emplace_back(std::get<0>(row), std::get<1>(row), of.x.at(point.time->low),
                            of.x.at(point.time->high));
   }
@@ -182,7 +184,7 @@ void draw_series(Drawn& of, std::size_t k) {
     const std::string data = fmt::format("{}spread{}", of.name, k);
     of.gp.block(data, spreads);
     of.curves.push_back(fmt::format(
-        "${} using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.8 lc rgb '{}'", data, style.colour));
+        "${} using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '{}'", data, style.colour));
   }
   if (!solved.empty()) {
     const std::string data = fmt::format("{}points{}", of.name, k);
@@ -204,38 +206,62 @@ void draw_series(Drawn& of, std::size_t k) {
   }
 }
 
-/// A short line of a known order beside the stretch of a series that is most like it.
+/// Slope that a series has between two settings, by the work they take; nothing where there is
+/// none.
+std::optional<double> order_between(const Point& a, const Point& b) {
+  if (has_failed(a) || has_failed(b) || !a.operations || !b.operations) return std::nullopt;
+  if (a.error <= 0.0 || b.error <= 0.0) return std::nullopt;
+  if (*a.operations <= 0.0 || *b.operations <= 0.0 || *a.operations == *b.operations)
+    return std::nullopt;
+  return -std::log(b.error / a.error) / std::log(*b.operations / *a.operations);
+}
+
+/// A short line of a known order beside a stretch of a series that runs so, where it has room:
+/// rather in the middle of the series than at its ends.
 void draw_guide(Drawn& of, const study::SlopeGuide& guide) {
   if (guide.series >= of.chart.series.size() || guide.order <= 0.0) return;
   const Series& series = of.chart.series[guide.series];
-  double nearest = 1e300;
-  Pixel middle;
-  for (std::size_t i = 1; i < series.points.size(); ++i) {
-    const Point& a = series.points[i - 1];
-    const Point& b = series.points[i];
-    if (has_failed(a) || has_failed(b) || !a.operations || !b.operations) continue;
-    if (*a.operations <= 0.0 || *b.operations <= 0.0 || *a.operations == *b.operations) continue;
-    if (a.error <= 0.0 || b.error <= 0.0) continue;
-    const double slope = -std::log(b.error / a.error) / std::log(*b.operations / *a.operations);
-    if (std::abs(slope - guide.order) >= nearest) continue;
-    nearest = std::abs(slope - guide.order);
-    middle = 0.5 * (of.panel.at(of.x.at(*a.operations), of.y.at(a.error)) +
-                    of.panel.at(of.x.at(*b.operations), of.y.at(b.error)));
-  }
-  if (nearest == 1e300) return;
+  const Frame inside = {of.panel.frame.left + 2.0, of.panel.at(of.x.low, of.y.low).y() + 2.0,
+                        of.panel.frame.right - 2.0, of.panel.at(of.x.low, of.y.high).y() - 2.0};
   const Frame& f = of.panel.frame;
   const double per_x = (f.right - f.left) / std::log(of.panel.x_high / of.panel.x_low);
   const double per_y = (f.top - f.bottom) / std::log(of.panel.y_high / of.panel.y_low);
   const Eigen::Vector2d along = Eigen::Vector2d(per_x, -guide.order * per_y).normalized();
   const Eigen::Vector2d below(along.y(), -along.x());
-  constexpr double half = 26.0;
+  const Eigen::Vector2d above = -below;
+  constexpr double half = 24.0;
   constexpr double beside = 11.0;
-  const Pixel at = middle + beside * below;
-  const Pixel from = at - half * along;
-  const Pixel to = at + half * along;
+  const auto within = [&](const Pixel& at) {
+    return at.x() >= inside.left && at.x() <= inside.right && at.y() >= inside.bottom &&
+           at.y() <= inside.top;
+  };
+  double least = 1e300;
+  Pixel best;
+  for (std::size_t i = 1; i < series.points.size(); ++i) {
+    const Point& a = series.points[i - 1];
+    const Point& b = series.points[i];
+    const std::optional<double> order = order_between(a, b);
+    if (!order) continue;
+    const Pixel middle = 0.5 * (of.panel.at(of.x.at(*a.operations), of.y.at(a.error)) +
+                                of.panel.at(of.x.at(*b.operations), of.y.at(b.error)));
+    for (const Eigen::Vector2d& side : {below, above}) {
+      const Pixel at = middle + beside * side;
+      if (!within(at - half * along) || !within(at + half * along)) continue;
+      const double off_centre =
+          std::abs(2.0 * static_cast<double>(i) / static_cast<double>(series.points.size()) - 1.0);
+      const double cost = 5.0 * std::abs(*order - guide.order) + 0.5 * off_centre +
+                          0.02 * of.labels.disturbance(at - half * along, at + half * along);
+      if (cost >= least) continue;
+      least = cost;
+      best = at;
+    }
+  }
+  if (least == 1e300) return;
+  const Pixel from = best - half * along;
+  const Pixel to = best + half * along;
   put_line(of.gp, from, to, "lw 1 lc rgb '#404040'");
   of.labels.keep_off(from, to);
-  of.labels.put(of.gp, fmt::format("order {:g}", guide.order), at, f, "#404040", 5.0);
+  of.labels.put(of.gp, fmt::format("order {:g}", guide.order), best, inside, "#404040", 5.0);
 }
 
 void mark_default(Drawn& of) {
@@ -276,8 +302,8 @@ void draw_levels(Drawn& of) {
 
 std::string error_tics(const LogAxis& axis) {
   std::vector<Tic> tics = tics_of(axis, height, TicStyle::number, false);
-  if (axis.beyond) tics.push_back({*axis.beyond, "failed", 0.0});
-  if (axis.zero) tics.push_back({*axis.zero, "0", 0.0});
+  if (axis.beyond) tics.push_back({*axis.beyond, "failed", 0.0, false});
+  if (axis.zero) tics.push_back({*axis.zero, "0", 0.0, false});
   return list_of(tics);
 }
 
@@ -299,7 +325,7 @@ void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const 
   std::erase_if(tics, [&](const Tic& tic) {
     return of.panel.at(tic.at, y.first).x() + 0.5 * tic.width > gp.width() - 2.0;
   });
-  if (x.zero) tics.insert(tics.begin(), {*x.zero, "0", 0.0});
+  if (x.zero) tics.insert(tics.begin(), {*x.zero, "0", 0.0, false});
   gp << "set xtics " << list_of(tics) << "\n";
   gp << "set ytics "
      << (number == 0 ? error_tics(y) : list_of(tics_of(y, height, TicStyle::number, false), false))
@@ -362,6 +388,22 @@ std::vector<std::string> failures_of(const Chart& chart) {
   return lines;
 }
 
+/// What the drawing needs to be read rightly, and what failed.
+std::vector<std::string> notes_of(const Chart& chart) {
+  const auto any_error = [&](const std::function<bool(double)>& holds) {
+    return any_point(chart, [&](const Point& point) {
+      return !has_failed(point) && holds(std::abs(point.error));
+    });
+  };
+  std::vector<std::string> notes;
+  if (any_error([](double error) { return error == 0.0; }))
+    notes.emplace_back("at 0: the same number as the reference, to the last digit");
+  if (any_error([](double error) { return error > most_error; }))
+    notes.push_back(fmt::format("at {0:g}: errors of {0:g} and more", most_error));
+  for (std::string& failure : failures_of(chart)) notes.push_back(std::move(failure));
+  return notes;
+}
+
 /// Texts one below the other, each in as many lines as it needs.
 std::vector<std::string> all_wrapped(const std::vector<std::string>& texts) {
   std::vector<std::string> lines;
@@ -383,7 +425,7 @@ void work_precision(Script& gp, const Chart& chart) {
   for (const Abscissa& abscissa : abscissas)
     footings = std::max(footings, wrapped(abscissa.title, width + gap - 8.0).size());
   const std::vector<LegendEntry> legend = legend_of(chart);
-  const std::vector<std::string> failures = all_wrapped(failures_of(chart));
+  const std::vector<std::string> notes = all_wrapped(notes_of(chart));
   const std::vector<std::string> title = all_wrapped({chart.title});
   std::vector<std::string> about;
   if (!chart.scene.empty()) about.push_back("on " + chart.scene);
@@ -394,10 +436,10 @@ void work_precision(Script& gp, const Chart& chart) {
   const auto lines = [](const std::vector<std::string>& of) {
     return line * static_cast<double>(of.size());
   };
-  const double failures_top = 4.0 + lines(failures);
-  const double below = failures_top + height_of_legend(legend) + footing_room +
+  const double notes_top = 4.0 + lines(notes);
+  const double below = notes_top + height_of_legend(legend) + footing_room +
                        line * static_cast<double>(footings - 1) + 4.0;
-  gp.begin(chart.name, below + height + lines(ordinate) + lines(about) + lines(title) + 34.0);
+  gp.begin(chart.name, below + height + lines(ordinate) + lines(about) + lines(title) + 26.0);
   const auto put_lines = [&](const std::vector<std::string>& texts, double top,
                              const char* colour) {
     for (const std::string& text : texts) {
@@ -410,9 +452,9 @@ void work_precision(Script& gp, const Chart& chart) {
   top = put_lines(title, top, "#202020") - 2.0;
   top = put_lines(about, top, "#5d6b79") - 6.0;
   put_lines(ordinate, top, "#202020");
-  put_lines(failures, failures_top, "#5d6b79");
-  draw_legend(gp, legend, failures_top + 2.0);
-  gp << "set logscale xy\n";
+  put_lines(notes, notes_top, "#5d6b79");
+  draw_legend(gp, legend, notes_top + 2.0);
+  gp << "set logscale xy\nset errorbars 0.35\n";
   const LogAxis y = error_axis(chart);
   for (std::size_t i = 0; i < abscissas.size(); ++i) {
     const double from = left + (width + gap) * static_cast<double>(i);
