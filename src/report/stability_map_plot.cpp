@@ -40,6 +40,7 @@ struct ValueRange {
 
 ValueRange values_of(const Map& map) {
   ValueRange range;
+  if (map.value.empty()) return range;
   for (const MapPanel& panel : map.panels) {
     for (const Cell& cell : panel.cells) {
       if (cell.outcome != Outcome::solved || !cell.value || !std::isfinite(*cell.value)) continue;
