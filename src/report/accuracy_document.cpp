@@ -24,30 +24,31 @@ using study::Map;
 using study::MapPanel;
 using study::Outcome;
 
-/// Where there is a number, it with its unit.
+/// "evaluations of the load: 9".
 std::string work_text(const Chart& chart, const study::Point& point) {
   if (!point.operations) return "-";
-  const std::string unit = chart.operations.empty() ? "operations" : chart.operations;
-  return fmt::format("{:g} {}", *point.operations, unit);
+  return fmt::format("{}: {:.6g}", chart.operations.empty() ? "operations" : chart.operations,
+                     *point.operations);
 }
 
+/// "beam at one instant: 412 ns".
 std::string time_text(const Chart& chart, const study::Point& point) {
   if (!point.time) return "-";
-  std::string text = duration_text(point.time->median);
-  if (!chart.unit.empty()) text += " per " + chart.unit;
-  return text;
+  const std::string time = duration_text(point.time->median);
+  return chart.unit.empty() ? time : fmt::format("{}: {}", chart.unit, time);
 }
 
 Table table_of_defaults(const std::vector<TopicShown>& topics) {
   Table table = report::table_of(
-      "", {"question", "default", "error", "good enough", "standing", "work", "time"});
+      "", {"chart", "default", "error", "good enough", "standing", "work", "time"});
   for (const TopicShown& topic : topics) {
     for (const Chart& chart : topic.result.charts) {
       for (const DefaultSetting& setting : defaults_of(chart)) {
         const study::Point& point = *setting.point;
-        add_row(table, row_of(chart.title, setting_text(setting), error_text(point),
-                              needed_text(chart), standing_of(chart, point),
-                              work_text(chart, point), time_text(chart, point)));
+        add_row(table, row_of(chart.name, setting_text(setting),
+                              report::Cell{error_text(point), point.error}, needed_text(chart),
+                              standing_of(chart, point), work_text(chart, point),
+                              time_text(chart, point)));
       }
     }
   }
@@ -65,7 +66,8 @@ Chapter chapter_of_defaults(Table table) {
 }
 
 void add_failures(const Chart& chart, Chapter& chapter) {
-  Table table = report::table_of("Failed settings", {"method", "settings", "number", "reason"});
+  Table table = report::table_of(fmt::format("Failed settings of {}", chart.name),
+                                 {"method", "settings", "number", "reason"});
   for (const FailedSettings& failed : failures_of(chart)) {
     add_row(table, row_of(failed.method, settings_text(failed.settings),
                           std::to_string(failed.settings.size()), failed.reason));
@@ -90,7 +92,8 @@ void add_chart(const Chart& chart, bool drawn, Chapter& chapter) {
 }
 
 Table table_of_counts(const Map& map) {
-  Table table = report::table_of("", {"method", "trials", "solved", "silently wrong", "refused"});
+  Table table = report::table_of(fmt::format("Trials of {}", map.name),
+                                 {"method", "trials", "solved", "silently wrong", "refused"});
   for (const MapPanel& panel : map.panels) {
     const auto count = [&](Outcome outcome) { return std::to_string(panel.count(outcome)); };
     add_row(table, row_of(panel.yardstick ? panel.method + " (for comparison)" : panel.method,
@@ -103,7 +106,8 @@ Table table_of_counts(const Map& map) {
 /// Reasons of refusals with how often each was said, the most frequent first.
 Table table_of_refusals(const Map& map) {
   constexpr std::size_t most = 8;
-  Table table = report::table_of("Refusals", {"method", "number", "reason"});
+  Table table =
+      report::table_of(fmt::format("Refusals in {}", map.name), {"method", "number", "reason"});
   for (const MapPanel& panel : map.panels) {
     std::map<std::string, std::size_t> numbers;
     for (const study::Cell& trial : panel.cells) {

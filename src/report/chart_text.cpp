@@ -8,6 +8,19 @@
 #include "boxbeam/report/format.hpp"
 
 namespace boxbeam {
+namespace {
+
+/// "1e-04" as "1e-4", "1.0e+01" as "1.0e1".
+std::string short_power(std::string number) {
+  const std::size_t e = number.find('e');
+  if (e == std::string::npos) return number;
+  if (number[e + 1] == '+') number.erase(e + 1, 1);
+  const std::size_t first = e + (number[e + 1] == '-' ? 2 : 1);
+  while (first + 1 < number.size() && number[first] == '0') number.erase(first, 1);
+  return number;
+}
+
+}  // namespace
 
 bool has_failed(const study::Point& point) {
   return !point.failure.empty() || !std::isfinite(point.error);
@@ -62,11 +75,13 @@ std::string setting_text(const DefaultSetting& setting) {
 
 std::string error_text(const study::Point& point) {
   if (has_failed(point)) return "failed";
-  return point.error == 0.0 ? "0" : fmt::format("{:.1e}", std::abs(point.error));
+  if (point.error == 0.0) return "0";
+  return short_power(fmt::format("{:.1e}", std::abs(point.error)));
 }
 
 std::string needed_text(const study::Chart& chart) {
-  return fmt::format("{:.0e} to {:.0e}", chart.needed_low, chart.needed_high);
+  return fmt::format("{} to {}", short_power(fmt::format("{:.2g}", chart.needed_low)),
+                     short_power(fmt::format("{:.2g}", chart.needed_high)));
 }
 
 std::string duration_text(double seconds) {
