@@ -108,7 +108,7 @@ ChainReference::Number ChainReference::root_moment(long double omega) const {
   const Number couple = (by_force.couple * by_load.force - by_force.force * by_load.couple) / det;
   const long double arm =
       static_cast<long double>(link_->springs.front().place) - link_->elements.front().node;
-  return couple + arm * force;
+  return -(couple + arm * force);  // what the clamp does to the beam is opposite to the spring
 }
 
 long double ChainReference::first_omega(long double guess) const {

@@ -36,7 +36,7 @@ class ChainReference {
 
   explicit ChainReference(const flexible::Structure& structure);
 
-  /// Couple at the root under the harmonic loads at the end.
+  /// What the clamp does to the beam, a couple, under the harmonic load at the end.
   Number root_moment(long double omega) const;
   /// The first circular frequency without damping, next to a guess, by the secant rule.
   long double first_omega(long double guess) const;
