@@ -51,15 +51,17 @@ Mechanism mechanism_of(const Json& request) {
     mechanism.joints.push_back(
         {"prop", end, {ground, {link.length, 0.0}}, 0.0, {0.0, infinite, 0.0}, {}});
   }
-  Load load;
-  load.name = "load";
-  load.at = {0, {beam.at("load_at").get<double>(), 0.0}};
-  load.amplitude = {0.0, 1.0, 0.0};
-  mechanism.loads = {load};
+  if (request.at("what") == "harmonic") {
+    Load load;
+    load.name = "load";
+    load.at = {0, {beam.at("load_at").get<double>(), 0.0}};
+    load.amplitude = {0.0, 1.0, 0.0};
+    mechanism.loads = {load};
+  }
   return mechanism;
 }
 
-/// Lowest frequency, and what clamp (or prop) feel under a unit load.
+/// The lowest frequency, or what the prop does to the beam under a unit load.
 Json results_of(const Mechanism& mechanism, const Json& request) {
   const std::string what = request.at("what");
   const Structure structure = structure_of(mechanism);
@@ -70,9 +72,8 @@ Json results_of(const Mechanism& mechanism, const Json& request) {
           ? harmonic_response(modal_model_of(structure, request.at("modes")), frequency,
                               request.value("static_correction", true))
           : harmonic_response(structure, frequency);
-  const std::size_t joint = mechanism.joints.size() - 1;
-  const Eigen::Vector3cd force = joint_force(structure, joint, motion);
-  return {{"value", force[mechanism.joints.size() == 1 ? 2 : 1].real()}};
+  const std::size_t prop = mechanism.joints.size() - 1;
+  return {{"value", joint_force(structure, prop, motion)[1].real()}};
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 Topics: rig (Simbody, scipy), linkages (the same), toggle (where they fail), beams (CalculiX); all
 where none is named. Writes charts and maps as SVG with their data as CSV, and versions.txt.
-scripts install what is missing and build: tests/benchmarks/peers.sh.
+peers.sh installs what is missing, builds and runs this.
 """
 import os
 

@@ -153,8 +153,9 @@ def fsolve(tolerance):
 def levenberg_marquardt(tolerance):
     def solve(f, jacobian, q):
         found = scipy.optimize.root(f, q, jac=jacobian, method="lm", options={"xtol": tolerance})
-        if not found.success:
-            raise Refusal(found.message)
+        # A minimum of the squares is a success to it, a root or not: its user has to look.
+        if not found.success or np.abs(found.fun).max() > 1e-6:
+            raise Refusal(found.message if not found.success else "the residual is not zero")
         return found.x
     return solve
 

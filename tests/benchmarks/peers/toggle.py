@@ -15,11 +15,14 @@ OFF = (0.03, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0)
 PHASES = 24
 
 
-def methods():
-    """Name, whether for comparison only, and the request to the library or the solver in numpy."""
+def methods(following):
+    """Name, whether for comparison only, and the request to the library or the solver in numpy.
+    Where the last instant is taken for a start matters only where one is followed."""
     yield "boxbeam", False, {"way": "boxbeam"}
     for name, model in sledge.SIMBODY:
-        yield name, True, {"way": "simbody", "accuracy": ACCURACY, **model}
+        if following or model["predicted"]:
+            yield (name if following else name.removesuffix(", predicted") + ", its assembler", True,
+                   {"way": "simbody", "accuracy": ACCURACY, **model})
     for name, way in sledge.SCIPY:
         yield name, True, way(1e-10)
 
@@ -60,14 +63,14 @@ def limits():
 
 
 def count_words(panels, outcome):
-    return ", ".join(f"{panel['method']} {sum(c['outcome'] == outcome for c in panel['cells'])}"
+    return ", ".join(f"{sum(c['outcome'] == outcome for c in panel['cells'])} by {panel['method']}"
                      for panel in panels)
 
 
 def followed_map(library, data, name, title, truth_at, x_title, lesson):
     panels = []
     truths = {margin: truth_at(margin) for margin in MARGINS}
-    for method_name, yardstick, method in methods():
+    for method_name, yardstick, method in methods(following=True):
         cells = []
         for count in INSTANTS:
             for margin in MARGINS:
@@ -88,7 +91,7 @@ def rough_map(library, data):
     panels = []
     truth = sledge.Truth(data)
     times = [data["period"] * k / PHASES for k in range(PHASES)]
-    for method_name, yardstick, method in methods():
+    for method_name, yardstick, method in methods(following=False):
         cells = []
         for phase, time in enumerate(times):
             right = truth.places(time)
@@ -118,7 +121,7 @@ def rough_map(library, data):
         panels=panels,
         lesson=f"Silently on another assembly, of {len(times) * len(OFF)} starts: "
                f"{count_words(panels, 'wrong')}. A solver of equations takes whatever assembly it "
-               "comes to; which one is wanted must be part of the input.")
+               "comes to; which one is wanted must be part of the input, as it is of boxbeam's.")
 
 
 def maps(library):
