@@ -12,6 +12,8 @@
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/case_schema.hpp"
+#include "boxbeam/study/topics.hpp"
+#include "program/chart_command.hpp"
 #include "program/command_line.hpp"
 #include "program/compare_command.hpp"
 #include "program/completion.hpp"
