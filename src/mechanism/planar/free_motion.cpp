@@ -13,8 +13,46 @@
 namespace boxbeam::planar {
 namespace {
 
-constexpr double near_singular = 1e-3;        ///< a scaled pivot of the equations of motion
-constexpr double error_near_singular = 1e-8;  ///< of a step there
+constexpr double near_singular = 2e-2;  ///< a scaled pivot of the equations of motion
+/// A pivot, and its part of the largest of a step, below which a stage stands on a singular
+/// position rather than beside it.
+constexpr double on_singular = 1e-4;
+constexpr double part_on_singular = 1e-3;
+constexpr int most_attempts = 6;            ///< to pass one between two stages
+constexpr double largest_round_off = 1e-8;  ///< that a step is accepted with
+
+/// The stage of a step that is nearest to a singular position.
+struct NearestStage {
+  double smallest = 1.0, largest = 0.0;  ///< pivots of all stages
+  double time = 0.0;                     ///< of the smallest
+
+  void see(double t, double pivot) {
+    if (pivot < smallest) time = t;
+    smallest = std::min(smallest, pivot);
+    largest = std::max(largest, pivot);
+  }
+  bool on_a_singular_position() const {
+    return smallest < on_singular && smallest < part_on_singular * largest;
+  }
+  /// Of the accelerations, which no shorter step makes smaller.
+  double round_off() const {
+    constexpr double with_regular_equations = 1e-14;
+    return std::min(largest_round_off,
+                    with_regular_equations / std::max(smallest, with_regular_equations));
+  }
+};
+
+/// A step that has a singular position in the middle between two stages, where it does no harm, or
+/// one that ends before. `there`: how far it is; `dt`: the step that had a stage on it.
+double step_past(double there, double dt) {
+  // The stages stand at 0, 2/27, 1/9, 1/6, 1/3, 5/12, 1/2, 2/3, 5/6 and 1 of the step.
+  for (const double between : {1.0 / 4.0, 7.0 / 12.0, 3.0 / 4.0, 11.0 / 12.0}) {
+    if (std::abs(there) < 0.99 * between * std::abs(dt)) return there / between;
+  }
+  // So that what is left after it has the position at 3/4.
+  const double behind = std::max(std::abs(dt - there), 0.05 * std::abs(there));
+  return there - std::copysign(3.0 * behind, there);
+}
 
 }  // namespace
 
@@ -88,15 +126,19 @@ State FreeSolver::advance(double time, const State& known) {
     v = Eigen::Map<const Eigen::VectorXd>(y.data() + n, n).cwiseProduct(scale);
   };
   bool solved = true;
-  double pivot = 1.0;  // the smallest of a step's stages
+  NearestStage nearest;
+  bool on_constraints = false;  // stages are moved onto them as well
   const auto rates = [&](const Vector& y, Vector& rate, double t) {
     unpack(y);
-    solved = solved && equations_.solve_rates(t, q, v, a, lambda);
+    if (solved) {
+      solved = (!on_constraints || equations_.project(t, q, v)) &&
+               equations_.solve_rates(t, q, v, a, lambda);
+      nearest.see(t, solved ? equations_.smallest_pivot() : 0.0);
+    }
     if (!solved) {
       std::fill(rate.begin(), rate.end(), 0.0);
       return;
     }
-    pivot = std::min(pivot, equations_.smallest_pivot());
     Eigen::Map<Eigen::VectorXd>(rate.data(), n) = v.cwiseQuotient(scale);
     Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = a.cwiseQuotient(scale);
   };
@@ -108,10 +150,11 @@ State FreeSolver::advance(double time, const State& known) {
   const double direction = time < t ? -1.0 : 1.0;
   const double smallest = 1e-13 * std::max(std::abs(time), std::abs(known.time)) + 1e-300;
   double dt = time - t;
+  int attempts = 0;
   while (direction * (time - t) > smallest) {
     dt = direction * std::min(std::abs(dt), std::abs(time - t));
     solved = true;
-    pivot = 1.0;
+    nearest = {};
     stepper.do_step(rates, y, t, next, dt, error);
     double size = 0.0;  // of the error, in tolerances
     for (std::size_t i = 0; i < y.size(); ++i) {
@@ -123,8 +166,17 @@ State FreeSolver::advance(double time, const State& known) {
       pack(next);
     }
     if (solved) rates(next, rate, t + dt);  // where it ends must be regular as well
-    const double bound =
-        pivot < near_singular ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
+    if (project_ && !on_constraints && nearest.smallest < near_singular) {
+      // What its stages are off the constraints, the equations enlarge by the inverse of the pivot.
+      on_constraints = true;
+      continue;
+    }
+    if (nearest.on_a_singular_position() && nearest.time != t && attempts++ < most_attempts) {
+      // Its accelerations have no digits there: whatever branch crosses could be taken.
+      dt = step_past(nearest.time - t, dt);
+      continue;
+    }
+    const double bound = std::max(1.0, nearest.round_off() / tolerance_);
     if (!solved || !(size <= bound)) {
       // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
       const double shrink =
@@ -141,6 +193,8 @@ State FreeSolver::advance(double time, const State& known) {
            {}});
     }
     ++steps_;
+    attempts = 0;
+    on_constraints = on_constraints && nearest.smallest < near_singular;
     std::swap(y, next);
     t += dt;
     dt *= std::min(5.0, 0.9 * std::pow(bound / std::max(size, 1e-9 * bound), 1.0 / 8.0));

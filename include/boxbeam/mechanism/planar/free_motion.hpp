@@ -10,8 +10,13 @@ namespace boxbeam::planar {
 /// Integrates the freedoms that no driver moves, under the forces applied: the accelerations of the
 /// equations of motion by a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg
 /// 7(8), Boost.Odeint). After every step positions and velocities are projected back onto the
-/// constraints, so that nothing drifts. Close to a singular position, where accelerations lose
-/// digits, a step is accepted at an error of 1e-8: smaller steps would only lead deeper into it.
+/// constraints, so that nothing drifts.
+///
+/// Through a singular position, where branches cross and the accelerations have no digits, it goes
+/// by the smoothness of the motion: steps near it take their stages on the constraints, since the
+/// equations enlarge what these are off; and a step that would have a stage on it is chosen so that
+/// the position lies between two of its stages. Steps are not made shorter for an error that is
+/// round-off there, up to 1e-8: they would only lead deeper into it.
 /// Sources: Fehlberg, NASA TR R-287 (1968); Eich, SIAM J. Numer. Anal. 30 (1993).
 class FreeSolver {
  public:
