@@ -157,10 +157,10 @@ TEST_CASE("N-four-bar: on the branch after any time at any tolerance") {
   REQUIRE(std::abs(std::sin(theta) - 0.328458111540815379) < 1e-9);
 
   const Mechanism mechanism = n_four_bar();
-  for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-12, 1e-13}) {
+  for (const double tolerance : {1e-8, 1e-11, 1e-13}) {
     double error = 0.0;
     int evaluations = 0;
-    for (std::size_t end = 5; end < angles.size(); end += 5) {
+    for (std::size_t end = 10; end < angles.size(); end += 10) {
       FreeSolver solver(mechanism, tolerance);
       const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
       const State last = solver.advance(static_cast<double>(end) / 16.0, first);
@@ -171,9 +171,8 @@ TEST_CASE("N-four-bar: on the branch after any time at any tolerance") {
     INFO("tolerance " << tolerance << ": error " << error << ", evaluations " << evaluations);
     // On another branch it would be of the size of the links.
     CHECK(error < std::max(1e3 * tolerance, 1e-5));
-    // No step is lost in the singular positions: 32 runs of 5 s in the mean, ten steps to a turn
-    // of thirteen stages at 1e-6, twice as many for every factor of 250.
-    CHECK(evaluations < 32 * 4000);
+    // No step is lost in the singular positions: 16 runs of 5 s in the mean.
+    CHECK(evaluations < 16 * 4000);
   }
 }
 
