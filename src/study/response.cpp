@@ -192,6 +192,8 @@ struct JointChart {
   std::string title, scene, unit;
   std::vector<double> frequencies;
   bool figures = false;  ///< whether the program does this with a number of modes of its own
+  /// Modes say nothing of how the highest ones, left to static correction, are damped.
+  bool damped = false;
 };
 
 Chart named_chart(const JointChart& asked) {
@@ -200,7 +202,8 @@ Chart named_chart(const JointChart& asked) {
   chart.title = asked.title;
   chart.scene = asked.scene;
   chart.error = "largest error of a joint's force over the largest of them";
-  chart.reference = "all modes of the same elements with static correction";
+  chart.reference = asked.damped ? "direct solution of the same elements"
+                                 : "all modes of the same elements with static correction";
   chart.operations = "equations of motion";
   chart.unit = asked.unit;
   return chart;
@@ -209,7 +212,8 @@ Chart named_chart(const JointChart& asked) {
 Chart joint_chart(const JointChart& asked, const ModalModel& all, const Effort& effort) {
   const Structure& structure = *all.structure;
   Chart chart = named_chart(asked);
-  const JointForces reference = flexible::sweep_of(all, asked.frequencies).joints;
+  const JointForces reference = asked.damped ? direct(structure, asked.frequencies)
+                                             : flexible::sweep_of(all, asked.frequencies).joints;
   const std::vector<double>& frequencies = asked.frequencies;
   const std::vector<std::size_t> counts =
       counts_up_to(std::min<std::size_t>(all.modes.size(), effort.quick ? 24 : 48));
@@ -284,13 +288,15 @@ std::vector<Chart> joint_charts(const Project& project, const Effort& effort) {
                       fmt::format("{}, loads of {:.4g} Hz", project.name, drive),
                       "one frequency, modes included",
                       {drive},
-                      false};
+                      false,
+                      is_damped(structure)};
   JointChart over{"response-sweep",
                   "Harmonic response: forces of the joints over the frequency",
                   fmt::format("{}, loads up to {:.4g} Hz", project.name, beyond * drive),
                   fmt::format("{} frequencies, modes included", sweep),
                   {},
-                  true};
+                  true,
+                  is_damped(structure)};
   std::vector<Chart> charts;
   try {
     const ModalModel all = flexible::modal_model_of(structure, 3 * structure.elements());
