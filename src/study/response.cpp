@@ -256,9 +256,10 @@ Chart joint_chart(const JointChart& asked, const ModalModel& all, const Effort& 
                     [&](const flexible::Mode& mode) { return mode.frequency < top; }));
   const std::size_t last = corrected.points.size() - 1;
   chart.lesson = fmt::format(
-      "{} natural frequencies lie below {:.4g} Hz: static correction stands for modes above the "
-      "drive, not for those below. {} leave {:.1e}, without correction {:.1e}.",
-      below, top, corrected.points[last].setting, corrected.points[last].error,
+      "Natural frequencies below {:.4g} Hz: {}. Static correction stands for modes above the "
+      "drive, "
+      "not for those below. {} leave {:.1e}, without correction {:.1e}.",
+      top, below, corrected.points[last].setting, corrected.points[last].error,
       alone.points[last].error);
   if (const Point* by_default = default_of(chart)) {
     chart.lesson += fmt::format(" The {} of the report's figures leave {:.1e}.",

@@ -115,10 +115,8 @@ TEST_CASE("charts of rigid elements: published errors, orders 2, 3 and 4, static
   CHECK(test::errors_of(rigid_elements(reference_scenes(), {true})) == test::errors_of(result));
 }
 
-TEST_CASE("forces of joints: classical elements extrapolated agree with the charts' reference",
+TEST_CASE("charts of rigid elements of another case, and of one without elastic links",
           "[study][rfem]") {
-  // By another division and another form than the reference: errors of the corrected elements in
-  // the chart are what they differ from that.
   const Scenes scenes =
       scenes_of(read_project(test::project_file("sections/templates/flexible.toml")));
   const TopicResult result = rigid_elements(scenes, {true});
@@ -126,7 +124,7 @@ TEST_CASE("forces of joints: classical elements extrapolated agree with the char
   const Chart& chart = test::chart_of(result, "rfem-reactions");
   CHECK(default_of(chart)->error <= chart.needed_high);
   CHECK(test::error_at(chart, "classical", 16) < 0.2 * test::error_at(chart, "classical", 4));
-  // Rigid bodies have no such joints: what is about one beam stays.
+  // A case of rigid bodies has no such joints; the beam of the other charts is none of a case.
   const TopicResult rigid = rigid_elements(
       scenes_of(read_project(test::project_file("sections/sledge-rig/rig.toml"))), {true});
   CHECK(rigid.charts.size() == 4);
