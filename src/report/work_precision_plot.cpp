@@ -102,10 +102,16 @@ std::optional<double> place_of(const Series& series, std::size_t i, const Abscis
   return std::nullopt;
 }
 
-LogAxis error_axis(const Chart& chart) {
+/// What is seen of a chart's errors.
+struct ErrorAxis {
+  LogAxis axis;
+  bool shows_floor = false;
+};
+
+/// A floor far below all errors is not shown: it would take the room of what is.
+ErrorAxis error_axis(const Chart& chart) {
+  constexpr double far_below = 1e-4;
   LogContent content{{chart.needed_low, chart.needed_high}, false, false};
-  // So that it is seen above the end of the axis.
-  if (chart.floor) content.numbers.push_back(0.5 * chart.floor->error);
   for (const Series& series : chart.series) {
     for (const Point& point : series.points) {
       content.beyond = content.beyond || has_failed(point);
@@ -114,7 +120,14 @@ LogAxis error_axis(const Chart& chart) {
       content.zero = content.zero || point.error == 0.0;
     }
   }
-  return log_axis(content, height, least_error, most_error, true);
+  double lowest = most_error;
+  for (const double error : content.numbers) {
+    if (error > 0.0) lowest = std::min(lowest, error);
+  }
+  const bool shows_floor = chart.floor && chart.floor->error >= far_below * lowest;
+  // So that it is seen above the end of the axis.
+  if (shows_floor) content.numbers.push_back(0.5 * chart.floor->error);
+  return {log_axis(content, height, least_error, most_error, true), shows_floor};
 }
 
 LogAxis cost_axis(const Chart& chart, const Abscissa& abscissa, double length) {
@@ -139,6 +152,7 @@ struct Drawn {
   const Chart& chart;
   const Abscissa& abscissa;
   LogAxis x, y;
+  bool shows_floor;
   Panel panel;
   std::string name;  ///< of its data
   Labels labels;
@@ -296,7 +310,7 @@ void draw_levels(Drawn& of) {
     put_line(of.gp, from, to, style);
     of.labels.keep_off(from, to);
   };
-  if (of.chart.floor) level(of.y.at(of.chart.floor->error), "lw 1.2 dt (6,4) lc rgb '#606060'");
+  if (of.shows_floor) level(of.y.at(of.chart.floor->error), "lw 1.2 dt (6,4) lc rgb '#606060'");
   if (of.y.beyond) level(of.y.high, "lw 0.8 lc rgb '#606060'");
   if (of.y.zero) level(of.y.low, "lw 0.8 lc rgb '#606060'");
 }
@@ -308,15 +322,17 @@ std::string error_tics(const LogAxis& axis) {
   return list_of(tics);
 }
 
-void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const LogAxis& y,
+void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const ErrorAxis& errors,
                 const Frame& frame, std::size_t number) {
   const double length = frame.right - frame.left;
   const LogAxis x = cost_axis(chart, abscissa, length);
+  const LogAxis& y = errors.axis;
   Drawn of{gp,
            chart,
            abscissa,
            x,
            y,
+           errors.shows_floor,
            Panel{frame, x.first, x.last, y.first, y.last, true, true},
            fmt::format("p{}", number),
            {},
@@ -346,7 +362,7 @@ void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const 
   gp.plot(of.curves);
 }
 
-std::vector<LegendEntry> legend_of(const Chart& chart) {
+std::vector<LegendEntry> legend_of(const Chart& chart, bool shows_floor) {
   std::vector<LegendEntry> legend;
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
     const SeriesStyle style = style_of(chart, k);
@@ -354,8 +370,9 @@ std::vector<LegendEntry> legend_of(const Chart& chart) {
   }
   legend.push_back({"good enough for a strength check", "lw 9 lc rgb '#dcebd3'"});
   if (chart.floor)
-    legend.push_back({fmt::format("{}: {:.1e}", chart.floor->name, chart.floor->error),
-                      "lw 1.2 dt (6,4) lc rgb '#606060'"});
+    legend.push_back({fmt::format("{}: {:.1e}{}", chart.floor->name, chart.floor->error,
+                                  shows_floor ? "" : ", below all that is shown"),
+                      shows_floor ? "lw 1.2 dt (6,4) lc rgb '#606060'" : ""});
   if (any_point(chart, [](const Point& point) { return point.is_default; }))
     legend.push_back({"default of the program", "", "pt 6 ps 1.5 lw 1.6 lc rgb '#202020'"});
   return legend;
@@ -405,7 +422,8 @@ void work_precision(Script& gp, const Chart& chart) {
   std::size_t footings = 1;
   for (const Abscissa& abscissa : abscissas)
     footings = std::max(footings, wrapped(abscissa.title, width + gap - 8.0).size());
-  const std::vector<LegendEntry> legend = legend_of(chart);
+  const ErrorAxis errors = error_axis(chart);
+  const std::vector<LegendEntry> legend = legend_of(chart, errors.shows_floor);
   const std::vector<std::string> notes = all_wrapped(notes_of(chart));
   const std::vector<std::string> title = all_wrapped({chart.title});
   std::vector<std::string> about;
@@ -436,10 +454,9 @@ void work_precision(Script& gp, const Chart& chart) {
   put_lines(notes, notes_top, "#5d6b79");
   draw_legend(gp, legend, notes_top + 2.0);
   gp << "set logscale xy\nset errorbars 0.35\n";
-  const LogAxis y = error_axis(chart);
   for (std::size_t i = 0; i < abscissas.size(); ++i) {
     const double from = left + (width + gap) * static_cast<double>(i);
-    draw_panel(gp, chart, abscissas[i], y, {from, below, from + width, below + height}, i);
+    draw_panel(gp, chart, abscissas[i], errors, {from, below, from + width, below + height}, i);
   }
 }
 
