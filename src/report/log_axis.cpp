@@ -10,7 +10,7 @@
 namespace boxbeam::plot {
 namespace {
 
-constexpr double strip = 20.0;  ///< of zero, of what is beyond [px]
+constexpr double strip = 28.0;  ///< of zero, of what is beyond [px]
 
 double decade_below(double value) { return std::pow(10.0, std::floor(std::log10(value) + 1e-9)); }
 double decade_above(double value) { return std::pow(10.0, std::ceil(std::log10(value) - 1e-9)); }
