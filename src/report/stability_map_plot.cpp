@@ -40,6 +40,7 @@ struct ValueRange {
 
 ValueRange values_of(const Map& map) {
   ValueRange range;
+  if (map.value.empty()) return range;
   for (const MapPanel& panel : map.panels) {
     for (const Cell& cell : panel.cells) {
       if (cell.outcome != Outcome::solved || !cell.value || !std::isfinite(*cell.value)) continue;
@@ -125,7 +126,7 @@ void draw_cells(Script& gp, const MapPanel& of, const Panel& panel, const Steps&
   std::vector<std::string> curves;
   if (!of.cells.empty())
     curves.push_back(fmt::format(
-        "${} using 1:2:3:4:5:6:7 with boxxyerror fs solid noborder fc rgb variable", boxes));
+        "${} using 1:2:3:4:5:6:7 with boxxyerror fs solid lw 0.4 lc rgb variable", boxes));
   if (!wrong.empty()) {
     gp.block(fmt::format("wrong{}", number), wrong);
     curves.push_back(

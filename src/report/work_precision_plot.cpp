@@ -7,6 +7,7 @@
 
 #include "accuracy_plot.hpp"
 #include "canvas.hpp"
+#include "chart_text.hpp"
 #include "log_axis.hpp"
 
 namespace boxbeam::plot {
@@ -360,34 +361,6 @@ std::vector<LegendEntry> legend_of(const Chart& chart) {
   return legend;
 }
 
-/// Which settings failed and why, alike ones together.
-std::vector<std::string> failures_of(const Chart& chart) {
-  constexpr std::size_t most = 6;
-  std::vector<std::string> lines;
-  std::size_t more = 0;
-  for (const Series& series : chart.series) {
-    std::vector<std::pair<std::string, std::string>> by_reason;  // with settings
-    for (const Point& point : series.points) {
-      if (!has_failed(point)) continue;
-      const std::string reason = point.failure.empty() ? "the error is no number" : point.failure;
-      const auto same = std::find_if(by_reason.begin(), by_reason.end(),
-                                     [&](const auto& other) { return other.first == reason; });
-      if (same == by_reason.end())
-        by_reason.emplace_back(reason, point.setting);
-      else
-        same->second += ", " + point.setting;
-    }
-    for (const auto& [reason, settings] : by_reason) {
-      if (lines.size() < most)
-        lines.push_back(fmt::format("failed: {}, {}: {}", series.method, settings, reason));
-      else
-        ++more;
-    }
-  }
-  if (more > 0) lines.push_back(fmt::format("and {} more; all stand in the table", more));
-  return lines;
-}
-
 /// What the drawing needs to be read rightly, and what failed.
 std::vector<std::string> notes_of(const Chart& chart) {
   const auto any_error = [&](const std::function<bool(double)>& holds) {
@@ -400,7 +373,15 @@ std::vector<std::string> notes_of(const Chart& chart) {
     notes.emplace_back("at 0: the same number as the reference, to the last digit");
   if (any_error([](double error) { return error > most_error; }))
     notes.push_back(fmt::format("at {0:g}: errors of {0:g} and more", most_error));
-  for (std::string& failure : failures_of(chart)) notes.push_back(std::move(failure));
+  constexpr std::size_t most = 6;
+  const std::vector<FailedSettings> failures = failures_of(chart);
+  for (std::size_t i = 0; i < std::min(most, failures.size()); ++i) {
+    const FailedSettings& failed = failures[i];
+    notes.push_back(fmt::format("failed: {}, {}: {}", failed.method, settings_text(failed.settings),
+                                failed.reason));
+  }
+  if (failures.size() > most)
+    notes.push_back(fmt::format("and {} more, which the data tell", failures.size() - most));
   return notes;
 }
 

@@ -195,22 +195,24 @@ struct JointChart {
 
 Chart joint_chart(const JointChart& asked, const std::string& scene, const ModalModel& all,
                   const Effort& effort) {
+  const JointForces reference = flexible::sweep_of(all, asked.frequencies).joints;
   const Structure& structure = *all.structure;
   Chart chart;
   chart.name = asked.name;
   chart.title = asked.title;
   chart.scene = scene;
   chart.error = "largest error of a joint's force over the largest of them";
-  chart.reference = "direct solution of the same elements";
+  chart.reference = "all modes of the same elements with static correction";
   chart.operations = "equations of motion";
   chart.unit = asked.unit;
   const std::vector<double>& frequencies = asked.frequencies;
-  const JointForces reference = direct(structure, frequencies);
+  const std::vector<std::size_t> counts =
+      counts_up_to(std::min<std::size_t>(all.modes.size(), effort.quick ? 24 : 48));
   PointTimer timer;
   for (const bool correction : {true, false}) {
     chart.series.push_back(
         {correction ? "modes with static correction" : "modes alone", {}, !correction});
-    for (const std::size_t count : counts_up_to(all.modes.size())) {
+    for (const std::size_t count : counts) {
       const auto forces = [&frequencies, correction](const ModalModel& model) {
         return correction ? flexible::sweep_of(model, frequencies).joints
                           : by_modes_alone(model, frequencies);
@@ -232,10 +234,51 @@ Chart joint_chart(const JointChart& asked, const std::string& scene, const Modal
   }
   chart.series.push_back({"direct", {}, false});
   const auto size = 3.0 * static_cast<double>(structure.elements());
-  chart.series.back().points.push_back(solved_point("all elements", size, size, 0.0));
+  chart.series.back().points.push_back(solved_point(
+      "all elements", size, size, difference(direct(structure, frequencies), reference)));
   timer.add(chart, [&structure, &frequencies] { keep(direct(structure, frequencies)); });
   timer.measure(chart, effort);
+  // What the first modes above the drive bring.
+  const Series& corrected = chart.series[0];
+  const Series& alone = chart.series[1];
+  const double top = *std::max_element(frequencies.begin(), frequencies.end());
+  const auto below = static_cast<std::size_t>(
+      std::count_if(all.modes.begin(), all.modes.end(),
+                    [&](const flexible::Mode& mode) { return mode.frequency < top; }));
+  const std::size_t last = corrected.points.size() - 1;
+  chart.lesson = fmt::format(
+      "{} natural frequencies lie below {:.4g} Hz: static correction stands for modes above the "
+      "drive, not for those below. {} leave {:.1e}, without correction {:.1e}.",
+      below, top, corrected.points[last].setting, corrected.points[last].error,
+      alone.points[last].error);
+  if (const Point* by_default = default_of(chart)) {
+    chart.lesson += fmt::format(" The {} of the report's figures leave {:.1e}.",
+                                by_default->setting, by_default->error);
+  }
   return chart;
+}
+
+/// Charts of the scene's joints: at its frequency, and over many.
+std::vector<Chart> joint_charts(const Project& project, const Effort& effort) {
+  const flexible::Mechanism& mechanism = flexible_of(project);
+  const double drive = mechanism.frequency;
+  const Structure structure = structure_of(mechanism);
+  const ModalModel all = flexible::modal_model_of(structure, 3 * structure.elements());
+  const auto at_drive = fmt::format("{}, loads of {:.4g} Hz", project.name, drive);
+  std::vector<Chart> charts;
+  charts.push_back(joint_chart({"response-joints",
+                                "Harmonic response: forces of the joints",
+                                "one frequency, modes included",
+                                {drive},
+                                false},
+                               at_drive, all, effort));
+  constexpr std::size_t sweep = 100;
+  charts.push_back(joint_chart(
+      {"response-sweep", "Harmonic response: forces of the joints over the frequency",
+       fmt::format("{} frequencies, modes included", sweep), swept(1.8 * drive, sweep, all.modes),
+       true},
+      fmt::format("{}, loads up to {:.4g} Hz", project.name, 1.8 * drive), all, effort));
+  return charts;
 }
 
 }  // namespace
@@ -247,6 +290,11 @@ TopicResult response(const Scenes& scenes, const Effort& effort) {
   result.charts.push_back(root_moment_chart("response-beyond-resonance",
                                             "Harmonic response near and beyond resonance",
                                             {0.9, 2.0}, effort));
+  if (scenes.flexible && flexible_of(*scenes.flexible).frequency > 0.0) {
+    for (Chart& chart : joint_charts(*scenes.flexible, effort)) {
+      result.charts.push_back(std::move(chart));
+    }
+  }
   return result;
 }
 

@@ -35,7 +35,7 @@ const Point* default_point(const Chart& chart) {
   return nullptr;
 }
 
-double order_between(const Point& coarse, const Point& fine) {
+double order_over_work(const Point& coarse, const Point& fine) {
   return std::log(coarse.error / fine.error) / std::log(*fine.operations / *coarse.operations);
 }
 

@@ -30,6 +30,6 @@ const Point* default_point(const Chart& chart);
 
 /// -log(error ratio)/log(ratio of operations) between two points of a series: the order that it
 /// shows there.
-double order_between(const Point& coarse, const Point& fine);
+double order_over_work(const Point& coarse, const Point& fine);
 
 }  // namespace boxbeam::study
