@@ -84,9 +84,12 @@ void mark_default(Chart& chart, std::size_t series, std::size_t instants) {
 Chart peak_chart(const PeakProblem& problem, const Effort& effort) {
   std::vector<std::size_t> instants;
   const std::size_t solved = problem.span.instants;
-  const std::size_t most = solved > 1000 ? solved : 4 * solved;
-  for (std::size_t n = solved / 16; n <= most; n *= effort.quick ? 4 : 2) {
-    if (n >= 6) instants.push_back(n);
+  for (std::size_t part = 16; part > 0; part /= effort.quick ? 4 : 2) {
+    if (solved / part >= 6) instants.push_back(solved / part);
+  }
+  if (solved <= 1000) {
+    if (!effort.quick) instants.push_back(2 * solved);
+    instants.push_back(4 * solved);
   }
   Chart chart;
   chart.name = "critical-instants-peak";
