@@ -56,6 +56,16 @@ Pixel nearest_of(const Frame& box, const Pixel& at) {
   return {std::clamp(at.x(), box.left, box.right), std::clamp(at.y(), box.bottom, box.top)};
 }
 
+/// Whether two lines cross.
+bool cross(const Pixel& a, const Pixel& b, const Pixel& c, const Pixel& d) {
+  const auto side = [](const Pixel& from, const Pixel& to, const Pixel& at) {
+    const Eigen::Vector2d way = to - from;
+    const Eigen::Vector2d other = at - from;
+    return way.x() * other.y() - way.y() * other.x() > 0.0;
+  };
+  return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
+}
+
 std::string screen(Script& gp, const Pixel& at) {
   return fmt::format("screen {:.6g},{:.6g}", at.x() / gp.width(), at.y() / gp.height());
 }
@@ -142,6 +152,14 @@ void Labels::keep_off(const Panel& panel, const std::vector<Row2>& rows) {
     keep_off(panel.at(std::get<0>(rows[i - 1]), std::get<1>(rows[i - 1])),
              panel.at(std::get<0>(rows[i]), std::get<1>(rows[i])));
   }
+}
+
+double Labels::disturbance(const Pixel& from, const Pixel& to) const {
+  constexpr double crossing = 10.0;
+  double sum = 0.0;
+  for (const Frame& box : boxes_) sum += length_inside(from, to, box);
+  for (const auto& [begin, end] : lines_) sum += cross(from, to, begin, end) ? crossing : 0.0;
+  return sum;
 }
 
 bool Labels::put(Script& gp, const std::string& text, const Pixel& at, const Frame& bounds,

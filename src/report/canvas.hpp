@@ -51,6 +51,10 @@ class Labels {
   /// The polyline of a curve in a panel.
   void keep_off(const Panel& panel, const std::vector<Row2>& rows);
 
+  /// How much a line would disturb what is drawn [px]: its length on what labels must not touch,
+  /// and ten for each line that it crosses.
+  double disturbance(const Pixel& from, const Pixel& to) const;
+
   /// Puts a text near a place, inside the bounds; a thin line leads to it from afar. Nothing is
   /// drawn where there is no room.
   bool put(Script& gp, const std::string& text, const Pixel& at, const Frame& bounds,
