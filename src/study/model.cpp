@@ -37,7 +37,7 @@ struct Scene {
   int link = 0;
   TaperedBeam beam;
   std::string name;
-  double first = 0.0;  ///< lowest natural frequency [Hz]
+  double first = 0.0;  ///< lowest natural frequency of a cantilever [Hz]
 
   LadderCase ladder() const { return {&mechanism, link, &beam}; }
 };
@@ -85,8 +85,7 @@ Scene scene_of(const Scenes& scenes) {
     const Project& project = *scenes.flexible;
     const flexible::Mechanism& mechanism = flexible_of(project);
     return {mechanism, project.beam_body, project.beam,
-            fmt::format("{}, {:.4g} Hz", project.name, mechanism.frequency),
-            first_frequency(mechanism)};
+            fmt::format("{}, {:.4g} Hz", project.name, mechanism.frequency)};
   }
   Scene scene = cantilever(20.0);
   scene.mechanism.frequency = 0.3 * scene.first;
@@ -199,13 +198,15 @@ Chart level_chart(const Effort& effort) {
   return chart;
 }
 
+constexpr const char* cost_name = "model-cost";
+constexpr const char* cost_title = "Models of the elasticity: what they cost";
+
 /// Error against size and time of the models, on the scene.
-Chart cost_chart(const Scene& scene, const Effort& effort) {
-  Chart chart = stress_chart("model-cost", "Models of the elasticity: what they cost");
+Chart cost_chart(const Scene& scene, const Judge& judge, const Effort& effort) {
+  Chart chart = stress_chart(cost_name, cost_title);
   chart.scene = scene.name;
   chart.operations = "coordinates of the division, three per rigid element";
   chart.unit = "stresses of the beam by a model";
-  const Judge judge(scene);
   PointTimer timer;
   const auto add = [&](const ElasticModel& model, const std::string& setting = "") {
     const std::string parts = fmt::format("{} parts per link", model.parts);
@@ -255,7 +256,7 @@ Chart cost_chart(const Scene& scene, const Effort& effort) {
 }
 
 /// Whether what the program says of its model is true, over the tolerance that is asked for.
-Chart tolerance_chart(const Scene& scene, const Effort& effort) {
+Chart tolerance_chart(const Scene& scene, const Judge& judge, const Effort& effort) {
   Chart chart = stress_chart("model-tolerance", "Models of the elasticity: error asked and found");
   chart.scene = scene.name;
   chart.operations = "tolerance that is asked for";
@@ -266,7 +267,6 @@ Chart tolerance_chart(const Scene& scene, const Effort& effort) {
   const std::vector<double> tolerances =
       effort.quick ? std::vector{1e-1, tolerance, 1e-3}
                    : std::vector{1e-1, 5e-2, 2e-2, tolerance, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4};
-  const Judge judge(scene);
   double nearest = 0.0;
   for (const double asked : tolerances) {
     const std::string setting = fmt::format("{:g} %", 100.0 * asked);
@@ -350,8 +350,15 @@ TopicResult model(const Scenes& scenes, const Effort& effort) {
   const Scene scene = scene_of(scenes);
   TopicResult result;
   result.charts.push_back(level_chart(effort));
-  result.charts.push_back(cost_chart(scene, effort));
-  result.charts.push_back(tolerance_chart(scene, effort));
+  try {
+    const Judge judge(scene);
+    result.charts.push_back(cost_chart(scene, judge, effort));
+    result.charts.push_back(tolerance_chart(scene, judge, effort));
+  } catch (const AnalysisError& error) {
+    Chart chart = stress_chart(cost_name, cost_title);
+    chart.scene = scene.name;
+    result.charts.push_back(without_answer(std::move(chart), error.failure().what));
+  }
   result.maps.push_back(choice_map(effort));
   return result;
 }

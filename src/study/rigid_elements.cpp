@@ -112,14 +112,14 @@ Chart cantilever_chart(const std::string& name, const std::string& title) {
   return chart;
 }
 
-/// Orders that are seen at the finer end of what truncation, not round-off, decides.
-double order_seen(const Series& series, double parameter) {
-  for (std::size_t i = 0; i + 1 < series.points.size(); ++i) {
-    if (series.points[i].parameter == parameter) {
-      return order_between(series.points[i], series.points[i + 1]);
-    }
-  }
-  return 0.0;
+const Point& point_of(const Series& series, int parts) {
+  return *std::find_if(series.points.begin(), series.points.end(),
+                       [&](const Point& point) { return point.parameter == parts; });
+}
+
+/// Order of convergence that a series has where its error is no round-off yet.
+double order_seen(const Series& series) {
+  return order_between(point_of(series, 16), point_of(series, 32));
 }
 
 Chart frequency_chart(int k, const Effort& effort) {
@@ -147,13 +147,11 @@ Chart frequency_chart(int k, const Effort& effort) {
   add_finite_elements(chart, timer, question, divisions);
   chart.guides = {{2.0, 0}, {3.0, 1}, {4.0, 3}};
   timer.measure(chart, effort);
-  const Point& by_default = *default_of(chart);
-  const Point& classical = chart.series[0].points[by_default.parameter == 8.0 && k == 1 ? 2 : 1];
   chart.lesson = fmt::format(
       "Classical elements converge with order {:.2f}, corrected ones with {:.2f} at the same cost: "
       "{:.1e} instead of {:.1e} at {} parts.",
-      order_seen(chart.series[0], 16.0), order_seen(chart.series[1], 16.0), by_default.error,
-      classical.error, default_parts());
+      order_seen(chart.series[0]), order_seen(chart.series[1]), default_of(chart)->error,
+      point_of(chart.series[0], default_parts()).error, default_parts());
   return chart;
 }
 
@@ -223,8 +221,9 @@ Chart root_moment_chart(const Effort& effort) {
   chart.lesson = fmt::format(
       "Near resonance (r = 0.9) the error of the frequency is amplified: {} corrected parts leave "
       "{:.1e} of the moment, classical ones {:.1e}; at r = 0.3 it is {:.1e} and {:.1e}.",
-      default_parts(), default_of(chart)->error, chart.series[3].points[2].error,
-      chart.series[1].points[2].error, chart.series[0].points[2].error);
+      default_parts(), default_of(chart)->error, point_of(chart.series[3], default_parts()).error,
+      point_of(chart.series[1], default_parts()).error,
+      point_of(chart.series[0], default_parts()).error);
   return chart;
 }
 

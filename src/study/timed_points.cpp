@@ -15,6 +15,12 @@ Point failed_point(const std::string& setting, double parameter, double operatio
   return {setting, parameter, operations, {}, 0.0, failure, false};
 }
 
+Chart without_answer(Chart chart, const std::string& failure) {
+  chart.series = {{"reference", {failed_point("the case as it is", 1.0, 1.0, failure)}, false}};
+  chart.lesson = "No answer: " + failure;
+  return chart;
+}
+
 void PointTimer::add(const Chart& chart, std::function<void()> work) {
   assert(!chart.series.empty() && !chart.series.back().points.empty());
   places_.push_back({chart.series.size() - 1, chart.series.back().points.size() - 1});

@@ -17,6 +17,9 @@ Point solved_point(const std::string& setting, double parameter, double operatio
 Point failed_point(const std::string& setting, double parameter, double operations,
                    const std::string& failure);
 
+/// A chart whose scene has no answer, and why: one failed point.
+Chart without_answer(Chart chart, const std::string& failure);
+
 /// The work of points of a chart, timed together by turns when all of them are there.
 class PointTimer {
  public:
