@@ -213,8 +213,10 @@ struct Grid {
   double row_height() const { return panel_height + head + foot; }
   double height() const { return static_cast<double>(rows) * row_height(); }
   Frame frame(std::size_t i) const {
-    const double x = left + static_cast<double>(i % columns) * (width + gap);
-    const double y = bottom + static_cast<double>(rows - 1 - i / columns) * row_height() + foot;
+    const std::size_t column = i % columns;
+    const std::size_t row_from_below = rows - 1 - i / columns;
+    const double x = left + static_cast<double>(column) * (width + gap);
+    const double y = bottom + static_cast<double>(row_from_below) * row_height() + foot;
     return {x, y, x + width, y + panel_height};
   }
 };
