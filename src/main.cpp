@@ -12,6 +12,8 @@
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/case_schema.hpp"
+#include "boxbeam/study/topics.hpp"
+#include "program/chart_command.hpp"
 #include "program/command_line.hpp"
 #include "program/compare_command.hpp"
 #include "program/completion.hpp"
@@ -83,12 +85,17 @@ CLI::Option* add_choice(CLI::App& command, const char* name, std::string& word,
   return command.add_option(name, word, says)->check(CLI::IsMember(std::move(words)));
 }
 
+CLI::Option* add_set(CLI::App& command, CaseOptions& options) {
+  return add_repeated(
+      command, "--set", options.set,
+      "override a key of the case, --set bodies.sledge.mass=\"20 t\"; may be repeated",
+      "KEY=VALUE");
+}
+
 /// The case and what may be changed of it.
 void add_case(CLI::App& command, CaseOptions& options) {
   command.add_option("CASE", options.file, "case file")->required()->type_name("FILE.toml");
-  add_repeated(command, "--set", options.set,
-               "override a key of the case, --set bodies.sledge.mass=\"20 t\"; may be repeated",
-               "KEY=VALUE");
+  add_set(command, options);
 }
 
 /// Likewise, of what is verified.
@@ -260,15 +267,20 @@ Entry chart_entry(CLI::App& app) {
       "chart", "chart accuracy against cost of the numerical methods, and map where they fail");
   std::vector<std::string> words{"all"};
   for (const study::Topic& topic : study::topics()) words.emplace_back(topic.name);
-  command.add_option("TOPIC", options->topics, "what to chart (default: all)")
-      ->check(CLI::IsMember(words));
   command
-      .add_option("--case", options->of_case.file,
-                  "on this case (default: the sledge rig and the drill truck)")
-      ->type_name("FILE.toml");
+      .add_option("TOPIC", options->topics,
+                  "what to chart (default: all): " + CLI::detail::join(words, ", "))
+      ->check(CLI::IsMember(words));
+  CLI::Option* const of_case =
+      command
+          .add_option("--case", options->of_case.file,
+                      "on this case (default: the sledge rig and the drill truck)")
+          ->type_name("FILE.toml");
+  add_set(command, options->of_case)->needs(of_case);
   command.add_option("--out", options->out, "folder of the charts (default: reports/accuracy)")
       ->type_name("DIR");
   command.add_flag("--quick", options->quick, "fewer settings, shorter measurements");
+  command.add_flag("--no-pdf", options->no_pdf, "write no chart.pdf");
   return {&command,
           {"boxbeam chart kinematics --quick", "boxbeam chart all --case my.toml --out charts"},
           [options] { return run_chart(*options); }};

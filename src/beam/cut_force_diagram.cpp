@@ -53,11 +53,13 @@ CutForcePiece integrate(const LineLoad& line, double shift, Length start, Length
 
 CutForceDiagram cut_forces_of(const BeamLoads& loads) {
   std::vector<const PointLoad*> points;
+  points.reserve(loads.points.size());
   for (const PointLoad& load : loads.points) points.push_back(&load);
   std::stable_sort(points.begin(), points.end(),
                    [](const PointLoad* a, const PointLoad* b) { return a->s < b->s; });
 
   CutForceDiagram diagram;
+  diagram.pieces.reserve(loads.lines.size() + points.size());
   Running running;
   std::size_t next = 0;
   for (const LineLoad& line : loads.lines) {

@@ -2,10 +2,44 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 #include "boxbeam/section/section_properties.hpp"
 
 namespace boxbeam {
+namespace {
+
+/// A place in a segment as seen from the nearer end, so that near a thin end no digits are lost.
+struct FromEnd {
+  const Section *near, *far;
+  double fraction = 0.0;  ///< of the segment, 0 to 1/2
+  bool reversed = false;  ///< seen from its end
+
+  Section at(double place) const { return interpolate(*near, *far, place); }
+};
+
+FromEnd from_nearer_end(const Segment& segment, Length s) {
+  // The sum of a start and a length misses the end by round-off, which of a short piece is much.
+  const double before = std::max<double>(0.0, (s - segment.start) / segment.length);
+  const double behind = std::max<double>(0.0, (segment.end() - s) / segment.length);
+  if (before <= behind) return {&segment.from, &segment.to, std::min(before, 0.5), false};
+  return {&segment.to, &segment.from, std::min(behind, 0.5), true};
+}
+
+/// The width or the height at a fraction, by how much it changes over the segment: the smaller.
+double size_over_change(const Section& from, const Section& to, double fraction) {
+  const Extent a = extent_of(from.outer), b = extent_of(to.outer);
+  const auto ratio = [fraction](Length one, Length other) {
+    const double change = std::abs((other - one).value());
+    const double size = (one + (other - one) * fraction).value();
+    return change > 0.0 ? size / change : std::numeric_limits<double>::infinity();
+  };
+  return std::min(ratio(a.y_high - a.y_low, b.y_high - b.y_low),
+                  ratio(a.z_high - a.z_low, b.z_high - b.z_low));
+}
+
+}  // namespace
 
 const char* to_text(Side side) {
   switch (side) {
@@ -27,22 +61,21 @@ std::size_t segment_at(const TaperedBeam& beam, const Station& station) {
 }
 
 Section section_at(const TaperedBeam& beam, const Station& station) {
-  const Segment& segment = beam.segments[segment_at(beam, station)];
-  return interpolate(segment.from, segment.to, (station.s - segment.start) / segment.length);
+  const FromEnd here = from_nearer_end(beam.segments[segment_at(beam, station)], station.s);
+  return here.at(here.fraction);
 }
 
 Taper taper_at(const TaperedBeam& beam, const Station& station) {
   const Segment& segment = beam.segments[segment_at(beam, station)];
   if (segment.from == segment.to) return {};
-  constexpr double step = 1e-5;  // of the segment: 1e-10 of error, as small as round-off
-  const double here = (station.s - segment.start) / segment.length;
-  const double per_step = 1.0 / (step * segment.length.value());
+  const FromEnd end = from_nearer_end(segment, station.s);
+  // Steps that change no size by more than 1e-5 of itself: 1e-10 of error, as small as round-off.
+  const double step = 1e-5 * std::min(1.0, size_over_change(*end.near, *end.far, end.fraction));
+  const double per_step = (end.reversed ? -1.0 : 1.0) / (step * segment.length.value());
   const auto near = [&](double steps, double weight) {
-    return NearbySection{interpolate(segment.from, segment.to, here + steps * step),
-                         weight * per_step};
+    return NearbySection{end.at(end.fraction + steps * step), weight * per_step};
   };
-  if (here < step) return {near(0.0, -1.5), near(1.0, 2.0), near(2.0, -0.5)};
-  if (here > 1.0 - step) return {near(0.0, 1.5), near(-1.0, -2.0), near(-2.0, 0.5)};
+  if (end.fraction < step) return {near(0.0, -1.5), near(1.0, 2.0), near(2.0, -0.5)};
   return {near(-1.0, -0.5), near(1.0, 0.5)};
 }
 
@@ -57,11 +90,10 @@ std::vector<Length> places_of(const TaperedBeam& beam) {
 }
 
 Length place_near(const std::vector<Length>& places, Length s) {
-  const Length tolerance = 1e-9 * places.back();
-  for (const Length& place : places) {
-    if (abs(place - s) < tolerance) return place;
-  }
-  return s;
+  const auto nearest =
+      std::min_element(places.begin(), places.end(),
+                       [s](const Length& a, const Length& b) { return abs(a - s) < abs(b - s); });
+  return abs(*nearest - s) < 1e-9 * places.back() ? *nearest : s;
 }
 
 std::vector<Hole> holes_at(const TaperedBeam& beam, Length s) {

@@ -12,9 +12,11 @@ struct ChartOptions {
   CaseOptions of_case;              ///< without a file: the reference cases
   std::string out;
   bool quick = false;
+  bool no_pdf = false;
 };
 
-/// `boxbeam chart`: accuracy against cost, and where methods fail. Returns the exit code.
+/// `boxbeam chart`: accuracy against cost, and where methods fail. Returns the exit code. Throws
+/// AnalysisError, and writes nothing, where no topic has anything to say of the case.
 int run_chart(const ChartOptions& options);
 
 }  // namespace boxbeam::program

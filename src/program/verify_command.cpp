@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/html_writer.hpp"
@@ -18,6 +16,7 @@
 #include "boxbeam/report/text_writer.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
+#include "program/outputs.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
 #include "report/process.hpp"
@@ -51,18 +50,6 @@ ReportLevel level_of(const std::string& word) {
   return word == "full" ? ReportLevel::full : ReportLevel::governing;
 }
 
-/// Does what may fail without the rest; whether it did not.
-template <class Write>
-bool attempt(Outputs& outputs, const Write& write) {
-  try {
-    write();
-    return true;
-  } catch (const OutputError& error) {
-    outputs.troubles.emplace_back(error.what());
-    return false;
-  }
-}
-
 /// Writes the report in its forms and its figures, each without those that fail.
 void write_report(const Project& project, const Verification& verification,
                   const VerifyOptions& options, const std::string& folder, Progress& progress,
@@ -74,7 +61,7 @@ void write_report(const Project& project, const Verification& verification,
   std::optional<report::ScratchFolder> twins;  // the figures as PDF
   if (!options.no_plots) {
     progress.now("drawing the figures");
-    attempt(outputs, [&] {
+    attempt(outputs.troubles, [&] {
       if (!options.no_pdf) twins.emplace(folder);
       outputs.figures =
           draw_figures(project, verification, folder, twins ? twins->path().string() : "");
@@ -86,18 +73,14 @@ void write_report(const Project& project, const Verification& verification,
   };
   const report::Document document =
       with_pictures(report_of(project, verification, level_of(options.level)), drawn);
-  attempt(outputs, [&] { write("report.txt", report::text_of(document)); });
+  attempt(outputs.troubles, [&] { write("report.txt", report::text_of(document)); });
   if (!options.no_html) {
-    const auto picture = [&](const std::string& name) -> std::optional<std::string> {
-      std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
-      if (!file) return std::nullopt;
-      return std::string(std::istreambuf_iterator<char>(file), {});
-    };
-    attempt(outputs, [&] { write("report.html", report::html_of(document, picture)); });
+    const auto picture = [&](const std::string& name) { return svg_in(folder, name); };
+    attempt(outputs.troubles, [&] { write("report.html", report::html_of(document, picture)); });
   }
   if (!options.no_pdf) {
     progress.now("setting the PDF");
-    attempt(outputs, [&] {
+    attempt(outputs.troubles, [&] {
       report::write_pdf(document, twins ? twins->path().string() : "", folder + "/report.pdf");
       outputs.written.emplace_back("report.pdf");
     });
@@ -109,7 +92,7 @@ Outputs write_outputs(const Project& project, const Verification& verification,
                       const VerifyOptions& options, const std::string& folder, Progress& progress) {
   Outputs outputs;
   outputs.results = results_json(project, verification);
-  const bool possible = attempt(outputs, [&] {
+  const bool possible = attempt(outputs.troubles, [&] {
     remove_outputs(folder);
     write_file(folder + "/results.json", outputs.results);
   });
@@ -118,7 +101,7 @@ Outputs write_outputs(const Project& project, const Verification& verification,
     outputs.written.emplace_back("results.json");
   }
   if (!options.json.empty() && options.json != "-") {
-    attempt(outputs, [&] {
+    attempt(outputs.troubles, [&] {
       write_file(options.json, outputs.results);
       outputs.written.push_back(options.json);
     });

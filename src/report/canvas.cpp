@@ -9,7 +9,6 @@
 namespace boxbeam::plot {
 namespace {
 
-constexpr double line_height = 15.0;
 constexpr double sample = 30.0;  ///< length of a legend's stroke
 constexpr double legend_row = 18.0;
 
@@ -47,13 +46,23 @@ double length_inside(const Pixel& from, const Pixel& to, const Frame& box) {
 /// The box of a text of one line beside a place, on the side of a direction.
 Frame box_beside(const Pixel& at, const Eigen::Vector2d& side, double gap, double width) {
   const Pixel middle =
-      at + Pixel(side.x() * (gap + 0.5 * width), side.y() * (gap + 0.5 * line_height));
-  return {middle.x() - 0.5 * width, middle.y() - 0.5 * line_height, middle.x() + 0.5 * width,
-          middle.y() + 0.5 * line_height};
+      at + Pixel(side.x() * (gap + 0.5 * width), side.y() * (gap + 0.5 * text_line));
+  return {middle.x() - 0.5 * width, middle.y() - 0.5 * text_line, middle.x() + 0.5 * width,
+          middle.y() + 0.5 * text_line};
 }
 
 Pixel nearest_of(const Frame& box, const Pixel& at) {
   return {std::clamp(at.x(), box.left, box.right), std::clamp(at.y(), box.bottom, box.top)};
+}
+
+/// Whether two lines cross.
+bool cross(const Pixel& a, const Pixel& b, const Pixel& c, const Pixel& d) {
+  const auto side = [](const Pixel& from, const Pixel& to, const Pixel& at) {
+    const Eigen::Vector2d way = to - from;
+    const Eigen::Vector2d other = at - from;
+    return way.x() * other.y() - way.y() * other.x() > 0.0;
+  };
+  return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
 }
 
 std::string screen(Script& gp, const Pixel& at) {
@@ -119,6 +128,15 @@ std::vector<std::string> wrapped(const std::string& text, double room) {
   return lines;
 }
 
+std::vector<std::string> wrapped(const std::vector<std::string>& texts, double room) {
+  std::vector<std::string> lines;
+  for (const std::string& text : texts) {
+    const std::vector<std::string> of = wrapped(text, room);
+    lines.insert(lines.end(), of.begin(), of.end());
+  }
+  return lines;
+}
+
 double tic_step(double span, int most) {
   if (!(span > 0.0)) return 1.0;
   const double least = span / most;
@@ -142,6 +160,14 @@ void Labels::keep_off(const Panel& panel, const std::vector<Row2>& rows) {
     keep_off(panel.at(std::get<0>(rows[i - 1]), std::get<1>(rows[i - 1])),
              panel.at(std::get<0>(rows[i]), std::get<1>(rows[i])));
   }
+}
+
+double Labels::disturbance(const Pixel& from, const Pixel& to) const {
+  constexpr double crossing = 10.0;
+  double sum = 0.0;
+  for (const Frame& box : boxes_) sum += length_inside(from, to, box);
+  for (const auto& [begin, end] : lines_) sum += cross(from, to, begin, end) ? crossing : 0.0;
+  return sum;
 }
 
 bool Labels::put(Script& gp, const std::string& text, const Pixel& at, const Frame& bounds,
@@ -190,6 +216,16 @@ void put_text(Script& gp, const std::string& text, const Pixel& at, const char* 
               const char* colour) {
   gp << "set label " << quoted(text) << " at " << screen(gp, at) << " " << side
      << " noenhanced front tc rgb '" << colour << "'\n";
+}
+
+double put_lines(Script& gp, const std::vector<std::string>& lines, const Pixel& top,
+                 const char* side, const char* colour) {
+  double y = top.y();
+  for (const std::string& text : lines) {
+    put_text(gp, text, {top.x(), y - 0.5 * text_line}, side, colour);
+    y -= text_line;
+  }
+  return y;
 }
 
 void put_line(Script& gp, const Pixel& from, const Pixel& to, const std::string& style) {

@@ -36,6 +36,9 @@ std::string fitted(const std::string& text, double room);
 /// The text in lines of at most so much room, broken at spaces.
 std::vector<std::string> wrapped(const std::string& text, double room);
 
+/// Texts one below the other, each in as many lines as it needs.
+std::vector<std::string> wrapped(const std::vector<std::string>& texts, double room);
+
 /// 1, 2 or 5 times a power of ten: divides a span into at most so many steps.
 double tic_step(double span, int most);
 
@@ -51,6 +54,10 @@ class Labels {
   /// The polyline of a curve in a panel.
   void keep_off(const Panel& panel, const std::vector<Row2>& rows);
 
+  /// How much a line would disturb what is drawn [px]: its length on what labels must not touch,
+  /// and ten for each line that it crosses.
+  double disturbance(const Pixel& from, const Pixel& to) const;
+
   /// Puts a text near a place, inside the bounds; a thin line leads to it from afar. Nothing is
   /// drawn where there is no room.
   bool put(Script& gp, const std::string& text, const Pixel& at, const Frame& bounds,
@@ -64,6 +71,13 @@ class Labels {
 /// A text at a place of the figure: "left", "center" or "right" of it.
 void put_text(Script& gp, const std::string& text, const Pixel& at, const char* side = "left",
               const char* colour = "#202020");
+
+/// Height of a line of running text [px].
+inline constexpr double text_line = 15.0;
+
+/// Lines of text below a place; the height where they end.
+double put_lines(Script& gp, const std::vector<std::string>& lines, const Pixel& top,
+                 const char* side = "left", const char* colour = "#202020");
 
 /// A line without a head.
 void put_line(Script& gp, const Pixel& from, const Pixel& to, const std::string& style);

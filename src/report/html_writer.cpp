@@ -57,9 +57,10 @@ class Writer {
     out_ += "<main id=\"top\">\n";
     title();
     for (std::size_t i = 0; i < document_.chapters.size(); ++i) chapter(i);
-    out_ += fmt::format("</main>\n</div>\n<footer><p>{} · {} · input {}</p></footer>\n",
-                        escaped(document_.title), escaped(document_.program),
-                        escaped(document_.input_sha256));
+    const std::string input =
+        document_.input_sha256.empty() ? "" : " · input " + escaped(document_.input_sha256);
+    out_ += fmt::format("</main>\n</div>\n<footer><p>{} · {}{}</p></footer>\n",
+                        escaped(document_.title), escaped(document_.program), input);
     for (const std::string& script : scripts_) out_ += "<script>" + script + "</script>\n";
     out_ += "</body>\n</html>\n";
     return std::move(out_);
@@ -82,10 +83,11 @@ class Writer {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
         "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
         "<meta name=\"generator\" content=\"{}\"/>\n<link rel=\"icon\" href=\"data:,\"/>\n"
-        "<title>{}: {}</title>\n<style>{}</style>\n</head>\n<body>\n"
-        "<a class=\"skip\" href=\"#top\">Skip to the verdict</a>\n<div class=\"page\">\n",
-        allowed, escaped(document_.program), escaped(document_.title), escaped(document_.verdict),
-        apart(report_assets::style));
+        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
+        "<a class=\"skip\" href=\"#top\">Skip to the {}</a>\n<div class=\"page\">\n",
+        allowed, escaped(document_.program),
+        escaped(is_judged() ? document_.title + ": " + document_.verdict : document_.title),
+        apart(report_assets::style), is_judged() ? "verdict" : "report");
   }
 
   void contents() {
@@ -104,17 +106,25 @@ class Writer {
     if (!document_.subtitle.empty()) {
       out_ += fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(document_.subtitle));
     }
+    out_ += "</header>\n";
+    if (is_judged()) verdict();
+    Facts block = document_.facts;
+    if (!document_.input_sha256.empty())
+      block.entries.emplace_back("input sha256", document_.input_sha256);
+    block.entries.emplace_back("program", document_.program);
+    block.entries.emplace_back("date", document_.date);
+    write(block);
+  }
+
+  bool is_judged() const { return !document_.verdict.empty(); }
+
+  void verdict() {
     out_ += fmt::format(
-        "</header>\n<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
+        "<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
         "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong></h2>\n",
         words_of(document_.mark).style, escaped(document_.verdict));
     if (!document_.governing.rows.empty()) write(document_.governing, true);
     out_ += "</section>\n";
-    Facts block = document_.facts;
-    block.entries.emplace_back("input sha256", document_.input_sha256);
-    block.entries.emplace_back("program", document_.program);
-    block.entries.emplace_back("date", document_.date);
-    write(block);
   }
 
   void chapter(std::size_t i) {

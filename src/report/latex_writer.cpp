@@ -136,8 +136,20 @@ std::string contents(const std::vector<Chapter>& chapters) {
   return out + "}\n";
 }
 
-/// Of few chapters: it goes without contents, and its figures stand two abreast.
-bool is_short_one(const Document& document) { return document.chapters.size() <= 5; }
+bool is_judged(const Document& document) { return !document.verdict.empty(); }
+
+/// Of few chapters behind a verdict: it goes without contents, and its figures stand two abreast.
+bool is_short_one(const Document& document) {
+  return is_judged(document) && document.chapters.size() <= 5;
+}
+
+/// A verdict is signed for.
+std::string sign_fields(bool is_short) {
+  return fmt::format(
+      "\\need{{70pt}}\\vskip{}\\hbox to\\textwidth{{\\signfield{{prepared}}\\hfil"
+      "\\signfield{{checked}}\\hfil\\signfield{{approved}}}}\n",
+      is_short ? "4pt" : "14pt");
+}
 
 /// What stands on the first page: the verdict and what decides it first.
 std::string title_page(const Document& document) {
@@ -147,19 +159,18 @@ std::string title_page(const Document& document) {
                      latex_breakable(document.title, 20));
   if (!document.subtitle.empty())
     out += fmt::format("{{\\raggedright\\large\\hskip0pt {}\\par}}\n", running(document.subtitle));
-  out += fmt::format("\\verdict{{{}}}{{{}}}\n", colour_of(document.mark),
-                     latex_shortened(document.verdict, 20));
-  out += latex_table(document.governing);
-  Facts all{{{"program", document.program},
-             {"date", document.date},
-             {"input sha256", document.input_sha256}}};
+  if (is_judged(document)) {
+    out += fmt::format("\\verdict{{{}}}{{{}}}\n", colour_of(document.mark),
+                       latex_shortened(document.verdict, 20));
+    out += latex_table(document.governing);
+  }
+  Facts all{{{"program", document.program}, {"date", document.date}}};
+  if (!document.input_sha256.empty())
+    all.entries.emplace_back("input sha256", document.input_sha256);
   all.entries.insert(all.entries.begin(), document.facts.entries.begin(),
                      document.facts.entries.end());
   out += facts(all);
-  out += fmt::format(
-      "\\need{{70pt}}\\vskip{}\\hbox to\\textwidth{{\\signfield{{prepared}}\\hfil"
-      "\\signfield{{checked}}\\hfil\\signfield{{approved}}}}\n",
-      is_short ? "4pt" : "14pt");
+  if (is_judged(document)) out += sign_fields(is_short);
   return is_short ? out : out + contents(document.chapters);
 }
 
@@ -269,8 +280,10 @@ std::string latex_chapter(std::size_t number, const Chapter& chapter, bool abrea
 
 std::string head_and_foot(const Document& document) {
   std::string out = fmt::format("\\def\\headleft{{{}}}\n", latex_shortened(document.title, 36));
-  out += fmt::format("\\def\\headright{{input sha256 {}}}\n",
-                     latex_escaped(document.input_sha256.substr(0, 12)));
+  out += document.input_sha256.empty()
+             ? "\\def\\headright{}\n"
+             : fmt::format("\\def\\headright{{input sha256 {}}}\n",
+                           latex_escaped(document.input_sha256.substr(0, 12)));
   out += fmt::format("\\def\\footleft{{{}}}\n", latex_shortened(document.program, 36));
   out += fmt::format("\\pdfinfo{{/Title ({}) /Subject ({}) /Creator ({})}}\n",
                      latex_pdf_string(document.title), latex_pdf_string(document.subtitle),

@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "boxbeam/core/error.hpp"
-#include "gnuplot_process.hpp"
-#include "plot_script.hpp"
-#include "process.hpp"
+#include "drawn_files.hpp"
 
 namespace boxbeam {
 namespace {
@@ -98,17 +95,6 @@ std::vector<FigureKind> kinds_of(const Project& project, const Verification& ver
   return shown;
 }
 
-/// Brings a drawn file to its place.
-void move_to(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::create_directories(to.parent_path(), error);
-  fs::rename(from, to, error);
-  if (error == std::errc::cross_device_link)
-    fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  if (error)
-    throw OutputError(fmt::format("{} cannot be written: {}", to.string(), error.message()));
-}
-
 }  // namespace
 
 std::vector<std::string> figures_of(const Project& project, const Verification& verification) {
@@ -127,28 +113,12 @@ void remove_figures(const std::string& folder) {
 
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
                                       const std::string& folder, const std::string& pdf_folder) {
-  const report::ScratchFolder scratch(folder);
-  const std::vector<FigureKind> shown = kinds_of(project, verification);
-  std::vector<Drawing> drawings;
-  for (const FigureKind& kind : shown) {
-    plot::Script script((scratch.path() / fmt::format("{}.gp", kind.name)).string());
-    kind.draw(script, project, verification);
-    drawings.push_back({kind.name, Drawing::svg});
-    if (!pdf_folder.empty()) drawings.push_back({kind.name, Drawing::pdf});
+  std::vector<DrawnFigure> figures;
+  for (const FigureKind& kind : kinds_of(project, verification)) {
+    figures.push_back(
+        {kind.name, [&, kind](plot::Script& script) { kind.draw(script, project, verification); }});
   }
-  run_gnuplot(scratch.path(), drawings);
-
-  std::vector<std::string> written;
-  for (const FigureKind& kind : shown) {
-    const std::string svg = fmt::format("{}.svg", kind.name);
-    const std::string pdf = fmt::format("{}.pdf", kind.name);
-    const std::string script = fmt::format("{}.gp", kind.name);
-    move_to(scratch.path() / script, fs::path(folder) / "plots" / script);
-    move_to(scratch.path() / svg, fs::path(folder) / svg);
-    if (!pdf_folder.empty()) move_to(scratch.path() / pdf, fs::path(pdf_folder) / pdf);
-    written.push_back(svg);
-  }
-  return written;
+  return draw_into(folder, pdf_folder, figures);
 }
 
 }  // namespace boxbeam

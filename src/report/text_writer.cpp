@@ -91,12 +91,14 @@ std::string text_of(const Document& document) {
   std::string out = fmt::format("{}: {}, {}\n", visible(document.program), visible(document.title),
                                 visible(document.date));
   out += hanging("", "", document.subtitle);
-  out += fmt::format("\nVERDICT: {}\n\n", visible(document.verdict));
-  if (!document.governing.rows.empty()) {
+  out += "\n";
+  if (!document.verdict.empty()) out += fmt::format("VERDICT: {}\n\n", visible(document.verdict));
+  if (!document.verdict.empty() && !document.governing.rows.empty()) {
     out += table_text(with_results(document.governing), width) + "\n";
   }
   Facts facts = document.facts;
-  facts.entries.emplace_back("input sha256", document.input_sha256);
+  if (!document.input_sha256.empty())
+    facts.entries.emplace_back("input sha256", document.input_sha256);
   out += facts_text(facts);
   std::size_t number = 0;
   for (const Chapter& chapter : document.chapters) {

@@ -306,11 +306,18 @@ AreaSums sums_beyond(const Outline& outline, double z) {
 }
 
 double width_at(const Outline& outline, double z) {
-  constexpr double aside = 1e-12;  // [m]
+  if (outline.empty()) return 0.0;
+  Eigen::Vector2d low = outline.front().from, high = low;
+  for (const BorderPiece& piece : outline) {
+    low = low.cwiseMin(piece.from);
+    high = high.cwiseMax(piece.from);
+  }
+  const double aside = 1e-12 * (high.y() - low.y());
+  const double nothing = 1e-14 * (high.x() - low.x());
   const double above = crossing_width(outline, z + aside);
   const double below = crossing_width(outline, z - aside);
-  if (above <= aside) return std::max(0.0, below);
-  if (below <= aside) return above;
+  if (above <= nothing) return std::max(0.0, below);
+  if (below <= nothing) return above;
   // Where it does not jump, the mean of both sides is the width at the level itself.
   const double jump = std::abs(above - below);
   return jump < 1e-6 * above ? 0.5 * (above + below) : std::min(above, below);

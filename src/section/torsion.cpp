@@ -49,6 +49,12 @@ Corner corner_of(double a, double b) {
 
 double cube(double x) { return x * x * x; }
 
+constexpr double zeta_5 = 1.036927755143369926;   // sum of 1/n^5
+constexpr double catalan = 0.915965594177219015;  // 1 - 1/3^2 + 1/5^2 - ...
+
+/// 1 - tanh x, without loss of digits.
+double short_of_one(double x) { return 2.0 / (std::exp(2.0 * x) + 1.0); }
+
 struct RolledMidLine {
   double length, area;
 };
@@ -80,8 +86,9 @@ Box box_of(const RectangularTube& sharp) {
 
 SecondMoment torsion_constant_of_rectangle(Length a, Length b) {
   const double thin = std::min(a, b).value(), wide = std::max(a, b).value();
-  double sum = 0.0;
-  for (int n = 1; n < 200; n += 2) sum += std::tanh(0.5 * n * pi * wide / thin) / std::pow(n, 5);
+  // The sum of 1/n^5 over odd n, less what tanh falls short of 1.
+  double sum = 31.0 / 32.0 * zeta_5;
+  for (int n = 1; n < 16; n += 2) sum -= short_of_one(0.5 * n * pi * wide / thin) / std::pow(n, 5);
   const double I = cube(thin) * wide / 3.0 * (1.0 - 192.0 * thin / (std::pow(pi, 5) * wide) * sum);
   return si<SecondMoment>(I);
 }
@@ -89,12 +96,20 @@ SecondMoment torsion_constant_of_rectangle(Length a, Length b) {
 double torsion_shear_of_rectangle(Length side, Length other) {
   const double I = torsion_constant_of_rectangle(side, other).value();
   const double h = side.value(), b = other.value();
-  // tau = G theta' b (1 - 8/pi^2 sum 1/(n^2 cosh(n pi h/(2 b)))), in the middle of the side h.
   double sum = 0.0;
-  for (int n = 1; n < 4000; n += 2) {
-    const double argument = 0.5 * n * pi * h / b;
-    if (argument > 700.0) break;
-    sum += 1.0 / (static_cast<double>(n) * n * std::cosh(argument));
+  if (h < b) {
+    // tau = G theta' h 8/pi^2 sum (-1)^((n-1)/2) tanh(n pi b/(2 h))/n^2, in the middle of the side
+    // h: the series that converges fast where that side is the short one.
+    sum = catalan;
+    for (int n = 1; n < 16; n += 2) {
+      const double term = short_of_one(0.5 * n * pi * b / h) / (static_cast<double>(n) * n);
+      sum -= n % 4 == 1 ? term : -term;
+    }
+    return h / I * 8.0 / (pi * pi) * sum;
+  }
+  // tau = G theta' b (1 - 8/pi^2 sum 1/(n^2 cosh(n pi h/(2 b)))).
+  for (int n = 1; n < 32; n += 2) {
+    sum += 1.0 / (static_cast<double>(n) * n * std::cosh(std::min(0.5 * n * pi * h / b, 700.0)));
   }
   return b / I * (1.0 - 8.0 / (pi * pi) * sum);
 }

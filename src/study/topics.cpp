@@ -37,6 +37,7 @@ TopicResult stability(const Scenes& scenes, const Effort& effort) {
   result.maps.push_back(stiff_joint_map(scenes, effort));
   result.maps.push_back(resonance_map(scenes, effort));
   result.maps.push_back(thin_section_map(scenes, effort));
+  result.maps.push_back(taper_map(scenes, effort));
   return result;
 }
 

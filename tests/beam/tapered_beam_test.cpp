@@ -1,6 +1,7 @@
 #include "boxbeam/beam/tapered_beam.hpp"
 
 #include <cmath>
+#include <tuple>
 
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
@@ -167,6 +168,39 @@ TEST_CASE("a station within round-off of a place is that place") {
   CHECK(place_near(places, m(3 * 1.1)) == m(3.3));
   CHECK(place_near(places, m(1.1001)) == m(1.1001));
   CHECK(place_near(places, m(2.0)) == m(2.0));
+}
+
+TEST_CASE("of two places within round-off of a station the nearer is meant") {
+  const std::vector<Length> places{m(0), m(1.0), m(1.0 + 1e-10), m(3.3)};
+  CHECK(place_near(places, m(1.0 + 9e-11)) == m(1.0 + 1e-10));
+  CHECK(place_near(places, m(1.0 + 1e-11)) == m(1.0));
+}
+
+TEST_CASE("taper: the slope of h^3 of a plate, up to the thin end of a wedge and in a step") {
+  for (const double length : {2.0, 1e-6, 1e-11}) {
+    for (const double thin : {0.1, 1e-3, 1e-9}) {
+      TaperedBeam beam;
+      const Section high{Plate{mm(50), m(0.2)}, {}}, low{Plate{mm(50), m(0.2 * thin)}, {}};
+      beam.segments = {{"even", m(0), m(1), high, high},
+                       {"down", m(1), m(length), high, low},
+                       {"up", m(1) + m(length), m(length), low, high}};
+      const Length tip = beam.segments[1].end();
+      for (const auto& [station, h, sense] :
+           {std::tuple{Station{m(1), Side::behind}, 0.2, -1.0},
+            std::tuple{Station{tip, Side::before}, 0.2 * thin, -1.0},
+            std::tuple{Station{tip, Side::behind}, 0.2 * thin, 1.0},
+            std::tuple{Station{beam.length(), Side::before}, 0.2, 1.0}}) {
+        CAPTURE(length, thin, station.s.value(), to_text(station.side));
+        double slope = 0.0;
+        for (const NearbySection& near : taper_at(beam, station)) {
+          slope += near.weight * std::pow(height_of(near.section.outer).value(), 3);
+        }
+        // d(h^3)/ds = 3 h^2 h', h' = -+0.2 (1 - thin)/length.
+        CHECK(slope == Approx(sense * 3.0 * h * h * 0.2 * (1.0 - thin) / length).epsilon(1e-8));
+        CHECK(height_of(section_at(beam, station).outer).value() == Approx(h).epsilon(1e-14));
+      }
+    }
+  }
 }
 
 TEST_CASE("holes are found at their own station only") {

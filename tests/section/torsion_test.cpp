@@ -113,6 +113,33 @@ TEST_CASE("solid rectangles: Timoshenko's table of b^3 h k_1 and b^2 h k_2", "[s
   }
 }
 
+TEST_CASE("solid rectangles: the middle of the short side, however thin", "[section]") {
+  // Thin: 8 G/pi^2 of the stress on the long side, G = 0.915965594177219 (Catalan's constant),
+  // which is T/(b^2 h/3) up to 0.63 b/h.
+  for (const double ratio : {1e3, 1e4, 1e6, 1e9}) {
+    CAPTURE(ratio);
+    const double b = 1.0, h = ratio;
+    const double expected = 8 * 0.915965594177219 / (std::numbers::pi * std::numbers::pi) * 3 /
+                            (b * b * h) / (1 - 0.6302 * b / h);
+    CHECK(torsion_shear_of_rectangle(si<Length>(b), si<Length>(h)) ==
+          Approx(expected).epsilon(1e-6));
+  }
+  // The same article's other series, 1 - 8/pi^2 sum 1/(n^2 cosh(n pi h/(2 b))), which converges
+  // for any side.
+  for (const double ratio : {1.0, 1.5, 3.0, 10.0}) {
+    CAPTURE(ratio);
+    const double side = 1.0, other = ratio;
+    double sum = 0.0;
+    for (int n = 1; n < 20000; n += 2) {
+      sum += 1.0 /
+             (1.0 * n * n * std::cosh(std::min(0.5 * n * std::numbers::pi * side / other, 700.0)));
+    }
+    const double I = torsion_constant_of_rectangle(si<Length>(side), si<Length>(other)).value();
+    CHECK(torsion_shear_of_rectangle(si<Length>(side), si<Length>(other)) ==
+          Approx(other / I * (1 - 8 / (std::numbers::pi * std::numbers::pi) * sum)).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("open path: sum of s t^3/3; polygons have no constant", "[section]") {
   const auto at = [](double y, double z) { return SectionPlace{mm(y), mm(z)}; };
   const ThinWalled angle{{at(100, 0), at(0, 0), at(0, 80)},

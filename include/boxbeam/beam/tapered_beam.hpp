@@ -68,7 +68,7 @@ std::size_t segment_at(const TaperedBeam& beam, const Station& station);
 Section section_at(const TaperedBeam& beam, const Station& station);
 
 /// How the section at a station changes along its segment; empty where it does not. Differences of
-/// second order over steps of a hundred-thousandth of the segment, to one side at its ends.
+/// second order over steps that change no side by more than 1e-5 of itself, one-sided at the ends.
 Taper taper_at(const TaperedBeam& beam, const Station& station);
 
 /// The places where something is: ends of segments, holes and named points, ascending, each once.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/report/document.hpp"
@@ -14,8 +15,18 @@ struct TopicShown {
   study::TopicResult result;
 };
 
-/// The data of a chart or a map as CSV, a row per setting or trial, the unit of each column in its
-/// name. Numbers in full, so that they are read back as they were.
+/// What was charted, and on what.
+struct AccuracyRun {
+  std::vector<TopicShown> topics;
+  bool quick = false;
+  bool drawn = true;  ///< charts and maps stand as pictures beside the document
+  /// The cases with the SHA-256 of what they say.
+  std::vector<std::pair<std::string, std::string>> scenes = {};
+};
+
+/// The data of a chart or a map as CSV (RFC 4180), a row per setting or trial, the unit of each
+/// column in its name. Numbers with as many digits as it takes to read them back as they were;
+/// nothing where there is none.
 std::string chart_csv(const study::Chart& chart);
 std::string map_csv(const study::Map& map);
 
@@ -25,8 +36,13 @@ std::string map_csv(const study::Map& map);
 std::vector<std::string> draw_charts(const std::vector<TopicShown>& topics,
                                      const std::string& folder, const std::string& pdf_folder = "");
 
-/// All charts and maps in one document, with a table of the default settings and a sentence each
-/// on what to choose.
-report::Document accuracy_document(const std::vector<TopicShown>& topics);
+/// All charts and maps in one document, which judges nothing: first a table of the settings that
+/// the program uses by itself, then a chapter per topic with a sentence on what to choose below
+/// each picture, and what failed and why.
+report::Document accuracy_document(const AccuracyRun& run);
+
+/// Per topic the settings that the program uses by itself and whether they are good enough for a
+/// strength check; of maps the counts.
+std::string accuracy_text(const std::vector<TopicShown>& topics);
 
 }  // namespace boxbeam

@@ -97,12 +97,12 @@ struct Chapter {
 };
 
 struct Document {
-  std::string title;     ///< name of the case
-  std::string subtitle;  ///< its title
-  std::string date;      ///< "2026-11-21"
-  std::string program;   ///< "boxbeam 0.1.0"
-  std::string input_sha256;
-  std::string verdict;  ///< "PASS", "FAIL", "NOT APPLICABLE"
+  std::string title;         ///< name of the case
+  std::string subtitle;      ///< its title
+  std::string date;          ///< "2026-11-21"
+  std::string program;       ///< "boxbeam 0.1.0"
+  std::string input_sha256;  ///< "": of no single input
+  std::string verdict;       ///< "PASS", "FAIL", "NOT APPLICABLE"; "": nothing is judged
   Mark mark = Mark::none;
   Facts facts;      ///< the rest of the title block
   Table governing;  ///< under the verdict: the worst check of every criterion

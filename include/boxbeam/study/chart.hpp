@@ -12,7 +12,7 @@ namespace boxbeam::study {
 /// Time of one unit of a chart's work, of several measurements [s].
 struct Timing {
   double median = 0.0;
-  double low = 0.0, high = 0.0;  ///< the shortest and the longest
+  double low = 0.0, high = 0.0;  ///< lower and upper quartile
 };
 
 /// One setting of a method and what it came to.

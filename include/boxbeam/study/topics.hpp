@@ -41,5 +41,6 @@ Map toggle_map(const Scenes& scenes, const Effort& effort);
 Map stiff_joint_map(const Scenes& scenes, const Effort& effort);
 Map resonance_map(const Scenes& scenes, const Effort& effort);
 Map thin_section_map(const Scenes& scenes, const Effort& effort);
+Map taper_map(const Scenes& scenes, const Effort& effort);
 
 }  // namespace boxbeam::study

@@ -330,9 +330,9 @@ VectorXcd harmonic_coordinates(const ModalModel& model, ModalLoads loads, double
     if (std::abs(loads.p[j]) > no_load * loads.size[j]) {
       throw AnalysisError(
           {fmt::format("{:.6g} Hz is the natural frequency of mode {}, which the loads excite and "
-                       "nothing damps: the amplitude has no limit; take another frequency or give "
+                       "{} damps: the amplitude has no limit; take another frequency or give "
                        "damping to links or joints",
-                       frequency, j + 1),
+                       frequency, j + 1, model.damping(j, j) > 0.0 ? "next to nothing" : "nothing"),
            "",
            {},
            {},

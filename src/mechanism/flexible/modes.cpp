@@ -20,7 +20,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// So many coordinates or fewer: all modes, by dense matrices.
-constexpr Index few = 150;
+constexpr Index few = 60;
+/// The same where the search among more does not converge: massless turns leave fewer modes than it
+/// looks through.
+constexpr Index not_many = 150;
 /// theta = |shift|/(omega^2 + |shift|) of a mode, over the largest, below which it is round-off.
 constexpr double no_mode = 1e-10;
 /// The same where no elasticity is left, so that all of them are.
@@ -247,6 +250,7 @@ Found lowest_modes(const Problem& problem, Index count) {
   for (int run = 0; run < most_runs; ++run) {
     Index space = std::min(size, std::max<Index>(2 * missing + 1, 20));
     while (!add_lanczos_modes(problem, missing, space, found)) {
+      if (size <= not_many) return dense_modes(problem);
       if (space == size || space > 64 * (missing + 8)) fail("they do not converge; ask for fewer");
       space = std::min(size, 2 * space + 3);
     }
@@ -304,7 +308,7 @@ std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
   if (count == 0 || structure.elements() == 0) return {};
   const Problem problem(structure);
   const Index size = problem.coordinates.size();
-  const bool dense = size <= few || static_cast<Index>(count) > size / 6;
+  const bool dense = size <= few || static_cast<Index>(count) > size / 4;
   const Found found =
       dense ? dense_modes(problem) : lowest_modes(problem, static_cast<Index>(count));
   std::vector<Mode> modes;

@@ -13,7 +13,7 @@ namespace boxbeam::flexible {
 namespace {
 
 /// Distance of the squares of the drive and a natural frequency, relative, within which an
-/// undamped amplitude is none.
+/// amplitude that nothing damps is none; twice the damping ratio counts as distance.
 constexpr double resonance = 2e-6;
 
 double omega_of(double frequency) { return 2.0 * std::numbers::pi * frequency; }
@@ -29,26 +29,52 @@ void add_loads(const Structure& structure, const auto& amount, auto& columns) {
 }
 
 /// Length of a motion by the masses and inertia in the nodes.
-double size_of(const Structure& structure, const LinkColumns<double>& motion) {
+template <class Scalar>
+double size_of(const Structure& structure, const LinkColumns<Scalar>& motion) {
   double square = 0.0;
   for (std::size_t k = 0; k < motion.size(); ++k) {
     for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
       const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
       const auto q = motion[k].col(i);
-      square += of.mass * (q[0] * q[0] + q[1] * q[1]) + of.inertia * q[2] * q[2];
+      square += of.mass * (std::norm(q[0]) + std::norm(q[1])) + of.inertia * std::norm(q[2]);
     }
   }
   return std::sqrt(square);
 }
 
-/// At least |omega_j^2 - omega^2|/omega^2 of the nearest mode that takes part in a response, and
-/// not much more where it is what the response is made of: one step of inverse iteration.
+/// At least |omega_j^2 - omega^2 + i omega c_j|/omega^2 of the nearest mode that takes part in a
+/// response, and not much more where it is what the response is made of: one step of inverse
+/// iteration.
+template <class Scalar>
 double distance_from_resonance(const Structure& structure,
-                               const DynamicStiffness<double>& stiffness,
-                               const LinkColumns<double>& motion, double omega) {
+                               const DynamicStiffness<Scalar>& stiffness,
+                               const LinkColumns<Scalar>& motion, double omega) {
   const double size = size_of(structure, motion);
   const double next = size_of(structure, stiffness.solve(mass_times(structure, motion)).motion);
   return next > 0.0 ? size / (omega * omega * next) : 1.0;
+}
+
+/// The response at a frequency that is none of the structure's own. Throws AnalysisError.
+template <class Scalar>
+Deformation<Scalar> response_off_resonance(const Structure& structure,
+                                           const DynamicStiffness<Scalar>& stiffness,
+                                           const LinkColumns<Scalar>& loads, double frequency) {
+  Deformation<Scalar> result = stiffness.solve(loads);
+  if (distance_from_resonance(structure, stiffness, result.motion, omega_of(frequency)) >=
+      resonance) {
+    return result;
+  }
+  const char* damping = is_damped(structure)
+                            ? "whose damping is less than a millionth of the critical one"
+                            : "which has no damping";
+  throw AnalysisError(
+      {fmt::format("{:.6g} Hz is a natural frequency of the structure, {}: the amplitude has no "
+                   "limit; take another frequency or give damping to links or joints",
+                   frequency, damping),
+       "",
+       {},
+       {},
+       {}});
 }
 
 Deformation<Complex> undamped_response(const Structure& structure,
@@ -64,19 +90,7 @@ Deformation<Complex> undamped_response(const Structure& structure,
       return Deformation<double>{
           part, Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(structure.joints.size()))};
     }
-    Deformation<double> result = stiffness.solve(part);
-    if (distance_from_resonance(structure, stiffness, result.motion, omega) < resonance) {
-      throw AnalysisError(
-          {fmt::format("{:.6g} Hz is a natural frequency of the structure, which has no damping: "
-                       "the amplitude has no limit; take another frequency or give damping to "
-                       "links or joints",
-                       frequency),
-           "",
-           {},
-           {},
-           {}});
-    }
-    return result;
+    return response_off_resonance(structure, stiffness, part, frequency);
   };
   const Deformation<double> real = solved([](const auto& of) { return of.real().eval(); });
   const Deformation<double> imaginary = solved([](const auto& of) { return of.imag().eval(); });
@@ -164,7 +178,8 @@ Deformation<Complex> harmonic_response(const Structure& structure, double freque
   const LinkColumns<Complex> loads = harmonic_loads(structure);
   if (!is_damped(structure)) return undamped_response(structure, loads, frequency);
   const double omega = omega_of(frequency);
-  return DynamicStiffness<Complex>(structure, omega * omega, omega).solve(loads);
+  const DynamicStiffness<Complex> stiffness(structure, omega * omega, omega);
+  return response_off_resonance(structure, stiffness, loads, frequency);
 }
 
 Response response_of(const Structure& structure) {

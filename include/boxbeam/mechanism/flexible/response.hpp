@@ -136,9 +136,9 @@ struct Response {
   Deformation<Complex> harmonic;
 };
 
-/// Throws AnalysisError where the structure is free to move or, undamped, in resonance: a millionth
-/// off a natural frequency that the loads excite, where the amplitude depends on nothing but that
-/// distance.
+/// Throws AnalysisError where the structure is free to move or in resonance without damping: a
+/// millionth off a natural frequency that the loads excite, damped by less than a millionth of the
+/// critical, where the amplitude depends on nothing but that distance.
 Response response_of(const Structure& structure);
 Deformation<double> static_response(const Structure& structure);
 Deformation<Complex> harmonic_response(const Structure& structure, double frequency);
