@@ -267,7 +267,9 @@ Entry chart_entry(CLI::App& app) {
       "chart", "chart accuracy against cost of the numerical methods, and map where they fail");
   std::vector<std::string> words{"all"};
   for (const study::Topic& topic : study::topics()) words.emplace_back(topic.name);
-  command.add_option("TOPIC", options->topics, "what to chart (default: all)")
+  command
+      .add_option("TOPIC", options->topics,
+                  "what to chart (default: all): " + CLI::detail::join(words, ", "))
       ->check(CLI::IsMember(words));
   CLI::Option* const of_case =
       command

@@ -51,7 +51,7 @@ void refuse_where_nothing_applies(const std::vector<TopicShown>& topics) {
   AnalysisFailure failure;
   failure.what = "there is nothing to chart of this case";
   for (const TopicShown& topic : topics) {
-    if (topic.result.not_applicable.empty()) return;
+    if (!topic.result.charts.empty() || !topic.result.maps.empty()) return;
     failure.details.push_back(
         fmt::format("{}: {}", topic.topic->name, topic.result.not_applicable));
   }

@@ -56,6 +56,30 @@ std::string entries_of(const std::vector<Argument>& options) {
   return entries(lines);
 }
 
+/// Whether a word is the value of an option before it: "charts" of "--out charts".
+bool is_value(const Command& command, const std::string& before) {
+  return std::any_of(command.options.begin(), command.options.end(), [&](const Argument& option) {
+    return option.name == before && !option.value.empty();
+  });
+}
+
+/// Of a word in a place that takes certain words only.
+std::string word_hint(const Command& command, const std::vector<std::string>& words) {
+  for (const Argument& place : command.places) {
+    const std::vector<std::string>& known = place.words;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::string& word = words[i];
+      if (known.empty() || word.starts_with("-") || word == command.name ||
+          is_value(command, words[i - 1]) ||
+          std::find(known.begin(), known.end(), word) != known.end())
+        continue;
+      const std::string near = nearest_word(word, known);
+      if (!near.empty()) return fmt::format("did you mean {}?", near);
+    }
+  }
+  return "";
+}
+
 std::string option_hint(const Command& command, const std::vector<std::string>& words) {
   std::vector<std::string> known;
   for (const Argument& option : command.options) known.push_back(option.name);
@@ -67,7 +91,7 @@ std::string option_hint(const Command& command, const std::vector<std::string>& 
     const std::string near = nearest_word(word, known);
     if (!near.empty()) return fmt::format("did you mean {}?", near);
   }
-  return "";
+  return word_hint(command, words);
 }
 
 }  // namespace
@@ -81,7 +105,10 @@ const Command* command_named(const CommandLine& line, const std::string& name) {
 std::string placeholder(const Argument& place) {
   const std::size_t dot = place.value.find('.');
   std::string text = place.name;
-  if (!place.words.empty()) text = fmt::format("{}", fmt::join(place.words, "|"));
+  // Many words stand in what is said of it.
+  constexpr std::size_t most = 4;
+  if (!place.words.empty() && place.words.size() <= most)
+    text = fmt::format("{}", fmt::join(place.words, "|"));
   if (dot != std::string::npos) text += place.value.substr(dot);
   if (place.several) text += "...";
   return place.required ? text : fmt::format("[{}]", text);

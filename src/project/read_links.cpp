@@ -298,7 +298,7 @@ LinkDraft read_draft(const std::string& name, const TableReader& table,
   link.parts = reader.whole_number("parts", link.parts);
   if (link.parts < 1 || link.parts > most_parts) {
     reader.problem("parts", fmt::format("a link has 1 to {} parts", most_parts),
-                   "write for example parts = 8");
+                   "write for example parts = 16");
   }
   link.retardation = read_retardation(reader, defaults.model->retardation);
   if (reader.problems().size() == before && draft.length) take_length(draft, *draft.length);

@@ -13,7 +13,6 @@
 namespace boxbeam {
 namespace {
 
-using report::cell;
 using report::Chapter;
 using report::Paragraph;
 using report::Picture;

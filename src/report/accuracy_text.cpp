@@ -48,6 +48,7 @@ std::string accuracy_text(const std::vector<TopicShown>& topics) {
     if (!topic.result.not_applicable.empty())
       text += layout::paragraph("not applicable: " + visible(topic.result.not_applicable));
     text += charts_text(topic.result.charts);
+    if (!topic.result.charts.empty() && !topic.result.maps.empty()) text += "\n";
     text += maps_text(topic.result.maps);
   }
   return text;

@@ -9,7 +9,6 @@
 namespace boxbeam::plot {
 namespace {
 
-constexpr double line_height = 15.0;
 constexpr double sample = 30.0;  ///< length of a legend's stroke
 constexpr double legend_row = 18.0;
 
@@ -47,9 +46,9 @@ double length_inside(const Pixel& from, const Pixel& to, const Frame& box) {
 /// The box of a text of one line beside a place, on the side of a direction.
 Frame box_beside(const Pixel& at, const Eigen::Vector2d& side, double gap, double width) {
   const Pixel middle =
-      at + Pixel(side.x() * (gap + 0.5 * width), side.y() * (gap + 0.5 * line_height));
-  return {middle.x() - 0.5 * width, middle.y() - 0.5 * line_height, middle.x() + 0.5 * width,
-          middle.y() + 0.5 * line_height};
+      at + Pixel(side.x() * (gap + 0.5 * width), side.y() * (gap + 0.5 * text_line));
+  return {middle.x() - 0.5 * width, middle.y() - 0.5 * text_line, middle.x() + 0.5 * width,
+          middle.y() + 0.5 * text_line};
 }
 
 Pixel nearest_of(const Frame& box, const Pixel& at) {
@@ -126,6 +125,15 @@ std::vector<std::string> wrapped(const std::string& text, double room) {
     begin = end + 1;
   }
   for (std::string& line : lines) line = fitted(line, room);
+  return lines;
+}
+
+std::vector<std::string> wrapped(const std::vector<std::string>& texts, double room) {
+  std::vector<std::string> lines;
+  for (const std::string& text : texts) {
+    const std::vector<std::string> of = wrapped(text, room);
+    lines.insert(lines.end(), of.begin(), of.end());
+  }
   return lines;
 }
 
@@ -208,6 +216,16 @@ void put_text(Script& gp, const std::string& text, const Pixel& at, const char* 
               const char* colour) {
   gp << "set label " << quoted(text) << " at " << screen(gp, at) << " " << side
      << " noenhanced front tc rgb '" << colour << "'\n";
+}
+
+double put_lines(Script& gp, const std::vector<std::string>& lines, const Pixel& top,
+                 const char* side, const char* colour) {
+  double y = top.y();
+  for (const std::string& text : lines) {
+    put_text(gp, text, {top.x(), y - 0.5 * text_line}, side, colour);
+    y -= text_line;
+  }
+  return y;
 }
 
 void put_line(Script& gp, const Pixel& from, const Pixel& to, const std::string& style) {

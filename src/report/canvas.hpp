@@ -36,6 +36,9 @@ std::string fitted(const std::string& text, double room);
 /// The text in lines of at most so much room, broken at spaces.
 std::vector<std::string> wrapped(const std::string& text, double room);
 
+/// Texts one below the other, each in as many lines as it needs.
+std::vector<std::string> wrapped(const std::vector<std::string>& texts, double room);
+
 /// 1, 2 or 5 times a power of ten: divides a span into at most so many steps.
 double tic_step(double span, int most);
 
@@ -68,6 +71,13 @@ class Labels {
 /// A text at a place of the figure: "left", "center" or "right" of it.
 void put_text(Script& gp, const std::string& text, const Pixel& at, const char* side = "left",
               const char* colour = "#202020");
+
+/// Height of a line of running text [px].
+inline constexpr double text_line = 15.0;
+
+/// Lines of text below a place; the height where they end.
+double put_lines(Script& gp, const std::vector<std::string>& lines, const Pixel& top,
+                 const char* side = "left", const char* colour = "#202020");
 
 /// A line without a head.
 void put_line(Script& gp, const Pixel& from, const Pixel& to, const std::string& style);

@@ -80,8 +80,13 @@ std::string error_text(const study::Point& point) {
 }
 
 std::string needed_text(const study::Chart& chart) {
-  return fmt::format("{} to {}", short_power(fmt::format("{:.2g}", chart.needed_low)),
-                     short_power(fmt::format("{:.2g}", chart.needed_high)));
+  const auto text = [](double error) {
+    std::string number = short_power(fmt::format("{:.1e}", error));
+    const std::size_t zero = number.find(".0e");
+    if (zero != std::string::npos) number.erase(zero, 2);
+    return number;
+  };
+  return fmt::format("{} to {}", text(chart.needed_low), text(chart.needed_high));
 }
 
 std::string duration_text(double seconds) {

@@ -10,7 +10,7 @@
 namespace boxbeam::plot {
 namespace {
 
-constexpr double strip = 20.0;  ///< of zero, of what is beyond [px]
+constexpr double strip = 28.0;  ///< of zero, of what is beyond [px]
 
 double decade_below(double value) { return std::pow(10.0, std::floor(std::log10(value) + 1e-9)); }
 double decade_above(double value) { return std::pow(10.0, std::ceil(std::log10(value) - 1e-9)); }
@@ -94,8 +94,12 @@ std::vector<Tic> tics_of(const LogAxis& axis, double length, TicStyle style, boo
   for (int power = first; power <= last; ++power)
     widest = std::max(widest, tics_at(1, power).width);
   const double apart = lies ? widest + 10.0 : 21.0;
-  // 1, 2 and 5 are at least 0.3 of a decade apart.
+  // 1, 2 and 5 are at least 0.3 of a decade apart, 1 and 3 are 0.47.
   const bool close = 0.3 * decade >= apart + 6.0;
+  const bool half = !close && 0.47 * decade >= apart + 6.0;
+  const auto has_text = [&](int digit) {
+    return (close && (digit == 2 || digit == 5)) || (half && digit == 3);
+  };
   const int step = std::max(1, static_cast<int>(std::ceil(apart / decade)));
   constexpr double finest = 40.0;  // decade with small marks [px]
   std::vector<Tic> tics;
@@ -103,7 +107,7 @@ std::vector<Tic> tics_of(const LogAxis& axis, double length, TicStyle style, boo
     for (const int digit : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {
       Tic tic = tics_at(digit, power);
       if (tic.at < axis.low * (1.0 - 1e-9) || tic.at > axis.high * (1.0 + 1e-9)) continue;
-      const bool named = digit == 1 ? power % step == 0 : close && (digit == 2 || digit == 5);
+      const bool named = digit == 1 ? power % step == 0 : has_text(digit);
       if (!named && (digit == 1 || step > 1 || decade < finest)) continue;
       if (!named) tic = {tic.at, "", 0.0, true};
       tics.push_back(tic);

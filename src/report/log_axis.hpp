@@ -39,9 +39,9 @@ struct Tic {
 /// What a number is written as: "1000", "10^{-6}"; of a time "10 us".
 enum class TicStyle { number, time };
 
-/// Powers of ten, or 1, 2 and 5 of them on short axes, as many as have room: at least `apart` [px]
-/// from each other, and as far as their texts need on an axis that lies. Between powers of ten that
-/// are far apart there are small ones.
+/// Powers of ten, on short axes also 3 or 2 and 5 of them, as many as have room: at least `apart`
+/// [px] from each other, and as far as their texts need on an axis that lies. Between powers of ten
+/// that are far apart there are small ones.
 std::vector<Tic> tics_of(const LogAxis& axis, double length, TicStyle style, bool lies);
 
 /// "('10' 10, '100' 100)"; `named` false: without the texts.

@@ -19,7 +19,7 @@ using study::MapPanel;
 using study::Outcome;
 
 constexpr double margin = 12.0;
-constexpr double line = 15.0;
+constexpr const char* quiet = "#5d6b79";
 constexpr const char* wrong_colour = "#e8710a";
 constexpr const char* refused_colour = "#dedede";
 constexpr const char* solved_colour = "#9cc3e6";
@@ -65,6 +65,7 @@ std::string colour_of(const Cell& cell, const ValueRange& range) {
 
 /// Where the cells of one axis stand, and where one ends and the next begins.
 struct Steps {
+  bool log = false;
   std::vector<double> at;
   std::vector<double> borders;  ///< one more
 
@@ -73,12 +74,21 @@ struct Steps {
   }
 };
 
-Steps steps_of(const Map& map, bool log, double Cell::*coordinate) {
+/// A logarithmic axis holds positive numbers only.
+bool is_log(const Map& map, const MapAxis& axis, double Cell::*coordinate) {
+  return axis.log && std::all_of(map.panels.begin(), map.panels.end(), [&](const MapPanel& panel) {
+           return std::all_of(panel.cells.begin(), panel.cells.end(),
+                              [&](const Cell& cell) { return cell.*coordinate > 0.0; });
+         });
+}
+
+Steps steps_of(const Map& map, const MapAxis& axis, double Cell::*coordinate) {
+  const bool log = is_log(map, axis, coordinate);
   std::set<double> sorted;
   for (const MapPanel& panel : map.panels) {
     for (const Cell& cell : panel.cells) sorted.insert(cell.*coordinate);
   }
-  Steps steps{{sorted.begin(), sorted.end()}, {}};
+  Steps steps{log, {sorted.begin(), sorted.end()}, {}};
   if (steps.at.empty()) steps.at.push_back(1.0);
   const auto to = [log](double value) { return log ? std::log(value) : value; };
   const auto from = [log](double value) { return log ? std::exp(value) : value; };
@@ -93,14 +103,6 @@ Steps steps_of(const Map& map, bool log, double Cell::*coordinate) {
   const std::size_t last = at.size() - 1;
   steps.borders.push_back(from(1.5 * to(at[last]) - 0.5 * to(at[last - 1])));
   return steps;
-}
-
-/// A logarithmic axis holds positive numbers only.
-bool is_log(const Map& map, const MapAxis& axis, double Cell::*coordinate) {
-  return axis.log && std::all_of(map.panels.begin(), map.panels.end(), [&](const MapPanel& panel) {
-           return std::all_of(panel.cells.begin(), panel.cells.end(),
-                              [&](const Cell& cell) { return cell.*coordinate > 0.0; });
-         });
 }
 
 /// The trials of a method as boxes, wrong ones crossed and refused ones dotted.
@@ -187,96 +189,114 @@ void draw_scale(Script& gp, const Map& map, const ValueRange& range, double bott
            {from + bar + 6.0, bottom + 9.0});
 }
 
-}  // namespace
-
-void stability_map(Script& gp, const Map& map) {
-  const bool log_x = is_log(map, map.x, &Cell::x);
-  const bool log_y = is_log(map, map.y, &Cell::y);
-  const Steps x = steps_of(map, log_x, &Cell::x);
-  const Steps y = steps_of(map, log_y, &Cell::y);
-  const ValueRange range = values_of(map);
-  const std::size_t columns = map.panels.size() > 1 ? 2 : 1;
-  const std::size_t rows = std::max<std::size_t>(1, (map.panels.size() + columns - 1) / columns);
-  constexpr double left = 62.0, right = 600.0, gap = 34.0, height = 190.0;
-  const double width = columns == 1 ? 400.0 : 0.5 * (right - left - gap);
-  const auto all_wrapped = [](const std::vector<std::string>& texts, double room) {
-    std::vector<std::string> lines;
-    for (const std::string& text : texts) {
-      const std::vector<std::string> of = wrapped(text, room);
-      lines.insert(lines.end(), of.begin(), of.end());
-    }
-    return lines;
-  };
-  const double whole = figure_width - 2.0 * margin;
-  const std::vector<std::string> title = all_wrapped({map.title}, whole);
-  std::vector<std::string> about;
-  if (!map.scene.empty()) about.push_back("on " + map.scene);
-  if (!map.reference.empty()) about.push_back("what is right: " + map.reference);
-  about = all_wrapped(about, whole);
-  const std::vector<std::string> ordinate = all_wrapped({"up: " + map.y.title}, whole);
-  const std::vector<std::string> footing = wrapped("across: " + map.x.title, whole);
-  std::size_t heads = 1;
-  for (const MapPanel& panel : map.panels)
-    heads = std::max(heads, wrapped(panel.method, width).size());
-
-  const auto lines = [](std::size_t of) { return line * static_cast<double>(of); };
+std::vector<LegendEntry> legend_of(const ValueRange& range) {
   std::vector<LegendEntry> legend;
   if (!range.any) legend.push_back({"solved", fmt::format("lw 9 lc rgb '{}'", solved_colour)});
   legend.push_back({"silently wrong", fmt::format("lw 9 lc rgb '{}'", wrong_colour),
                     "pt 2 ps 0.6 lw 1 lc rgb '#202020' front"});
   legend.push_back({"refused, with the reason", fmt::format("lw 9 lc rgb '{}'", refused_colour),
                     "pt 7 ps 0.3 lc rgb '#8a8a8a' front"});
-  const double head = lines(heads) + line + 8.0;
-  const double foot = 28.0;  // numbers
-  const double scale = range.any ? 22.0 : 0.0;
-  const double legend_top = 4.0 + scale + height_of_legend(legend);
-  const double panels_bottom = legend_top + lines(footing.size()) + 4.0;
-  const double panels = static_cast<double>(rows) * (height + head + foot);
-  gp.begin(map.name,
-           panels_bottom + panels + lines(about.size() + title.size() + ordinate.size()) + 20.0);
-  const auto put_lines = [&](const std::vector<std::string>& texts, const Pixel& at,
-                             const char* side, const char* colour) {
-    double top = at.y();
-    for (const std::string& text : texts) {
-      top -= line;
-      put_text(gp, text, {at.x(), top + 0.5 * line}, side, colour);
-    }
-    return top;
-  };
-  double top = put_lines(title, {margin, gp.height() - 8.0}, "left", "#202020") - 2.0;
-  top = put_lines(about, {margin, top}, "left", "#5d6b79") - 4.0;
-  put_lines(ordinate, {margin, top}, "left", "#202020");
-  put_lines(footing, {0.5 * (left + right), legend_top + lines(footing.size())}, "center",
-            "#202020");
-  if (range.any) draw_scale(gp, map, range, 4.0);
-  draw_legend(gp, legend, 4.0 + scale);
-  gp << "unset grid\n";
-  if (log_x) gp << "set logscale x\n";
-  if (log_y) gp << "set logscale y\n";
-  for (std::size_t i = 0; i < map.panels.size(); ++i) {
-    const std::size_t row = i / columns;
+  return legend;
+}
+
+/// The panels of a map in rows, the first at the top; above each its method and its counts.
+struct Grid {
+  std::size_t columns = 1, rows = 1;
+  double width = 400.0;  ///< of a panel
+  double head = 0.0;     ///< above a panel
+  double bottom = 0.0;   ///< of all
+
+  static constexpr double left = 62.0, right = 600.0, gap = 30.0;
+  static constexpr double panel_height = 190.0;
+  static constexpr double foot = 28.0;  ///< numbers below a panel
+
+  double row_height() const { return panel_height + head + foot; }
+  double height() const { return static_cast<double>(rows) * row_height(); }
+  Frame frame(std::size_t i) const {
     const std::size_t column = i % columns;
-    const double bottom =
-        panels_bottom + static_cast<double>(rows - 1 - row) * (height + head + foot) + foot;
-    const double from = left + static_cast<double>(column) * (width + gap);
-    const Panel panel{{from, bottom, from + width, bottom + height},
-                      x.borders.front(),
-                      x.borders.back(),
-                      y.borders.front(),
-                      y.borders.back(),
-                      log_x,
-                      log_y};
-    place(gp, panel);
-    const double most = column + 1 == columns ? gp.width() - 2.0 : panel.frame.right + 4.0;
-    if (log_x) gp << "set xtics " << tics_across(panel, most) << "\n";
-    if (log_y) gp << "set ytics " << tics_up(panel, column == 0) << "\n";
-    gp << "set format y " << (column == 0 ? "'%g'" : "''") << "\n";
-    const MapPanel& of = map.panels[i];
-    const double below = put_lines(wrapped(of.method, width), {from, panel.frame.top + head - 2.0},
-                                   "left", "#202020");
-    put_text(gp, fitted(counts_of(of), width), {from, below - 0.5 * line + 1.0}, "left", "#5d6b79");
-    draw_cells(gp, of, panel, x, y, range, i);
+    const std::size_t row_from_below = rows - 1 - i / columns;
+    const double x = left + static_cast<double>(column) * (width + gap);
+    const double y = bottom + static_cast<double>(row_from_below) * row_height() + foot;
+    return {x, y, x + width, y + panel_height};
   }
+};
+
+/// Two abreast, three where that fills the row.
+Grid grid_of(const Map& map) {
+  Grid grid;
+  const std::size_t panels = map.panels.size();
+  grid.columns = panels == 3 ? 3 : std::clamp<std::size_t>(panels, 1, 2);
+  grid.rows = std::max<std::size_t>(1, (panels + grid.columns - 1) / grid.columns);
+  const auto across = static_cast<double>(grid.columns);
+  if (grid.columns > 1)
+    grid.width = (Grid::right - Grid::left - Grid::gap * (across - 1.0)) / across;
+  std::size_t lines = 0;
+  for (const MapPanel& panel : map.panels)
+    lines = std::max(lines, wrapped({panel.method, counts_of(panel)}, grid.width).size());
+  grid.head = text_line * static_cast<double>(lines) + 8.0;
+  return grid;
+}
+
+void draw_panel(Script& gp, const Map& map, std::size_t i, const Grid& grid, const Steps& x,
+                const Steps& y) {
+  const MapPanel& of = map.panels[i];
+  const bool first = i % grid.columns == 0;
+  const bool last = (i + 1) % grid.columns == 0;
+  const Panel panel{grid.frame(i),
+                    x.borders.front(),
+                    x.borders.back(),
+                    y.borders.front(),
+                    y.borders.back(),
+                    x.log,
+                    y.log};
+  place(gp, panel);
+  const double most = last ? gp.width() - 2.0 : panel.frame.right + 4.0;
+  if (x.log) gp << "set xtics " << tics_across(panel, most) << "\n";
+  if (y.log) gp << "set ytics " << tics_up(panel, first) << "\n";
+  gp << "set format y " << (first ? "'%g'" : "''") << "\n";
+  // A little above the panel, where the longest ends.
+  const std::vector<std::string> method = wrapped(of.method, grid.width);
+  const std::vector<std::string> counts = wrapped(counts_of(of), grid.width);
+  const double top =
+      panel.frame.top + 4.0 + text_line * static_cast<double>(method.size() + counts.size());
+  put_lines(gp, counts, {panel.frame.left, put_lines(gp, method, {panel.frame.left, top})}, "left",
+            quiet);
+  draw_cells(gp, of, panel, x, y, values_of(map), i);
+}
+
+}  // namespace
+
+void stability_map(Script& gp, const Map& map) {
+  const Steps x = steps_of(map, map.x, &Cell::x);
+  const Steps y = steps_of(map, map.y, &Cell::y);
+  const ValueRange range = values_of(map);
+  constexpr double whole = figure_width - 2.0 * margin;
+  const std::vector<std::string> title = wrapped(map.title, whole);
+  std::vector<std::string> about;
+  if (!map.scene.empty()) about.push_back("on " + map.scene);
+  if (!map.reference.empty()) about.push_back("what is right: " + map.reference);
+  about = wrapped(about, whole);
+  const std::vector<std::string> ordinate = wrapped("up: " + map.y.title, whole);
+  const std::vector<std::string> abscissa = wrapped("across: " + map.x.title, whole);
+  const std::vector<LegendEntry> legend = legend_of(range);
+
+  const double legend_bottom = range.any ? 26.0 : 4.0;
+  const double abscissa_top =
+      legend_bottom + height_of_legend(legend) + text_line * static_cast<double>(abscissa.size());
+  Grid grid = grid_of(map);
+  grid.bottom = abscissa_top + 4.0;
+  const auto above = static_cast<double>(title.size() + about.size() + ordinate.size());
+  gp.begin(map.name, grid.bottom + grid.height() + text_line * above + 20.0);
+  double top = put_lines(gp, title, {margin, gp.height() - 8.0}) - 2.0;
+  top = put_lines(gp, about, {margin, top}, "left", quiet) - 4.0;
+  put_lines(gp, ordinate, {margin, top});
+  put_lines(gp, abscissa, {0.5 * (Grid::left + Grid::right), abscissa_top}, "center");
+  if (range.any) draw_scale(gp, map, range, 4.0);
+  draw_legend(gp, legend, legend_bottom);
+  gp << "unset grid\n";
+  if (x.log) gp << "set logscale x\n";
+  if (y.log) gp << "set logscale y\n";
+  for (std::size_t i = 0; i < map.panels.size(); ++i) draw_panel(gp, map, i, grid, x, y);
 }
 
 }  // namespace boxbeam::plot

@@ -18,7 +18,7 @@ using study::Point;
 using study::Series;
 
 constexpr double margin = 12.0;
-constexpr double line = 15.0;
+constexpr const char* quiet = "#5d6b79";
 constexpr double left = 62.0, right = 600.0;  ///< of the panels
 constexpr double gap = 30.0;                  ///< between them
 constexpr double height = 290.0;              ///< of a panel
@@ -30,7 +30,7 @@ struct SeriesStyle {
 };
 
 SeriesStyle style_of(const Chart& chart, std::size_t i) {
-  constexpr const char* greys[] = {"#6b7680", "#94886f", "#8a7f93", "#5f7d78"};
+  constexpr const char* greys[] = {"#5a6670", "#857650", "#7a6a8c", "#4a716a"};
   constexpr int whole[] = {7, 5, 9, 13, 11, 15};
   constexpr int hollow[] = {6, 4, 8, 12, 10, 14};
   const bool yardstick = chart.series[i].yardstick;
@@ -43,7 +43,7 @@ SeriesStyle style_of(const Chart& chart, std::size_t i) {
             colour(before)};
   }
   const char* grey = greys[before % std::size(greys)];
-  return {fmt::format("lw 1 dt {} lc rgb '{}'", dashes(before), grey),
+  return {fmt::format("lw 1.1 dt {} lc rgb '{}'", dashes(before), grey),
           fmt::format("pt {} ps 0.55 lw 1 lc rgb '{}'", hollow[before % 6], grey), grey};
 }
 
@@ -64,6 +64,11 @@ bool any_point(const Chart& chart, const std::function<bool(const Point&)>& hold
   return std::any_of(chart.series.begin(), chart.series.end(), [&](const Series& series) {
     return std::any_of(series.points.begin(), series.points.end(), holds);
   });
+}
+
+/// The name of a panel's abscissa, which may be a little wider than the panel.
+std::vector<std::string> footing_of(const Abscissa& abscissa, double width) {
+  return wrapped(abscissa.title, width + gap - 8.0);
 }
 
 /// Work, time, or both; where there is neither, the settings themselves.
@@ -102,10 +107,17 @@ std::optional<double> place_of(const Series& series, std::size_t i, const Abscis
   return std::nullopt;
 }
 
-LogAxis error_axis(const Chart& chart) {
-  LogContent content{{chart.needed_low, chart.needed_high}, false, false};
-  // So that it is seen above the end of the axis.
-  if (chart.floor) content.numbers.push_back(0.5 * chart.floor->error);
+/// What is seen of a chart's errors.
+struct ErrorAxis {
+  LogAxis axis;
+  bool shows_floor = false;
+};
+
+/// A floor far below all errors is not shown: it would take the room of what is.
+ErrorAxis error_axis(const Chart& chart) {
+  constexpr double far_below = 1e-4;
+  // The band of what is needed never fills the panel.
+  LogContent content{{0.1 * chart.needed_low, 10.0 * chart.needed_high}, false, false};
   for (const Series& series : chart.series) {
     for (const Point& point : series.points) {
       content.beyond = content.beyond || has_failed(point);
@@ -114,7 +126,14 @@ LogAxis error_axis(const Chart& chart) {
       content.zero = content.zero || point.error == 0.0;
     }
   }
-  return log_axis(content, height, least_error, most_error, true);
+  double lowest = most_error;
+  for (const double error : content.numbers) {
+    if (error > 0.0) lowest = std::min(lowest, error);
+  }
+  const bool shows_floor = chart.floor && chart.floor->error >= far_below * lowest;
+  // So that it is seen above the end of the axis.
+  if (shows_floor) content.numbers.push_back(0.5 * chart.floor->error);
+  return {log_axis(content, height, least_error, most_error, true), shows_floor};
 }
 
 LogAxis cost_axis(const Chart& chart, const Abscissa& abscissa, double length) {
@@ -139,6 +158,7 @@ struct Drawn {
   const Chart& chart;
   const Abscissa& abscissa;
   LogAxis x, y;
+  bool shows_floor;
   Panel panel;
   std::string name;  ///< of its data
   Labels labels;
@@ -296,7 +316,7 @@ void draw_levels(Drawn& of) {
     put_line(of.gp, from, to, style);
     of.labels.keep_off(from, to);
   };
-  if (of.chart.floor) level(of.y.at(of.chart.floor->error), "lw 1.2 dt (6,4) lc rgb '#606060'");
+  if (of.shows_floor) level(of.y.at(of.chart.floor->error), "lw 1.2 dt (6,4) lc rgb '#606060'");
   if (of.y.beyond) level(of.y.high, "lw 0.8 lc rgb '#606060'");
   if (of.y.zero) level(of.y.low, "lw 0.8 lc rgb '#606060'");
 }
@@ -308,15 +328,17 @@ std::string error_tics(const LogAxis& axis) {
   return list_of(tics);
 }
 
-void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const LogAxis& y,
+void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const ErrorAxis& errors,
                 const Frame& frame, std::size_t number) {
   const double length = frame.right - frame.left;
   const LogAxis x = cost_axis(chart, abscissa, length);
+  const LogAxis& y = errors.axis;
   Drawn of{gp,
            chart,
            abscissa,
            x,
            y,
+           errors.shows_floor,
            Panel{frame, x.first, x.last, y.first, y.last, true, true},
            fmt::format("p{}", number),
            {},
@@ -331,11 +353,8 @@ void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const 
   gp << "set ytics "
      << (number == 0 ? error_tics(y) : list_of(tics_of(y, height, TicStyle::number, false), false))
      << "\n";
-  double below = frame.bottom - 34.0;
-  for (const std::string& words : wrapped(abscissa.title, length + gap - 8.0)) {
-    put_text(gp, words, {0.5 * (frame.left + frame.right), below}, "center");
-    below -= line;
-  }
+  put_lines(gp, footing_of(abscissa, length),
+            {0.5 * (frame.left + frame.right), frame.bottom - 34.0 + 0.5 * text_line}, "center");
   draw_levels(of);
   for (std::size_t k = 0; k < chart.series.size(); ++k) draw_series(of, k);
   mark_default(of);
@@ -346,7 +365,7 @@ void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const 
   gp.plot(of.curves);
 }
 
-std::vector<LegendEntry> legend_of(const Chart& chart) {
+std::vector<LegendEntry> legend_of(const Chart& chart, bool shows_floor) {
   std::vector<LegendEntry> legend;
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
     const SeriesStyle style = style_of(chart, k);
@@ -354,8 +373,9 @@ std::vector<LegendEntry> legend_of(const Chart& chart) {
   }
   legend.push_back({"good enough for a strength check", "lw 9 lc rgb '#dcebd3'"});
   if (chart.floor)
-    legend.push_back({fmt::format("{}: {:.1e}", chart.floor->name, chart.floor->error),
-                      "lw 1.2 dt (6,4) lc rgb '#606060'"});
+    legend.push_back({fmt::format("{}: {:.1e}{}", chart.floor->name, chart.floor->error,
+                                  shows_floor ? "" : ", below all that is shown"),
+                      shows_floor ? "lw 1.2 dt (6,4) lc rgb '#606060'" : ""});
   if (any_point(chart, [](const Point& point) { return point.is_default; }))
     legend.push_back({"default of the program", "", "pt 6 ps 1.5 lw 1.6 lc rgb '#202020'"});
   return legend;
@@ -385,61 +405,40 @@ std::vector<std::string> notes_of(const Chart& chart) {
   return notes;
 }
 
-/// Texts one below the other, each in as many lines as it needs.
-std::vector<std::string> all_wrapped(const std::vector<std::string>& texts) {
-  std::vector<std::string> lines;
-  for (const std::string& text : texts) {
-    const std::vector<std::string> of = wrapped(text, figure_width - 2.0 * margin);
-    lines.insert(lines.end(), of.begin(), of.end());
-  }
-  return lines;
-}
-
 }  // namespace
 
 void work_precision(Script& gp, const Chart& chart) {
   const std::vector<Abscissa> abscissas = abscissas_of(chart);
-  const double room = right - left;
   const auto number = static_cast<double>(abscissas.size());
-  const double width = (room - gap * (number - 1.0)) / number;
+  const double width = (right - left - gap * (number - 1.0)) / number;
   std::size_t footings = 1;
   for (const Abscissa& abscissa : abscissas)
-    footings = std::max(footings, wrapped(abscissa.title, width + gap - 8.0).size());
-  const std::vector<LegendEntry> legend = legend_of(chart);
-  const std::vector<std::string> notes = all_wrapped(notes_of(chart));
-  const std::vector<std::string> title = all_wrapped({chart.title});
+    footings = std::max(footings, footing_of(abscissa, width).size());
+  const ErrorAxis errors = error_axis(chart);
+  const std::vector<LegendEntry> legend = legend_of(chart, errors.shows_floor);
+  constexpr double whole = figure_width - 2.0 * margin;
+  const std::vector<std::string> notes = wrapped(notes_of(chart), whole);
+  const std::vector<std::string> title = wrapped(chart.title, whole);
   std::vector<std::string> about;
   if (!chart.scene.empty()) about.push_back("on " + chart.scene);
   if (!chart.reference.empty()) about.push_back("reference: " + chart.reference);
-  about = all_wrapped(about);
-  const std::vector<std::string> ordinate = all_wrapped({chart.error});
+  about = wrapped(about, whole);
+  const std::vector<std::string> ordinate = wrapped(chart.error, whole);
 
-  const auto lines = [](const std::vector<std::string>& of) {
-    return line * static_cast<double>(of.size());
-  };
-  const double notes_top = 4.0 + lines(notes);
-  const double below = notes_top + height_of_legend(legend) + footing_room +
-                       line * static_cast<double>(footings - 1) + 4.0;
-  gp.begin(chart.name, below + height + lines(ordinate) + lines(about) + lines(title) + 26.0);
-  const auto put_lines = [&](const std::vector<std::string>& texts, double top,
-                             const char* colour) {
-    for (const std::string& text : texts) {
-      top -= line;
-      put_text(gp, text, {margin, top + 0.5 * line}, "left", colour);
-    }
-    return top;
-  };
-  double top = gp.height() - 8.0;
-  top = put_lines(title, top, "#202020") - 2.0;
-  top = put_lines(about, top, "#5d6b79") - 6.0;
-  put_lines(ordinate, top, "#202020");
-  put_lines(notes, notes_top, "#5d6b79");
-  draw_legend(gp, legend, notes_top + 2.0);
+  const double legend_bottom = 6.0 + text_line * static_cast<double>(notes.size());
+  const double below = legend_bottom + height_of_legend(legend) + footing_room +
+                       text_line * static_cast<double>(footings - 1) + 2.0;
+  const auto above = static_cast<double>(title.size() + about.size() + ordinate.size());
+  gp.begin(chart.name, below + height + text_line * above + 26.0);
+  double top = put_lines(gp, title, {margin, gp.height() - 8.0}) - 2.0;
+  top = put_lines(gp, about, {margin, top}, "left", quiet) - 6.0;
+  put_lines(gp, ordinate, {margin, top});
+  put_lines(gp, notes, {margin, legend_bottom - 2.0}, "left", quiet);
+  draw_legend(gp, legend, legend_bottom);
   gp << "set logscale xy\nset errorbars 0.35\n";
-  const LogAxis y = error_axis(chart);
   for (std::size_t i = 0; i < abscissas.size(); ++i) {
     const double from = left + (width + gap) * static_cast<double>(i);
-    draw_panel(gp, chart, abscissas[i], y, {from, below, from + width, below + height}, i);
+    draw_panel(gp, chart, abscissas[i], errors, {from, below, from + width, below + height}, i);
   }
 }
 

@@ -2,15 +2,10 @@
 
 #include "boxbeam/report/plots.hpp"
 
-#include <sys/wait.h>
-
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <set>
 
 #include "boxbeam/core/error.hpp"
@@ -18,8 +13,13 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 #include "support/rig.hpp"
+#include "support/svg_text.hpp"
 
 using namespace boxbeam;
+using test::has;
+using test::SvgText;
+using test::texts_of;
+using test::words_of_gnuplot;
 namespace fs = std::filesystem;
 
 namespace {
@@ -61,104 +61,6 @@ const Drawn& drawn(const std::string& path) {
   const auto found = cases.find(path);
   return found != cases.end() ? found->second
                               : cases.try_emplace(path, shipped_case(path)).first->second;
-}
-
-/// A text of an SVG and where it stands [px], y downwards.
-struct SvgText {
-  std::string text;
-  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
-  double size = 0.0;
-};
-
-/// Width of a text in ems: advance widths of DejaVu Sans from the font's own table, U+0020 to
-/// U+007E, in 2048ths of an em; other characters as wide as an m.
-double ems_of(const std::string& text) {
-  static constexpr std::array<int, 95> widths{
-      651,  821,  942,  1716, 1303, 1946, 1597, 563,  799,  799,  1024, 1716, 651,  739,
-      651,  690,  1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 690,  690,
-      1716, 1716, 1716, 1087, 2048, 1401, 1405, 1430, 1577, 1294, 1178, 1587, 1540, 604,
-      604,  1343, 1141, 1767, 1532, 1612, 1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025,
-      1403, 1251, 1403, 799,  690,  799,  1716, 1024, 1024, 1255, 1300, 1126, 1300, 1260,
-      721,  1300, 1298, 569,  569,  1186, 569,  1995, 1298, 1253, 1300, 1300, 842,  1067,
-      803,  1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,  1303, 1716};
-  double width = 0.0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 && byte < 0xC0) continue;
-    width += byte < 0x20 || byte > 0x7e ? 1995.0 : widths[byte - 0x20U];
-  }
-  return width / 2048.0;
-}
-
-std::string unescaped(std::string text) {
-  const std::pair<const char*, const char*> entities[] = {{"&lt;", "<"},     {"&gt;", ">"},
-                                                          {"&quot;", "\""},  {"&apos;", "'"},
-                                                          {"\xC2\xA0", " "}, {"&amp;", "&"}};
-  for (const auto& [entity, character] : entities) {
-    for (std::size_t at = text.find(entity); at != std::string::npos;
-         at = text.find(entity, at + 1)) {
-      text.replace(at, std::string(entity).size(), character);
-    }
-  }
-  return text;
-}
-
-std::vector<SvgText> texts_of(const std::string& svg) {
-  static const std::regex group(
-      "<g transform=\"translate\\(([0-9.-]+),([0-9.-]+)\\)( rotate\\([^)]*\\))?\" [^>]*"
-      "font-size=\"([0-9.]+)\"\\s+text-anchor=\"(\\w+)\">\\s*<text[^>]*>(.*?)</text>");
-  static const std::regex span("<tspan([^>]*)>([^<]*)</tspan>");
-  static const std::regex font_size("font-size=\"([0-9.]+)\"");
-  std::vector<SvgText> texts;
-  for (std::sregex_iterator at(svg.begin(), svg.end(), group), end; at != end; ++at) {
-    CHECK_FALSE((*at)[3].matched);  // nothing is written upright
-    SvgText text;
-    text.size = std::stod((*at)[4]);
-    double width = 0.0;
-    const std::string inside = (*at)[6];
-    if (inside.find("<tspan") == std::string::npos) {
-      text.text = unescaped(inside);
-      width = text.size * ems_of(text.text);
-    }
-    for (std::sregex_iterator part(inside.begin(), inside.end(), span); part != end; ++part) {
-      const std::string attributes = (*part)[1];
-      std::smatch found;
-      const double size =
-          std::regex_search(attributes, found, font_size) ? std::stod(found[1]) : text.size;
-      const std::string piece = unescaped((*part)[2]);
-      text.text += piece;
-      width += size * ems_of(piece);
-    }
-    if (text.text.find_first_not_of(' ') == std::string::npos) continue;
-    const double x = std::stod((*at)[1]);
-    const double y = std::stod((*at)[2]);
-    const std::string anchor = (*at)[5];
-    text.left = anchor == "start" ? x : (anchor == "end" ? x - width : x - 0.5 * width);
-    text.right = text.left + width;
-    text.top = y - 0.73 * text.size;  // as high as capitals
-    text.bottom = y + 0.1 * text.size;
-    texts.push_back(text);
-  }
-  return texts;
-}
-
-bool has(const std::vector<SvgText>& texts, const std::string& part) {
-  return std::any_of(texts.begin(), texts.end(), [&](const SvgText& text) {
-    return text.text.find(part) != std::string::npos;
-  });
-}
-
-/// What gnuplot says of a script, run as its first line tells the reader to.
-std::string words_of_gnuplot(const fs::path& folder, const std::string& name) {
-  const std::string command = "cd '" + folder.string() + "' && gnuplot plots/" + name + ".gp 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string words;
-  std::array<char, 256> part{};
-  while (std::fgets(part.data(), static_cast<int>(part.size()), pipe) != nullptr)
-    words += part.data();
-  CHECK(pclose(pipe) == 0);
-  return words;
 }
 
 /// The error of drawing the rig with programs of another folder, before those of the path or
@@ -227,30 +129,7 @@ TEST_CASE("no text of a figure leaves it, is small, or lies on another") {
   for (const std::string& path : shipped) {
     for (const std::string& name : figures_of(drawn(path).project, drawn(path).verification)) {
       CAPTURE(path, name);
-      const std::string svg = drawn(path).svg(name);
-      std::smatch box;
-      REQUIRE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"")));
-      const double width = std::stod(box[1]);
-      const double height = std::stod(box[2]);
-      const std::vector<SvgText> texts = texts_of(svg);
-      REQUIRE(texts.size() > 5);
-      for (std::size_t i = 0; i < texts.size(); ++i) {
-        const SvgText& text = texts[i];
-        CAPTURE(text.text);
-        CHECK(text.left >= 0.0);
-        CHECK(text.right <= width);
-        CHECK(text.top >= 0.0);
-        CHECK(text.bottom <= height);
-        // On a page of A4 the figure is 6.5 inches wide, 468 pt.
-        CHECK(text.size / width * 468.0 >= 9.0);
-        for (std::size_t j = i + 1; j < texts.size(); ++j) {
-          const SvgText& other = texts[j];
-          const bool apart = text.right <= other.left || other.right <= text.left ||
-                             text.bottom <= other.top || other.bottom <= text.top;
-          CAPTURE(other.text);
-          CHECK(apart);
-        }
-      }
+      test::check_legible(drawn(path).svg(name));
     }
   }
 }

@@ -246,6 +246,11 @@ TEST_CASE("resonance hit without damping is an error that names the frequency; d
   const Structure damped = structure_of(mechanism);
   const Complex w = response_of(damped).harmonic.motion[0](1, 0);
   CHECK(std::abs(w - 1.0 / Complex(0.0, 16.0 * 3.0)) < 1e-12);
+  // By next to nothing: |2 i zeta| = d omega/c below two millionths is no limit, above it is one.
+  mechanism.joints[0].damping[1] = 1.9e-6 * 512.0 / 16.0;
+  CHECK(fails_at(mechanism, "2.54648 Hz"));
+  mechanism.joints[0].damping[1] = 2.1e-6 * 512.0 / 16.0;
+  CHECK_FALSE(fails_at(mechanism, ""));
 
   // A beam at its first, second and third frequency.
   Mechanism beam = test::cantilever_of(rod(), 12, Element::corrected);

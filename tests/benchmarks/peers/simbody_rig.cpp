@@ -2,7 +2,7 @@
 // as Debian's package is: classes of its headers have other members with it, and a program compiled
 // so crashes against the package.
 
-#include "simbody_rig.hpp"
+#include "peers/simbody_rig.hpp"
 
 #include <Simbody.h>
 
@@ -40,20 +40,16 @@ class SimbodyRig::Inside {
     state_ = system_.realizeTopology();
   }
 
-  void start(const std::array<PartPosture, parts>& at) {
-    state_.setTime(0.0);
-    if (model_ == Model::compact_tree) {
-      body(upper_rod).setOneQ(state_, 0, at[upper_rod].angle);
-      body(beam).setOneQ(state_, 0, at[beam].angle);
-      body(lower_rod).setOneQ(state_, 0, at[lower_rod].angle - at[beam].angle);
-      body(sledge).setOneQ(state_, 0, at[sledge].centre.x + data_.on_rail.x);
-    } else {
-      for (const Part part : moved) {
-        const PartPosture& own = at[part];
-        body(part).setQFromVector(
-            state_, SimTK::Vector(SimTK::Vec3(own.angle, own.centre.x, own.centre.y)));
-      }
-    }
+  void start(double time, const std::array<PartPosture, parts>& at) {
+    set(time, at);
+    solve();
+  }
+
+  void assemble(double time, const std::array<PartPosture, parts>& at) {
+    set(time, at);
+    system_.realize(state_, SimTK::Stage::Time);
+    system_.prescribeQ(state_);
+    SimTK::Assembler(system_).setAccuracy(accuracy_).assemble(state_);
     solve();
   }
 
@@ -133,6 +129,22 @@ class SimbodyRig::Inside {
     SimTK::Constraint::ConstantCoordinate(body(sledge), SimTK::MobilizerQIndex(0), 0.0);
   }
 
+  void set(double time, const std::array<PartPosture, parts>& at) {
+    state_.setTime(time);
+    if (model_ == Model::compact_tree) {
+      body(upper_rod).setOneQ(state_, 0, at[upper_rod].angle);
+      body(beam).setOneQ(state_, 0, at[beam].angle);
+      body(lower_rod).setOneQ(state_, 0, at[lower_rod].angle - at[beam].angle);
+      body(sledge).setOneQ(state_, 0, at[sledge].centre.x + data_.on_rail.x);
+    } else {
+      for (const Part part : moved) {
+        const PartPosture& own = at[part];
+        body(part).setQFromVector(
+            state_, SimTK::Vector(SimTK::Vec3(own.angle, own.centre.x, own.centre.y)));
+      }
+    }
+  }
+
   void solve() {
     system_.project(state_, accuracy_);
     system_.realize(state_, SimTK::Stage::Acceleration);
@@ -170,7 +182,12 @@ SimbodyRig::SimbodyRig(const RigData& data, Model model, Start start, double acc
     : inside_(std::make_unique<Inside>(data, model, start, accuracy)) {}
 SimbodyRig::~SimbodyRig() = default;
 
-void SimbodyRig::start(const std::array<PartPosture, parts>& postures) { inside_->start(postures); }
+void SimbodyRig::start(double time, const std::array<PartPosture, parts>& postures) {
+  inside_->start(time, postures);
+}
+void SimbodyRig::assemble(double time, const std::array<PartPosture, parts>& postures) {
+  inside_->assemble(time, postures);
+}
 void SimbodyRig::advance(double time, std::array<Point, pins>& forces) {
   inside_->advance(time, forces);
 }

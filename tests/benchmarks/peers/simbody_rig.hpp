@@ -63,8 +63,10 @@ class SimbodyRig {
   SimbodyRig(const SimbodyRig&) = delete;
   SimbodyRig& operator=(const SimbodyRig&) = delete;
 
-  /// The instant t = 0, where the parts are known.
-  void start(const std::array<PartPosture, parts>& postures);
+  /// The first instant, where the parts are known.
+  void start(double time, const std::array<PartPosture, parts>& postures);
+  /// The same from rough postures, by Simbody's assembler.
+  void assemble(double time, const std::array<PartPosture, parts>& postures);
   /// Positions, velocities, accelerations and the forces of the pins from the instant before.
   /// Throws where the projection does not converge.
   void advance(double time, std::array<Point, pins>& forces);
