@@ -8,7 +8,7 @@
 
 #include "bending.hpp"
 #include "boxbeam/numerics/extremum.hpp"
-#include "boxbeam/study/timed_points.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "boxbeam/verification/verified_stations.hpp"
 #include "connecting_rod.hpp"
 
@@ -103,7 +103,7 @@ double largest_of(const std::vector<double>& moments, bool parabola) {
 
 /// Between the finest two settings.
 double order_of(const Series& series) {
-  return order_between(series.points[series.points.size() - 2], series.points.back());
+  return order_over_work(series.points[series.points.size() - 2], series.points.back());
 }
 
 }  // namespace
@@ -125,8 +125,8 @@ Chart moment_peak_chart(const Effort& effort) {
   chart.reference = "roots of V by halving, over the period by Brent's method on exact solves";
   chart.operations = "stations verified";
   chart.unit = "beam over one period";
-  PointTimer timer;
-  chart.series.push_back({"maxima along the beam, searched for", {}, false});
+  std::vector<TriedMethod> methods;
+  methods.push_back({"maxima along the beam, searched for", {}, false});
   {
     const auto searched = [&project, &runs, &loads] {
       double best = 0.0;
@@ -141,8 +141,7 @@ Chart moment_peak_chart(const Effort& effort) {
     point.operations = static_cast<double>(stations_to_verify(project, runs).size());
     point.error = error_of(searched());
     point.is_default = true;
-    chart.series.back().points.push_back(point);
-    timer.add(chart, [searched] { keep(searched()); });
+    methods.back().trials.push_back({point, [searched] { keep(searched()); }});
   }
   for (const bool parabola : {true, false}) {
     chart.series.push_back(
@@ -157,11 +156,10 @@ Chart moment_peak_chart(const Effort& effort) {
       point.parameter = n;
       point.operations = static_cast<double>(stations.size());
       point.error = error_of(found());
-      chart.series.back().points.push_back(point);
-      timer.add(chart, [found] { keep(found()); });
+      methods.back().trials.push_back({point, [found] { keep(found()); }});
     }
   }
-  timer.measure(chart, effort);
+  chart.series = timed(methods, effort);
   chart.floor = {{std::numeric_limits<double>::epsilon(), "round-off"}};
   chart.guides = {{3.0, 1}, {2.0, 2}};
   const Series& plain = chart.series[2];
@@ -170,7 +168,7 @@ Chart moment_peak_chart(const Effort& effort) {
       "the peak is not symmetric). The program searches between stations: {:.1e} with {} of them, "
       "since it takes the place from the instants that it has solved.",
       plain.points.front().error, plain.points.front().parameter, order_of(plain),
-      order_of(chart.series[1]), default_of(chart)->error, *default_of(chart)->operations);
+      order_of(chart.series[1]), default_point(chart)->error, *default_point(chart)->operations);
   return chart;
 }
 
