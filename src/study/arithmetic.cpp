@@ -78,8 +78,8 @@ int TextbookSolver<Scalar>::solve_position(Vector& q, double tolerance) {
   using std::abs;
   using std::isfinite;
   constexpr int most = 60;
-  // Steps that are so small and do not halve any more are round-off.
-  const double close = 1e4 * static_cast<double>(Eigen::NumTraits<Scalar>::epsilon());
+  // Steps that are so small and do not halve any more are round-off, whatever the condition.
+  const double close = std::sqrt(static_cast<double>(Eigen::NumTraits<Scalar>::epsilon()));
   double last = 0.0;
   for (int iteration = 1; iteration <= most; ++iteration) {
     equations_.set_position(q);

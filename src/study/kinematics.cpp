@@ -103,7 +103,9 @@ Chart predictor_chart(const DrivenScene& scene, const Effort& effort) {
   chart.reference = "the converged positions";
   chart.operations = "instants per motion";
   chart.unit = "one instant, to round-off";
-  chart.needed_low = chart.needed_high = 0.0;
+  // From here two iterations reach round-off: they square the error.
+  chart.needed_low = 1e-5;
+  chart.needed_high = 1e-4;
   constexpr double converged = 1e-13;
   std::vector<Run> runs;
   std::vector<std::size_t> counts;
@@ -180,7 +182,7 @@ Chart toggle_chart(const Scenes& scenes, const Effort& effort) {
       fmt::format("{}, toggle at {:.9g}", scene.name, static_cast<double>(scene.toggle.value));
   chart.error = "largest error, relative to the largest value";
   chart.reference = "the same position in long double";
-  chart.operations = "distance of the driver to the toggle [m or rad]";
+  chart.operations = "distance of the driver to the toggle, m or rad";
   chart.series = {{"boxbeam: positions", {}, false},
                   {"boxbeam: velocities", {}, false},
                   {"boxbeam: accelerations", {}, false},
@@ -189,39 +191,43 @@ Chart toggle_chart(const Scenes& scenes, const Effort& effort) {
   constexpr std::array quantities{Quantity::position, Quantity::velocity, Quantity::acceleration};
   for (int k = 2; k <= 24; ++k) {
     if (effort.quick && k % 4 != 0) continue;
-    double distance = std::pow(10.0, -0.5 * k);
-    const planar::Mechanism there = scene.before(distance);
+    const std::optional<ToggleScene::Place> place = scene.place(std::pow(10.0, -0.5 * k));
+    if (!place) continue;
     Point point;
-    point.parameter = distance;
-    point.operations = distance;
-    point.setting = fmt::format("{:.3g} before the toggle", distance);
+    point.parameter = place->distance;
+    point.operations = place->distance;
+    point.setting = fmt::format("{:.3g} before the toggle", place->distance);
     std::array<Point, 5> points{point, point, point, point, point};
+    const ReferenceMotion exact{"", {0.0}, {place->exact}};
+    const ErrorOf error_of(place->mechanism, exact);
+    Eigen::VectorXd near = place->exact.q.cast<double>();
     try {
-      const ReferenceMotion exact{"", {0.0}, {scene.exact(distance)}};
-      const ErrorOf error_of(there, exact);
-      planar::InstantSolver solver(there);
-      const planar::State state = solver.solve_from_sketch(0.0, sketch_of(there));
+      planar::InstantSolver solver(place->mechanism);
+      const planar::State state = solver.solve_from_sketch(0.0, sketch_of(place->mechanism));
       for (std::size_t i = 0; i < quantities.size(); ++i) {
         points[i].error = error_of.at(quantities[i], 0, instant_of(state));
       }
-      TextbookSolver<double> newton(there, LinearMethod::dense);
-      newton.equations().set_time(0.0);
-      InstantIn<double> instant;
-      instant.q = exact.instants.front().q.cast<double>();
-      if (newton.solve_position(instant.q, 0.0) > 0 && newton.solve_rates(instant)) {
-        points[3].error = error_of.at(Quantity::velocity, 0, instant.in<long double>());
-      } else {
-        points[3].failure = "no convergence";
-      }
-      const DyadPlan plan = plan_dyads(there, state.q);
-      points[4].failure = plan.failure;
-      if (plan.failure.empty()) {
-        solve_dyads(plan, newton.equations().driver_states(), state.q, instant);
-        points[4].error = error_of.at(Quantity::velocity, 0, instant.in<long double>());
-        if (!std::isfinite(points[4].error)) points[4].failure = "round-off beyond the toggle";
-      }
     } catch (const AnalysisError& error) {
-      for (Point& failed : points) failed.failure = error.failure().what;
+      for (std::size_t i = 0; i < quantities.size(); ++i) points[i].failure = error.failure().what;
+    }
+    TextbookSolver<double> newton(place->mechanism, LinearMethod::dense);
+    newton.equations().set_time(0.0);
+    InstantIn<double> instant;
+    instant.q = near;
+    if (newton.solve_position(instant.q, 0.0) > 0 && newton.solve_rates(instant)) {
+      points[3].error = error_of.at(Quantity::velocity, 0, instant.in<long double>());
+    } else {
+      points[3].failure = "no convergence";
+    }
+    const DyadPlan plan = plan_dyads(place->mechanism, near);
+    points[4].failure = plan.failure;
+    if (plan.failure.empty()) {
+      solve_dyads(plan, newton.equations().driver_states(), near, instant);
+      points[4].error = error_of.at(Quantity::velocity, 0, instant.in<long double>());
+      if (!std::isfinite(points[4].error)) {
+        points[4].error = 0.0;
+        points[4].failure = "round-off beyond the toggle";
+      }
     }
     for (std::size_t i = 0; i < points.size(); ++i) chart.series[i].points.push_back(points[i]);
   }
@@ -245,35 +251,35 @@ Chart toggle_chart(const Scenes& scenes, const Effort& effort) {
 }  // namespace
 
 TopicResult kinematics(const Scenes& scenes, const Effort& effort) {
-  TopicResult result;
-  const std::optional<DrivenScene> found = driven_scene_of(scenes, result.not_applicable);
-  if (!found) return result;
-  const DrivenScene& scene = *found;
-  const ReferenceMotion reference = reference_of(scene, instants_of(scene));
-  std::vector<Run> runs;
-  std::size_t series = 0;
-  for (const NewtonSetting& setting :
-       {NewtonSetting{LinearMethod::dense}, NewtonSetting{LinearMethod::sparse},
-        NewtonSetting{LinearMethod::sparse, 0}}) {
-    for (Run& run : newton_runs(scene, reference, setting, tolerances_of(effort))) {
-      run.series = series;
-      runs.push_back(std::move(run));
+  return on_driven_scene(scenes, [&](const DrivenScene& scene) {
+    TopicResult result;
+    const ReferenceMotion reference = reference_of(scene, instants_of(scene));
+    std::vector<Run> runs;
+    std::size_t series = 0;
+    for (const NewtonSetting& setting :
+         {NewtonSetting{LinearMethod::dense}, NewtonSetting{LinearMethod::sparse},
+          NewtonSetting{LinearMethod::sparse, 0}}) {
+      for (Run& run : newton_runs(scene, reference, setting, tolerances_of(effort))) {
+        run.series = series;
+        runs.push_back(std::move(run));
+      }
+      ++series;
     }
-    ++series;
-  }
-  runs.push_back(dyads_run(scene, reference));
-  runs.back().series = 3;
-  runs.push_back(program_run(scene, reference));
-  runs.back().series = 4;
-  time_runs(runs, reference.times.size(), effort);
-  for (const Quantity quantity : {Quantity::position, Quantity::velocity, Quantity::acceleration}) {
-    result.charts.push_back(methods_chart(scene, reference, runs, quantity));
-  }
-  result.charts.push_back(differences_chart(scene, reference, Quantity::acceleration, effort));
-  result.charts.back().name = "kinematics-differences";
-  result.charts.push_back(predictor_chart(scene, effort));
-  result.charts.push_back(toggle_chart(scenes, effort));
-  return result;
+    runs.push_back(dyads_run(scene, reference));
+    runs.back().series = 3;
+    runs.push_back(program_run(scene, reference));
+    runs.back().series = 4;
+    time_runs(runs, reference.times.size(), effort);
+    for (const Quantity quantity :
+         {Quantity::position, Quantity::velocity, Quantity::acceleration}) {
+      result.charts.push_back(methods_chart(scene, reference, runs, quantity));
+    }
+    result.charts.push_back(differences_chart(scene, reference, Quantity::acceleration, effort));
+    result.charts.back().name = "kinematics-differences";
+    result.charts.push_back(predictor_chart(scene, effort));
+    result.charts.push_back(toggle_chart(scenes, effort));
+    return result;
+  });
 }
 
 }  // namespace boxbeam::study

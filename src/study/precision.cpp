@@ -201,36 +201,35 @@ Chart turning_chart(const DrivenScene& scene, const HarmonicDriver& driver) {
 }  // namespace
 
 TopicResult precision(const Scenes& scenes, const Effort& effort) {
-  TopicResult result;
-  const std::optional<DrivenScene> found = driven_scene_of(scenes, result.not_applicable);
-  if (!found) return result;
-  const DrivenScene& scene = *found;
-  const ReferenceMotion reference = reference_of(scene, instants_of(scene));
-  std::vector<Run> runs;
-  std::size_t series = 0;
-  for (const LinearMethod method : {LinearMethod::dense, LinearMethod::sparse}) {
-    runs.push_back(run_in<Decimal<5>>(scene, reference, method));
-    runs.push_back(run_in<float>(scene, reference, method));
-    runs.push_back(run_in<double>(scene, reference, method));
-    runs.push_back(run_in<long double>(scene, reference, method));
-    for (std::size_t i = runs.size() - 4; i < runs.size(); ++i) runs[i].series = series;
-    ++series;
-  }
-  runs.push_back(program_run(scene, reference));
-  runs.back().series = series;
-  runs.back().point.setting = "double";
-  runs.back().point.parameter = Format<double>::bits;
-  runs.back().point.operations = Format<double>::bits;
-  time_runs(runs, reference.times.size(), effort);
-  for (const Quantity quantity :
-       {Quantity::position, Quantity::velocity, Quantity::acceleration, Quantity::reaction}) {
-    result.charts.push_back(format_chart(scene, reference, runs, quantity));
-  }
-  const HarmonicDriver* const driver = harmonic_of(scene.mechanism);
-  if (driver != nullptr && scene.mechanism.equations() == scene.mechanism.coordinates()) {
-    result.charts.push_back(turning_chart(scene, *driver));
-  }
-  return result;
+  return on_driven_scene(scenes, [&](const DrivenScene& scene) {
+    TopicResult result;
+    const ReferenceMotion reference = reference_of(scene, instants_of(scene));
+    std::vector<Run> runs;
+    std::size_t series = 0;
+    for (const LinearMethod method : {LinearMethod::dense, LinearMethod::sparse}) {
+      runs.push_back(run_in<Decimal<5>>(scene, reference, method));
+      runs.push_back(run_in<float>(scene, reference, method));
+      runs.push_back(run_in<double>(scene, reference, method));
+      runs.push_back(run_in<long double>(scene, reference, method));
+      for (std::size_t i = runs.size() - 4; i < runs.size(); ++i) runs[i].series = series;
+      ++series;
+    }
+    runs.push_back(program_run(scene, reference));
+    runs.back().series = series;
+    runs.back().point.setting = "double";
+    runs.back().point.parameter = Format<double>::bits;
+    runs.back().point.operations = Format<double>::bits;
+    time_runs(runs, reference.times.size(), effort);
+    for (const Quantity quantity :
+         {Quantity::position, Quantity::velocity, Quantity::acceleration, Quantity::reaction}) {
+      result.charts.push_back(format_chart(scene, reference, runs, quantity));
+    }
+    const HarmonicDriver* const driver = harmonic_of(scene.mechanism);
+    if (driver != nullptr && scene.mechanism.equations() == scene.mechanism.coordinates()) {
+      result.charts.push_back(turning_chart(scene, *driver));
+    }
+    return result;
+  });
 }
 
 }  // namespace boxbeam::study

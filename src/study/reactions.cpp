@@ -115,108 +115,111 @@ Chart chart_of(const DrivenScene& scene, const ReferenceMotion& reference) {
 }  // namespace
 
 TopicResult reactions(const Scenes& scenes, const Effort& effort) {
-  TopicResult result;
-  const std::optional<DrivenScene> found = driven_scene_of(scenes, result.not_applicable);
-  if (!found) return result;
-  const DrivenScene& scene = *found;
-  const ReferenceMotion reference = reference_of(scene, instants_of(scene));
-  const ErrorOf error_of(scene.mechanism, reference);
+  return on_driven_scene(scenes, [&](const DrivenScene& scene) {
+    TopicResult result;
+    const ReferenceMotion reference = reference_of(scene, instants_of(scene));
+    const ErrorOf error_of(scene.mechanism, reference);
 
-  // Which method, at positions to round-off.
-  std::vector<Run> runs;
-  const auto add = [&runs](Run run, std::size_t series, const std::string& setting) {
-    run.series = series;
-    if (!setting.empty()) run.point.setting = setting;
-    runs.push_back(std::move(run));
-  };
-  std::size_t series = 0;
-  for (const LinearMethod method :
-       {LinearMethod::dense, LinearMethod::sparse, LinearMethod::orthogonal}) {
-    add(newton_runs(scene, reference, {method, 2, true}, {1e-8}).front(), series, to_text(method));
-    ++series;
-  }
-  add(normal_run(scene, reference), 3, "");
-  add(differences_run(scene, reference), 4, "");
-  add(program_run(scene, reference), 5, "");
-  const std::size_t tolerances_from = runs.size();
-  for (Run& run :
-       newton_runs(scene, reference, {LinearMethod::sparse, 0, true}, tolerances_of(effort))) {
-    runs.push_back(std::move(run));
-  }
-  time_runs(runs, reference.times.size(), effort);
-
-  Chart methods = chart_of(scene, reference);
-  methods.name = "reactions-methods";
-  methods.title = "Reactions: how the balance is solved";
-  methods.series = {{"dense LU", {}, true},
-                    {"static sparse order", {}, true},
-                    {"orthogonal decomposition", {}, true},
-                    {"normal equations", {}, true},
-                    {"accelerations by differences", {}, true},
-                    {"boxbeam", {}, false}};
-  Chart balance = methods;
-  balance.name = "reactions-balance";
-  balance.title = "Reactions: what a balance of forces shows";
-  balance.error = "largest open force or moment of a body, by the largest that act";
-  balance.reference = "forces in balance, evaluated in long double";
-  for (std::size_t i = 0; i < tolerances_from; ++i) {
-    Point point = point_of(runs[i], error_of, Quantity::reaction);
-    methods.series[runs[i].series].points.push_back(point);
-    if (point.failure.empty()) point.error = open_balance(scene, reference, runs[i].instants);
-    balance.series[runs[i].series].points.push_back(point);
-  }
-  const Point& program = methods.series[5].points.front();
-  const Point& normal = methods.series[3].points.front();
-  const Point& differences = methods.series[4].points.front();
-  if (normal.failure.empty() && differences.failure.empty()) {
-    methods.lesson = fmt::format(
-        "All factorisations of the Jacobian itself keep the digits ({:.0e} with boxbeam's); normal "
-        "equations square its condition and leave {:.0e}; accelerations by differences of 96 "
-        "instants leave {:.0e}. The factors of the last Newton step serve the reactions as well.",
-        program.error, normal.error, differences.error);
-    balance.lesson = fmt::format(
-        "The balance is a check of the elimination alone: reactions from accelerations by "
-        "differences are in balance to {:.0e} and wrong by {:.0e}. A closed balance does not prove "
-        "a motion.",
-        balance.series[4].points.front().error, differences.error);
-  } else {
-    methods.lesson = fmt::format(
-        "boxbeam leaves {:.0e}; where a method has no place for the "
-        "mechanism the chart says why.",
-        program.error);
-    balance.lesson = fmt::format("boxbeam's reactions are in balance to {:.0e}.",
-                                 balance.series[5].points.front().error);
-  }
-  result.charts.push_back(std::move(methods));
-  result.charts.push_back(std::move(balance));
-
-  Chart tolerance = chart_of(scene, reference);
-  tolerance.name = "reactions-tolerance";
-  tolerance.title = "Reactions: what a tolerance of positions costs";
-  tolerance.series = {{"Newton, static sparse order, from the last instant", {}, true},
-                      {"boxbeam", {}, false}};
-  for (std::size_t i = tolerances_from; i < runs.size(); ++i) {
-    tolerance.series[0].points.push_back(point_of(runs[i], error_of, Quantity::reaction));
-  }
-  tolerance.series[1].points.push_back(result.charts[0].series[5].points.front());
-  if (tolerance.series[0].points.front().failure.empty()) {
-    double largest = 0.0;
-    for (const auto& instant : reference.instants) {
-      largest = std::max(largest, static_cast<double>(instant.lambda.lpNorm<Eigen::Infinity>()));
+    // Which method, at positions to round-off.
+    std::vector<Run> runs;
+    const auto add = [&runs](Run run, std::size_t series, const std::string& setting) {
+      run.series = series;
+      if (!setting.empty()) run.point.setting = setting;
+      runs.push_back(std::move(run));
+    };
+    std::size_t series = 0;
+    for (const LinearMethod method :
+         {LinearMethod::dense, LinearMethod::sparse, LinearMethod::orthogonal}) {
+      add(newton_runs(scene, reference, {method, 2, true}, {1e-8}).front(), series,
+          to_text(method));
+      ++series;
     }
-    const Point& coarse = tolerance.series[0].points.front();
-    tolerance.lesson = fmt::format(
-        "A tolerance of 1e-2 leaves reactions wrong by {:.0e} of the largest, {:.2g} of {:.3g} N; "
-        "the error falls as its square, and a further iteration is cheap. boxbeam has no such "
-        "tolerance: it goes to round-off, {:.0e}.",
-        coarse.error, coarse.error * largest, largest, tolerance.series[1].points.front().error);
-  } else {
-    tolerance.lesson = tolerance.series[0].points.front().failure;
-  }
-  result.charts.push_back(std::move(tolerance));
-  result.charts.push_back(differences_chart(scene, reference, Quantity::reaction, effort));
-  result.charts.back().name = "reactions-differences";
-  return result;
+    add(normal_run(scene, reference), 3, "");
+    add(differences_run(scene, reference), 4, "");
+    add(program_run(scene, reference), 5, "");
+    const std::size_t tolerances_from = runs.size();
+    for (Run& run :
+         newton_runs(scene, reference, {LinearMethod::sparse, 0, true}, tolerances_of(effort))) {
+      runs.push_back(std::move(run));
+    }
+    time_runs(runs, reference.times.size(), effort);
+
+    Chart methods = chart_of(scene, reference);
+    methods.name = "reactions-methods";
+    methods.title = "Reactions: how the balance is solved";
+    methods.series = {{"dense LU", {}, true},
+                      {"static sparse order", {}, true},
+                      {"orthogonal decomposition", {}, true},
+                      {"normal equations", {}, true},
+                      {"accelerations by differences", {}, true},
+                      {"boxbeam", {}, false}};
+    Chart balance = methods;
+    balance.name = "reactions-balance";
+    balance.title = "Reactions: what a balance of forces shows";
+    balance.error = "largest open force or moment of a body, by the largest that act";
+    balance.reference = "forces in balance, evaluated in long double";
+    for (std::size_t i = 0; i < tolerances_from; ++i) {
+      Point point = point_of(runs[i], error_of, Quantity::reaction);
+      methods.series[runs[i].series].points.push_back(point);
+      if (point.failure.empty()) point.error = open_balance(scene, reference, runs[i].instants);
+      balance.series[runs[i].series].points.push_back(point);
+    }
+    const Point& program = methods.series[5].points.front();
+    const Point& normal = methods.series[3].points.front();
+    const Point& differences = methods.series[4].points.front();
+    if (normal.failure.empty() && differences.failure.empty()) {
+      methods.lesson = fmt::format(
+          "All factorisations of the Jacobian itself keep the digits ({:.0e} with boxbeam's); "
+          "normal "
+          "equations square its condition and leave {:.0e}; accelerations by differences of 96 "
+          "instants leave {:.0e}. The factors of the last Newton step serve the reactions as well.",
+          program.error, normal.error, differences.error);
+      balance.lesson = fmt::format(
+          "The balance is a check of the elimination alone: reactions from accelerations by "
+          "differences are in balance to {:.0e} and wrong by {:.0e}. A closed balance does not "
+          "prove "
+          "a motion.",
+          balance.series[4].points.front().error, differences.error);
+    } else {
+      methods.lesson = fmt::format(
+          "boxbeam leaves {:.0e}; where a method has no place for the "
+          "mechanism the chart says why.",
+          program.error);
+      balance.lesson = fmt::format("boxbeam's reactions are in balance to {:.0e}.",
+                                   balance.series[5].points.front().error);
+    }
+    result.charts.push_back(std::move(methods));
+    result.charts.push_back(std::move(balance));
+
+    Chart tolerance = chart_of(scene, reference);
+    tolerance.name = "reactions-tolerance";
+    tolerance.title = "Reactions: what a tolerance of positions costs";
+    tolerance.series = {{"Newton, static sparse order, from the last instant", {}, true},
+                        {"boxbeam", {}, false}};
+    for (std::size_t i = tolerances_from; i < runs.size(); ++i) {
+      tolerance.series[0].points.push_back(point_of(runs[i], error_of, Quantity::reaction));
+    }
+    tolerance.series[1].points.push_back(result.charts[0].series[5].points.front());
+    if (tolerance.series[0].points.front().failure.empty()) {
+      double largest = 0.0;
+      for (const auto& instant : reference.instants) {
+        largest = std::max(largest, static_cast<double>(instant.lambda.lpNorm<Eigen::Infinity>()));
+      }
+      const Point& coarse = tolerance.series[0].points.front();
+      tolerance.lesson = fmt::format(
+          "A tolerance of 1e-2 leaves reactions wrong by {:.0e} of the largest, {:.2g} of {:.3g} "
+          "N; "
+          "the error falls as its square, and a further iteration is cheap. boxbeam has no such "
+          "tolerance: it goes to round-off, {:.0e}.",
+          coarse.error, coarse.error * largest, largest, tolerance.series[1].points.front().error);
+    } else {
+      tolerance.lesson = tolerance.series[0].points.front().failure;
+    }
+    result.charts.push_back(std::move(tolerance));
+    result.charts.push_back(differences_chart(scene, reference, Quantity::reaction, effort));
+    result.charts.back().name = "reactions-differences";
+    return result;
+  });
 }
 
 }  // namespace boxbeam::study

@@ -5,7 +5,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/core/error.hpp"
+
 namespace boxbeam::study {
+
+TopicResult on_driven_scene(const Scenes& scenes,
+                            const std::function<TopicResult(const DrivenScene&)>& topic) {
+  TopicResult result;
+  const std::optional<DrivenScene> scene = driven_scene_of(scenes, result.not_applicable);
+  if (!scene) return result;
+  try {
+    return topic(*scene);
+  } catch (const AnalysisError& error) {
+    result.not_applicable = fmt::format("{}: {}", scenes.planar->name, error.failure().what);
+    return result;
+  }
+}
 
 std::vector<double> tolerances_of(const Effort& effort) {
   std::vector<double> all;

@@ -11,6 +11,10 @@
 
 namespace boxbeam::study {
 
+/// A topic about the planar scene, or why there is none.
+TopicResult on_driven_scene(const Scenes& scenes,
+                            const std::function<TopicResult(const DrivenScene&)>& topic);
+
 /// A setting that is tried along a motion: its point but for the error, and what it came to.
 struct Run {
   std::size_t series = 0;

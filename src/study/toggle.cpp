@@ -127,35 +127,41 @@ std::optional<Toggle> toggle_of(const planar::Mechanism& mechanism, const Eigen:
   return nearest;
 }
 
-planar::Mechanism ToggleScene::before(double& distance) const {
-  planar::Mechanism there = mechanism;
-  const auto value = static_cast<double>(toggle.value - toggle.side * distance);
-  only_driver_of(there)->driver = RateDriver{value, static_cast<double>(toggle.side)};
-  there.duration = {0.0, 1.0};
-  distance = static_cast<double>(toggle.side * (toggle.value - static_cast<long double>(value)));
-  return there;
-}
-
-InstantIn<long double> ToggleScene::exact(double distance) const {
-  // The distance from the toggle's position goes with the root of the driver's.
-  constexpr double regular = 1e-3;
-  double farther = std::max(distance, regular);
-  const planar::Mechanism start = before(farther);
-  planar::InstantSolver solver(start);
-  const Eigen::VectorXd known = solver.solve_from_sketch(0.0, sketch_of(start)).q;
-  const planar::Mechanism there = before(distance);
-  const Eigen::VectorXd near = toggle.q + std::sqrt(distance / farther) * (known - toggle.q);
-  TextbookSolver<long double> reference(there, LinearMethod::dense);
-  reference.equations().set_time(0.0);
-  InstantIn<long double> instant;
-  instant.q = near.cast<long double>();
-  reference.solve_position(instant.q, 0.0);
-  reference.solve_rates(instant);
-  const DyadPlan plan = plan_dyads(there, near);
-  if (plan.failure.empty()) {
-    solve_dyads(plan, reference.equations().driver_states(), near, instant);
+std::optional<ToggleScene::Place> ToggleScene::place(double share) const {
+  Place place;
+  place.mechanism = mechanism;
+  place.mechanism.duration = {0.0, 1.0};
+  planar::Driven* const driver = only_driver_of(place.mechanism);
+  const double unit = driver->coordinate == planar::Coordinate::angle ? 1.0 : size_of(mechanism);
+  const auto stand_at = [&](double distance) {
+    const auto value = static_cast<double>(toggle.value - toggle.side * distance);
+    driver->driver = RateDriver{value, static_cast<double>(toggle.side)};
+    return static_cast<double>(toggle.side * (toggle.value - static_cast<long double>(value)));
+  };
+  // From a regular place; the distance from the toggle's position goes with the root of the
+  // driver's.
+  const double regular = stand_at(std::max(share, 1e-3) * unit);
+  Eigen::VectorXd known;
+  try {
+    planar::InstantSolver solver(place.mechanism);
+    known = solver.solve_from_sketch(0.0, sketch_of(place.mechanism)).q;
+  } catch (const AnalysisError&) {
+    return std::nullopt;
   }
-  return instant;
+  place.distance = stand_at(share * unit);
+  const Eigen::VectorXd near = toggle.q + std::sqrt(place.distance / regular) * (known - toggle.q);
+  TextbookSolver<long double> solver(place.mechanism, LinearMethod::dense);
+  solver.equations().set_time(0.0);
+  place.exact.q = near.cast<long double>();
+  if (solver.solve_position(place.exact.q, 0.0) == 0 || !solver.solve_rates(place.exact)) {
+    return std::nullopt;
+  }
+  const DyadPlan plan = plan_dyads(place.mechanism, near);
+  if (plan.failure.empty()) {
+    solve_dyads(plan, solver.equations().driver_states(), near, place.exact);
+  }
+  if (!place.exact.a.allFinite()) return std::nullopt;
+  return place;
 }
 
 ToggleScene four_bar_before_toggle() {
@@ -197,7 +203,8 @@ ToggleScene toggle_scene_of(const Scenes& scenes) {
   const Eigen::VectorXd& q = driven->motion.states.front().q;
   const std::optional<Toggle> toggle = toggle_of(driven->mechanism, q);
   if (!toggle || !is_watched(driven->mechanism, toggle->q, q)) return four_bar_before_toggle();
-  return {scenes.planar->name, driven->mechanism, *toggle};
+  ToggleScene scene{scenes.planar->name, driven->mechanism, *toggle};
+  return scene.place(1e-2) ? scene : four_bar_before_toggle();
 }
 
 }  // namespace boxbeam::study

@@ -120,22 +120,24 @@ Map toggle_map_of(const ToggleScene& scene, const Effort& effort) {
   for (const auto& [panel, method] : methods) map.panels.push_back(panel);
   const Eigen::VectorXd scale = planar::ConstraintEquations(scene.mechanism).col_scale();
   const double size = size_of(scene.mechanism);
+  std::vector<ToggleScene::Place> places;
+  for (const double share : powers_of_ten(-13.0, -1.0, effort.quick ? 1.5 : 0.5)) {
+    std::optional<ToggleScene::Place> place = scene.place(share);
+    if (place) places.push_back(std::move(*place));
+  }
   for (const double error : powers_of_ten(-4.0, 0.5, effort.quick ? 0.75 : 0.25)) {
-    for (double distance : powers_of_ten(-13.0, -1.0, effort.quick ? 1.5 : 0.5)) {
-      const double nominal = distance;
-      const planar::Mechanism there = scene.before(distance);
-      const InstantIn<long double> exact = scene.exact(distance);
-      const double apart = planar::distance_between(exact.q.cast<double>(), scene.toggle.q, size);
+    for (const ToggleScene::Place& place : places) {
+      const Eigen::VectorXd right = place.exact.q.cast<double>();
+      const double apart = planar::distance_between(right, scene.toggle.q, size);
       for (std::size_t m = 0; m < methods.size(); ++m) {
         Cell cell;
         for (int k = 0; k < directions; ++k) {
-          const Trial trial{
-              there, exact, apart,
-              exact.q.cast<double>() + error * scale.cwiseProduct(direction_of(k, scale.size()))};
+          const Trial trial{place.mechanism, place.exact, apart,
+                            right + error * scale.cwiseProduct(direction_of(k, scale.size()))};
           const Cell one = methods[m].second(trial);
           if (k == 0 || worse(one, cell)) cell = one;
         }
-        cell.x = nominal;
+        cell.x = place.distance;
         cell.y = error;
         map.panels[m].cells.push_back(std::move(cell));
       }

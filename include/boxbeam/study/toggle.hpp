@@ -26,15 +26,20 @@ std::optional<Toggle> toggle_of(const planar::Mechanism& mechanism, const Eigen:
 /// A mechanism and its toggle.
 struct ToggleScene {
   std::string name;
-  planar::Mechanism mechanism;  ///< its driver is a rate of 1 towards the toggle
+  planar::Mechanism mechanism;
   Toggle toggle;
 
-  /// The mechanism with its driver so far before the toggle at t = 0, to the last digit of a
-  /// double; `distance` becomes what it then really is.
-  planar::Mechanism before(double& distance) const;
-  /// The state at such a distance on the named branch of the loops, by dyads or else Newton's
-  /// method, in long double.
-  InstantIn<long double> exact(double distance) const;
+  /// The mechanism at a place before its toggle at t = 0, its driver going on towards it with a
+  /// rate of 1, and what is right there.
+  struct Place {
+    double distance = 0.0;  ///< of the driver to the toggle, to the last digit [m, rad]
+    planar::Mechanism mechanism;
+    /// On the named branch of the loops, by dyads or else Newton's method, in long double.
+    InstantIn<long double> exact;
+  };
+
+  /// `share`: of the mechanism's size, or of a radian. Nothing where it cannot stand there.
+  std::optional<Place> place(double share) const;
 };
 
 /// A four-bar of 1 m, 0.8 m, 0.9 m and 1.5 m with the crank driven; its coupler and rocker are
