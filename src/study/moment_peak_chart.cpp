@@ -144,8 +144,7 @@ Chart moment_peak_chart(const Effort& effort) {
     methods.back().trials.push_back({point, [searched] { keep(searched()); }});
   }
   for (const bool parabola : {true, false}) {
-    chart.series.push_back(
-        {parabola ? "equal stations and a parabola" : "equal stations", {}, true});
+    methods.push_back({parabola ? "equal stations and a parabola" : "equal stations", {}, true});
     for (int n = 4; n <= (effort.quick ? 64 : 512); n *= 2) {
       const std::vector<double> stations = stations_beside(truth.s, length, n);
       const auto found = [&loads, stations, parabola] {

@@ -69,13 +69,13 @@ Chart instants_per_wave_chart(const Effort& effort) {
   std::vector<TriedMethod> methods;
   const auto add = [&](const std::string& method, const PeakSearch& search, bool yardstick) {
     methods.push_back({method, {}, yardstick});
-    for (const int per_wave : {3, 4, 5, 6, 7, 8, 10, 12, 16}) {
+    for (const std::size_t per_wave : {3U, 4U, 5U, 6U, 7U, 8U, 10U, 12U, 16U}) {
       // One more, so that the crests are met at different places.
-      const auto n = static_cast<std::size_t>(12 * per_wave + 1);
+      const std::size_t n = 12 * per_wave + 1;
       Point point;
       point.setting = fmt::format("{} to a wave", per_wave);
-      point.parameter = per_wave;
-      point.operations = per_wave;
+      point.parameter = static_cast<double>(per_wave);
+      point.operations = point.parameter;
       point.is_default = !yardstick && per_wave == 8;
       for (const PeakProblem& problem : problems) {
         const FoundPeak found = worst_of_phases(problem, search, n, phases);
