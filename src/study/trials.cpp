@@ -26,15 +26,6 @@ std::vector<Series> timed(const std::vector<TriedMethod>& methods, const Effort&
   return all;
 }
 
-const Point* default_point(const Chart& chart) {
-  for (const Series& series : chart.series) {
-    for (const Point& point : series.points) {
-      if (point.is_default) return &point;
-    }
-  }
-  return nullptr;
-}
-
 double order_over_work(const Point& coarse, const Point& fine) {
   return std::log(coarse.error / fine.error) / std::log(*fine.operations / *coarse.operations);
 }

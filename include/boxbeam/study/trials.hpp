@@ -25,9 +25,6 @@ struct TriedMethod {
 /// The series of a chart: whatever did not fail is timed by turns.
 std::vector<Series> timed(const std::vector<TriedMethod>& methods, const Effort& effort);
 
-/// The point of a chart that is the program's default; nullptr where there is none.
-const Point* default_point(const Chart& chart);
-
 /// -log(error ratio)/log(ratio of operations) between two points of a series: the order that it
 /// shows there.
 double order_over_work(const Point& coarse, const Point& fine);

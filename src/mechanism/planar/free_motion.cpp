@@ -147,9 +147,42 @@ std::optional<FreeSolver::Step> FreeSolver::step_over(const State& known, double
   return best;
 }
 
+const FreeSolver::Passage* FreeSolver::passage_of(const State& known) const {
+  constexpr double same_motion = 1e-5;
+  const Eigen::VectorXd& scale = equations_.constraints().col_scale();
+  for (const Passage& passage : passages_) {
+    const double way = passage.behind.time - passage.before.time;
+    const double share = (known.time - passage.before.time) / way;
+    if (share <= 0.0 || share >= 1.0) continue;
+    const Eigen::VectorXd off = known.q - interpolate(known.time, passage.before, passage.behind).q;
+    if (off.cwiseQuotient(scale).lpNorm<Eigen::Infinity>() < same_motion) return &passage;
+  }
+  return nullptr;
+}
+
 State FreeSolver::between(const Passage& passage, double time) {
-  const State& before = passage.before;
-  const State& behind = passage.behind;
+  const auto reached = [&](const State& from, double until) -> std::optional<State> {
+    Step step = step_from(from, until - from.time);
+    if (!step.solved || step.end_pivot < beside_singular * regular_) return std::nullopt;
+    if (step.error * tolerance_ > error_near_singular) return std::nullopt;
+    return std::move(step.end);
+  };
+  State before = passage.before;
+  State behind = passage.behind;
+  const double way = behind.time - before.time;
+  // Where it is regular enough, from the nearer end; else between two such places.
+  const bool early = (time - before.time) / way < 0.5;
+  if (auto state = reached(early ? before : behind, time)) return *state;
+  for (double aside = way / 64.0; std::abs(aside) < std::abs(way); aside *= 2.0) {
+    const bool from_before = (time - aside - before.time) / way > 0.0;
+    const bool from_behind = (behind.time - time - aside) / way > 0.0;
+    const auto left = from_before ? reached(before, time - aside) : before;
+    const auto right = from_behind ? reached(behind, time + aside) : behind;
+    if (!left || !right) continue;
+    before = *left;
+    behind = *right;
+    break;
+  }
   State state = interpolate(time, before, behind);
   const double share = (time - before.time) / (behind.time - before.time);
   state.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
@@ -160,12 +193,12 @@ State FreeSolver::between(const Passage& passage, double time) {
 
 State FreeSolver::advance(double time, const State& known) {
   State state = known;
-  if (passage_ && passage_->given.time == known.time && passage_->given.q == known.q) {
+  if (const Passage* passage = passage_of(known)) {
     // Within a passage over a singular position only its ends are where to go on from.
-    const double way = passage_->behind.time - passage_->before.time;
-    const double share = (time - passage_->before.time) / way;
-    if (share > 0.0 && share < 1.0) return passage_->given = between(*passage_, time);
-    state = share >= 1.0 ? passage_->behind : passage_->before;
+    const double way = passage->behind.time - passage->before.time;
+    const double share = (time - passage->before.time) / way;
+    if (share > 0.0 && share < 1.0) return between(*passage, time);
+    state = share >= 1.0 ? passage->behind : passage->before;
   }
   // What was set by hand has no accelerations yet.
   if (state.a.size() != state.q.size()) state = state_of(state.time, state.q, state.v);
@@ -204,8 +237,8 @@ State FreeSolver::advance(double time, const State& known) {
       }
       ++steps_;
       if (direction * (over->end.time - time) > 0.0) {
-        passage_ = Passage{state, over->end, {}};
-        return passage_->given = between(*passage_, time);
+        passages_.push_back({state, over->end});
+        return between(passages_.back(), time);
       }
       step = std::move(*over);
     }

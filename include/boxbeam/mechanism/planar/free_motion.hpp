@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "boxbeam/mechanism/planar/equations_of_motion.hpp"
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
@@ -12,8 +13,8 @@ namespace boxbeam::planar {
 /// equations of motion by a Runge-Kutta method of order 8 with a step chosen by its error (Fehlberg
 /// 7(8), Boost.Odeint). After every step positions and velocities are projected back onto the
 /// constraints, so that nothing drifts. No step ends close to a singular position, where
-/// accelerations lose digits and another branch begins: it is passed over in one step, whose error
-/// may be 1e-8, and states asked for within are interpolated.
+/// accelerations lose digits and another branch begins: it is passed over in one step, the most
+/// accurate of many, whose error may be 1e-6; states asked for within are interpolated.
 /// Sources: Fehlberg, NASA TR R-287 (1968); Eich, SIAM J. Numer. Anal. 30 (1993).
 class FreeSolver {
  public:
@@ -35,9 +36,9 @@ class FreeSolver {
 
  private:
   struct Step;
-  /// A step over a singular position, and the state given last between its ends.
+  /// A step over a singular position that somebody wanted to know within.
   struct Passage {
-    State before, behind, given;
+    State before, behind;
   };
 
   State state_of(double time, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
@@ -47,6 +48,8 @@ class FreeSolver {
   /// Of the steps further than one that ends close to a singular position, over it, the most
   /// accurate; nothing where none is accurate enough.
   std::optional<Step> step_over(const State& known, double dt);
+  /// The passage that a state lies within; nullptr where there is none.
+  const Passage* passage_of(const State& known) const;
   State between(const Passage& passage, double time);
 
   const Mechanism* mechanism_;
@@ -55,7 +58,7 @@ class FreeSolver {
   EquationsOfMotion equations_;
   double regular_ = 0.0;  ///< the largest of the smallest pivots so far
   double natural_ = 0.0;  ///< the longest step that an error allowed, whatever was looked at [s]
-  std::optional<Passage> passage_;
+  std::vector<Passage> passages_;
   int steps_ = 0;
 };
 
