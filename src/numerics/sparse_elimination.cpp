@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "boxbeam/numerics/decimal.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -201,20 +203,11 @@ class ActiveMatrix {
 
 }  // namespace
 
-Eigen::MatrixXd SparsePattern::dense(const std::vector<double>& values) const {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, cols);
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    const auto begin = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r)]);
-    const auto end = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r) + 1]);
-    for (std::size_t e = begin; e < end; ++e) matrix(r, col[e]) = values[e];
-  }
-  return matrix;
-}
-
-Eigen::Index SparseElimination::analyse(const SparsePattern& pattern,
-                                        const std::vector<double>& values,
-                                        const Eigen::VectorXd& row_scale,
-                                        const Eigen::VectorXd& col_scale) {
+template <class Scalar>
+Eigen::Index SparseEliminationOf<Scalar>::analyse(const SparsePattern& pattern,
+                                                  const std::vector<double>& values,
+                                                  const Eigen::VectorXd& row_scale,
+                                                  const Eigen::VectorXd& col_scale) {
   rows_ = pattern.rows;
   ActiveMatrix active(pattern, values, row_scale, col_scale);
   std::vector<ActiveMatrix::Pivot> pivots;
@@ -243,7 +236,7 @@ Eigen::Index SparseElimination::analyse(const SparsePattern& pattern,
   const auto key = [](std::uint64_t i, std::uint64_t j) { return i << 32U | j; };
   upper_start_.assign(1, 0);
   upper_col_.clear();
-  pivot_scale_.assign(n, 0.0);
+  pivot_scale_.assign(n, Scalar(0));
   for (std::size_t k = 0; k < n; ++k) {
     place_of[key(k, k)] = static_cast<std::uint32_t>(upper_col_.size());
     upper_col_.push_back(static_cast<std::uint32_t>(k));
@@ -254,7 +247,7 @@ Eigen::Index SparseElimination::analyse(const SparsePattern& pattern,
       upper_col_.push_back(j);
     }
     upper_start_.push_back(static_cast<std::uint32_t>(upper_col_.size()));
-    pivot_scale_[k] = row_scale[pivots[k].row] * col_scale[pivots[k].col];
+    pivot_scale_[k] = static_cast<Scalar>(row_scale[pivots[k].row] * col_scale[pivots[k].col]);
   }
   lower_start_.assign(1, static_cast<std::uint32_t>(upper_col_.size()));
   lower_row_.clear();
@@ -265,7 +258,8 @@ Eigen::Index SparseElimination::analyse(const SparsePattern& pattern,
       if (i == none) continue;  // left over
       place_of[key(i, k)] = static_cast<std::uint32_t>(upper_col_.size() + lower_row_.size());
       lower_row_.push_back(i);
-      lower_limit_.push_back(growth * row_scale[pivots[k].row] / row_scale[row]);
+      lower_limit_.push_back(
+          static_cast<Scalar>(growth * row_scale[pivots[k].row] / row_scale[row]));
     }
     lower_start_.push_back(static_cast<std::uint32_t>(upper_col_.size() + lower_row_.size()));
   }
@@ -294,53 +288,56 @@ Eigen::Index SparseElimination::analyse(const SparsePattern& pattern,
       if (j != none) place_[e] = place_of.at(key(i, j));
     }
   }
-  work_.assign(nowhere + 1, 0.0);
-  inverse_.assign(n, 0.0);
-  right_.assign(n, 0.0);
+  work_.assign(nowhere + 1, Scalar(0));
+  inverse_.assign(n, Scalar(0));
+  right_.assign(n, Scalar(0));
   return static_cast<Eigen::Index>(n);
 }
 
-bool SparseElimination::factor(const std::vector<double>& values) {
-  double* const work = work_.data();
-  std::fill(work_.begin(), work_.end(), 0.0);
+template <class Scalar>
+bool SparseEliminationOf<Scalar>::factor(const std::vector<Scalar>& values) {
+  using std::abs;
+  Scalar* const work = work_.data();
+  std::fill(work_.begin(), work_.end(), Scalar(0));
   for (std::size_t e = 0; e < place_.size(); ++e) work[place_[e]] = values[e];
   const std::uint32_t* target = target_.data();
-  const double* limit = lower_limit_.data();
-  double smallest = std::numeric_limits<double>::infinity();
+  const Scalar* limit = lower_limit_.data();
+  auto smallest = static_cast<Scalar>(std::numeric_limits<double>::infinity());
   bool fits = true;
   for (std::size_t k = 0; k < pivot_row_.size(); ++k) {
     const std::uint32_t first = upper_start_[k];
     const std::uint32_t last = upper_start_[k + 1];
-    const double pivot = work[first];
-    const double inverse = 1.0 / pivot;
+    const Scalar pivot = work[first];
+    const Scalar inverse = Scalar(1) / pivot;
     inverse_[k] = inverse;
-    smallest = std::min(smallest, std::abs(pivot) * pivot_scale_[k]);
+    smallest = std::min(smallest, abs(pivot) * pivot_scale_[k]);
     for (std::uint32_t l = lower_start_[k]; l < lower_start_[k + 1]; ++l) {
-      const double multiplier = work[l] * inverse;
+      const Scalar multiplier = work[l] * inverse;
       work[l] = multiplier;
-      fits &= std::abs(multiplier) <= *limit++;
+      fits &= abs(multiplier) <= *limit++;
       for (std::uint32_t u = first + 1; u < last; ++u) work[*target++] -= multiplier * work[u];
     }
   }
   smallest_pivot_ = smallest;
   // A pivot of zero makes infinite or undefined multipliers, or infinite solutions: caught here.
-  return fits && smallest > 0.0;
+  return fits && smallest > Scalar(0);
 }
 
-void SparseElimination::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+template <class Scalar>
+void SparseEliminationOf<Scalar>::solve(const Vector& b, Vector& x) const {
   const std::size_t n = pivot_row_.size();
-  double* const right = right_.data();
-  const double* const work = work_.data();
+  Scalar* const right = right_.data();
+  const Scalar* const work = work_.data();
   for (std::size_t k = 0; k < n; ++k) right[k] = b[pivot_row_[k]];
   const std::uint32_t* row = lower_row_.data();
   for (std::size_t k = 0; k < n; ++k) {
-    const double value = right[k];
+    const Scalar value = right[k];
     for (std::uint32_t l = lower_start_[k]; l < lower_start_[k + 1]; ++l) {
       right[*row++] -= work[l] * value;
     }
   }
   for (std::size_t k = n; k-- > 0;) {
-    double value = right[k];
+    Scalar value = right[k];
     for (std::uint32_t u = upper_start_[k] + 1; u < upper_start_[k + 1]; ++u) {
       value -= work[u] * right[upper_col_[u]];
     }
@@ -349,13 +346,14 @@ void SparseElimination::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) cons
   for (std::size_t k = 0; k < n; ++k) x[pivot_col_[k]] = right[k];
 }
 
-void SparseElimination::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& y) const {
+template <class Scalar>
+void SparseEliminationOf<Scalar>::solve_transposed(const Vector& b, Vector& y) const {
   const std::size_t n = pivot_row_.size();
-  double* const right = right_.data();
-  const double* const work = work_.data();
+  Scalar* const right = right_.data();
+  const Scalar* const work = work_.data();
   for (std::size_t k = 0; k < n; ++k) right[k] = b[pivot_col_[k]];
   for (std::size_t k = 0; k < n; ++k) {
-    const double value = right[k] * inverse_[k];
+    const Scalar value = right[k] * inverse_[k];
     right[k] = value;
     for (std::uint32_t u = upper_start_[k] + 1; u < upper_start_[k + 1]; ++u) {
       right[upper_col_[u]] -= work[u] * value;
@@ -363,14 +361,19 @@ void SparseElimination::solve_transposed(const Eigen::VectorXd& b, Eigen::Vector
   }
   const std::uint32_t* const rows = lower_row_.data();
   for (std::size_t k = n; k-- > 0;) {
-    double value = right[k];
+    Scalar value = right[k];
     for (std::uint32_t l = lower_start_[k]; l < lower_start_[k + 1]; ++l) {
       value -= work[l] * right[rows[l - lower_start_[0]]];
     }
     right[k] = value;
   }
-  for (const int row : rows_left_) y[row] = 0.0;
+  for (const int row : rows_left_) y[row] = Scalar(0);
   for (std::size_t k = 0; k < n; ++k) y[pivot_row_[k]] = right[k];
 }
+
+template class SparseEliminationOf<float>;
+template class SparseEliminationOf<double>;
+template class SparseEliminationOf<long double>;
+template class SparseEliminationOf<Decimal<5>>;
 
 }  // namespace boxbeam

@@ -9,11 +9,10 @@
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "connecting_rod.hpp"
-#include "fitted_order.hpp"
 #include "peak_problem.hpp"
 #include "peak_search_charts.hpp"
-#include "trials.hpp"
 
 namespace boxbeam::study {
 namespace {
@@ -58,10 +57,10 @@ PeakProblem bending_peak_of(const Project& project, const DemandingInstant& dema
 }
 
 /// A series of a search over numbers of instants.
-void add_search(Trials& trials, const PeakProblem& problem, const std::string& method,
-                const PeakSearch& search, const std::vector<std::size_t>& instants,
-                bool yardstick) {
-  trials.series(method, yardstick);
+void add_search(std::vector<TriedMethod>& methods, const PeakProblem& problem,
+                const std::string& method, const PeakSearch& search,
+                const std::vector<std::size_t>& instants, bool yardstick) {
+  methods.push_back({method, {}, yardstick});
   for (const std::size_t n : instants) {
     const FoundPeak found = worst_of_phases(problem, search, n, phases);
     Point point;
@@ -71,7 +70,8 @@ void add_search(Trials& trials, const PeakProblem& problem, const std::string& m
     point.operations = found.solves;
     point.error = error_of(problem, found);
     const double phase = problem.span.closed ? 0.375 : 0.0;
-    trials.add(point, [&problem, search, n, phase] { keep(search(problem, n, phase)); });
+    methods.back().trials.push_back(
+        {point, [&problem, search, n, phase] { keep(search(problem, n, phase)); }});
   }
 }
 
@@ -102,18 +102,18 @@ Chart peak_chart(const PeakProblem& problem, const Effort& effort) {
   chart.reference = "Brent's method on exact solves about every peak of four times the instants";
   chart.operations = "instants solved";
   chart.unit = "period at one station";
-  Trials trials(std::move(chart));
-  add_search(trials, problem, "interpolated through 9 solves, then searched", peak_by_history,
+  std::vector<TriedMethod> methods;
+  add_search(methods, problem, "interpolated through 9 solves, then searched", peak_by_history,
              instants, false);
-  add_search(trials, problem, "Brent's method, every value a solve", peak_by_solves, instants,
+  add_search(methods, problem, "Brent's method, every value a solve", peak_by_solves, instants,
              true);
-  add_search(trials, problem, "instants and a parabola", peak_by_parabola, instants, true);
-  add_search(trials, problem, "instants alone", peak_of_samples, instants, true);
-  chart = trials.timed(effort);
+  add_search(methods, problem, "instants and a parabola", peak_by_parabola, instants, true);
+  add_search(methods, problem, "instants alone", peak_of_samples, instants, true);
+  chart.series = timed(methods, effort);
   mark_default(chart, 0, solved);
   chart.floor = {{std::numeric_limits<double>::epsilon(), "round-off of double"}};
   chart.guides = {{4.0, 2}, {2.0, 3}};
-  const Point& ours = *default_of(chart);
+  const Point& ours = *default_point(chart);
   const std::vector<Point>& alone = chart.series[3].points;
   const auto same = std::find_if(alone.begin(), alone.end(), [&](const Point& point) {
     return point.parameter == ours.parameter;
@@ -161,22 +161,22 @@ Chart sharp_chart(const std::vector<PeakProblem>& problems, const Effort& effort
   chart.reference = "closed form in long double";
   chart.operations = "instants solved";
   chart.unit = "turn";
-  Trials trials(std::move(chart));
+  std::vector<TriedMethod> methods;
   for (const PeakProblem& problem : problems) {
     std::vector<std::size_t> instants{problem.span.instants};
     for (std::size_t n = 12; n <= 768; n *= effort.quick ? 4 : 2) instants.push_back(n);
     std::sort(instants.begin(), instants.end());
     instants.erase(std::unique(instants.begin(), instants.end()), instants.end());
-    add_search(trials, problem, problem.name + ", interpolated and searched", peak_by_history,
-               instants, false);
+    add_search(methods, problem, fmt::format("{}, interpolated and searched", problem.name),
+               peak_by_history, instants, false);
   }
   for (const PeakProblem& problem : problems) {
-    add_search(trials, problem, problem.name + ", instants alone", peak_of_samples,
+    add_search(methods, problem, fmt::format("{}, instants alone", problem.name), peak_of_samples,
                effort.quick ? std::vector<std::size_t>{36, 72, 360}
                             : std::vector<std::size_t>{18, 36, 72, 144, 360, 720, 1440},
                true);
   }
-  chart = trials.timed(effort);
+  chart.series = timed(methods, effort);
   mark_default(chart, problems.size() - 1, problems.back().span.instants);
   chart.floor = {{std::numeric_limits<double>::epsilon(), "round-off of double"}};
   chart.guides = {{2.0, problems.size()}, {2.0, 2 * problems.size() - 1}};

@@ -7,10 +7,9 @@
 
 #include "bending.hpp"
 #include "boxbeam/study/topics.hpp"
-#include "fitted_order.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "moment_peak_chart.hpp"
 #include "quadrature.hpp"
-#include "trials.hpp"
 
 namespace boxbeam::study {
 namespace {
@@ -178,8 +177,8 @@ Chart moment_chart(const Instant& instant, const Effort& effort) {
       "long double";
   chart.operations = "values of the load per length";
   chart.unit = "beam at one instant";
-  Trials trials(std::move(chart));
-  trials.series("exact polynomials, all six cut forces", false);
+  std::vector<TriedMethod> methods;
+  methods.push_back({"exact polynomials, all six cut forces", {}, false});
   {
     Point point;
     point.setting = "as the program does it";
@@ -188,7 +187,7 @@ Chart moment_chart(const Instant& instant, const Effort& effort) {
     point.error =
         instant.error_of(moments_by_polynomials(instant.loads, instant.moment, instant.ends));
     point.is_default = true;
-    trials.add(point, [&instant] { keep(cut_forces_of(instant.loads)); });
+    methods.back().trials.push_back({point, [&instant] { keep(cut_forces_of(instant.loads)); }});
   }
   const auto add = [&](const std::string& setting, double parameter, double evaluations,
                        const std::function<std::vector<double>()>& moments) {
@@ -197,29 +196,29 @@ Chart moment_chart(const Instant& instant, const Effort& effort) {
     point.parameter = parameter;
     point.operations = evaluations * pieces;
     point.error = instant.error_of(moments());
-    trials.add(point, [moments] { keep(moments()); });
+    methods.back().trials.push_back({point, [moments] { keep(moments()); }});
   };
   const auto add_parts = [&](const Rule& rule, int parts) {
     const Rule whole = repeated(rule, parts);
     add(fmt::format("{} parts", parts), parts, static_cast<double>(whole.x.size()),
         [&instant, whole] { return moments_by(whole, instant.bending); });
   };
-  trials.series("Gauss' rule, once per piece", true);
+  methods.push_back({"Gauss' rule, once per piece", {}, true});
   for (std::size_t n = 1; n <= 5; ++n) {
     const Rule rule = gauss_rule<double>(n);
     add(fmt::format("{} points", n), static_cast<double>(n), static_cast<double>(n),
         [&instant, rule] { return moments_by(rule, instant.bending); });
   }
-  trials.series("Simpson's rule", true);
+  methods.push_back({"Simpson's rule", {}, true});
   for (const int n : parts_for(effort, 1, 256)) add_parts(simpson, n);
-  trials.series("masses in the middles of parts", true);
+  methods.push_back({"masses in the middles of parts", {}, true});
   for (const int n : parts_for(effort, 1, 1024)) add_parts(gauss_rule<double>(1), n);
-  trials.series("trapezoids, V and M in turn", true);
+  methods.push_back({"trapezoids, V and M in turn", {}, true});
   for (const int n : parts_for(effort, 1, 1024)) {
     add(fmt::format("{} parts", n), n, n + 1.0,
         [&instant, n] { return moments_summed_twice(n, instant.bending); });
   }
-  chart = trials.timed(effort);
+  chart.series = timed(methods, effort);
   chart.floor = round_off();
   chart.guides = {{4.0, 2}, {2.0, 4}};
   const std::vector<Point>& summed = chart.series[4].points;
@@ -230,7 +229,7 @@ Chart moment_chart(const Instant& instant, const Effort& effort) {
       "The load per length is a polynomial, so that its exact integral ends at round-off ({:.1e}), "
       "as Gauss' rule of three points does; trapezoids are {}. Choose the exact integral: it has "
       "no setting.",
-      default_of(chart)->error,
+      default_point(chart)->error,
       enough == summed.end()
           ? fmt::format("{:.1e} off with {} to a piece", summed.back().error, summed.back().setting)
           : fmt::format("good enough from {} to a piece on and {:.1e} off with {}", enough->setting,
@@ -268,12 +267,12 @@ Chart jumps_chart(const Instant& instant, const Effort& effort) {
       "double";
   chart.operations = "values of the load per length";
   chart.unit = "beam at one instant";
-  Trials trials(std::move(chart));
+  std::vector<TriedMethod> methods;
   const auto off_by = [&](double M) {
     return static_cast<double>(std::abs(static_cast<long double>(M) - instant.reference.back())) /
            instant.largest;
   };
-  trials.series("exact polynomials, segment by segment", false);
+  methods.push_back({"exact polynomials, segment by segment", {}, false});
   {
     const auto exact = [&instant] {
       return moments_by_polynomials(instant.loads, instant.moment, {instant.ends.back()}).front();
@@ -284,7 +283,7 @@ Chart jumps_chart(const Instant& instant, const Effort& effort) {
     point.operations = 4.0 * static_cast<double>(instant.bending.pieces.size());
     point.error = off_by(exact());
     point.is_default = true;
-    trials.add(point, [&instant] { keep(cut_forces_of(instant.loads)); });
+    methods.back().trials.push_back({point, [&instant] { keep(cut_forces_of(instant.loads)); }});
   }
   const auto add = [&](const Rule& rule, int parts) {
     const Rule whole = repeated(rule, parts);
@@ -294,24 +293,25 @@ Chart jumps_chart(const Instant& instant, const Effort& effort) {
     point.parameter = parts;
     point.operations = static_cast<double>(whole.x.size());
     point.error = off_by(moment());
-    trials.add(point, [moment] { keep(moment()); });
+    methods.back().trials.push_back({point, [moment] { keep(moment()); }});
   };
   const int most = effort.quick ? 1024 : 4096;
-  trials.series("Gauss' rule of 3 points", true);
+  methods.push_back({"Gauss' rule of 3 points", {}, true});
   for (const int n : parts_for(effort, 4, most)) add(gauss_rule<double>(3), n);
-  trials.series("Simpson's rule", true);
+  methods.push_back({"Simpson's rule", {}, true});
   for (const int n : parts_for(effort, 4, most)) add(simpson, n);
-  trials.series("masses at stations (trapezoids)", true);
+  methods.push_back({"masses at stations (trapezoids)", {}, true});
   for (const int n : parts_for(effort, 4, most)) add(trapezoid, n);
-  chart = trials.timed(effort);
+  chart.series = timed(methods, effort);
   chart.floor = round_off();
   chart.guides = {{1.0, 3}};
   const Point& last = chart.series[2].points.back();
   chart.lesson = fmt::format(
       "Where plates change, high orders are lost: with {} over the beam Simpson's rule is {:.1e} "
-      "off (fitted order {:.1f} instead of 4), the exact integral from segment to segment {:.1e}. "
+      "off (order {:.1f} instead of 4), the exact integral from segment to segment {:.1e}. "
       "End a part wherever the section changes.",
-      last.setting, last.error, fitted_order(chart.series[2]), default_of(chart)->error);
+      last.setting, last.error, order_over_work(chart.series[2].points.front(), last),
+      default_point(chart)->error);
   return chart;
 }
 

@@ -9,8 +9,9 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/project/link_profile.hpp"
-#include "boxbeam/study/timed_points.hpp"
+#include "boxbeam/study/points.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 
 namespace boxbeam::study {
@@ -207,51 +208,50 @@ Chart cost_chart(const Scene& scene, const Judge& judge, const Effort& effort) {
   chart.scene = scene.name;
   chart.operations = "coordinates of the division, three per rigid element";
   chart.unit = "stresses of the beam by a model";
-  PointTimer timer;
+  std::vector<TriedMethod> methods;
+  const auto begin = [&](const std::string& method) { methods.push_back({method, {}, false}); };
   const auto add = [&](const ElasticModel& model, const std::string& setting = "") {
     const std::string parts = fmt::format("{} parts per link", model.parts);
-    Point point = judged(judge, model, setting.empty() ? parts : setting, model.parts,
-                         coordinates(judge.of, model));
-    const bool failed = !point.failure.empty();
-    chart.series.back().points.push_back(std::move(point));
-    if (failed) return;
-    timer.add(chart, [&judge, model] { keep(stresses_by(judge.of, model, judge.places)); });
+    methods.back().trials.push_back(
+        {judged(judge, model, setting.empty() ? parts : setting, model.parts,
+                coordinates(judge.of, model)),
+         [&judge, model] { keep(stresses_by(judge.of, model, judge.places)); }});
   };
-  chart.series.push_back({"rigid bodies", {}, false});
+  begin("rigid bodies");
   add({}, "rigid");
   const std::vector<int> divisions =
       effort.quick ? std::vector{2, 4, 8, 16} : std::vector{2, 3, 4, 6, 8, 12, 16, 24, 32};
-  chart.series.push_back({"quasi-static", {}, false});
+  begin("quasi-static");
   for (const int parts : divisions) add(quasi_static(parts));
   for (const int modes : {1, 2, 4, 8, 16}) {
-    chart.series.push_back(
-        {fmt::format("modal, {} mode{}", modes, modes == 1 ? "" : "s"), {}, false});
+    begin(fmt::format("modal, {} mode{}", modes, modes == 1 ? "" : "s"));
     for (const int parts : divisions) {
-      const auto all = static_cast<int>(coordinates(judge.of, modal(modes, parts)));
-      if (3 * modes <= all) add(modal(modes, parts));
+      const bool as_many = 3.0 * modes <= coordinates(judge.of, modal(modes, parts));
+      if (as_many) add(modal(modes, parts));
     }
   }
-  chart.series.push_back({"all elements", {}, false});
+  begin("all elements");
   for (const int parts : divisions) add(all_elements(parts));
-  chart.series.push_back({"chosen by boxbeam for 1 %", {}, false});
+  begin("chosen by boxbeam for 1 %");
   try {
     const ElasticModel chosen = climb_ladder(judge.of, tolerance).chosen;
     add(chosen, describe(chosen));
-    chart.series.back().points.back().is_default = true;
-    const Point& point = chart.series.back().points.back();
+    Point& point = methods.back().trials.back().point;
+    point.is_default = true;
     const double full = coordinates(judge.of, all_elements(64));
     chart.lesson = fmt::format(
         "For 1 % boxbeam takes {}: it leaves {:.1e} with {:.0f} coordinates where a division made "
         "fine to be safe, 64 parts per link, has {:.0f}, {:.2g} times as many. At one frequency "
-        "all "
-        "elements of a division are no more work than its modes, which pay over many.",
+        "all elements of a division are no more work than its modes, which pay over many.",
         point.setting, point.error, *point.operations, full, full / *point.operations);
   } catch (const AnalysisError& error) {
-    chart.series.back().points.push_back(
-        failed_point("1 %", 0.0, coordinates(judge.of, all_elements(256)), error.failure().what));
+    methods.back().trials.push_back(
+        {failed_point("1 %", reference_parts, coordinates(judge.of, all_elements(reference_parts)),
+                      error.failure().what),
+         {}});
     chart.lesson = "No model is within 1 %: " + error.failure().what;
   }
-  timer.measure(chart, effort);
+  chart.series = timed(methods, effort);
   return chart;
 }
 

@@ -8,10 +8,9 @@
 
 #include "bending.hpp"
 #include "boxbeam/numerics/extremum.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "boxbeam/verification/verified_stations.hpp"
 #include "connecting_rod.hpp"
-#include "fitted_order.hpp"
-#include "trials.hpp"
 
 namespace boxbeam::study {
 namespace {
@@ -77,8 +76,12 @@ double largest_at(const LoadHistory& loads, double s) {
 /// Stations h apart that have the true place midway between two of them.
 std::vector<double> stations_beside(double place, double length, int parts) {
   const double h = length / parts;
+  const double first = std::fmod(place + 0.5 * h, h);
   std::vector<double> stations;
-  for (double s = std::fmod(place + 0.5 * h, h); s <= length; s += h) stations.push_back(s);
+  for (int i = 0; i <= parts; ++i) {
+    const double s = first + h * i;
+    if (s <= length) stations.push_back(s);
+  }
   return stations;
 }
 
@@ -96,6 +99,11 @@ double largest_of(const std::vector<double>& moments, bool parabola) {
   const double slope = 0.5 * (highest[1] - highest[-1]);
   const double bend = highest[1] - 2.0 * highest[0] + highest[-1];
   return bend < 0.0 ? *highest - 0.5 * slope * slope / bend : *highest;
+}
+
+/// Between the finest two settings.
+double order_of(const Series& series) {
+  return order_over_work(series.points[series.points.size() - 2], series.points.back());
 }
 
 }  // namespace
@@ -117,8 +125,8 @@ Chart moment_peak_chart(const Effort& effort) {
   chart.reference = "roots of V by halving, over the period by Brent's method on exact solves";
   chart.operations = "stations verified";
   chart.unit = "beam over one period";
-  Trials trials(std::move(chart));
-  trials.series("maxima along the beam, searched for", false);
+  std::vector<TriedMethod> methods;
+  methods.push_back({"maxima along the beam, searched for", {}, false});
   {
     const auto searched = [&project, &runs, &loads] {
       double best = 0.0;
@@ -133,10 +141,11 @@ Chart moment_peak_chart(const Effort& effort) {
     point.operations = static_cast<double>(stations_to_verify(project, runs).size());
     point.error = error_of(searched());
     point.is_default = true;
-    trials.add(point, [searched] { keep(searched()); });
+    methods.back().trials.push_back({point, [searched] { keep(searched()); }});
   }
   for (const bool parabola : {true, false}) {
-    trials.series(parabola ? "equal stations and a parabola" : "equal stations", true);
+    chart.series.push_back(
+        {parabola ? "equal stations and a parabola" : "equal stations", {}, true});
     for (int n = 4; n <= (effort.quick ? 64 : 512); n *= 2) {
       const std::vector<double> stations = stations_beside(truth.s, length, n);
       const auto found = [&loads, stations, parabola] {
@@ -147,10 +156,10 @@ Chart moment_peak_chart(const Effort& effort) {
       point.parameter = n;
       point.operations = static_cast<double>(stations.size());
       point.error = error_of(found());
-      trials.add(point, [found] { keep(found()); });
+      methods.back().trials.push_back({point, [found] { keep(found()); }});
     }
   }
-  chart = trials.timed(effort);
+  chart.series = timed(methods, effort);
   chart.floor = {{std::numeric_limits<double>::epsilon(), "round-off"}};
   chart.guides = {{3.0, 1}, {2.0, 2}};
   const Series& plain = chart.series[2];
@@ -158,8 +167,8 @@ Chart moment_peak_chart(const Effort& effort) {
       "Stations alone miss the peak by {:.1e} with {} parts (order {:.2f}; a parabola {:.2f}, for "
       "the peak is not symmetric). The program searches between stations: {:.1e} with {} of them, "
       "since it takes the place from the instants that it has solved.",
-      plain.points.front().error, plain.points.front().parameter, fitted_order(plain),
-      fitted_order(chart.series[1]), default_of(chart)->error, *default_of(chart)->operations);
+      plain.points.front().error, plain.points.front().parameter, order_of(plain),
+      order_of(chart.series[1]), default_point(chart)->error, *default_point(chart)->operations);
   return chart;
 }
 

@@ -8,8 +8,7 @@
 #include <numbers>
 
 #include "boxbeam/numerics/extremum.hpp"
-#include "fitted_order.hpp"
-#include "trials.hpp"
+#include "boxbeam/study/trials.hpp"
 
 namespace boxbeam::study {
 namespace {
@@ -67,9 +66,9 @@ Chart instants_per_wave_chart(const Effort& effort) {
   chart.reference = "closed form";
   chart.operations = "instants to a wave";
   chart.unit = "period of twelve waves";
-  Trials trials(std::move(chart));
+  std::vector<TriedMethod> methods;
   const auto add = [&](const std::string& method, const PeakSearch& search, bool yardstick) {
-    trials.series(method, yardstick);
+    methods.push_back({method, {}, yardstick});
     for (const int per_wave : {3, 4, 5, 6, 7, 8, 10, 12, 16}) {
       // One more, so that the crests are met at different places.
       const auto n = static_cast<std::size_t>(12 * per_wave + 1);
@@ -82,13 +81,14 @@ Chart instants_per_wave_chart(const Effort& effort) {
         const FoundPeak found = worst_of_phases(problem, search, n, phases);
         point.error = std::max(point.error, error_of(problem, found));
       }
-      trials.add(point, [&problems, search, n] { keep(search(problems.front(), n, 0.375)); });
+      methods.back().trials.push_back(
+          {point, [&problems, search, n] { keep(search(problems.front(), n, 0.375)); }});
     }
   };
   add("interpolated through 9 solves, then searched", peak_by_history, false);
   add("instants and a parabola", peak_by_parabola, true);
   add("instants alone", peak_of_samples, true);
-  chart = trials.timed(effort);
+  chart.series = timed(methods, effort);
   chart.floor = round_off();
   chart.guides = {{2.0, 2}};
   const std::vector<Point>& ours = chart.series[0].points;
@@ -99,7 +99,7 @@ Chart instants_per_wave_chart(const Effort& effort) {
       "Below {} instants to the shortest wave the highest crest can be mistaken for another or be "
       "interpolated badly; from there on the error is {:.1e}, while {} instants alone lose {:.1e}. "
       "The program takes eight.",
-      first == ours.end() ? 0.0 : first->parameter, default_of(chart)->error, 8,
+      first == ours.end() ? 0.0 : first->parameter, default_point(chart)->error, 8,
       chart.series[2].points[5].error);
   return chart;
 }
@@ -117,9 +117,9 @@ Chart nodes_chart(const std::vector<PeakProblem>& slides, const Effort& effort) 
   chart.reference = "closed form";
   chart.operations = "solves per peak";
   chart.unit = "peak";
-  Trials trials(std::move(chart));
+  std::vector<TriedMethod> methods;
   for (const PeakProblem& problem : problems) {
-    trials.series(problem.name, true);
+    methods.push_back({problem.name, {}, true});
     for (std::size_t nodes = 3; nodes <= 13; nodes += 2) {
       Point point;
       point.setting = fmt::format("{} solves", nodes);
@@ -130,10 +130,11 @@ Chart nodes_chart(const std::vector<PeakProblem>& slides, const Effort& effort) 
         const double found = peak_through(problem, nodes, offset);
         point.error = std::max(point.error, error_of(problem, {found, 0.0}));
       }
-      trials.add(point, [&problem, nodes] { keep(peak_through(problem, nodes, 0.375)); });
+      methods.back().trials.push_back(
+          {point, [&problem, nodes] { keep(peak_through(problem, nodes, 0.375)); }});
     }
   }
-  trials.series("the program, a wave of 8 instants", false);
+  methods.push_back({"the program, a wave of 8 instants", {}, false});
   {
     const FoundPeak found = worst_of_phases(wave, peak_by_history, 8, phases);
     Point point;
@@ -142,9 +143,9 @@ Chart nodes_chart(const std::vector<PeakProblem>& slides, const Effort& effort) 
     point.operations = static_cast<double>(LoadHistory::nodes);
     point.error = error_of(wave, found);
     point.is_default = true;
-    trials.add(point, [&wave] { keep(peak_by_history(wave, 8, 0.375)); });
+    methods.back().trials.push_back({point, [&wave] { keep(peak_by_history(wave, 8, 0.375)); }});
   }
-  chart = trials.timed(effort);
+  chart.series = timed(methods, effort);
   chart.floor = round_off();
   const auto& points = chart.series[0].points;
   chart.lesson = fmt::format(
@@ -167,7 +168,7 @@ Chart bits_chart(const Effort& effort) {
   chart.reference = "closed form";
   chart.operations = "values of the interpolation";
   chart.unit = "peak";
-  Trials trials(std::move(chart));
+  std::vector<TriedMethod> methods;
   // The crest itself, whose value is known: what the interpolation adds is another question.
   const auto search = [](double place, int bits, double& evaluations) {
     return find_maximum(
@@ -179,7 +180,7 @@ Chart bits_chart(const Effort& effort) {
         .value;
   };
   constexpr double least = 0.5 * std::numeric_limits<double>::epsilon();
-  trials.series("Brent's method", false);
+  methods.push_back({"Brent's method", {}, false});
   for (int bits = 4; bits <= 26; bits += 2) {
     Point point;
     point.setting = fmt::format("2^-{} of two steps", bits);
@@ -193,12 +194,12 @@ Chart bits_chart(const Effort& effort) {
       point.error = std::max({point.error, off, least});
     }
     point.operations = evaluations / places;
-    trials.add(point, [search, bits] {
-      double count = 0.0;
-      keep(search(0.3, bits, count));
-    });
+    methods.back().trials.push_back({point, [search, bits] {
+                                       double count = 0.0;
+                                       keep(search(0.3, bits, count));
+                                     }});
   }
-  chart = trials.timed(effort);
+  chart.series = timed(methods, effort);
   chart.floor = round_off();
   const std::vector<Point>& points = chart.series[0].points;
   const auto at = [&](double bits) {

@@ -399,8 +399,8 @@ Chart filter_chart(const Effort& effort) {
   chart.floor = ErrorLevel{1e-14, "round-off of the sum"};
   chart.lesson = fmt::format(
       "Leaving out ranges below 5 % of the largest costs {:.0e} of the damage at m = 3, {:.0e} at "
-      "m = 5 and {:.0e} with the cut-off of the standard, which lies above them here. It saves "
-      "counting, which is not what takes time: nothing is left out.",
+      "m = 5 and {:.0e} with the cut-off of the standard, which lies above them here. "
+      "Counting keeps nothing but its residue, so that nothing need be left out.",
       at_setting(chart.series[1], 0.05).error, at_setting(chart.series[2], 0.05).error,
       at_setting(chart.series[3], 0.05).error);
   return chart;

@@ -10,6 +10,7 @@
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/study/reference_beam.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "digits_left.hpp"
 
 namespace boxbeam::study {
 namespace {
@@ -19,8 +20,6 @@ using flexible::Structure;
 
 constexpr int parts = 8;
 constexpr std::size_t modes = 4;
-/// Digits that a strength check needs at least.
-constexpr double needed_digits = 3.0;
 /// Where the row without damping is drawn.
 constexpr double no_damping = 1e-16;
 
@@ -33,24 +32,18 @@ std::vector<double> powers(double from, double to, double step) {
   return values;
 }
 
-double digits_of(Complex value, const ChainReference::Number& exact) {
+double error_of(Complex value, const ChainReference::Number& exact) {
   const ChainReference::Number of(value.real(), value.imag());
-  const auto error = static_cast<double>(std::abs(of / exact - 1.0L));
-  constexpr double least = std::numeric_limits<double>::epsilon() / 2.0;
-  return std::isfinite(error) ? std::max(0.0, -std::log10(std::max(error, least))) : 0.0;
+  return static_cast<double>(std::abs(of / exact - 1.0L));
 }
 
 Cell trial(double distance, double damping, const ChainReference::Number& exact,
            const std::function<Complex()>& root_moment) {
-  Cell cell{distance, damping, Outcome::solved, {}, ""};
   try {
-    cell.value = digits_of(root_moment(), exact);
-    if (*cell.value < needed_digits) cell.outcome = Outcome::wrong;
+    return digits_cell(distance, damping, error_of(root_moment(), exact));
   } catch (const AnalysisError& error) {
-    cell.outcome = Outcome::refused;
-    cell.reason = error.failure().what;
+    return {distance, damping, Outcome::refused, {}, error.failure().what};
   }
-  return cell;
 }
 
 }  // namespace
@@ -68,11 +61,8 @@ Map resonance_map(const Scenes&, const Effort& effort) {
                 {fmt::format("{} modes with static correction", modes), {}, false},
                 {fmt::format("{} modes alone", modes), {}, true}};
   const double step = effort.quick ? 1.0 : 0.5;
-  const Structure undamped_structure = [] {
-    static const flexible::Mechanism mechanism =
-        unit_cantilever(parts, flexible::Element::corrected);
-    return structure_of(mechanism);
-  }();
+  const flexible::Mechanism undamped = unit_cantilever(parts, flexible::Element::corrected);
+  const Structure undamped_structure = structure_of(undamped);
   const long double first =
       ChainReference(undamped_structure).first_omega(std::pow(cantilever_root(1), 2));
   // None of them is the millionth at which boxbeam begins to refuse, where round-off decides.

@@ -8,9 +8,10 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
+#include "boxbeam/study/points.hpp"
 #include "boxbeam/study/reference_beam.hpp"
-#include "boxbeam/study/timed_points.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
 
 namespace boxbeam::study {
@@ -76,54 +77,50 @@ Chart root_moment_chart(const std::string& name, const std::string& title,
   chart.floor = {round_off, "round-off of double"};
   const std::vector<std::size_t> counts = counts_up_to(effort.quick ? 8 : 24);
   const ModalModel all = flexible::modal_model_of(beam.structure, counts.back());
-  PointTimer timer;
-  struct One {
-    double with = 0.0, without = 0.0;
-  };
-  std::vector<One> one_mode;
+  std::vector<TriedMethod> methods;
   for (const double ratio : ratios) {
-    const auto frequency =
-        static_cast<double>(ratio * beam.first / (2.0L * std::numbers::pi_v<long double>));
-    const auto exact =
-        static_cast<double>(ChainReference(beam.structure)
-                                .root_moment(2.0L * std::numbers::pi_v<long double> * frequency)
-                                .real());
+    constexpr long double full_turn = 2.0L * std::numbers::pi_v<long double>;
+    const auto frequency = static_cast<double>(ratio * beam.first / full_turn);
+    const auto exact = static_cast<double>(
+        ChainReference(beam.structure).root_moment(full_turn * frequency).real());
+    const auto error_of = [&](const flexible::Deformation<Complex>& response) {
+      return std::abs(root_moment(beam.structure, response) / exact - 1.0);
+    };
     for (const bool correction : {true, false}) {
-      chart.series.push_back(
-          {fmt::format("modes {}, r = {}", correction ? "with static correction" : "alone", ratio),
-           {},
-           !correction});
+      TriedMethod& method = methods.emplace_back();
+      method.method =
+          fmt::format("modes {}, r = {}", correction ? "with static correction" : "alone", ratio);
+      method.yardstick = !correction;
       for (const std::size_t count : counts) {
-        const flexible::Deformation<Complex> response =
-            flexible::harmonic_response(truncated(all, count), frequency, correction);
-        const double error = std::abs(root_moment(beam.structure, response) / exact - 1.0);
         const auto size = static_cast<double>(count);
-        chart.series.back().points.push_back(solved_point(modes_text(count), size, size, error));
-        timer.add(chart, [&beam, count, frequency, correction] {
-          keep(flexible::harmonic_response(flexible::modal_model_of(beam.structure, count),
-                                           frequency, correction));
-        });
+        const double error =
+            error_of(flexible::harmonic_response(truncated(all, count), frequency, correction));
+        method.trials.push_back(
+            {solved_point(modes_text(count), size, size, error),
+             [&beam, count, frequency, correction] {
+               keep(flexible::harmonic_response(flexible::modal_model_of(beam.structure, count),
+                                                frequency, correction));
+             }});
       }
     }
-    one_mode.push_back({chart.series[chart.series.size() - 2].points.front().error,
-                        chart.series.back().points.front().error});
-    chart.series.push_back({fmt::format("direct, r = {}", ratio), {}, false});
-    const double error = std::abs(
-        root_moment(beam.structure, flexible::harmonic_response(beam.structure, frequency)) /
-            exact -
-        1.0);
-    chart.series.back().points.push_back(
-        solved_point("all elements", 2.0 * parts, 2.0 * parts, error));
-    timer.add(chart,
-              [&beam, frequency] { keep(flexible::harmonic_response(beam.structure, frequency)); });
+    const double error = error_of(flexible::harmonic_response(beam.structure, frequency));
+    methods.push_back(
+        {fmt::format("direct, r = {}", ratio),
+         {{solved_point("all elements", 2.0 * parts, 2.0 * parts, error),
+           [&beam, frequency] { keep(flexible::harmonic_response(beam.structure, frequency)); }}},
+         false});
   }
-  timer.measure(chart, effort);
+  chart.series = timed(methods, effort);
+  // Three series for each frequency.
+  const std::size_t last = chart.series.size() - 3;
+  const auto by_one_mode = [&](std::size_t series) {
+    return chart.series[series].points.front().error;
+  };
   chart.lesson = fmt::format(
       "One mode with static correction leaves {:.1e} at r = {} and {:.1e} at r = {}; without it "
       "{:.1e} and {:.1e}, and more modes mend that only slowly: {} still leave {:.1e}.",
-      one_mode.front().with, ratios.front(), one_mode.back().with, ratios.back(),
-      one_mode.front().without, one_mode.back().without, counts.back(),
-      chart.series[1].points.back().error);
+      by_one_mode(0), ratios.front(), by_one_mode(last), ratios.back(), by_one_mode(1),
+      by_one_mode(last + 1), counts.back(), chart.series[1].points.back().error);
   return chart;
 }
 
@@ -217,36 +214,38 @@ Chart joint_chart(const JointChart& asked, const ModalModel& all, const Effort& 
   const std::vector<double>& frequencies = asked.frequencies;
   const std::vector<std::size_t> counts =
       counts_up_to(std::min<std::size_t>(all.modes.size(), effort.quick ? 24 : 48));
-  PointTimer timer;
+  std::vector<TriedMethod> methods;
   for (const bool correction : {true, false}) {
-    chart.series.push_back(
-        {correction ? "modes with static correction" : "modes alone", {}, !correction});
+    TriedMethod& method = methods.emplace_back();
+    method.method = correction ? "modes with static correction" : "modes alone";
+    method.yardstick = !correction;
+    const auto forces = [&frequencies, correction](const ModalModel& model) {
+      return correction ? flexible::sweep_of(model, frequencies).joints
+                        : by_modes_alone(model, frequencies);
+    };
     for (const std::size_t count : counts) {
-      const auto forces = [&frequencies, correction](const ModalModel& model) {
-        return correction ? flexible::sweep_of(model, frequencies).joints
-                          : by_modes_alone(model, frequencies);
-      };
       const auto size = static_cast<double>(count);
-      std::vector<Point>& points = chart.series.back().points;
       try {
-        points.push_back(solved_point(modes_text(count), size, size,
-                                      difference(forces(truncated(all, count)), reference)));
+        const double error = difference(forces(truncated(all, count)), reference);
+        method.trials.push_back(
+            {solved_point(modes_text(count), size, size, error), [&structure, count, forces] {
+               keep(forces(flexible::modal_model_of(structure, count)));
+             }});
       } catch (const AnalysisError& error) {
-        points.push_back(failed_point(modes_text(count), size, size, error.failure().what));
-        continue;
+        method.trials.push_back(
+            {failed_point(modes_text(count), size, size, error.failure().what), {}});
       }
-      points.back().is_default = asked.figures && correction && count == modes_of_figures;
-      timer.add(chart, [&structure, count, forces] {
-        keep(forces(flexible::modal_model_of(structure, count)));
-      });
+      method.trials.back().point.is_default =
+          asked.figures && correction && count == modes_of_figures;
     }
   }
-  chart.series.push_back({"direct", {}, false});
-  const auto size = 3.0 * static_cast<double>(structure.elements());
-  chart.series.back().points.push_back(solved_point(
-      "all elements", size, size, difference(direct(structure, frequencies), reference)));
-  timer.add(chart, [&structure, &frequencies] { keep(direct(structure, frequencies)); });
-  timer.measure(chart, effort);
+  const auto all_unknowns = 3.0 * static_cast<double>(structure.elements());
+  const double apart = difference(direct(structure, frequencies), reference);
+  methods.push_back({"direct",
+                     {{solved_point("all elements", all_unknowns, all_unknowns, apart),
+                       [&structure, &frequencies] { keep(direct(structure, frequencies)); }}},
+                     false});
+  chart.series = timed(methods, effort);
   // What the first modes above the drive bring.
   const Series& corrected = chart.series[0];
   const Series& alone = chart.series[1];
@@ -256,11 +255,11 @@ Chart joint_chart(const JointChart& asked, const ModalModel& all, const Effort& 
                     [&](const flexible::Mode& mode) { return mode.frequency < top; }));
   const std::size_t last = corrected.points.size() - 1;
   chart.lesson = fmt::format(
-      "{} natural frequencies lie below {:.4g} Hz: static correction stands for modes above the "
+      "Natural frequencies below {:.4g} Hz: {}. Static correction stands for modes above the "
       "drive, not for those below. {} leave {:.1e}, without correction {:.1e}.",
-      below, top, corrected.points[last].setting, corrected.points[last].error,
+      top, below, corrected.points[last].setting, corrected.points[last].error,
       alone.points[last].error);
-  if (const Point* by_default = default_of(chart)) {
+  if (const Point* by_default = default_point(chart)) {
     chart.lesson += fmt::format(" The {} of the report's figures leave {:.1e}.",
                                 by_default->setting, by_default->error);
   }
@@ -319,7 +318,9 @@ TopicResult response(const Scenes& scenes, const Effort& effort) {
   result.charts.push_back(root_moment_chart("response-beyond-resonance",
                                             "Harmonic response near and beyond resonance",
                                             {0.9, 2.0}, effort));
-  if (scenes.flexible && flexible_of(*scenes.flexible).frequency > 0.0) {
+  const bool vibrates = scenes.flexible && flexible_of(*scenes.flexible).frequency > 0.0 &&
+                        !flexible_of(*scenes.flexible).joints.empty();
+  if (vibrates) {
     for (Chart& chart : joint_charts(*scenes.flexible, effort)) {
       result.charts.push_back(std::move(chart));
     }

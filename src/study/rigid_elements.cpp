@@ -8,9 +8,10 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/study/hermite_beam.hpp"
+#include "boxbeam/study/points.hpp"
 #include "boxbeam/study/reference_beam.hpp"
-#include "boxbeam/study/timed_points.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
 
 namespace boxbeam::study {
@@ -58,47 +59,56 @@ double extrapolated(const Question& question, int parts) {
 /// Two coordinates for every part of a cantilever that bends.
 double unknowns(int parts) { return 2.0 * parts; }
 
-void add_rigid_elements(Chart& chart, PointTimer& timer, const Question& question,
-                        const std::vector<int>& divisions, const std::string& where = "") {
-  for (const Element element : {Element::classical, Element::corrected}) {
-    const bool corrected = element == Element::corrected;
-    chart.series.push_back({(corrected ? "corrected" : "classical") + where, {}, false});
-    for (const int n : divisions) {
-      const auto value = [question, n, element] { return by_parts(question, n, element); };
-      chart.series.back().points.push_back(
-          solved_point(parts_text(n), n, unknowns(n), error_of(value(), question)));
-      timer.add(chart, [value] { keep(value()); });
-    }
-  }
+Trial trial_of(const Question& question, const std::string& setting, int parts, double operations,
+               const std::function<double()>& value) {
+  return {solved_point(setting, parts, operations, error_of(value(), question)),
+          [value] { keep(value()); }};
 }
 
-void add_richardson(Chart& chart, PointTimer& timer, const Question& question,
-                    const std::vector<int>& divisions) {
-  chart.series.push_back({"classical, extrapolated (Richardson)", {}, true});
+TriedMethod rigid_elements_over(const Question& question, Element element,
+                                const std::vector<int>& divisions, const std::string& where = "") {
+  TriedMethod method{
+      (element == Element::corrected ? "corrected" : "classical") + where, {}, false};
+  for (const int n : divisions) {
+    method.trials.push_back(
+        trial_of(question, parts_text(n), n, unknowns(n),
+                 [question, n, element] { return by_parts(question, n, element); }));
+  }
+  return method;
+}
+
+TriedMethod richardson_over(const Question& question, const std::vector<int>& divisions) {
+  TriedMethod method{"classical, extrapolated (Richardson)", {}, true};
   for (const int n : divisions) {
     if (n < 4) continue;
-    const auto value = [question, n] { return extrapolated(question, n); };
-    chart.series.back().points.push_back(solved_point(fmt::format("{} and {} parts", n / 2, n), n,
-                                                      unknowns(n) + unknowns(n / 2),
-                                                      error_of(value(), question)));
-    timer.add(chart, [value] { keep(value()); });
+    method.trials.push_back(trial_of(question, fmt::format("{} and {} parts", n / 2, n), n,
+                                     unknowns(n) + unknowns(n / 2),
+                                     [question, n] { return extrapolated(question, n); }));
   }
+  return method;
 }
 
-void add_finite_elements(Chart& chart, PointTimer& timer, const Question& question,
-                         const std::vector<int>& divisions, const std::string& where = "") {
-  chart.series.push_back({"Hermite finite elements" + where, {}, true});
+TriedMethod finite_elements_over(const Question& question, const std::vector<int>& divisions,
+                                 const std::string& where = "") {
+  TriedMethod method{"Hermite finite elements" + where, {}, true};
   for (const int n : divisions) {
-    const auto value = [question, n] { return question.by_finite_elements(hermite_cantilever(n)); };
-    chart.series.back().points.push_back(
-        solved_point(fmt::format("{} elements", n), n, unknowns(n), error_of(value(), question)));
-    timer.add(chart, [value] { keep(value()); });
+    method.trials.push_back(
+        trial_of(question, fmt::format("{} elements", n), n, unknowns(n),
+                 [question, n] { return question.by_finite_elements(hermite_cantilever(n)); }));
   }
+  return method;
 }
 
-void mark_default(Series& corrected) {
-  for (Point& point : corrected.points) {
-    point.is_default = point.parameter == static_cast<double>(default_parts());
+/// Classical and corrected elements, the former extrapolated, and the outside yardstick.
+std::vector<TriedMethod> methods_over(const Question& question, const std::vector<int>& divisions) {
+  return {rigid_elements_over(question, Element::classical, divisions),
+          rigid_elements_over(question, Element::corrected, divisions),
+          richardson_over(question, divisions), finite_elements_over(question, divisions)};
+}
+
+void mark_default(TriedMethod& corrected) {
+  for (Trial& trial : corrected.trials) {
+    trial.point.is_default = trial.point.parameter == static_cast<double>(default_parts());
   }
 }
 
@@ -119,7 +129,7 @@ const Point& point_of(const Series& series, int parts) {
 
 /// Order of convergence that a series has where its error is no round-off yet.
 double order_seen(const Series& series) {
-  return order_between(point_of(series, 16), point_of(series, 32));
+  return std::log2(point_of(series, 16).error / point_of(series, 32).error);
 }
 
 Chart frequency_chart(int k, const Effort& effort) {
@@ -140,17 +150,14 @@ Chart frequency_chart(int k, const Effort& effort) {
                           [k](const HermiteBeam& beam) { return hermite_omega(beam, k); }};
   std::vector<int> divisions = divisions_up_to(effort.quick ? 32 : 256);
   if (k > 1) divisions.erase(divisions.begin());  // two parts have no third frequency of a beam
-  PointTimer timer;
-  add_rigid_elements(chart, timer, question, divisions);
-  mark_default(chart.series[1]);
-  add_richardson(chart, timer, question, divisions);
-  add_finite_elements(chart, timer, question, divisions);
+  std::vector<TriedMethod> methods = methods_over(question, divisions);
+  mark_default(methods[1]);
+  chart.series = timed(methods, effort);
   chart.guides = {{2.0, 0}, {3.0, 1}, {4.0, 3}};
-  timer.measure(chart, effort);
   chart.lesson = fmt::format(
       "Classical elements converge with order {:.2f}, corrected ones with {:.2f} at the same cost: "
       "{:.1e} instead of {:.1e} at {} parts.",
-      order_seen(chart.series[0]), order_seen(chart.series[1]), default_of(chart)->error,
+      order_seen(chart.series[0]), order_seen(chart.series[1]), default_point(chart)->error,
       point_of(chart.series[0], default_parts()).error, default_parts());
   return chart;
 }
@@ -169,13 +176,10 @@ Chart deflection_chart(const Effort& effort) {
       },
       hermite_deflection};
   const std::vector<int> divisions = divisions_up_to(effort.quick ? 64 : 1024);
-  PointTimer timer;
-  add_rigid_elements(chart, timer, question, divisions);
-  mark_default(chart.series[1]);
-  add_richardson(chart, timer, question, divisions);
-  add_finite_elements(chart, timer, question, divisions);
+  std::vector<TriedMethod> methods = methods_over(question, divisions);
+  mark_default(methods[1]);
+  chart.series = timed(methods, effort);
   chart.guides = {{2.0, 0}};
-  timer.measure(chart, effort);
   const auto largest = [](const Series& series) {
     return std::max_element(series.points.begin(), series.points.end(),
                             [](const Point& a, const Point& b) { return a.error < b.error; })
@@ -197,7 +201,7 @@ Chart root_moment_chart(const Effort& effort) {
   chart.reference = "Euler and Bernoulli's beam, long double";
   chart.unit = "response from the beam (Hermite: sparse LU)";
   const std::vector<int> divisions = divisions_up_to(effort.quick ? 32 : 256);
-  PointTimer timer;
+  std::vector<TriedMethod> methods;
   for (const double ratio : {0.3, 0.9}) {
     const long double root = cantilever_root(1);
     const auto omega = static_cast<double>(ratio * root * root);
@@ -212,16 +216,18 @@ Chart root_moment_chart(const Effort& effort) {
         },
         [omega](const HermiteBeam& beam) { return hermite_root_moment(beam, omega); }};
     const std::string where = fmt::format(", r = {}", ratio);
-    add_rigid_elements(chart, timer, question, divisions, where);
-    add_finite_elements(chart, timer, question, divisions, where);
+    methods.push_back(rigid_elements_over(question, Element::classical, divisions, where));
+    methods.push_back(rigid_elements_over(question, Element::corrected, divisions, where));
+    methods.push_back(finite_elements_over(question, divisions, where));
   }
-  mark_default(chart.series[4]);
+  mark_default(methods[4]);
+  chart.series = timed(methods, effort);
   chart.guides = {{2.0, 3}, {3.0, 4}, {4.0, 5}};
-  timer.measure(chart, effort);
   chart.lesson = fmt::format(
       "Near resonance (r = 0.9) the error of the frequency is amplified: {} corrected parts leave "
       "{:.1e} of the moment, classical ones {:.1e}; at r = 0.3 it is {:.1e} and {:.1e}.",
-      default_parts(), default_of(chart)->error, point_of(chart.series[3], default_parts()).error,
+      default_parts(), default_point(chart)->error,
+      point_of(chart.series[3], default_parts()).error,
       point_of(chart.series[1], default_parts()).error,
       point_of(chart.series[0], default_parts()).error);
   return chart;
@@ -255,10 +261,6 @@ flexible::Mechanism divided(const flexible::Mechanism& mechanism, int parts, Ele
   return modelled(mechanism, {ModelLevel::flexible, 0, parts, element, false});
 }
 
-std::size_t elements_of(const flexible::Mechanism& mechanism) {
-  return structure_of(mechanism).elements();
-}
-
 Chart reaction_chart(const Project& project, const Effort& effort) {
   const flexible::Mechanism& mechanism = flexible_of(project);
   Chart chart;
@@ -273,40 +275,34 @@ Chart reaction_chart(const Project& project, const Effort& effort) {
   constexpr int reference_parts = 512;
   chart.reference = fmt::format("corrected elements, {} parts per link", reference_parts);
   Eigen::VectorXcd reference;
-  std::string no_reference;
   try {
     reference = joint_forces(divided(mechanism, reference_parts, Element::corrected));
   } catch (const AnalysisError& error) {
-    no_reference = error.failure().what;
+    return without_answer(std::move(chart), error.failure().what);
   }
-  const double size = no_reference.empty() ? largest_force(reference) : 0.0;
-  PointTimer timer;
+  const double size = largest_force(reference);
+  std::vector<TriedMethod> methods;
   for (const Element element : {Element::classical, Element::corrected}) {
-    const bool corrected = element == Element::corrected;
-    chart.series.push_back({corrected ? "corrected" : "classical", {}, false});
+    TriedMethod& method = methods.emplace_back();
+    method.method = element == Element::corrected ? "corrected" : "classical";
     for (const int n : divisions_up_to(effort.quick ? 16 : 128)) {
       const flexible::Mechanism by = divided(mechanism, n, element);
-      const auto work = [by] { return joint_forces(by); };
-      const auto operations = static_cast<double>(elements_of(by));
+      const auto operations = static_cast<double>(structure_of(by).elements());
       const std::string setting = fmt::format("{} parts per link", n);
-      std::vector<Point>& points = chart.series.back().points;
-      if (!no_reference.empty()) {
-        points.push_back(failed_point(setting, n, operations, no_reference));
-        continue;
-      }
       try {
-        const double error = largest_force(work() - reference);
-        points.push_back(solved_point(setting, n, operations, size > 0.0 ? error / size : error));
-        timer.add(chart, [work] { keep(work()); });
+        const double error = largest_force(joint_forces(by) - reference);
+        method.trials.push_back(
+            {solved_point(setting, n, operations, size > 0.0 ? error / size : error),
+             [by] { keep(joint_forces(by)); }});
       } catch (const AnalysisError& error) {
-        points.push_back(failed_point(setting, n, operations, error.failure().what));
+        method.trials.push_back({failed_point(setting, n, operations, error.failure().what), {}});
       }
     }
   }
-  mark_default(chart.series[1]);
+  mark_default(methods[1]);
+  chart.series = timed(methods, effort);
   chart.guides = {{2.0, 0}};
-  timer.measure(chart, effort);
-  const Point& by_default = *default_of(chart);
+  const Point& by_default = *default_point(chart);
   chart.lesson =
       by_default.failure.empty()
           ? fmt::format("{} parts per link leave {:.1e} of the largest force, {} {:.1e}.",

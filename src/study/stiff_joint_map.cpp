@@ -3,21 +3,19 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
+#include <vector>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/study/reference_beam.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "digits_left.hpp"
 
 namespace boxbeam::study {
 namespace {
 
 using flexible::Element;
 using flexible::Structure;
-
-/// Digits that a strength check needs at least.
-constexpr double needed_digits = 3.0;
-constexpr double all_digits = -std::numeric_limits<double>::digits10 - 1.0;
 
 /// Where the cantilever is cut: its stiffnesses are no round numbers.
 constexpr double cut = 0.382;
@@ -56,55 +54,71 @@ double deflection_by_boxbeam(const WeldedBeam& beam) {
       .y();
 }
 
-/// Strain between two places that move as rigid elements: rows of both, the first one's negative.
-void add_spring(const Eigen::MatrixXd& strain, const Eigen::Matrix3d& stiffness,
-                Eigen::MatrixXd& K) {
-  K += strain.transpose() * stiffness * strain;
+/// Where a rigid element's coordinates begin among those of all.
+class Places {
+ public:
+  explicit Places(const Structure& structure) {
+    for (const flexible::DividedLink& link : structure.links) {
+      first_.push_back(size_);
+      size_ += 3 * static_cast<Eigen::Index>(link.elements.size());
+    }
+  }
+  Eigen::Index size() const { return size_; }
+  Eigen::Index of(std::size_t link, std::size_t element) const {
+    return first_[link] + 3 * static_cast<Eigen::Index>(element);
+  }
+  Eigen::Index of(const flexible::Grip& grip) const {
+    return of(static_cast<std::size_t>(grip.link), grip.element);
+  }
+
+ private:
+  std::vector<Eigen::Index> first_;
+  Eigen::Index size_ = 0;
+};
+
+/// Adds springs between neighbouring elements: strain^T c strain.
+void add_springs(const Structure& structure, const Places& places, Eigen::MatrixXd& K) {
+  for (std::size_t l = 0; l < structure.links.size(); ++l) {
+    const flexible::DividedLink& link = structure.links[l];
+    for (std::size_t i = 0; i < link.springs.size(); ++i) {
+      const flexible::SpringElement& spring = link.springs[i];
+      Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
+      c(0, 0) = 1.0 / spring.axial;
+      c.bottomRightCorner<2, 2>() = spring.bending.inverse();
+      Eigen::Matrix<double, 3, 6> strain;
+      strain << -Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity();
+      strain(1, 2) = -(spring.place - link.elements[i].node);
+      strain(1, 5) = spring.place - link.elements[i + 1].node;
+      const Eigen::Index at = places.of(l, i);
+      K.block<6, 6>(at, at) += strain.transpose() * c * strain;
+    }
+  }
+}
+
+/// Adds the joints: gap^T c gap.
+void add_joints(const Structure& structure, const Places& places, Eigen::MatrixXd& K) {
+  for (std::size_t j = 0; j < structure.joints.size(); ++j) {
+    const Structure::Ends& ends = structure.joints[j];
+    Eigen::MatrixXd gap = Eigen::MatrixXd::Zero(3, K.cols());
+    for (const auto& [grip, sign] : {std::pair(&ends.a, -1.0), std::pair(&ends.b, 1.0)}) {
+      if (grip->link == flexible::ground) continue;
+      gap.middleCols<3>(places.of(*grip)) = sign * ends.axes * grip->motion;
+    }
+    const Eigen::Vector3d c(structure.mechanism->joints[j].stiffness.data());
+    K += gap.transpose() * c.asDiagonal() * gap;
+  }
 }
 
 /// The same springs and joints as one stiffness matrix in the motions of all elements.
 double deflection_by_stiffness(const WeldedBeam& beam) {
   const Structure structure = structure_of(beam.mechanism);
-  const auto size = 3 * static_cast<Eigen::Index>(structure.elements());
-  std::vector<Eigen::Index> first{0};
-  for (const flexible::DividedLink& link : structure.links) {
-    first.push_back(first.back() + 3 * static_cast<Eigen::Index>(link.elements.size()));
-  }
-  const auto at = [&](std::size_t link, std::size_t element) {
-    return first[link] + 3 * static_cast<Eigen::Index>(element);
-  };
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t l = 0; l < structure.links.size(); ++l) {
-    const flexible::DividedLink& link = structure.links[l];
-    for (std::size_t i = 0; i < link.springs.size(); ++i) {
-      const flexible::SpringElement& spring = link.springs[i];
-      Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-      stiffness(0, 0) = 1.0 / spring.axial;
-      stiffness.bottomRightCorner<2, 2>() = spring.bending.inverse();
-      Eigen::MatrixXd strain = Eigen::MatrixXd::Zero(3, size);
-      for (const std::size_t element : {i, i + 1}) {
-        const double sign = element == i ? -1.0 : 1.0;
-        Eigen::Matrix3d to_spring = Eigen::Matrix3d::Identity();
-        to_spring(1, 2) = spring.place - link.elements[element].node;
-        strain.middleCols<3>(at(l, element)) = sign * to_spring;
-      }
-      add_spring(strain, stiffness, K);
-    }
-  }
-  for (std::size_t j = 0; j < structure.joints.size(); ++j) {
-    const Structure::Ends& ends = structure.joints[j];
-    Eigen::MatrixXd gap = Eigen::MatrixXd::Zero(3, size);
-    for (const auto& [grip, sign] : {std::pair(&ends.a, -1.0), std::pair(&ends.b, 1.0)}) {
-      if (grip->link == flexible::ground) continue;
-      gap.middleCols<3>(at(static_cast<std::size_t>(grip->link), grip->element)) +=
-          sign * ends.axes * grip->motion;
-    }
-    const std::array<double, 3>& c = beam.mechanism.joints[j].stiffness;
-    add_spring(gap, Eigen::Vector3d(c[0], c[1], c[2]).asDiagonal(), K);
-  }
+  const Places places(structure);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(places.size(), places.size());
+  add_springs(structure, places, K);
+  add_joints(structure, places, K);
   const flexible::Grip& grip = structure.loads.front();
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(size);
-  const Eigen::Index end = at(static_cast<std::size_t>(grip.link), grip.element);
+  const Eigen::Index end = places.of(grip);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(places.size());
   load.segment<3>(end) = grip.motion.transpose() * beam.mechanism.loads.front().constant;
   const Eigen::LDLT<Eigen::MatrixXd> factors(K);
   const Eigen::VectorXd q = factors.solve(load);
@@ -112,15 +126,7 @@ double deflection_by_stiffness(const WeldedBeam& beam) {
 }
 
 Cell cell_of(double ratio, int parts, double value, double exact) {
-  Cell cell{ratio, static_cast<double>(parts), Outcome::solved, {}, ""};
-  const double error = std::abs(value / exact - 1.0);
-  const double digits =
-      std::isfinite(error)
-          ? std::clamp(-std::log10(std::max(error, std::pow(10.0, all_digits))), 0.0, -all_digits)
-          : 0.0;
-  cell.value = digits;
-  if (digits < needed_digits) cell.outcome = Outcome::wrong;
-  return cell;
+  return digits_cell(ratio, static_cast<double>(parts), relative_error(value, exact));
 }
 
 }  // namespace
@@ -152,17 +158,13 @@ Map stiff_joint_map(const Scenes&, const Effort& effort) {
           cell_of(ratio, parts, deflection_by_stiffness(beam), beam.exact));
     }
   }
-  const auto fewest = [](const MapPanel& panel) {
-    return *std::min_element(panel.cells.begin(), panel.cells.end(),
-                             [](const Cell& a, const Cell& b) { return *a.value < *b.value; })
-                ->value;
-  };
+  double fewest = most_digits;
+  for (const Cell& cell : map.panels[0].cells) fewest = std::min(fewest, cell.value.value_or(0.0));
   map.lesson = fmt::format(
       "boxbeam keeps {:.0f} digits or more however stiff the joints; a stiffness matrix in "
       "absolute "
       "coordinates loses one with every power of ten and is silently wrong in {} of {} trials.",
-      std::floor(fewest(map.panels[0])), map.panels[1].count(Outcome::wrong),
-      map.panels[1].cells.size());
+      std::floor(fewest), map.panels[1].count(Outcome::wrong), map.panels[1].cells.size());
   return map;
 }
 

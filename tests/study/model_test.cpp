@@ -3,14 +3,22 @@
 
 #include <cmath>
 
-#include "boxbeam/study/timed_points.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/charts.hpp"
+#include "support/chart_points.hpp"
 #include "support/program.hpp"
 
 using namespace boxbeam;
 using namespace boxbeam::study;
+
+namespace {
+
+double error_of(const Chart& chart, const std::string& method, double parameter) {
+  return test::error_at(test::series_of(chart, method), parameter);
+}
+
+}  // namespace
 
 TEST_CASE("charts of models: rigid bodies miss r^2, the chosen model keeps the tolerance",
           "[study][model]") {
@@ -20,12 +28,12 @@ TEST_CASE("charts of models: rigid bodies miss r^2, the chosen model keeps the t
 
   // The root moment is amplified 1.011, 1.112 and 5.85 times, computed independently for slender
   // beams: the static one misses 1 - 1/amplification.
-  const Chart& frequency = test::chart_of(result, "model-frequency");
+  const Chart& frequency = test::chart_named(result, "model-frequency");
   const std::string rigid = frequency.series.front().method;
-  CHECK(test::error_at(frequency, rigid, 0.1) == Approx(1.0 - 1.0 / 1.0114).epsilon(0.02));
-  CHECK(test::error_at(frequency, rigid, 0.3) == Approx(1.0 - 1.0 / 1.112).epsilon(0.01));
-  CHECK(test::error_at(frequency, rigid, 0.9) == Approx(1.0 - 1.0 / 5.85).epsilon(0.01));
-  CHECK(test::error_at(frequency, "modal, 1 mode", 0.3) < 4e-4);
+  CHECK(error_of(frequency, rigid, 0.1) == Approx(1.0 - 1.0 / 1.0114).epsilon(0.02));
+  CHECK(error_of(frequency, rigid, 0.3) == Approx(1.0 - 1.0 / 1.112).epsilon(0.01));
+  CHECK(error_of(frequency, rigid, 0.9) == Approx(1.0 - 1.0 / 5.85).epsilon(0.01));
+  CHECK(error_of(frequency, "modal, 1 mode", 0.3) < 4e-4);
 
   const auto keeps = [](const Chart& chart, const Series& series) {
     for (const Point& point : series.points) {
@@ -35,12 +43,12 @@ TEST_CASE("charts of models: rigid bodies miss r^2, the chosen model keeps the t
     }
   };
   keeps(frequency, frequency.series[4]);
-  const Chart& cost = test::chart_of(result, "model-cost");
+  const Chart& cost = test::chart_named(result, "model-cost");
   keeps(cost, cost.series.back());
-  REQUIRE(default_of(cost) != nullptr);
+  REQUIRE(default_point(cost) != nullptr);
 
   // Each tolerance is kept, and what boxbeam says of its error is no less than the error.
-  const Chart& tolerance = test::chart_of(result, "model-tolerance");
+  const Chart& tolerance = test::chart_named(result, "model-tolerance");
   for (std::size_t i = 0; i < tolerance.series[0].points.size(); ++i) {
     const Point& real = tolerance.series[0].points[i];
     const Point& found = tolerance.series[1].points[i];
@@ -60,7 +68,7 @@ TEST_CASE("charts of models: rigid bodies miss r^2, the chosen model keeps the t
 TEST_CASE("models of another case", "[study][model]") {
   const TopicResult result = model(
       scenes_of(read_project(test::project_file("sections/templates/flexible.toml"))), {true});
-  const Chart& cost = test::chart_of(result, "model-cost");
-  REQUIRE(default_of(cost) != nullptr);
-  CHECK(default_of(cost)->error <= cost.needed_high);
+  const Chart& cost = test::chart_named(result, "model-cost");
+  REQUIRE(default_point(cost) != nullptr);
+  CHECK(default_point(cost)->error <= cost.needed_high);
 }

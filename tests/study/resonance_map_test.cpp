@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/charts.hpp"
+#include "support/chart_points.hpp"
 
 using namespace boxbeam::study;
 

@@ -7,10 +7,10 @@
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/study/hermite_beam.hpp"
 #include "boxbeam/study/reference_beam.hpp"
-#include "boxbeam/study/timed_points.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/charts.hpp"
+#include "support/chart_points.hpp"
 #include "support/program.hpp"
 
 using namespace boxbeam;
@@ -22,10 +22,12 @@ namespace {
 constexpr const char* richardson = "classical, extrapolated (Richardson)";
 constexpr const char* hermite = "Hermite finite elements";
 
-/// Order between two settings of a method.
+double error_of(const Chart& chart, const std::string& method, double parameter) {
+  return test::error_at(test::series_of(chart, method), parameter);
+}
+
 double order(const Chart& chart, const std::string& method, double coarse, double fine) {
-  return std::log(test::error_at(chart, method, coarse) / test::error_at(chart, method, fine)) /
-         std::log(fine / coarse);
+  return test::order_between(test::series_of(chart, method), coarse, fine);
 }
 
 }  // namespace
@@ -66,20 +68,20 @@ TEST_CASE("charts of rigid elements: published errors, orders 2, 3 and 4, static
   REQUIRE(result.charts.size() == 5);
   CHECK(test::failures_in(result) == 0);
 
-  const Chart& frequency = test::chart_of(result, "rfem-frequency");
+  const Chart& frequency = test::chart_named(result, "rfem-frequency");
   struct Row {
     double parts, classical, corrected, hermite;
   };
   for (const Row& row : {Row{4, 1.45e-2, 8.7e-4, 3.3e-5}, Row{8, 3.60e-3, 1.05e-4, 2.1e-6},
                          Row{16, 8.97e-4, 1.30e-5, 1.3e-7}, Row{32, 2.24e-4, 1.6e-6, 8e-9}}) {
     CAPTURE(row.parts);
-    CHECK(test::error_at(frequency, "classical", row.parts) == Approx(row.classical).epsilon(5e-3));
-    CHECK(test::error_at(frequency, "corrected", row.parts) == Approx(row.corrected).epsilon(1e-2));
-    CHECK(test::error_at(frequency, hermite, row.parts) == Approx(row.hermite).epsilon(3e-2));
+    CHECK(error_of(frequency, "classical", row.parts) == Approx(row.classical).epsilon(5e-3));
+    CHECK(error_of(frequency, "corrected", row.parts) == Approx(row.corrected).epsilon(1e-2));
+    CHECK(error_of(frequency, hermite, row.parts) == Approx(row.hermite).epsilon(3e-2));
   }
-  CHECK(test::error_at(frequency, richardson, 16) == Approx(2.8e-6).epsilon(2e-2));
+  CHECK(error_of(frequency, richardson, 16) == Approx(2.8e-6).epsilon(2e-2));
   for (const char* name : {"rfem-frequency", "rfem-frequency-3"}) {
-    const Chart& chart = test::chart_of(result, name);
+    const Chart& chart = test::chart_named(result, name);
     CHECK(order(chart, "classical", 16, 32) == Approx(2.0).margin(0.02));
     CHECK(order(chart, "corrected", 16, 32) == Approx(3.0).margin(0.1));
     CHECK(order(chart, richardson, 16, 32) == Approx(4.0).margin(0.2));
@@ -87,14 +89,14 @@ TEST_CASE("charts of rigid elements: published errors, orders 2, 3 and 4, static
   }
 
   // Too stiff by 1/(4 n^2) by theory; the extrapolation of that is exact.
-  const Chart& deflection = test::chart_of(result, "rfem-deflection");
+  const Chart& deflection = test::chart_named(result, "rfem-deflection");
   for (const double n : {2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
-    CHECK(test::error_at(deflection, "classical", n) == Approx(0.25 / (n * n)).epsilon(1e-11));
-    CHECK(test::error_at(deflection, "corrected", n) < 1e-14);
-    if (n > 2.0) CHECK(test::error_at(deflection, richardson, n) < 1e-14);
+    CHECK(error_of(deflection, "classical", n) == Approx(0.25 / (n * n)).epsilon(1e-11));
+    CHECK(error_of(deflection, "corrected", n) < 1e-14);
+    if (n > 2.0) CHECK(error_of(deflection, richardson, n) < 1e-14);
   }
 
-  const Chart& moment = test::chart_of(result, "rfem-root-moment");
+  const Chart& moment = test::chart_named(result, "rfem-root-moment");
   for (const char* r : {"0.3", "0.9"}) {
     const std::string where = std::string(", r = ") + r;
     CHECK(order(moment, "classical" + where, 16, 32) == Approx(2.0).margin(0.05));
@@ -103,30 +105,28 @@ TEST_CASE("charts of rigid elements: published errors, orders 2, 3 and 4, static
   // Near resonance the moment has the frequency's error 2 r^2/(1 - r^2) times.
   const double amplified = 2.0 * 0.81 / 0.19;
   for (const double n : {16.0, 32.0}) {
-    CHECK(test::error_at(moment, "corrected, r = 0.9", n) ==
-          Approx(amplified * test::error_at(frequency, "corrected", n)).epsilon(0.05));
+    CHECK(error_of(moment, "corrected, r = 0.9", n) ==
+          Approx(amplified * error_of(frequency, "corrected", n)).epsilon(0.05));
   }
 
   for (const Chart& chart : result.charts) {
     CAPTURE(chart.name);
-    REQUIRE(default_of(chart) != nullptr);
-    CHECK(default_of(chart)->error <= chart.needed_high);
+    REQUIRE(default_point(chart) != nullptr);
+    CHECK(default_point(chart)->error <= chart.needed_high);
   }
   CHECK(test::errors_of(rigid_elements(reference_scenes(), {true})) == test::errors_of(result));
 }
 
-TEST_CASE("forces of joints: classical elements extrapolated agree with the charts' reference",
+TEST_CASE("charts of rigid elements of another case, and of one without elastic links",
           "[study][rfem]") {
-  // By another division and another form than the reference: errors of the corrected elements in
-  // the chart are what they differ from that.
   const Scenes scenes =
       scenes_of(read_project(test::project_file("sections/templates/flexible.toml")));
   const TopicResult result = rigid_elements(scenes, {true});
   CHECK(test::failures_in(result) == 0);
-  const Chart& chart = test::chart_of(result, "rfem-reactions");
-  CHECK(default_of(chart)->error <= chart.needed_high);
-  CHECK(test::error_at(chart, "classical", 16) < 0.2 * test::error_at(chart, "classical", 4));
-  // Rigid bodies have no such joints: what is about one beam stays.
+  const Chart& chart = test::chart_named(result, "rfem-reactions");
+  CHECK(default_point(chart)->error <= chart.needed_high);
+  CHECK(error_of(chart, "classical", 16) < 0.2 * error_of(chart, "classical", 4));
+  // A case of rigid bodies has no such joints; the beam of the other charts is none of a case.
   const TopicResult rigid = rigid_elements(
       scenes_of(read_project(test::project_file("sections/sledge-rig/rig.toml"))), {true});
   CHECK(rigid.charts.size() == 4);

@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/charts.hpp"
+#include "support/chart_points.hpp"
 
 using namespace boxbeam::study;
 
@@ -23,9 +24,9 @@ TEST_CASE("the map of stiff joints: boxbeam loses nothing, absolute coordinates 
   const MapPanel& absolute = map.panels[1];
   for (const Cell& cell : absolute.cells) {
     const double power = std::log10(cell.x);
-    CAPTURE(cell.x, cell.y, *cell.value);
-    if (cell.y == 1.0 && power >= 4.0 && power <= 14.0) {
-      CHECK(*cell.value == Approx(16.0 - power).margin(2.0));
+    CAPTURE(cell.x, cell.y);
+    if (cell.y == 1.0 && power >= 4.0 && power <= 12.0) {
+      CHECK(cell.value.value() == Approx(16.0 - power).margin(2.0));
     }
     if (power >= 16.0) CHECK(cell.outcome == Outcome::wrong);
   }

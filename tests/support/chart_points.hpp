@@ -49,12 +49,30 @@ inline std::vector<boxbeam::study::Point> defaults_of(const boxbeam::study::Char
   return found;
 }
 
-/// All errors of a topic, in order.
+/// Settings that came to nothing.
+inline std::size_t failures_in(const boxbeam::study::TopicResult& result) {
+  std::size_t count = 0;
+  for (const boxbeam::study::Chart& chart : result.charts) {
+    for (const boxbeam::study::Series& series : chart.series) {
+      for (const boxbeam::study::Point& point : series.points) count += !point.failure.empty();
+    }
+  }
+  return count;
+}
+
+/// All errors of a topic and the values of its maps, in order.
 inline std::vector<double> errors_of(const boxbeam::study::TopicResult& result) {
   std::vector<double> errors;
   for (const boxbeam::study::Chart& chart : result.charts) {
     for (const boxbeam::study::Series& series : chart.series) {
       for (const boxbeam::study::Point& point : series.points) errors.push_back(point.error);
+    }
+  }
+  for (const boxbeam::study::Map& map : result.maps) {
+    for (const boxbeam::study::MapPanel& panel : map.panels) {
+      for (const boxbeam::study::Cell& cell : panel.cells) {
+        errors.push_back(cell.value.value_or(-1.0 - static_cast<double>(cell.outcome)));
+      }
     }
   }
   return errors;

@@ -16,7 +16,18 @@ struct SparsePattern {
 
   std::size_t entries() const { return col.size(); }
   /// `values` as a dense matrix.
-  Eigen::MatrixXd dense(const std::vector<double>& values) const;
+  template <class Scalar>
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> dense(
+      const std::vector<Scalar>& values) const {
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> matrix(rows, cols);
+    matrix.setZero();
+    for (Eigen::Index r = 0; r < rows; ++r) {
+      const auto begin = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r)]);
+      const auto end = static_cast<std::size_t>(row_start[static_cast<std::size_t>(r) + 1]);
+      for (std::size_t e = begin; e < end; ++e) matrix(r, col[e]) = values[e];
+    }
+    return matrix;
+  }
 };
 
 /// Gaussian elimination of sparse matrices of one pattern, in an order of pivots that is chosen
@@ -27,8 +38,13 @@ struct SparsePattern {
 /// take no part. The order holds while no multiplier exceeds `growth`; then `factor` says so and
 /// the caller analyses anew. Sources: Markowitz, Management Science 3 (1957); Duff, Erisman, Reid,
 /// Direct Methods for Sparse Matrices (1986), chapters 5, 7 and 9.
-class SparseElimination {
+///
+/// Scalar: the arithmetic: float, double, long double or Decimal<5>.
+template <class Scalar>
+class SparseEliminationOf {
  public:
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
   /// Multipliers, in scaled rows, above which an order is refused.
   static constexpr double growth = 20.0;
   /// An entry of the scaled matrix that is nothing but round-off.
@@ -41,12 +57,12 @@ class SparseElimination {
                        const Eigen::VectorXd& row_scale, const Eigen::VectorXd& col_scale);
 
   /// Factors other values in the same order; false where the order does not suit them.
-  bool factor(const std::vector<double>& values);
+  bool factor(const std::vector<Scalar>& values);
 
   /// A x = b on the rows that take part.
-  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+  void solve(const Vector& b, Vector& x) const;
   /// A^T y = b; rows left over get y = 0.
-  void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& y) const;
+  void solve_transposed(const Vector& b, Vector& y) const;
 
   /// Rows that took no part, ascending.
   const std::vector<int>& rows_left() const { return rows_left_; }
@@ -58,9 +74,9 @@ class SparseElimination {
   int pivot_row(std::size_t k) const { return pivot_row_[k]; }
   int pivot_col(std::size_t k) const { return pivot_col_[k]; }
   /// Its value in the last factorisation.
-  double pivot(std::size_t k) const { return work_[upper_start_[k]]; }
+  Scalar pivot(std::size_t k) const { return work_[upper_start_[k]]; }
   /// The smallest pivot of the last factorisation, in the scaled matrix.
-  double smallest_pivot() const { return smallest_pivot_; }
+  Scalar smallest_pivot() const { return smallest_pivot_; }
   /// Floating-point operations of one factorisation, and of one solution.
   std::size_t factor_operations() const { return factor_operations_; }
   std::size_t solve_operations() const { return 2 * (lower_row_.size() + upper_col_.size()); }
@@ -68,22 +84,24 @@ class SparseElimination {
  private:
   // Work space: the rows of U one after the other, each led by its pivot, then the multipliers of
   // pivot after pivot, then a place for the entries of rows left over.
-  std::vector<double> work_;
+  std::vector<Scalar> work_;
   std::vector<std::uint32_t> place_;        ///< of each entry of the pattern in the work space
   std::vector<std::uint32_t> upper_start_;  ///< per pivot and one behind
   std::vector<std::uint32_t> lower_start_;  ///< per pivot and one behind
   std::vector<std::uint32_t> target_;       ///< of every update, in order
   std::vector<std::uint32_t> upper_col_;    ///< pivot number per place of U
   std::vector<std::uint32_t> lower_row_;    ///< pivot number of the row per multiplier
-  std::vector<double> lower_limit_;         ///< per multiplier
-  std::vector<double> pivot_scale_;
-  std::vector<double> inverse_;  ///< of the pivots
+  std::vector<Scalar> lower_limit_;         ///< per multiplier
+  std::vector<Scalar> pivot_scale_;
+  std::vector<Scalar> inverse_;  ///< of the pivots
   std::vector<int> pivot_row_, pivot_col_;
   std::vector<int> rows_left_, cols_left_;
-  mutable std::vector<double> right_;  ///< right side in the order of the pivots
+  mutable std::vector<Scalar> right_;  ///< right side in the order of the pivots
   Eigen::Index rows_ = 0;
-  double smallest_pivot_ = 0.0;
+  Scalar smallest_pivot_{};
   std::size_t factor_operations_ = 0;
 };
+
+using SparseElimination = SparseEliminationOf<double>;
 
 }  // namespace boxbeam

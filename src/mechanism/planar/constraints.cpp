@@ -3,11 +3,17 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+
+#include "boxbeam/numerics/decimal.hpp"
 
 namespace boxbeam::planar {
 namespace {
 
-Eigen::Vector2d left_of(const Eigen::Vector2d& vector) { return {-vector.y(), vector.x()}; }
+template <class Scalar>
+Eigen::Matrix<Scalar, 2, 1> left_of(const Eigen::Matrix<Scalar, 2, 1>& vector) {
+  return {-vector.y(), vector.x()};
+}
 
 /// The vector from a body's centre of mass to a point of it, in world axes; for a point of the
 /// ground the point itself.
@@ -17,6 +23,15 @@ Eigen::Vector2d arm_of(const Attachment& point, const Eigen::VectorXd& q) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   return {c * point.p.x() - s * point.p.y(), s * point.p.x() + c * point.p.y()};
+}
+
+template <class Scalar>
+Scalar whole_turn() {
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    return Scalar(2) * std::numbers::pi_v<Scalar>;
+  } else {
+    return Scalar(2.0 * std::numbers::pi);
+  }
 }
 
 /// The unit vector to the left of a direction.
@@ -34,7 +49,7 @@ Eigen::Vector2d velocity_of(const Attachment& point, const Eigen::VectorXd& q,
                             const Eigen::VectorXd& v) {
   if (point.body == ground) return Eigen::Vector2d::Zero();
   const double omega = v[3 * point.body + 2];
-  return v.segment<2>(3 * point.body) + omega * left_of(arm_of(point, q));
+  return v.segment<2>(3 * point.body) + omega * left_of<double>(arm_of(point, q));
 }
 
 Eigen::Vector2d acceleration_of(const Attachment& point, const Eigen::VectorXd& q,
@@ -45,8 +60,9 @@ Eigen::Vector2d acceleration_of(const Attachment& point, const Eigen::VectorXd& 
 }
 
 /// Takes joints apart into terms and notes where their derivatives go.
-struct ConstraintEquations::Builder {
-  ConstraintEquations& equations;
+template <class Scalar>
+struct ConstraintEquationsOf<Scalar>::Builder {
+  ConstraintEquationsOf& equations;
   int bodies;
 
   int index_of(const Attachment& point) const { return point.body == ground ? bodies : point.body; }
@@ -56,8 +72,8 @@ struct ConstraintEquations::Builder {
     term.kind = kind;
     term.a = index_of(a);
     term.b = index_of(b);
-    term.p_a = a.p;
-    term.p_b = b.p;
+    term.p_a = a.p.cast<Scalar>();
+    term.p_b = b.p.cast<Scalar>();
     return term;
   }
 
@@ -69,17 +85,17 @@ struct ConstraintEquations::Builder {
 
   void add_angle(const Attachment& a, const Attachment& b, double ratio, double offset) const {
     Term term = between(Kind::turn, a, b);
-    term.ratio = ratio;
-    term.offset = offset;
+    term.ratio = static_cast<Scalar>(ratio);
+    term.offset = static_cast<Scalar>(offset);
     add(term);
   }
 
   void add_along(const Attachment& a, const Attachment& b, const Eigen::Vector2d& n, double r = 0.0,
                  double offset = 0.0) const {
     Term term = between(Kind::along, a, b);
-    term.n = n;
-    term.ratio = r;
-    term.offset = offset;
+    term.n = n.cast<Scalar>();
+    term.ratio = static_cast<Scalar>(r);
+    term.offset = static_cast<Scalar>(offset);
     add(term);
   }
 
@@ -101,7 +117,7 @@ struct ConstraintEquations::Builder {
 
   void operator()(const Distance& distance) const {
     Term term = between(Kind::length, distance.a, distance.b);
-    term.offset = distance.length;
+    term.offset = static_cast<Scalar>(distance.length);
     add(term);
   }
 
@@ -111,9 +127,9 @@ struct ConstraintEquations::Builder {
 
   void operator()(const Gear& gear) const {
     Term term = between(Kind::mesh, gear.a, gear.b);
-    term.ratio = gear.radius_a;
-    term.r_b = gear.radius_b;
-    term.offset = gear.offset;
+    term.ratio = static_cast<Scalar>(gear.radius_a);
+    term.r_b = static_cast<Scalar>(gear.radius_b);
+    term.offset = static_cast<Scalar>(gear.offset);
     add(term);
   }
 
@@ -128,13 +144,12 @@ struct ConstraintEquations::Builder {
     Term term;
     if (driven.coordinate == Coordinate::angle) {
       term = between(Kind::turn, driven.point, driven.other);
-      term.ratio = 1.0;
+      term.ratio = Scalar(1);
     } else if (driven.coordinate == Coordinate::length) {
       term = between(Kind::length, driven.point, driven.other);
     } else {
       term = between(Kind::along, driven.point, {});
-      term.n =
-          driven.coordinate == Coordinate::x ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
+      term.n = driven.coordinate == Coordinate::x ? Vector2::UnitX() : Vector2::UnitY();
     }
     term.driver = static_cast<int>(equations.drivers_.size()) - 1;
     add(term);
@@ -143,11 +158,11 @@ struct ConstraintEquations::Builder {
   /// Notes the entries of all rows in the pattern and in the terms, and writes the constant ones.
   void place_entries() const {
     SparsePattern& pattern = equations.pattern_;
-    std::vector<double>& values = equations.constant_;
+    std::vector<Scalar>& values = equations.constant_;
     std::vector<std::uint32_t*> nowhere;
     const auto begin_row = [&] { pattern.row_start.push_back(static_cast<int>(values.size())); };
     // An entry of the row at hand; `at` learns its place. The ground has no coordinates.
-    const auto entry = [&](int body, int coordinate, double value, std::uint32_t* at) {
+    const auto entry = [&](int body, int coordinate, Scalar value, std::uint32_t* at) {
       if (body == bodies) {
         if (at != nullptr) nowhere.push_back(at);
         return;
@@ -159,32 +174,34 @@ struct ConstraintEquations::Builder {
     for (Term& term : equations.terms_) {
       begin_row();
       if (term.kind == Kind::coincide) {
-        entry(term.a, 0, 1.0, nullptr);
-        entry(term.a, 2, 0.0, &term.at[0]);
-        entry(term.b, 0, -1.0, nullptr);
-        entry(term.b, 2, 0.0, &term.at[1]);
+        entry(term.a, 0, Scalar(1), nullptr);
+        entry(term.a, 2, Scalar(0), &term.at[0]);
+        entry(term.b, 0, Scalar(-1), nullptr);
+        entry(term.b, 2, Scalar(0), &term.at[1]);
         begin_row();
-        entry(term.a, 1, 1.0, nullptr);
-        entry(term.a, 2, 0.0, &term.at[2]);
-        entry(term.b, 1, -1.0, nullptr);
-        entry(term.b, 2, 0.0, &term.at[3]);
+        entry(term.a, 1, Scalar(1), nullptr);
+        entry(term.a, 2, Scalar(0), &term.at[2]);
+        entry(term.b, 1, Scalar(-1), nullptr);
+        entry(term.b, 2, Scalar(0), &term.at[3]);
       } else if (term.kind == Kind::turn) {
-        entry(term.a, 2, 1.0, nullptr);
+        entry(term.a, 2, Scalar(1), nullptr);
         entry(term.b, 2, -term.ratio, nullptr);
       } else {
-        for (int c = 0; c < 3; ++c) entry(term.a, c, 0.0, &term.at[static_cast<std::size_t>(c)]);
+        for (int c = 0; c < 3; ++c)
+          entry(term.a, c, Scalar(0), &term.at[static_cast<std::size_t>(c)]);
         for (int c = 0; c < 3; ++c) {
-          entry(term.b, c, 0.0, &term.at[static_cast<std::size_t>(c) + 3]);
+          entry(term.b, c, Scalar(0), &term.at[static_cast<std::size_t>(c) + 3]);
         }
       }
     }
     begin_row();
-    values.push_back(0.0);  // a last place for what concerns the ground
+    values.push_back(Scalar(0));  // a last place for what concerns the ground
     for (std::uint32_t* at : nowhere) *at = static_cast<std::uint32_t>(pattern.col.size());
   }
 };
 
-ConstraintEquations::ConstraintEquations(const Mechanism& mechanism) {
+template <class Scalar>
+ConstraintEquationsOf<Scalar>::ConstraintEquationsOf(const Mechanism& mechanism) {
   const auto bodies = static_cast<int>(mechanism.bodies.size());
   pattern_.cols = mechanism.coordinates();
   const Builder builder{*this, bodies};
@@ -207,52 +224,69 @@ ConstraintEquations::ConstraintEquations(const Mechanism& mechanism) {
   }
 }
 
-void ConstraintEquations::set_time(double time) {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::set_time(double time) {
   for (std::size_t i = 0; i < drivers_.size(); ++i) {
     driver_states_[i] = driver_at(*drivers_[i], time);
   }
 }
 
-void ConstraintEquations::set_driver_values(const std::vector<double>& values) {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::set_driver_values(const std::vector<double>& values) {
   assert(values.size() == drivers_.size());
   for (std::size_t i = 0; i < drivers_.size(); ++i) driver_states_[i] = {values[i], 0.0, 0.0};
 }
 
-void ConstraintEquations::set_position(const Eigen::VectorXd& q) {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::set_driver_states(const std::vector<DriverState>& states) {
+  assert(states.size() == drivers_.size());
+  driver_states_ = states;
+}
+
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::set_position(const Vector& q) {
+  using std::cos;
+  using std::sin;
   for (std::size_t i = 0; i + 1 < poses_.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(3 * i);
-    poses_[i] = {q[k], q[k + 1], q[k + 2], std::cos(q[k + 2]), std::sin(q[k + 2])};
+    poses_[i] = {q[k], q[k + 1], q[k + 2], cos(q[k + 2]), sin(q[k + 2])};
   }
 }
 
-void ConstraintEquations::move_position(const Eigen::VectorXd& q) {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::move_position(const Vector& q) {
+  using std::abs;
+  const Scalar one(1);
   for (std::size_t i = 0; i + 1 < poses_.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(3 * i);
     Pose& pose = poses_[i];
     pose.x = q[k];
     pose.y = q[k + 1];
-    const double turned = q[k + 2] - pose.angle;
+    const Scalar turned = q[k + 2] - pose.angle;
     pose.angle = q[k + 2];
-    if (std::abs(turned) < 1e-3) {
+    if (abs(turned) < Scalar(1e-3)) {
       // Terms left out: turned^7/5040 and turned^6/720.
-      const double square = turned * turned;
-      const double s = turned * (1.0 - square / 6.0 * (1.0 - square / 20.0));
-      const double c = -0.5 * square * (1.0 - square / 12.0);  // cosine - 1
-      const double cos = pose.cos;
-      pose.cos += c * cos - s * pose.sin;
-      pose.sin += c * pose.sin + s * cos;
+      const Scalar square = turned * turned;
+      const Scalar s = turned * (one - square / Scalar(6) * (one - square / Scalar(20)));
+      const Scalar c = Scalar(-0.5) * square * (one - square / Scalar(12));  // cosine - 1
+      const Scalar cosine = pose.cos;
+      pose.cos += c * cosine - s * pose.sin;
+      pose.sin += c * pose.sin + s * cosine;
     } else {
-      pose.cos = std::cos(pose.angle);
-      pose.sin = std::sin(pose.angle);
+      using std::cos;
+      using std::sin;
+      pose.cos = cos(pose.angle);
+      pose.sin = sin(pose.angle);
     }
   }
 }
 
+template <class Scalar>
 template <bool with_jacobian>
-void ConstraintEquations::evaluate_terms(Eigen::VectorXd& phi,
-                                         std::vector<double>* jacobian) const {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  double* const values = with_jacobian ? jacobian->data() : nullptr;
+void ConstraintEquationsOf<Scalar>::evaluate_terms(Vector& phi,
+                                                   std::vector<Scalar>* jacobian) const {
+  const Scalar turn = whole_turn<Scalar>();
+  Scalar* const values = with_jacobian ? jacobian->data() : nullptr;
   for (const Term& term : terms_) {
     const Pose& a = poses_[static_cast<std::size_t>(term.a)];
     const Pose& b = poses_[static_cast<std::size_t>(term.b)];
@@ -260,10 +294,9 @@ void ConstraintEquations::evaluate_terms(Eigen::VectorXd& phi,
       phi[term.row] = a.angle - term.ratio * b.angle - offset_of(term);
       continue;
     }
-    const Eigen::Vector2d arm_a = a.turned(term.p_a);
-    const Eigen::Vector2d arm_b = b.turned(term.p_b);
-    const Eigen::Vector2d d((a.x - b.x) + (arm_a.x() - arm_b.x()),
-                            (a.y - b.y) + (arm_a.y() - arm_b.y()));
+    const Vector2 arm_a = a.turned(term.p_a);
+    const Vector2 arm_b = b.turned(term.p_b);
+    const Vector2 d((a.x - b.x) + (arm_a.x() - arm_b.x()), (a.y - b.y) + (arm_a.y() - arm_b.y()));
     if (term.kind == Kind::coincide) {
       phi[term.row] = d.x();
       phi[term.row + 1] = d.y();
@@ -276,27 +309,28 @@ void ConstraintEquations::evaluate_terms(Eigen::VectorXd& phi,
       continue;
     }
     // A row n . (p_a - p_b) + ...: its derivatives by the points and by what else turns with them.
-    Eigen::Vector2d n;
-    double by_angle_a = 0.0;
-    double by_angle_b = 0.0;
+    Vector2 n;
+    Scalar by_angle_a(0);
+    Scalar by_angle_b(0);
     if (term.kind == Kind::along) {
       n = b.turned(term.n);
       phi[term.row] = n.dot(d) + term.ratio * (a.angle - b.angle) - offset_of(term);
       by_angle_a = term.ratio;
       by_angle_b = left_of(n).dot(d) - term.ratio;
     } else {
-      const double distance = d.norm();
-      const Eigen::Vector2d u = distance > 0.0 ? Eigen::Vector2d(d / distance)
-                                               : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+      const Scalar distance = d.norm();
+      const Vector2 u = distance > Scalar(0) ? Vector2(d / distance) : Vector2(Vector2::UnitX());
       if (term.kind == Kind::length) {
         n = u;
         phi[term.row] = distance - offset_of(term);
       } else {
-        const double sum = term.ratio + term.r_b;
-        const double theta = std::atan2(-d.y(), -d.x());
-        phi[term.row] = std::remainder(
-            term.ratio * (a.angle - theta) + term.r_b * (b.angle - theta) - term.offset,
-            turn * sum);
+        using std::atan2;
+        using std::remainder;
+        const Scalar sum = term.ratio + term.r_b;
+        const Scalar theta = atan2(-d.y(), -d.x());
+        phi[term.row] =
+            remainder(term.ratio * (a.angle - theta) + term.r_b * (b.angle - theta) - term.offset,
+                      turn * sum);
         // theta turns by -(left of u) . (dp_a - dp_b)/distance seen from b to a: u points from b.
         n = -sum / distance * left_of(u);
         by_angle_a = term.ratio;
@@ -314,70 +348,79 @@ void ConstraintEquations::evaluate_terms(Eigen::VectorXd& phi,
   }
 }
 
-void ConstraintEquations::evaluate(Eigen::VectorXd& phi) const {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::evaluate(Vector& phi) const {
   evaluate_terms<false>(phi, nullptr);
 }
 
-void ConstraintEquations::evaluate(Eigen::VectorXd& phi, std::vector<double>& jacobian) const {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::evaluate(Vector& phi, std::vector<Scalar>& jacobian) const {
   if (jacobian.size() != constant_.size()) jacobian = constant_;
   evaluate_terms<true>(phi, &jacobian);
 }
 
-void ConstraintEquations::velocity_right_side(Eigen::VectorXd& nu) const {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::velocity_right_side(Vector& nu) const {
   nu.setZero();
-  for (std::size_t i = 0; i < drivers_.size(); ++i) nu[driver_rows_[i]] = driver_states_[i].rate;
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    nu[driver_rows_[i]] = static_cast<Scalar>(driver_states_[i].rate);
+  }
 }
 
-void ConstraintEquations::acceleration_right_side(const Eigen::VectorXd& v,
-                                                  Eigen::VectorXd& gamma) const {
+template <class Scalar>
+void ConstraintEquationsOf<Scalar>::acceleration_right_side(const Vector& v, Vector& gamma) const {
   // Velocities of the ground are none.
   const auto part = [&](int body, int coordinate) {
     const Eigen::Index i = 3 * static_cast<Eigen::Index>(body) + coordinate;
-    return i < v.size() ? v[i] : 0.0;
+    return i < v.size() ? v[i] : Scalar(0);
   };
   for (const Term& term : terms_) {
-    const double from_driver =
-        term.driver < 0 ? 0.0 : driver_states_[static_cast<std::size_t>(term.driver)].acceleration;
+    const auto from_driver = static_cast<Scalar>(
+        term.driver < 0 ? 0.0 : driver_states_[static_cast<std::size_t>(term.driver)].acceleration);
     if (term.kind == Kind::turn) {
       gamma[term.row] = from_driver;
       continue;
     }
     const Pose& a = poses_[static_cast<std::size_t>(term.a)];
     const Pose& b = poses_[static_cast<std::size_t>(term.b)];
-    const double omega_a = part(term.a, 2);
-    const double omega_b = part(term.b, 2);
-    const Eigen::Vector2d arm_a = a.turned(term.p_a);
-    const Eigen::Vector2d arm_b = b.turned(term.p_b);
+    const Scalar omega_a = part(term.a, 2);
+    const Scalar omega_b = part(term.b, 2);
+    const Vector2 arm_a = a.turned(term.p_a);
+    const Vector2 arm_b = b.turned(term.p_b);
     // The acceleration of p_a - p_b that the rotation rates give.
-    const Eigen::Vector2d centripetal = omega_b * omega_b * arm_b - omega_a * omega_a * arm_a;
+    const Vector2 centripetal = omega_b * omega_b * arm_b - omega_a * omega_a * arm_a;
     if (term.kind == Kind::coincide) {
       gamma[term.row] = -centripetal.x();
       gamma[term.row + 1] = -centripetal.y();
       continue;
     }
-    const Eigen::Vector2d d((a.x - b.x) + (arm_a.x() - arm_b.x()),
-                            (a.y - b.y) + (arm_a.y() - arm_b.y()));
-    const Eigen::Vector2d rate =
-        Eigen::Vector2d(part(term.a, 0) - part(term.b, 0), part(term.a, 1) - part(term.b, 1)) +
+    const Vector2 d((a.x - b.x) + (arm_a.x() - arm_b.x()), (a.y - b.y) + (arm_a.y() - arm_b.y()));
+    const Vector2 rate =
+        Vector2(part(term.a, 0) - part(term.b, 0), part(term.a, 1) - part(term.b, 1)) +
         omega_a * left_of(arm_a) - omega_b * left_of(arm_b);
-    double own = 0.0;
+    Scalar own(0);
     if (term.kind == Kind::along) {
-      const Eigen::Vector2d n = b.turned(term.n);
-      own =
-          n.dot(centripetal) + 2.0 * omega_b * left_of(n).dot(rate) - omega_b * omega_b * n.dot(d);
+      const Vector2 n = b.turned(term.n);
+      own = n.dot(centripetal) + Scalar(2) * omega_b * left_of(n).dot(rate) -
+            omega_b * omega_b * n.dot(d);
     } else {
-      const double distance = d.norm();
-      const Eigen::Vector2d u = d / distance;
-      const double across = left_of(u).dot(rate);
+      const Scalar distance = d.norm();
+      const Vector2 u = d / distance;
+      const Scalar across = left_of(u).dot(rate);
       if (term.kind == Kind::length) {
         own = u.dot(centripetal) + across * across / distance;
       } else {
         own = -(term.ratio + term.r_b) / distance *
-              (left_of(u).dot(centripetal) - 2.0 * u.dot(rate) * across / distance);
+              (left_of(u).dot(centripetal) - Scalar(2) * u.dot(rate) * across / distance);
       }
     }
     gamma[term.row] = from_driver - own;
   }
 }
+
+template class ConstraintEquationsOf<float>;
+template class ConstraintEquationsOf<double>;
+template class ConstraintEquationsOf<long double>;
+template class ConstraintEquationsOf<Decimal<5>>;
 
 }  // namespace boxbeam::planar

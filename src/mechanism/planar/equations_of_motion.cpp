@@ -119,6 +119,12 @@ void EquationsOfMotion::solve(const SparseElimination& elimination) {
   }
 }
 
+void EquationsOfMotion::evaluate_at(double time, const Eigen::VectorXd& q) {
+  constraints_.set_time(time);
+  constraints_.set_position(q);
+  constraints_.evaluate(phi_);
+}
+
 bool EquationsOfMotion::stand_at(double time, const Eigen::VectorXd& q) {
   ++evaluations_;
   time_ = time;

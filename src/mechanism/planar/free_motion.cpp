@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
@@ -13,8 +15,14 @@
 namespace boxbeam::planar {
 namespace {
 
-constexpr double near_singular = 1e-3;        ///< a scaled pivot of the equations of motion
-constexpr double error_near_singular = 1e-8;  ///< of a step there
+// Pivots of the equations of motion by that of regular positions.
+constexpr double near_singular = 2e-2;    ///< no step ends there
+constexpr double beside_singular = 4e-3;  ///< where a step over a singular position may end
+constexpr double singular = 1e-6;         ///< nothing is known any more
+
+// Errors of a step in scaled coordinates.
+constexpr double error_near_singular = 1e-8;
+constexpr double error_of_passage = 1e-6;
 
 }  // namespace
 
@@ -37,6 +45,7 @@ State FreeSolver::state_of(double time, const Eigen::VectorXd& q, const Eigen::V
          {}});
   }
   state.residual = equations_.residual();
+  regular_ = std::max(regular_, equations_.smallest_pivot());
   return state;
 }
 
@@ -72,63 +81,110 @@ State FreeSolver::start(double time, const Eigen::VectorXd& q, const Eigen::Vect
   return state_of(time, position, velocity);
 }
 
-State FreeSolver::advance(double time, const State& known) {
+struct FreeSolver::Step {
+  State end;
+  bool solved = true;
+  double error = 0.0;      ///< in tolerances
+  double pivot = 1.0;      ///< the smallest of its stages and its end
+  double end_pivot = 1.0;  ///< of its end
+};
+
+bool FreeSolver::is_near_singular(double pivot) const { return pivot < near_singular * regular_; }
+
+FreeSolver::Step FreeSolver::step_from(const State& known, double dt) {
   using Vector = std::vector<double>;
   const Eigen::Index n = mechanism_->coordinates();
   const Eigen::VectorXd& scale = equations_.constraints().col_scale();
-  Eigen::VectorXd q = known.q;
-  Eigen::VectorXd v = known.v;
-  Eigen::VectorXd a, lambda;
-  const auto pack = [&](Vector& y) {
-    Eigen::Map<Eigen::VectorXd>(y.data(), n) = q.cwiseQuotient(scale);
-    Eigen::Map<Eigen::VectorXd>(y.data() + n, n) = v.cwiseQuotient(scale);
-  };
-  const auto unpack = [&](const Vector& y) {
-    q = Eigen::Map<const Eigen::VectorXd>(y.data(), n).cwiseProduct(scale);
-    v = Eigen::Map<const Eigen::VectorXd>(y.data() + n, n).cwiseProduct(scale);
-  };
-  bool solved = true;
-  double pivot = 1.0;  // the smallest of a step's stages
+  Step step;
+  State& end = step.end;
+  end = known;
   const auto rates = [&](const Vector& y, Vector& rate, double t) {
-    unpack(y);
-    solved = solved && equations_.solve_rates(t, q, v, a, lambda);
-    if (!solved) {
+    end.q = Eigen::Map<const Eigen::VectorXd>(y.data(), n).cwiseProduct(scale);
+    end.v = Eigen::Map<const Eigen::VectorXd>(y.data() + n, n).cwiseProduct(scale);
+    step.solved = step.solved && equations_.solve_rates(t, end.q, end.v, end.a, end.lambda);
+    if (!step.solved) {
       std::fill(rate.begin(), rate.end(), 0.0);
       return;
     }
-    pivot = std::min(pivot, equations_.smallest_pivot());
-    Eigen::Map<Eigen::VectorXd>(rate.data(), n) = v.cwiseQuotient(scale);
-    Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = a.cwiseQuotient(scale);
+    step.pivot = std::min(step.pivot, equations_.smallest_pivot());
+    Eigen::Map<Eigen::VectorXd>(rate.data(), n) = end.v.cwiseQuotient(scale);
+    Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = end.a.cwiseQuotient(scale);
   };
-
-  boost::numeric::odeint::runge_kutta_fehlberg78<Vector> stepper;
   Vector y(static_cast<std::size_t>(2 * n)), next(y.size()), error(y.size()), rate(y.size());
-  pack(y);
-  double t = known.time;
-  const double direction = time < t ? -1.0 : 1.0;
-  const double smallest = 1e-13 * std::max(std::abs(time), std::abs(known.time)) + 1e-300;
-  double dt = time - t;
-  while (direction * (time - t) > smallest) {
-    dt = direction * std::min(std::abs(dt), std::abs(time - t));
-    solved = true;
-    pivot = 1.0;
-    stepper.do_step(rates, y, t, next, dt, error);
-    double size = 0.0;  // of the error, in tolerances
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      size = std::max(size, std::abs(error[i]) / (tolerance_ * (1.0 + std::abs(y[i]))));
-    }
-    if (solved && project_) {
-      unpack(next);
-      solved = equations_.project(t + dt, q, v);
-      pack(next);
-    }
-    if (solved) rates(next, rate, t + dt);  // where it ends must be regular as well
+  Eigen::Map<Eigen::VectorXd>(y.data(), n) = known.q.cwiseQuotient(scale);
+  Eigen::Map<Eigen::VectorXd>(y.data() + n, n) = known.v.cwiseQuotient(scale);
+  boost::numeric::odeint::runge_kutta_fehlberg78<Vector> stepper;
+  // The rates at its beginning are known.
+  Eigen::Map<Eigen::VectorXd>(rate.data(), n) = known.v.cwiseQuotient(scale);
+  Eigen::Map<Eigen::VectorXd>(rate.data() + n, n) = known.a.cwiseQuotient(scale);
+  stepper.do_step(rates, y, rate, known.time, next, dt, error);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    step.error = std::max(step.error, std::abs(error[i]) / (tolerance_ * (1.0 + std::abs(y[i]))));
+  }
+  end.time = known.time + dt;
+  end.q = Eigen::Map<const Eigen::VectorXd>(next.data(), n).cwiseProduct(scale);
+  end.v = Eigen::Map<const Eigen::VectorXd>(next.data() + n, n).cwiseProduct(scale);
+  if (project_) step.solved = step.solved && equations_.project(end.time, end.q, end.v);
+  // Where it ends must be regular as well.
+  step.solved = step.solved && std::isfinite(step.error) &&
+                equations_.solve_rates(end.time, end.q, end.v, end.a, end.lambda);
+  end.residual = equations_.residual();
+  step.end_pivot = step.solved ? equations_.smallest_pivot() : 0.0;
+  step.pivot = std::min(step.pivot, step.end_pivot);
+  return step;
+}
+
+std::optional<FreeSolver::Step> FreeSolver::step_over(const State& known, double dt) {
+  constexpr double longer = 1.05;
+  const double longest = 4.0 * natural_;
+  std::optional<Step> best;
+  for (dt *= longer; std::abs(dt) < longest; dt *= longer) {
+    Step step = step_from(known, dt);
+    if (!step.solved || step.end_pivot < beside_singular * regular_) continue;
+    if (step.error * tolerance_ > std::max(tolerance_, error_of_passage)) continue;
+    if (!best || step.error < best->error) best = std::move(step);
+  }
+  return best;
+}
+
+State FreeSolver::between(const Passage& passage, double time) {
+  const State& before = passage.before;
+  const State& behind = passage.behind;
+  State state = interpolate(time, before, behind);
+  const double share = (time - before.time) / (behind.time - before.time);
+  state.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
+  equations_.evaluate_at(time, state.q);
+  state.residual = equations_.residual();
+  return state;
+}
+
+State FreeSolver::advance(double time, const State& known) {
+  State state = known;
+  if (passage_ && passage_->given.time == known.time && passage_->given.q == known.q) {
+    // Within a passage over a singular position only its ends are where to go on from.
+    const double way = passage_->behind.time - passage_->before.time;
+    const double share = (time - passage_->before.time) / way;
+    if (share > 0.0 && share < 1.0) return passage_->given = between(*passage_, time);
+    state = share >= 1.0 ? passage_->behind : passage_->before;
+  }
+  // What was set by hand has no accelerations yet.
+  if (state.a.size() != state.q.size()) state = state_of(state.time, state.q, state.v);
+  constexpr double shortest = 1e-3;  // of a step in front of a singular position
+  const double direction = time < state.time ? -1.0 : 1.0;
+  const double smallest = 1e-13 * std::max(std::abs(time), std::abs(state.time)) + 1e-300;
+  double dt = time - state.time;
+  bool inside = false;  // close to a singular position already
+  while (direction * (time - state.time) > smallest) {
+    dt = direction * std::min(std::abs(dt), std::abs(time - state.time));
+    Step step = step_from(state, dt);
+    regular_ = std::max(regular_, step.end_pivot);
     const double bound =
-        pivot < near_singular ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
-    if (!solved || !(size <= bound)) {
+        is_near_singular(step.pivot) ? std::max(1.0, error_near_singular / tolerance_) : 1.0;
+    const bool lost = inside && step.end_pivot < singular * regular_;
+    if (!step.solved || step.error > bound || lost) {
       // The order of the error estimate is eight; Source: Hairer, Norsett, Wanner (1993), II.4.
       const double shrink =
-          solved && std::isfinite(size) ? 0.9 * std::pow(bound / size, 1.0 / 8.0) : 0.25;
+          step.solved && !lost ? 0.9 * std::pow(bound / step.error, 1.0 / 8.0) : 0.25;
       dt *= std::max(0.2, shrink);
       if (std::abs(dt) > smallest) continue;
       throw AnalysisError(
@@ -136,17 +192,32 @@ State FreeSolver::advance(double time, const State& known) {
            "changes faster than the arithmetic can follow (a singular position, or "
            "far too stiff a spring)",
            "mechanism",
-           t,
+           state.time,
            {},
            {}});
     }
+    if (is_near_singular(step.end_pivot) && !inside && std::abs(dt) > shortest * natural_) {
+      std::optional<Step> over = step_over(state, dt);
+      if (!over) {
+        dt *= 0.5;
+        continue;
+      }
+      ++steps_;
+      if (direction * (over->end.time - time) > 0.0) {
+        passage_ = Passage{state, over->end, {}};
+        return passage_->given = between(*passage_, time);
+      }
+      step = std::move(*over);
+    }
+    inside = is_near_singular(step.end_pivot);
     ++steps_;
-    std::swap(y, next);
-    t += dt;
-    dt *= std::min(5.0, 0.9 * std::pow(bound / std::max(size, 1e-9 * bound), 1.0 / 8.0));
+    state = std::move(step.end);
+    const double longer = 0.9 * std::pow(bound / std::max(step.error, 1e-9 * bound), 1.0 / 8.0);
+    natural_ = std::max(natural_, std::abs(dt) * longer);
+    dt *= std::min(5.0, longer);
   }
-  unpack(y);
-  return state_of(time, q, v);
+  state.time = time;
+  return state;
 }
 
 }  // namespace boxbeam::planar

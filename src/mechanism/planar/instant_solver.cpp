@@ -327,11 +327,18 @@ State InstantSolver::solve_from_sketch(double time, const Eigen::VectorXd& sketc
     Assembler assembler(*mechanism_);
     const std::string off = loops_off_branch(*mechanism_, q);
     bool found = false;
-    for (int attempt = 1; !found && attempt <= other_starts; ++attempt) {
+    bool dead = false;
+    for (int attempt = 1; attempt <= other_starts && (!found || dead); ++attempt) {
       const Assembly other = assembler.assemble(time, other_start(*mechanism_, sketch, attempt));
-      found = other.closed && on_branch(*mechanism_, other.q);
-      if (found) q = assemble(time, other.q);
+      if (!other.closed || !on_branch(*mechanism_, other.q)) continue;
+      const Eigen::VectorXd candidate = assemble(time, other.q);
+      // One with a loop stretched or folded may be nobody's wish: only where there is no other.
+      if (found && at_dead_point_) continue;
+      q = candidate;
+      found = true;
+      dead = at_dead_point_;
     }
+    at_dead_point_ = dead;
     if (!found) {
       throw AnalysisError({fmt::format("no assembly found on the wanted branch, from the sketch "
                                        "and {} other starts; change the sign asked for, or the "

@@ -18,7 +18,7 @@ G = 9.81
 TIME = 10.0
 REPETITIONS = 5
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
-MOST_EVALUATIONS = 50000
+MOST_EVALUATIONS = 30000
 N = 2
 K = G * ((N + 1) / 2 + N) / ((N + 1) / 3 + N)  # theta'' = K sin(theta), theta from the vertical
 

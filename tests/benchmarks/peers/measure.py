@@ -3,6 +3,7 @@
 The data mirror include/boxbeam/study/chart.hpp, where their fields are explained.
 """
 import json
+import re
 import statistics
 import subprocess
 import time
@@ -33,14 +34,13 @@ class Library:
 
 
 def short(reason, limit=90):
-    """The first sentence or so of a program's message."""
-    line = " ".join(str(reason).split())
+    """The first sentence or so of a program's message, without the line of its source."""
+    line = re.sub(r"^SimTK Exception thrown at \S+ ", "Simbody: ", " ".join(str(reason).split()))
     return line if len(line) <= limit else line[:limit - 3].rstrip() + "..."
 
 
 def timed(work, least=0.02):
     """Processor time of this thread per call, of as many calls as take `least` seconds."""
-    work()
     count = 1
     while True:
         begin = time.thread_time()

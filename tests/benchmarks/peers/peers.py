@@ -26,7 +26,7 @@ import toggle  # noqa: E402
 from measure import Library  # noqa: E402
 
 PACKAGES = ("libsimbody-dev", "python3-scipy", "python3-numpy", "calculix-ccx", "python3-mpmath",
-            "libopenblas0-pthread", "libblas3")
+            "libblas3")
 
 
 def processor():

@@ -22,9 +22,16 @@ Eigen::Vector2d acceleration_of(const Attachment& point, const Eigen::VectorXd& 
 /// the order of the mechanism, with their derivatives. Built once; evaluations allocate nothing.
 /// Sources: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems (1989), chapter 3;
 /// Nikravesh, Planar Multibody Dynamics (2007), chapter 7.
-class ConstraintEquations {
+///
+/// Scalar: the arithmetic: float, double, long double or Decimal<5>. The mechanism's numbers are
+/// rounded to it, and so is what the drivers say, in double, of an instant.
+template <class Scalar>
+class ConstraintEquationsOf {
  public:
-  explicit ConstraintEquations(const Mechanism& mechanism);
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  using Vector2 = Eigen::Matrix<Scalar, 2, 1>;
+
+  explicit ConstraintEquationsOf(const Mechanism& mechanism);
 
   Eigen::Index rows() const { return pattern_.rows; }
   /// Where the Jacobian dPhi/dq may differ from zero.
@@ -37,30 +44,32 @@ class ConstraintEquations {
 
   /// The instant and the position that the next evaluations are for.
   void set_time(double time);
-  void set_position(const Eigen::VectorXd& q);
+  void set_position(const Vector& q);
   /// A position close to the one before: cosines and sines by their series where a body has turned
   /// by less than a milliradian (exact to round-off).
-  void move_position(const Eigen::VectorXd& q);
+  void move_position(const Vector& q);
 
   /// An attached point in world axes at the set position [m].
-  Eigen::Vector2d place_of(const Attachment& point) const {
+  Vector2 place_of(const Attachment& point) const {
     const Pose& pose =
         poses_[point.body == ground ? poses_.size() - 1 : static_cast<std::size_t>(point.body)];
-    return Eigen::Vector2d(pose.x, pose.y) + pose.turned(point.p);
+    return Vector2(pose.x, pose.y) + pose.turned(point.p.cast<Scalar>());
   }
 
-  void evaluate(Eigen::VectorXd& phi) const;
+  void evaluate(Vector& phi) const;
   /// Constraints and the values of their Jacobian at once; analytic.
-  void evaluate(Eigen::VectorXd& phi, std::vector<double>& jacobian) const;
+  void evaluate(Vector& phi, std::vector<Scalar>& jacobian) const;
   /// Right side of J v = -dPhi/dt.
-  void velocity_right_side(Eigen::VectorXd& nu) const;
+  void velocity_right_side(Vector& nu) const;
   /// Right side of J a = -(J v)_q v - d2Phi/dt2.
-  void acceleration_right_side(const Eigen::VectorXd& v, Eigen::VectorXd& gamma) const;
+  void acceleration_right_side(const Vector& v, Vector& gamma) const;
 
   /// The drivers' present states, in the order of their joints.
   const std::vector<DriverState>& driver_states() const { return driver_states_; }
   /// Values taken instead of the drivers' own at the set time, for continuation along the drivers.
   void set_driver_values(const std::vector<double>& values);
+  /// The same with rates and accelerations.
+  void set_driver_states(const std::vector<DriverState>& states);
   /// The row of each driver, in the order of their joints.
   const std::vector<Eigen::Index>& driver_rows() const { return driver_rows_; }
 
@@ -77,29 +86,29 @@ class ConstraintEquations {
     Kind kind = Kind::coincide;
     int row = 0;
     int a = 0, b = 0;  ///< bodies; the ground is the one behind the last
-    Eigen::Vector2d p_a = Eigen::Vector2d::Zero(), p_b = Eigen::Vector2d::Zero();
-    Eigen::Vector2d n = Eigen::Vector2d::Zero();
-    double offset = 0.0;
-    double ratio = 0.0;  ///< or r
-    double r_b = 0.0;
+    Vector2 p_a = Vector2::Zero(), p_b = Vector2::Zero();
+    Vector2 n = Vector2::Zero();
+    Scalar offset{};
+    Scalar ratio{};  ///< or r
+    Scalar r_b{};
     int driver = -1;
     std::array<std::uint32_t, 6> at{};  ///< places of the Jacobian's entries in the values
   };
   struct Pose {
-    double x = 0.0, y = 0.0, angle = 0.0, cos = 1.0, sin = 0.0;
+    Scalar x{}, y{}, angle{}, cos{1}, sin{};
 
-    Eigen::Vector2d turned(const Eigen::Vector2d& p) const {
+    Vector2 turned(const Vector2& p) const {
       return {cos * p.x() - sin * p.y(), sin * p.x() + cos * p.y()};
     }
   };
   struct Builder;
 
-  double offset_of(const Term& term) const {
-    return term.driver < 0 ? term.offset
-                           : driver_states_[static_cast<std::size_t>(term.driver)].value;
+  Scalar offset_of(const Term& term) const {
+    if (term.driver < 0) return term.offset;
+    return static_cast<Scalar>(driver_states_[static_cast<std::size_t>(term.driver)].value);
   }
   template <bool with_jacobian>
-  void evaluate_terms(Eigen::VectorXd& phi, std::vector<double>* jacobian) const;
+  void evaluate_terms(Vector& phi, std::vector<Scalar>* jacobian) const;
 
   std::vector<Term> terms_;
   std::vector<const Driver*> drivers_;
@@ -107,8 +116,10 @@ class ConstraintEquations {
   std::vector<DriverState> driver_states_;
   std::vector<Pose> poses_;  ///< of the bodies and, last, of the ground
   SparsePattern pattern_;
-  std::vector<double> constant_;  ///< the Jacobian with the entries that never change
+  std::vector<Scalar> constant_;  ///< the Jacobian with the entries that never change
   Eigen::VectorXd row_scale_, col_scale_;
 };
+
+using ConstraintEquations = ConstraintEquationsOf<double>;
 
 }  // namespace boxbeam::planar

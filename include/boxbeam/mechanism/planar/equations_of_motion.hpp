@@ -28,6 +28,8 @@ class EquationsOfMotion {
   /// SIAM J. Numer. Anal. 30 (1993).
   bool project(double time, Eigen::VectorXd& q, Eigen::VectorXd& v);
 
+  /// The constraints at a position, without more.
+  void evaluate_at(double time, const Eigen::VectorXd& q);
   /// Stands at a position, factors the matrix there; false where it is singular.
   bool stand_at(double time, const Eigen::VectorXd& q);
   /// The right side [f; g] in place of the forces and gamma, at the position stood at.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace boxbeam::planar {
+
+/// The mechanism at one instant. Coordinates body after body: x, y of the centre of mass, angle.
+struct State {
+  double time = 0.0;       ///< [s]
+  Eigen::VectorXd q;       ///< [m, rad]
+  Eigen::VectorXd v;       ///< [m/s, rad/s]
+  Eigen::VectorXd a;       ///< [m/s^2, rad/s^2]
+  Eigen::VectorXd lambda;  ///< multipliers, one per constraint equation [N, N m]
+  /// Largest error of the constraints, lengths by the size of the mechanism.
+  double residual = 0.0;
+  /// Smallest pivot of the scaled Jacobian: falls towards a dead point with the root of the
+  /// distance to it. Zero where forces decide the motion.
+  double pivot = 0.0;
+  /// Tells assemblies apart: the signs of the determinants of the Jacobian's irreducible blocks (a
+  /// block is a loop that closes by itself). Zero where it is not known.
+  std::uint64_t assembly = 0;
+};
+
+/// Between two states of a smooth motion: the polynomial of fifth degree that has the positions,
+/// velocities and accelerations of both. Without multipliers.
+State interpolate(double time, const State& before, const State& behind);
+
+}  // namespace boxbeam::planar
