@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 
 #include "accuracy_plot.hpp"
 #include "canvas.hpp"
+#include "chart_axes.hpp"
 #include "chart_text.hpp"
-#include "log_axis.hpp"
 
 namespace boxbeam::plot {
 namespace {
@@ -22,7 +21,6 @@ constexpr const char* quiet = "#5d6b79";
 constexpr double left = 62.0, right = 600.0;  ///< of the panels
 constexpr double gap = 30.0;                  ///< between them
 constexpr double height = 290.0;              ///< of a panel
-constexpr double least_error = 1e-22, most_error = 1e6;
 
 /// Own methods in colour with whole marks, those of others grey with hollow ones.
 struct SeriesStyle {
@@ -47,109 +45,9 @@ SeriesStyle style_of(const Chart& chart, std::size_t i) {
           fmt::format("pt {} ps 0.55 lw 1 lc rgb '{}'", hollow[before % 6], grey), grey};
 }
 
-bool has_failed(const Point& point) {
-  return !point.failure.empty() || !std::isfinite(point.error);
-}
-
-/// What a panel's abscissa is.
-struct Abscissa {
-  std::function<std::optional<double>(const Point&)> of;
-  std::string title;
-  TicStyle tics = TicStyle::number;
-  bool time = false;        ///< points have a spread
-  bool operations = false;  ///< by which orders are defined
-};
-
-bool any_point(const Chart& chart, const std::function<bool(const Point&)>& holds) {
-  return std::any_of(chart.series.begin(), chart.series.end(), [&](const Series& series) {
-    return std::any_of(series.points.begin(), series.points.end(), holds);
-  });
-}
-
 /// The name of a panel's abscissa, which may be a little wider than the panel.
 std::vector<std::string> footing_of(const Abscissa& abscissa, double width) {
   return wrapped(abscissa.title, width + gap - 8.0);
-}
-
-/// Work, time, or both; where there is neither, the settings themselves.
-std::vector<Abscissa> abscissas_of(const Chart& chart) {
-  std::vector<Abscissa> all;
-  if (any_point(chart, [](const Point& point) { return point.operations.has_value(); })) {
-    all.push_back({[](const Point& point) { return point.operations; },
-                   chart.operations.empty() ? "operations" : chart.operations, TicStyle::number,
-                   false, true});
-  }
-  if (any_point(chart, [](const Point& point) { return point.time.has_value(); })) {
-    all.push_back({[](const Point& point) {
-                     return point.time ? std::optional(point.time->median) : std::nullopt;
-                   },
-                   chart.unit.empty() ? "time" : "time per " + chart.unit, TicStyle::time, true,
-                   false});
-  }
-  if (all.empty()) {
-    all.push_back({[](const Point& point) { return std::optional(point.parameter); }, "setting",
-                   TicStyle::number, false, false});
-  }
-  return all;
-}
-
-/// Where a point stands on an abscissa: one without a cost of its own at that of the nearest
-/// setting of its series, if any has one.
-std::optional<double> place_of(const Series& series, std::size_t i, const Abscissa& abscissa) {
-  for (std::size_t apart = 0; apart < series.points.size(); ++apart) {
-    if (apart <= i) {
-      if (const auto x = abscissa.of(series.points[i - apart])) return x;
-    }
-    if (i + apart < series.points.size()) {
-      if (const auto x = abscissa.of(series.points[i + apart])) return x;
-    }
-  }
-  return std::nullopt;
-}
-
-/// What is seen of a chart's errors.
-struct ErrorAxis {
-  LogAxis axis;
-  bool shows_floor = false;
-};
-
-/// A floor far below all errors is not shown: it would take the room of what is.
-ErrorAxis error_axis(const Chart& chart) {
-  constexpr double far_below = 1e-4;
-  // The band of what is needed never fills the panel.
-  LogContent content{{0.1 * chart.needed_low, 10.0 * chart.needed_high}, false, false};
-  for (const Series& series : chart.series) {
-    for (const Point& point : series.points) {
-      content.beyond = content.beyond || has_failed(point);
-      if (has_failed(point)) continue;
-      content.numbers.push_back(std::abs(point.error));
-      content.zero = content.zero || point.error == 0.0;
-    }
-  }
-  double lowest = most_error;
-  for (const double error : content.numbers) {
-    if (error > 0.0) lowest = std::min(lowest, error);
-  }
-  const bool shows_floor = chart.floor && chart.floor->error >= far_below * lowest;
-  // So that it is seen above the end of the axis.
-  if (shows_floor) content.numbers.push_back(0.5 * chart.floor->error);
-  return {log_axis(content, height, least_error, most_error, true), shows_floor};
-}
-
-LogAxis cost_axis(const Chart& chart, const Abscissa& abscissa, double length) {
-  LogContent content;
-  for (const Series& series : chart.series) {
-    for (const Point& point : series.points) {
-      const std::optional<double> x = abscissa.of(point);
-      if (!x) continue;
-      content.numbers.push_back(*x);
-      content.zero = content.zero || *x <= 0.0;
-      if (!abscissa.time || !point.time) continue;
-      content.numbers.push_back(point.time->low);
-      content.numbers.push_back(point.time->high);
-    }
-  }
-  return log_axis(content, length, 1e-12, 1e18, false);
 }
 
 /// A panel under construction.
@@ -414,7 +312,7 @@ void work_precision(Script& gp, const Chart& chart) {
   std::size_t footings = 1;
   for (const Abscissa& abscissa : abscissas)
     footings = std::max(footings, footing_of(abscissa, width).size());
-  const ErrorAxis errors = error_axis(chart);
+  const ErrorAxis errors = error_axis(chart, height);
   const std::vector<LegendEntry> legend = legend_of(chart, errors.shows_floor);
   constexpr double whole = figure_width - 2.0 * margin;
   const std::vector<std::string> notes = wrapped(notes_of(chart), whole);
