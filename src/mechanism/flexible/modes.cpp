@@ -20,9 +20,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// So many coordinates or fewer: all modes, by dense matrices.
-constexpr Index few = 60;
-/// The same where the search among more does not converge: massless turns leave fewer modes than it
-/// looks through.
+constexpr Index few = 20;
+/// The same where the search among more does not converge.
 constexpr Index not_many = 150;
 /// theta = |shift|/(omega^2 + |shift|) of a mode, over the largest, below which it is round-off.
 constexpr double no_mode = 1e-10;
@@ -70,6 +69,22 @@ double shift_of(const Structure& structure) {
   }
   flexibility += turning * (high - low).squaredNorm();
   return mass > 0.0 && flexibility > 0.0 ? 1.0 / (mass * flexibility) : 1.0;
+}
+
+/// No more modes than there are motions with mass: turns of nodes often have none.
+Index modes_at_most(const Structure& structure) {
+  Index count = 0;
+  for (std::size_t k = 0; k < structure.links.size(); ++k) {
+    const LinkKind kind = structure.mechanism->links[k].kind;
+    count += 3;  // as a whole
+    for (const RigidElement& element : structure.links[k].elements) {
+      if (kind == LinkKind::rigid) break;
+      if (element.mass > 0.0) count += kind == LinkKind::full ? 2 : 1;
+      const bool turns = kind != LinkKind::axial && element.inertia > 0.0;
+      if (turns) ++count;
+    }
+  }
+  return count;
 }
 
 /// Motions of all rigid elements as one vector.
@@ -248,7 +263,8 @@ Found lowest_modes(const Problem& problem, Index count) {
   Index missing = count;
   const Index size = problem.coordinates.size();
   for (int run = 0; run < most_runs; ++run) {
-    Index space = std::min(size, std::max<Index>(2 * missing + 1, 20));
+    const Index wide = std::min<Index>(20, modes_at_most(problem.structure) / 2);
+    Index space = std::min(size, std::max(2 * missing + 1, wide));
     while (!add_lanczos_modes(problem, missing, space, found)) {
       if (size <= not_many) return dense_modes(problem);
       if (space == size || space > 64 * (missing + 8)) fail("they do not converge; ask for fewer");
