@@ -4,6 +4,15 @@
 
 namespace boxbeam::study {
 
+const Point* default_point(const Chart& chart) {
+  for (const Series& series : chart.series) {
+    for (const Point& point : series.points) {
+      if (point.is_default) return &point;
+    }
+  }
+  return nullptr;
+}
+
 const char* to_text(Outcome outcome) {
   switch (outcome) {
     case Outcome::solved: return "solved";

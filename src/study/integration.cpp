@@ -11,9 +11,8 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "boxbeam/study/integrators.hpp"
 #include "boxbeam/study/known_motions.hpp"
-#include "boxbeam/study/timed_points.hpp"
-#include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
+#include "boxbeam/study/topics.hpp"
 
 namespace boxbeam::study {
 namespace {
@@ -227,7 +226,7 @@ Chart pendulum_chart(const Effort& effort) {
       "costs "
       "to look at a swing fifty times; so it is kept. Newmark's method without damping fails: "
       "constraints make it unstable.",
-      evaluations_for(chart, 1e-4), default_of(chart)->error, *default_of(chart)->operations);
+      evaluations_for(chart, 1e-4), default_point(chart)->error, *default_point(chart)->operations);
   return chart;
 }
 
@@ -260,7 +259,7 @@ Chart singular_chart(const Effort& effort) {
       "Where all links lie flat another motion begins, and {} of {} settings of the other methods "
       "fail. The program passes over such a position in one step and ends none close to it: {:.0e} "
       "at its default.",
-      failed, tried, default_of(chart)->error);
+      failed, tried, default_point(chart)->error);
   return chart;
 }
 
@@ -289,7 +288,7 @@ Chart andrews_chart(const Effort& effort) {
   chart.lesson = fmt::format(
       "An error of 1e-4 in a reaction costs {}. Methods of order 2, made for vibrations of "
       "structures, are the dearest here; tolerance 1e-11 reaches {:.0e}.",
-      evaluations_for(chart, 1e-4), default_of(chart)->error);
+      evaluations_for(chart, 1e-4), default_point(chart)->error);
   return chart;
 }
 

@@ -3,9 +3,8 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "boxbeam/study/integrators.hpp"
 #include "boxbeam/study/known_motions.hpp"
-#include "boxbeam/study/timed_points.hpp"
-#include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
+#include "boxbeam/study/topics.hpp"
 #include "catch.hpp"
 
 using namespace boxbeam;
@@ -114,9 +113,9 @@ TEST_CASE("chart integration: orders, failures, the default", "[study]") {
   // Every default is far better than what is needed, and cheaper than ten times the cheapest.
   for (const Chart& chart : result.charts) {
     CAPTURE(chart.name);
-    REQUIRE(default_of(chart) != nullptr);
-    CHECK(default_of(chart)->failure.empty());
-    CHECK(default_of(chart)->error < 1e-3 * chart.needed_low);
+    REQUIRE(default_point(chart) != nullptr);
+    CHECK(default_point(chart)->failure.empty());
+    CHECK(default_point(chart)->error < 1e-3 * chart.needed_low);
     CHECK_FALSE(chart.lesson.empty());
   }
   // Dormand and Prince's method is of order 5 with step control as well.
@@ -149,7 +148,7 @@ TEST_CASE("chart integration: orders, failures, the default", "[study]") {
     const auto& points = drift.series[i].points;
     CHECK(order_over_work(points.front(), points.back()) == Approx(-2.0).margin(0.1));
   }
-  CHECK(default_of(drift)->error < 1e-15);
+  CHECK(default_point(drift)->error < 1e-15);
   // Errors of energy add up step by step; a symplectic method's do not.
   const auto& own = energy.series[0].points;
   CHECK(order_over_work(own.front(), own.back()) == Approx(-1.0).margin(0.1));

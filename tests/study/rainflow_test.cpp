@@ -1,9 +1,8 @@
 #include <cmath>
 #include <string>
 
-#include "boxbeam/study/timed_points.hpp"
-#include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
+#include "boxbeam/study/topics.hpp"
 #include "catch.hpp"
 
 using namespace boxbeam::study;
@@ -18,9 +17,9 @@ TEST_CASE("chart rainflow: orders of classes, and that the program needs none", 
 
   for (const Chart* chart : {&classes, &filter, &stream}) {
     CAPTURE(chart->name);
-    REQUIRE(default_of(*chart) != nullptr);
+    REQUIRE(default_point(*chart) != nullptr);
     // Cycle by cycle nothing is lost but round-off.
-    CHECK(default_of(*chart)->error < chart->floor->error);
+    CHECK(default_point(*chart)->error < chart->floor->error);
   }
   // By the upper edge every range is too large by half a class on average: order 1.
   const auto& edge = classes.series[2].points;

@@ -63,6 +63,9 @@ struct Chart {
   std::string lesson;  ///< one or two sentences: what is seen, and what to choose
 };
 
+/// The setting that is as the program does it; nullptr where a chart has none.
+const Point* default_point(const Chart& chart);
+
 /// How a trial of a map ended.
 enum class Outcome {
   solved,
