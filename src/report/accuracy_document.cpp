@@ -154,7 +154,7 @@ report::Document accuracy_document(const AccuracyRun& run) {
       {"topics", fmt::format("{}", fmt::join(names, ", "))},
       {"effort", run.quick ? "quick: fewer settings, shorter measurements" : "full"},
       {"times",
-       "median of measurements by turns, and the shortest and the longest of them; they "
+       "median of measurements by turns, and their quartiles; they "
        "depend on the machine, errors and counts of work do not"}};
   for (const auto& [name, sha256] : run.scenes)
     document.facts.entries.emplace_back("scene", fmt::format("{}, sha256 {}", name, sha256));

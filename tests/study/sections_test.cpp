@@ -2,7 +2,7 @@
 
 #include "boxbeam/section/torsion.hpp"
 #include "boxbeam/study/stress_function.hpp"
-#include "boxbeam/study/timed_points.hpp"
+#include "boxbeam/study/chart.hpp"
 #include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
@@ -33,10 +33,10 @@ void check_charts(const TopicResult& result) {
     CHECK(order_over_work(points[last - 1], points[last]) == Approx(order).margin(0.05));
   }
   // W = I/(h/2): of a thin box the error is t/h of the height to the mid-lines.
-  REQUIRE(default_of(walls) != nullptr);
+  REQUIRE(default_point(walls) != nullptr);
 
   // Corners matched: valid for clear sides longer than 1.5 times the plates.
-  REQUIRE(default_of(torsion) != nullptr);
+  REQUIRE(default_point(torsion) != nullptr);
   for (const Point& point : torsion.series[0].points) {
     CAPTURE(point.setting);
     if (point.parameter >= 5.0) CHECK(point.error < 2e-5);
@@ -47,7 +47,7 @@ void check_charts(const TopicResult& result) {
 
   // Polygons: inside the circle order 2; of the same area the second moment is too large by
   // (2 pi/n)^4/180 of it.
-  REQUIRE(default_of(tube)->error < 1e-14);
+  REQUIRE(default_point(tube)->error < 1e-14);
   const auto& inside = tube.series[1].points;
   const auto& same_area = tube.series[2].points;
   CHECK(order_over_work(inside[1], inside[3]) == Approx(2.0).margin(0.02));

@@ -20,9 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// So many coordinates or fewer: all modes, by dense matrices.
-constexpr Index few = 20;
-/// The same where the search among more does not converge.
-constexpr Index not_many = 150;
+constexpr Index few = 150;
 /// theta = |shift|/(omega^2 + |shift|) of a mode, over the largest, below which it is round-off.
 constexpr double no_mode = 1e-10;
 /// The same where no elasticity is left, so that all of them are.
@@ -69,22 +67,6 @@ double shift_of(const Structure& structure) {
   }
   flexibility += turning * (high - low).squaredNorm();
   return mass > 0.0 && flexibility > 0.0 ? 1.0 / (mass * flexibility) : 1.0;
-}
-
-/// No more modes than there are motions with mass: turns of nodes often have none.
-Index modes_at_most(const Structure& structure) {
-  Index count = 0;
-  for (std::size_t k = 0; k < structure.links.size(); ++k) {
-    const LinkKind kind = structure.mechanism->links[k].kind;
-    count += 3;  // as a whole
-    for (const RigidElement& element : structure.links[k].elements) {
-      if (kind == LinkKind::rigid) break;
-      if (element.mass > 0.0) count += kind == LinkKind::full ? 2 : 1;
-      const bool turns = kind != LinkKind::axial && element.inertia > 0.0;
-      if (turns) ++count;
-    }
-  }
-  return count;
 }
 
 /// Motions of all rigid elements as one vector.
@@ -257,23 +239,39 @@ double square_of(const Problem& problem, double theta) {
   return problem.below * (1.0 / theta - 1.0);
 }
 
+/// How many natural frequencies lie below a limit, as omega^2.
+struct Count {
+  double limit = 0.0;
+  Index below = 0;
+};
+
+/// The count just beyond a mode; farther beyond where that is too near a resonance to tell.
+Count count_beyond(const Problem& problem, double square) {
+  constexpr double farthest = 1e-3;
+  for (double part = beyond;; part *= 10.0) {
+    const double limit = square + part * (square + problem.below);
+    try {
+      const DynamicStiffness<double> stiffness(problem.structure, limit, 0.0);
+      return {limit, static_cast<Index>(stiffness.frequencies_below())};
+    } catch (const AnalysisError&) {
+      if (part >= farthest) throw;
+    }
+  }
+}
+
 /// The lowest modes; none is left out below the last: the frequencies below it are counted.
 Found lowest_modes(const Problem& problem, Index count) {
   Found found{MatrixXd(problem.coordinates.size(), 0), VectorXd(0)};
   Index missing = count;
   const Index size = problem.coordinates.size();
   for (int run = 0; run < most_runs; ++run) {
-    const Index wide = std::min<Index>(20, modes_at_most(problem.structure) / 2);
-    Index space = std::min(size, std::max(2 * missing + 1, wide));
+    Index space = std::min(size, std::max<Index>(2 * missing + 1, 20));
     while (!add_lanczos_modes(problem, missing, space, found)) {
-      if (size <= not_many) return dense_modes(problem);
       if (space == size || space > 64 * (missing + 8)) fail("they do not converge; ask for fewer");
       space = std::min(size, 2 * space + 3);
     }
     const double last = std::max(0.0, square_of(problem, found.theta[count - 1]));
-    const double limit = last + beyond * (last + problem.below);
-    const auto there = static_cast<Index>(
-        DynamicStiffness<double>(problem.structure, limit, 0.0).frequencies_below());
+    const auto [limit, there] = count_beyond(problem, last);
     Index here = 0;
     while (here < found.theta.size() && square_of(problem, found.theta[here]) < limit) ++here;
     if (here == there) return found;
@@ -324,7 +322,7 @@ std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
   if (count == 0 || structure.elements() == 0) return {};
   const Problem problem(structure);
   const Index size = problem.coordinates.size();
-  const bool dense = size <= few || static_cast<Index>(count) > size / 4;
+  const bool dense = size <= few || static_cast<Index>(count) > size / 6;
   const Found found =
       dense ? dense_modes(problem) : lowest_modes(problem, static_cast<Index>(count));
   std::vector<Mode> modes;

@@ -1,0 +1,251 @@
+# Redraw in the folder above: gnuplot plots/critical-instants-nodes.gp; as PDF: gnuplot -e 'pdf = 1' plots/critical-instants-nodes.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,5.2839 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'critical-instants-nodes.pdf'
+} else {
+  set terminal svg size 620,504 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'critical-instants-nodes.svg'
+}
+set encoding utf8
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set label 'Peak over time: solves that it is interpolated through' at screen 0.0193548,0.969246 left noenhanced front tc rgb '#202020'
+set label 'on a wave of 8 instants, and slides of slider-cranks at the instants of the program' at screen 0.0193548,0.935516 left noenhanced front tc rgb '#5d6b79'
+set label 'reference: closed form' at screen 0.0193548,0.905754 left noenhanced front tc rgb '#5d6b79'
+set label 'error of the peak, relative, worst of 16 places between the instants' at screen 0.0193548,0.864087 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0599355,0.136905 to screen 0.108323,0.136905 nohead lw 1.1 dt 1 lc rgb '#5a6670'
+set label '' at screen 0.084129,0.136905 point pt 6 ps 0.55 lw 1 lc rgb '#5a6670'
+set label 'a wave of 8 instants' at screen 0.121226,0.136905 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0599355,0.10119 to screen 0.108323,0.10119 nohead lw 1.1 dt (9,4) lc rgb '#857650'
+set label '' at screen 0.084129,0.10119 point pt 4 ps 0.55 lw 1 lc rgb '#857650'
+set label 'r/l = 0.5' at screen 0.121226,0.10119 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0599355,0.0654762 to screen 0.108323,0.0654762 nohead lw 1.1 dt (3,3) lc rgb '#7a6a8c'
+set label '' at screen 0.084129,0.0654762 point pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c'
+set label 'r/l = 0.95' at screen 0.121226,0.0654762 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0599355,0.0297619 to screen 0.108323,0.0297619 nohead lw 1.1 dt (9,3,2,3) lc rgb '#4a716a'
+set label '' at screen 0.084129,0.0297619 point pt 12 ps 0.55 lw 1 lc rgb '#4a716a'
+set label 'r/l = 0.99' at screen 0.121226,0.0297619 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.136905 to screen 0.558065,0.136905 nohead lw 1.7 dt 1 lc rgb '#0b5fa5'
+set label '' at screen 0.533871,0.136905 point pt 7 ps 0.55 lc rgb '#0b5fa5'
+set label 'the program, a wave of 8 instants' at screen 0.570968,0.136905 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.10119 to screen 0.558065,0.10119 nohead lw 9 lc rgb '#dcebd3'
+set label 'good enough for a strength check' at screen 0.570968,0.10119 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.0654762 to screen 0.558065,0.0654762 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+set label 'round-off of double: 2.2e-16' at screen 0.570968,0.0654762 left noenhanced front tc rgb '#202020'
+set label '' at screen 0.533871,0.0297619 point pt 6 ps 1.5 lw 1.6 lc rgb '#202020'
+set label 'default of the program' at screen 0.570968,0.0297619 left noenhanced front tc rgb '#202020'
+set logscale xy
+set errorbars 0.35
+set lmargin at screen 1.000000000e-01
+set rmargin at screen 5.096774194e-01
+set bmargin at screen 2.539682540e-01
+set tmargin at screen 8.293650794e-01
+set xrange [1.802775638e+00:2.163330765e+01]
+set yrange [1.000000000e-16:1.000000000e-02]
+set xtics ('2' 2, '' 3 1, '' 4 1, '5' 5, '' 6 1, '' 7 1, '' 8 1, '' 9 1, '10' 10, '20' 20)
+set ytics ('10^{-16}' 1e-16, '10^{-14}' 1e-14, '10^{-12}' 1e-12, '10^{-10}' 1e-10, '10^{-8}' 1e-08, '10^{-6}' 1e-06, '10^{-4}' 0.0001, '10^{-2}' 0.01)
+set label 'solves per peak' at screen 0.304839,0.186508 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.1,0.268207 to screen 0.509677,0.268207 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p0line0_0 << e
+3.000000000e+00 8.470954970e-03
+5.000000000e+00 7.493070641e-05
+7.000000000e+00 2.145448406e-07
+9.000000000e+00 6.261215990e-10
+1.100000000e+01 9.285905378e-13
+1.300000000e+01 7.216449660e-15
+e
+$p0points0 << e
+3.000000000e+00 8.470954970e-03
+5.000000000e+00 7.493070641e-05
+7.000000000e+00 2.145448406e-07
+9.000000000e+00 6.261215990e-10
+1.100000000e+01 9.285905378e-13
+1.300000000e+01 7.216449660e-15
+e
+$p0line1_0 << e
+3.000000000e+00 8.359933430e-07
+5.000000000e+00 4.620592797e-10
+7.000000000e+00 3.833970178e-14
+9.000000000e+00 4.440892099e-16
+1.100000000e+01 1.480297366e-16
+1.300000000e+01 2.960594732e-16
+e
+$p0points1 << e
+3.000000000e+00 8.359933430e-07
+5.000000000e+00 4.620592797e-10
+7.000000000e+00 3.833970178e-14
+9.000000000e+00 4.440892099e-16
+1.100000000e+01 1.480297366e-16
+1.300000000e+01 2.960594732e-16
+e
+$p0line2_0 << e
+3.000000000e+00 2.080819422e-04
+5.000000000e+00 1.040947196e-06
+7.000000000e+00 3.505597112e-09
+9.000000000e+00 1.224390965e-11
+1.100000000e+01 4.325494238e-14
+1.300000000e+01 4.601589615e-16
+e
+$p0points2 << e
+3.000000000e+00 2.080819422e-04
+5.000000000e+00 1.040947196e-06
+7.000000000e+00 3.505597112e-09
+9.000000000e+00 1.224390965e-11
+1.100000000e+01 4.325494238e-14
+1.300000000e+01 4.601589615e-16
+e
+$p0line3_0 << e
+3.000000000e+00 2.083588744e-04
+5.000000000e+00 1.352481719e-06
+7.000000000e+00 5.391806897e-09
+9.000000000e+00 2.957654890e-11
+1.100000000e+01 1.337084937e-13
+1.300000000e+01 5.113135515e-16
+e
+$p0points3 << e
+3.000000000e+00 2.083588744e-04
+5.000000000e+00 1.352481719e-06
+7.000000000e+00 5.391806897e-09
+9.000000000e+00 2.957654890e-11
+1.100000000e+01 1.337084937e-13
+1.300000000e+01 5.113135515e-16
+e
+$p0points4 << e
+9.000000000e+00 6.261213770e-10
+e
+set label 'default' at screen 0.377991,0.555056 left noenhanced front tc rgb '#202020'
+$p0default << e
+9.000000000e+00 6.261213770e-10
+e
+plot $p0line0_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p0points0 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0line1_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p0points1 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p0line2_0 using 1:2 with lines lw 1.1 dt (3,3) lc rgb '#7a6a8c' notitle, $p0points2 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p0line3_0 using 1:2 with lines lw 1.1 dt (9,3,2,3) lc rgb '#4a716a' notitle, $p0points3 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p0points4 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p0default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.580645161e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.539682540e-01
+set tmargin at screen 8.293650794e-01
+set xrange [3.568848776e-07:5.291598128e-06]
+set yrange [1.000000000e-16:1.000000000e-02]
+set xtics ('' 4e-07 1, '500 ns' 5e-07, '' 6e-07 1, '' 7e-07 1, '' 8e-07 1, '' 9e-07 1, '1 µs' 1e-06, '2 µs' 2e-06, '' 3e-06 1, '' 4e-06 1, '5 µs' 5e-06)
+set ytics ('' 1e-16, '' 1e-14, '' 1e-12, '' 1e-10, '' 1e-08, '' 1e-06, '' 0.0001, '' 0.01)
+set label 'time per peak' at screen 0.762903,0.186508 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.558065,0.268207 to screen 0.967742,0.268207 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p1line0_0 << e
+4.141586170e-07 8.470954970e-03
+7.384615726e-07 7.493070641e-05
+1.001974073e-06 2.145448406e-07
+1.239157028e-06 6.261215990e-10
+1.505104590e-06 9.285905378e-13
+1.750574650e-06 7.216449660e-15
+e
+$p1spread0 << e
+4.141586170e-07 8.470954970e-03 4.123475645e-07 4.145985329e-07
+7.384615726e-07 7.493070641e-05 7.363066055e-07 7.412122198e-07
+1.001974073e-06 2.145448406e-07 9.953336348e-07 1.013164506e-06
+1.239157028e-06 6.261215990e-10 1.235570663e-06 1.243761139e-06
+1.505104590e-06 9.285905378e-13 1.489713469e-06 1.517069827e-06
+1.750574650e-06 7.216449660e-15 1.742464685e-06 1.761447727e-06
+e
+$p1points0 << e
+4.141586170e-07 8.470954970e-03
+7.384615726e-07 7.493070641e-05
+1.001974073e-06 2.145448406e-07
+1.239157028e-06 6.261215990e-10
+1.505104590e-06 9.285905378e-13
+1.750574650e-06 7.216449660e-15
+e
+$p1line1_0 << e
+5.700075753e-07 8.359933430e-07
+9.809548724e-07 4.620592797e-10
+1.364511861e-06 3.833970178e-14
+1.684705723e-06 4.440892099e-16
+2.106933362e-06 1.480297366e-16
+2.441559521e-06 2.960594732e-16
+e
+$p1spread1 << e
+5.700075753e-07 8.359933430e-07 5.675903502e-07 5.735814929e-07
+9.809548724e-07 4.620592797e-10 9.687916051e-07 9.851754853e-07
+1.364511861e-06 3.833970178e-14 1.358263540e-06 1.374860551e-06
+1.684705723e-06 4.440892099e-16 1.675038435e-06 1.692736878e-06
+2.106933362e-06 1.480297366e-16 2.077415110e-06 2.113379669e-06
+2.441559521e-06 2.960594732e-16 2.429490834e-06 2.453623564e-06
+e
+$p1points1 << e
+5.700075753e-07 8.359933430e-07
+9.809548724e-07 4.620592797e-10
+1.364511861e-06 3.833970178e-14
+1.684705723e-06 4.440892099e-16
+2.106933362e-06 1.480297366e-16
+2.441559521e-06 2.960594732e-16
+e
+$p1line2_0 << e
+8.366031220e-07 2.080819422e-04
+1.446920194e-06 1.040947196e-06
+1.990480758e-06 3.505597112e-09
+2.528703308e-06 1.224390965e-11
+3.078282844e-06 4.325494238e-14
+3.605240506e-06 4.601589615e-16
+e
+$p1spread2 << e
+8.366031220e-07 2.080819422e-04 8.309653789e-07 8.378118078e-07
+1.446920194e-06 1.040947196e-06 1.433791887e-06 1.449428277e-06
+1.990480758e-06 3.505597112e-09 1.973663809e-06 1.998924227e-06
+2.528703308e-06 1.224390965e-11 2.503790585e-06 2.530963868e-06
+3.078282844e-06 4.325494238e-14 3.059856260e-06 3.085415456e-06
+3.605240506e-06 4.601589615e-16 3.581993852e-06 3.613176854e-06
+e
+$p1points2 << e
+8.366031220e-07 2.080819422e-04
+1.446920194e-06 1.040947196e-06
+1.990480758e-06 3.505597112e-09
+2.528703308e-06 1.224390965e-11
+3.078282844e-06 4.325494238e-14
+3.605240506e-06 4.601589615e-16
+e
+$p1line3_0 << e
+8.334226882e-07 2.083588744e-04
+1.448466657e-06 1.352481719e-06
+1.995052621e-06 5.391806897e-09
+2.532383838e-06 2.957654890e-11
+3.084718271e-06 1.337084937e-13
+3.613019010e-06 5.113135515e-16
+e
+$p1spread3 << e
+8.334226882e-07 2.083588744e-04 8.327226714e-07 8.377740441e-07
+1.448466657e-06 1.352481719e-06 1.440486878e-06 1.456153592e-06
+1.995052621e-06 5.391806897e-09 1.985088105e-06 2.000209476e-06
+2.532383838e-06 2.957654890e-11 2.514791667e-06 2.539530808e-06
+3.084718271e-06 1.337084937e-13 3.073929491e-06 3.095012876e-06
+3.613019010e-06 5.113135515e-16 3.604699426e-06 3.625444405e-06
+e
+$p1points3 << e
+8.334226882e-07 2.083588744e-04
+1.448466657e-06 1.352481719e-06
+1.995052621e-06 5.391806897e-09
+2.532383838e-06 2.957654890e-11
+3.084718271e-06 1.337084937e-13
+3.613019010e-06 5.113135515e-16
+e
+$p1spread4 << e
+4.573028336e-06 6.261213770e-10 4.549785192e-06 4.579853291e-06
+e
+$p1points4 << e
+4.573028336e-06 6.261213770e-10
+e
+set label 'default' at screen 0.855633,0.555056 left noenhanced front tc rgb '#202020'
+$p1default << e
+4.573028336e-06 6.261213770e-10
+e
+plot $p1line0_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p1spread0 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#5a6670' notitle, $p1points0 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1line1_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p1spread1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#857650' notitle, $p1points1 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p1line2_0 using 1:2 with lines lw 1.1 dt (3,3) lc rgb '#7a6a8c' notitle, $p1spread2 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#7a6a8c' notitle, $p1points2 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p1line3_0 using 1:2 with lines lw 1.1 dt (9,3,2,3) lc rgb '#4a716a' notitle, $p1spread3 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#4a716a' notitle, $p1points3 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p1spread4 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#0b5fa5' notitle, $p1points4 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p1default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

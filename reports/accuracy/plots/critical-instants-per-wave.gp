@@ -1,0 +1,244 @@
+# Redraw in the folder above: gnuplot plots/critical-instants-per-wave.gp; as PDF: gnuplot -e 'pdf = 1' plots/critical-instants-per-wave.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,5.6613 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'critical-instants-per-wave.pdf'
+} else {
+  set terminal svg size 620,540 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'critical-instants-per-wave.svg'
+}
+set encoding utf8
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set label 'Peak over time: instants to the shortest wave' at screen 0.0193548,0.971296 left noenhanced front tc rgb '#202020'
+set label 'on twelve crests, one higher than the others by 0.1 % to 10 % of the wave' at screen 0.0193548,0.939815 left noenhanced front tc rgb '#5d6b79'
+set label 'reference: closed form' at screen 0.0193548,0.912037 left noenhanced front tc rgb '#5d6b79'
+set label 'error of the highest crest, relative, worst of 16 places between the instants' at screen 0.0193548,0.873148 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.22829,0.194444 to screen 0.276677,0.194444 nohead lw 1.7 dt 1 lc rgb '#0b5fa5'
+set label '' at screen 0.252484,0.194444 point pt 7 ps 0.55 lc rgb '#0b5fa5'
+set label 'interpolated through 9 solves, then searched' at screen 0.289581,0.194444 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.22829,0.161111 to screen 0.276677,0.161111 nohead lw 1.1 dt 1 lc rgb '#5a6670'
+set label '' at screen 0.252484,0.161111 point pt 6 ps 0.55 lw 1 lc rgb '#5a6670'
+set label 'instants and a parabola' at screen 0.289581,0.161111 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.22829,0.127778 to screen 0.276677,0.127778 nohead lw 1.1 dt (9,4) lc rgb '#857650'
+set label '' at screen 0.252484,0.127778 point pt 4 ps 0.55 lw 1 lc rgb '#857650'
+set label 'instants alone' at screen 0.289581,0.127778 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.22829,0.0944444 to screen 0.276677,0.0944444 nohead lw 9 lc rgb '#dcebd3'
+set label 'good enough for a strength check' at screen 0.289581,0.0944444 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.22829,0.0611111 to screen 0.276677,0.0611111 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+set label 'round-off of double: 2.2e-16' at screen 0.289581,0.0611111 left noenhanced front tc rgb '#202020'
+set label '' at screen 0.252484,0.0277778 point pt 6 ps 1.5 lw 1.6 lc rgb '#202020'
+set label 'default of the program' at screen 0.289581,0.0277778 left noenhanced front tc rgb '#202020'
+set logscale xy
+set errorbars 0.35
+set lmargin at screen 1.000000000e-01
+set rmargin at screen 5.096774194e-01
+set bmargin at screen 3.037037037e-01
+set tmargin at screen 8.407407407e-01
+set xrange [2.000000000e+00:2.400000000e+01]
+set yrange [1.000000000e-16:1.000000000e-01]
+set xtics ('2' 2, '' 3 1, '' 4 1, '5' 5, '' 6 1, '' 7 1, '' 8 1, '' 9 1, '10' 10, '20' 20)
+set ytics ('10^{-16}' 1e-16, '10^{-14}' 1e-14, '10^{-12}' 1e-12, '10^{-10}' 1e-10, '10^{-8}' 1e-08, '10^{-6}' 1e-06, '10^{-4}' 0.0001, '10^{-2}' 0.01)
+set label 'instants to a wave' at screen 0.304839,0.240741 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.1,0.316107 to screen 0.509677,0.316107 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p0line0_0 << e
+3.000000000e+00 1.612142288e-02
+4.000000000e+00 4.949776071e-03
+5.000000000e+00 1.661049494e-03
+6.000000000e+00 4.450685423e-04
+7.000000000e+00 6.976206424e-10
+8.000000000e+00 1.882381843e-10
+1.000000000e+01 2.089187426e-11
+1.200000000e+01 3.444096058e-12
+1.600000000e+01 1.987532128e-13
+e
+$p0points0 << e
+3.000000000e+00 1.612142288e-02
+4.000000000e+00 4.949776071e-03
+5.000000000e+00 1.661049494e-03
+6.000000000e+00 4.450685423e-04
+7.000000000e+00 6.976206424e-10
+8.000000000e+00 1.882381843e-10
+1.000000000e+01 2.089187426e-11
+1.200000000e+01 3.444096058e-12
+1.600000000e+01 1.987532128e-13
+e
+$p0line1_0 << e
+3.000000000e+00 6.451612903e-02
+4.000000000e+00 4.334532769e-02
+5.000000000e+00 2.443885456e-02
+6.000000000e+00 1.877454660e-02
+7.000000000e+00 1.131478372e-02
+8.000000000e+00 6.644518272e-03
+1.000000000e+01 6.644518272e-03
+1.200000000e+01 3.496884719e-03
+1.600000000e+01 1.998001998e-03
+e
+$p0points1 << e
+3.000000000e+00 6.451612903e-02
+4.000000000e+00 4.334532769e-02
+5.000000000e+00 2.443885456e-02
+6.000000000e+00 1.877454660e-02
+7.000000000e+00 1.131478372e-02
+8.000000000e+00 6.644518272e-03
+1.000000000e+01 6.644518272e-03
+1.200000000e+01 3.496884719e-03
+1.600000000e+01 1.998001998e-03
+e
+$p0line2_0 << e
+3.000000000e+00 6.451612903e-02
+4.000000000e+00 5.686722594e-02
+5.000000000e+00 4.409207136e-02
+6.000000000e+00 3.433170012e-02
+7.000000000e+00 2.661485710e-02
+8.000000000e+00 2.153843151e-02
+1.000000000e+01 1.548900218e-02
+1.200000000e+01 1.084900562e-02
+1.600000000e+01 6.138709325e-03
+e
+$p0points2 << e
+3.000000000e+00 6.451612903e-02
+4.000000000e+00 5.686722594e-02
+5.000000000e+00 4.409207136e-02
+6.000000000e+00 3.433170012e-02
+7.000000000e+00 2.661485710e-02
+8.000000000e+00 2.153843151e-02
+1.000000000e+01 1.548900218e-02
+1.200000000e+01 1.084900562e-02
+1.600000000e+01 6.138709325e-03
+e
+set label 'default' at screen 0.341456,0.54865 left noenhanced front tc rgb '#202020'
+$p0default << e
+8.000000000e+00 1.882381843e-10
+e
+set arrow from screen 0.383794,0.829084 to screen 0.460189,0.814674 nohead lw 1 lc rgb '#404040'
+set label 'order 2' at screen 0.293346,0.774084 left noenhanced front tc rgb '#404040'
+set arrow from screen 0.375217,0.787973 to screen 0.421992,0.821879 nohead lw 0.6 lc rgb '#404040'
+plot $p0line0_0 using 1:2 with lines lw 1.7 dt 1 lc rgb '#0b5fa5' notitle, $p0points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p0line1_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p0points1 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0line2_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p0points2 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p0default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.580645161e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.037037037e-01
+set tmargin at screen 8.407407407e-01
+set xrange [3.974111973e-06:5.955744635e-05]
+set yrange [1.000000000e-16:1.000000000e-01]
+set xtics ('' 4e-06 1, '5 µs' 5e-06, '' 6e-06 1, '' 7e-06 1, '' 8e-06 1, '' 9e-06 1, '10 µs' 1e-05, '20 µs' 2e-05, '' 3e-05 1, '' 4e-05 1, '50 µs' 5e-05)
+set ytics ('' 1e-16, '' 1e-14, '' 1e-12, '' 1e-10, '' 1e-08, '' 1e-06, '' 0.0001, '' 0.01)
+set label 'time per period of twelve waves' at screen 0.762903,0.240741 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.558065,0.316107 to screen 0.967742,0.316107 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p1line0_0 << e
+1.696315462e-05 1.612142288e-02
+2.253830717e-05 4.949776071e-03
+2.425907843e-05 1.661049494e-03
+2.968625228e-05 4.450685423e-04
+3.583217455e-05 6.976206424e-10
+3.772526592e-05 1.882381843e-10
+4.062991429e-05 2.089187426e-11
+4.433729333e-05 3.444096058e-12
+5.131717098e-05 1.987532128e-13
+e
+$p1spread0 << e
+1.696315462e-05 1.612142288e-02 1.691212101e-05 1.709237311e-05
+2.253830717e-05 4.949776071e-03 2.242697534e-05 2.260475561e-05
+2.425907843e-05 1.661049494e-03 2.399112745e-05 2.441526961e-05
+2.968625228e-05 4.450685423e-04 2.965213070e-05 2.986144073e-05
+3.583217455e-05 6.976206424e-10 3.579451636e-05 3.618776364e-05
+3.772526592e-05 1.882381843e-10 3.754293633e-05 3.801382772e-05
+4.062991429e-05 2.089187426e-11 4.028829796e-05 4.074535102e-05
+4.433729333e-05 3.444096058e-12 4.427422222e-05 4.498978222e-05
+5.131717098e-05 1.987532128e-13 5.086794819e-05 5.151721244e-05
+e
+$p1points0 << e
+1.696315462e-05 1.612142288e-02
+2.253830717e-05 4.949776071e-03
+2.425907843e-05 1.661049494e-03
+2.968625228e-05 4.450685423e-04
+3.583217455e-05 6.976206424e-10
+3.772526592e-05 1.882381843e-10
+4.062991429e-05 2.089187426e-11
+4.433729333e-05 3.444096058e-12
+5.131717098e-05 1.987532128e-13
+e
+$p1line1_0 << e
+4.653330166e-06 6.451612903e-02
+6.120151454e-06 4.334532769e-02
+7.834973840e-06 2.443885456e-02
+9.247117352e-06 1.877454660e-02
+1.068362432e-05 1.131478372e-02
+1.213882121e-05 6.644518272e-03
+1.539617712e-05 6.644518272e-03
+1.833806379e-05 3.496884719e-03
+2.446330513e-05 1.998001998e-03
+e
+$p1spread1 << e
+4.653330166e-06 6.451612903e-02 4.628723040e-06 4.688294537e-06
+6.120151454e-06 4.334532769e-02 6.058382691e-06 6.135915483e-06
+7.834973840e-06 2.443885456e-02 7.752690295e-06 7.859516456e-06
+9.247117352e-06 1.877454660e-02 9.168735206e-06 9.390472417e-06
+1.068362432e-05 1.131478372e-02 1.059594633e-05 1.073919496e-05
+1.213882121e-05 6.644518272e-03 1.205204562e-05 1.223021702e-05
+1.539617712e-05 6.644518272e-03 1.534363793e-05 1.541934796e-05
+1.833806379e-05 3.496884719e-03 1.828864728e-05 1.844031895e-05
+2.446330513e-05 1.998001998e-03 2.429163333e-05 2.457334103e-05
+e
+$p1points1 << e
+4.653330166e-06 6.451612903e-02
+6.120151454e-06 4.334532769e-02
+7.834973840e-06 2.443885456e-02
+9.247117352e-06 1.877454660e-02
+1.068362432e-05 1.131478372e-02
+1.213882121e-05 6.644518272e-03
+1.539617712e-05 6.644518272e-03
+1.833806379e-05 3.496884719e-03
+2.446330513e-05 1.998001998e-03
+e
+$p1line2_0 << e
+4.617045061e-06 6.451612903e-02
+6.098576208e-06 5.686722594e-02
+7.776289303e-06 4.409207136e-02
+9.246795136e-06 3.433170012e-02
+1.061921996e-05 2.661485710e-02
+1.216300858e-05 2.153843151e-02
+1.539590767e-05 1.548900218e-02
+1.839326629e-05 1.084900562e-02
+2.449585222e-05 6.138709325e-03
+e
+$p1spread2 << e
+4.617045061e-06 6.451612903e-02 4.594347198e-06 4.635419988e-06
+6.098576208e-06 5.686722594e-02 6.068984511e-06 6.100245973e-06
+7.776289303e-06 4.409207136e-02 7.724736629e-06 7.859688817e-06
+9.246795136e-06 3.433170012e-02 9.183988775e-06 9.330401310e-06
+1.061921996e-05 2.661485710e-02 1.058427468e-05 1.071204185e-05
+1.216300858e-05 2.153843151e-02 1.205106373e-05 1.223323652e-05
+1.539590767e-05 1.548900218e-02 1.534691393e-05 1.548403599e-05
+1.839326629e-05 1.084900562e-02 1.827707635e-05 1.844826443e-05
+2.449585222e-05 6.138709325e-03 2.438341626e-05 2.468697537e-05
+e
+$p1points2 << e
+4.617045061e-06 6.451612903e-02
+6.098576208e-06 5.686722594e-02
+7.776289303e-06 4.409207136e-02
+9.246795136e-06 3.433170012e-02
+1.061921996e-05 2.661485710e-02
+1.216300858e-05 2.153843151e-02
+1.539590767e-05 1.548900218e-02
+1.839326629e-05 1.084900562e-02
+2.449585222e-05 6.138709325e-03
+e
+set label 'default' at screen 0.808706,0.508057 left noenhanced front tc rgb '#202020'
+$p1default << e
+3.772526592e-05 1.882381843e-10
+e
+plot $p1line0_0 using 1:2 with lines lw 1.7 dt 1 lc rgb '#0b5fa5' notitle, $p1spread0 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#0b5fa5' notitle, $p1points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p1line1_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p1spread1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#5a6670' notitle, $p1points1 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1line2_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p1spread2 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#857650' notitle, $p1points2 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p1default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

@@ -1,0 +1,297 @@
+# Redraw in the folder above: gnuplot plots/rainflow-classes.gp; as PDF: gnuplot -e 'pdf = 1' plots/rainflow-classes.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,6.0387 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'rainflow-classes.pdf'
+} else {
+  set terminal svg size 620,576 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'rainflow-classes.svg'
+}
+set encoding utf8
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set label 'Rainflow: damage from cycles in classes' at screen 0.0193548,0.97309 left noenhanced front tc rgb '#202020'
+set label 'on wide-band noise, ranges up to 240 MPa, EN 1993-1-9 category 100' at screen 0.0193548,0.943576 left noenhanced front tc rgb '#5d6b79'
+set label 'reference: every cycle by itself, plain stack, summed in long double' at screen 0.0193548,0.917535 left noenhanced front tc rgb '#5d6b79'
+set label 'relative error of the damage sum' at screen 0.0193548,0.881076 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.23729,0.244792 to screen 0.285677,0.244792 nohead lw 1.7 dt 1 lc rgb '#0b5fa5'
+set label '' at screen 0.261484,0.244792 point pt 7 ps 0.55 lc rgb '#0b5fa5'
+set label 'every cycle by itself, streamed' at screen 0.298581,0.244792 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.23729,0.213542 to screen 0.285677,0.213542 nohead lw 1.1 dt 1 lc rgb '#5a6670'
+set label '' at screen 0.261484,0.213542 point pt 6 ps 0.55 lw 1 lc rgb '#5a6670'
+set label 'classes of range, their middle' at screen 0.298581,0.213542 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.23729,0.182292 to screen 0.285677,0.182292 nohead lw 1.1 dt (9,4) lc rgb '#857650'
+set label '' at screen 0.261484,0.182292 point pt 4 ps 0.55 lw 1 lc rgb '#857650'
+set label 'classes of range, their upper edge' at screen 0.298581,0.182292 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.23729,0.151042 to screen 0.285677,0.151042 nohead lw 1.1 dt (3,3) lc rgb '#7a6a8c'
+set label '' at screen 0.261484,0.151042 point pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c'
+set label 'classes of range, the mean of their cycles' at screen 0.298581,0.151042 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.23729,0.119792 to screen 0.285677,0.119792 nohead lw 1.1 dt (9,3,2,3) lc rgb '#4a716a'
+set label '' at screen 0.261484,0.119792 point pt 12 ps 0.55 lw 1 lc rgb '#4a716a'
+set label 'from-to matrix' at screen 0.298581,0.119792 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.23729,0.0885417 to screen 0.285677,0.0885417 nohead lw 9 lc rgb '#dcebd3'
+set label 'good enough for a strength check' at screen 0.298581,0.0885417 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.23729,0.0572917 to screen 0.285677,0.0572917 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+set label 'round-off of the sum: 1.0e-14' at screen 0.298581,0.0572917 left noenhanced front tc rgb '#202020'
+set label '' at screen 0.261484,0.0260417 point pt 6 ps 1.5 lw 1.6 lc rgb '#202020'
+set label 'default of the program' at screen 0.298581,0.0260417 left noenhanced front tc rgb '#202020'
+set logscale xy
+set errorbars 0.35
+set lmargin at screen 1.000000000e-01
+set rmargin at screen 5.096774194e-01
+set bmargin at screen 3.472222222e-01
+set tmargin at screen 8.506944444e-01
+set xrange [4.848691492e+00:5.558778084e+04]
+set yrange [1.000000000e-16:1.000000000e+00]
+set xtics ('' 5 1, '' 6 1, '' 7 1, '' 8 1, '' 9 1, '10' 10, '' 20 1, '' 30 1, '' 40 1, '' 50 1, '' 60 1, '' 70 1, '' 80 1, '' 90 1, '100' 100, '' 200 1, '' 300 1, '' 400 1, '' 500 1, '' 600 1, '' 700 1, '' 800 1, '' 900 1, '1000' 1000, '' 2000 1, '' 3000 1, '' 4000 1, '' 5000 1, '' 6000 1, '' 7000 1, '' 8000 1, '' 9000 1, '10^{4}' 10000, '' 20000 1, '' 30000 1, '' 40000 1, '' 50000 1)
+set ytics ('10^{-16}' 1e-16, '10^{-14}' 1e-14, '10^{-12}' 1e-12, '10^{-10}' 1e-10, '10^{-8}' 1e-08, '10^{-6}' 1e-06, '10^{-4}' 0.0001, '10^{-2}' 0.01, '1' 1)
+set label 'classes' at screen 0.304839,0.288194 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.1,0.410156 to screen 0.509677,0.410156 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p0points0 << e
+3.369100000e+04 4.440892099e-16
+e
+$p0line1_0 << e
+8.000000000e+00 6.234547900e-02
+1.600000000e+01 2.433933783e-03
+3.200000000e+01 3.381476491e-03
+6.400000000e+01 1.334664022e-03
+1.280000000e+02 1.517538940e-03
+2.560000000e+02 1.405228932e-04
+5.120000000e+02 1.938648975e-04
+1.024000000e+03 7.743649789e-05
+e
+$p0points1 << e
+8.000000000e+00 6.234547900e-02
+1.600000000e+01 2.433933783e-03
+3.200000000e+01 3.381476491e-03
+6.400000000e+01 1.334664022e-03
+1.280000000e+02 1.517538940e-03
+2.560000000e+02 1.405228932e-04
+5.120000000e+02 1.938648975e-04
+1.024000000e+03 7.743649789e-05
+e
+$p0line2_0 << e
+8.000000000e+00 7.171402227e-01
+1.600000000e+01 3.042117770e-01
+3.200000000e+01 1.346163129e-01
+6.400000000e+01 6.621754372e-02
+1.280000000e+02 3.185137012e-02
+2.560000000e+02 1.546549427e-02
+5.120000000e+02 7.844746344e-03
+1.024000000e+03 4.031816590e-03
+e
+$p0points2 << e
+8.000000000e+00 7.171402227e-01
+1.600000000e+01 3.042117770e-01
+3.200000000e+01 1.346163129e-01
+6.400000000e+01 6.621754372e-02
+1.280000000e+02 3.185137012e-02
+2.560000000e+02 1.546549427e-02
+5.120000000e+02 7.844746344e-03
+1.024000000e+03 4.031816590e-03
+e
+$p0line3_0 << e
+8.000000000e+00 1.666204130e-02
+1.600000000e+01 1.659769137e-02
+3.200000000e+01 6.638770612e-04
+6.400000000e+01 1.531195215e-03
+1.280000000e+02 1.219407813e-03
+2.560000000e+02 1.506651254e-04
+5.120000000e+02 1.595237136e-04
+1.024000000e+03 1.256272591e-04
+e
+$p0points3 << e
+8.000000000e+00 1.666204130e-02
+1.600000000e+01 1.659769137e-02
+3.200000000e+01 6.638770612e-04
+6.400000000e+01 1.531195215e-03
+1.280000000e+02 1.219407813e-03
+2.560000000e+02 1.506651254e-04
+5.120000000e+02 1.595237136e-04
+1.024000000e+03 1.256272591e-04
+e
+$p0line4_0 << e
+8.000000000e+00 8.592152537e-02
+1.600000000e+01 3.508273821e-02
+3.200000000e+01 7.818887554e-03
+6.400000000e+01 3.437784745e-03
+1.280000000e+02 4.806173352e-04
+2.560000000e+02 2.761508031e-04
+5.120000000e+02 4.992893458e-05
+1.024000000e+03 1.372546532e-05
+e
+$p0points4 << e
+8.000000000e+00 8.592152537e-02
+1.600000000e+01 3.508273821e-02
+3.200000000e+01 7.818887554e-03
+6.400000000e+01 3.437784745e-03
+1.280000000e+02 4.806173352e-04
+2.560000000e+02 2.761508031e-04
+5.120000000e+02 4.992893458e-05
+1.024000000e+03 1.372546532e-05
+e
+set label 'default' at screen 0.397795,0.386624 left noenhanced front tc rgb '#202020'
+$p0default << e
+3.369100000e+04 4.440892099e-16
+e
+set arrow from screen 0.173297,0.804002 to screen 0.240287,0.762228 nohead lw 1 lc rgb '#404040'
+set label 'order 2' at screen 0.253566,0.827923 left noenhanced front tc rgb '#404040'
+set arrow from screen 0.253566,0.814902 to screen 0.206792,0.783115 nohead lw 0.6 lc rgb '#404040'
+set arrow from screen 0.246922,0.782331 to screen 0.321285,0.759145 nohead lw 1 lc rgb '#404040'
+set label 'order 1' at screen 0.155458,0.72593 left noenhanced front tc rgb '#404040'
+set arrow from screen 0.237329,0.738951 to screen 0.284103,0.770738 nohead lw 0.6 lc rgb '#404040'
+plot $p0points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p0line1_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p0points1 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0line2_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p0points2 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p0line3_0 using 1:2 with lines lw 1.1 dt (3,3) lc rgb '#7a6a8c' notitle, $p0points3 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p0line4_0 using 1:2 with lines lw 1.1 dt (9,3,2,3) lc rgb '#4a716a' notitle, $p0points4 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p0default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.580645161e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 3.472222222e-01
+set tmargin at screen 8.506944444e-01
+set xrange [1.012766122e-04:2.909686227e-03]
+set yrange [1.000000000e-16:1.000000000e+00]
+set xtics ('' 0.0002 1, '300 µs' 0.0003, '' 0.0004 1, '' 0.0005 1, '' 0.0006 1, '' 0.0007 1, '' 0.0008 1, '' 0.0009 1, '1 ms' 0.001, '' 0.002 1)
+set ytics ('' 1e-16, '' 1e-14, '' 1e-12, '' 1e-10, '' 1e-08, '' 1e-06, '' 0.0001, '' 0.01, '' 1)
+set label 'time per history of 131 072 samples' at screen 0.762903,0.288194 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.558065,0.410156 to screen 0.967742,0.410156 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p1spread0 << e
+6.974387333e-04 4.440892099e-16 6.938186000e-04 7.057144000e-04
+e
+$p1points0 << e
+6.974387333e-04 4.440892099e-16
+e
+$p1line1_0 << e
+1.730897667e-04 6.234547900e-02
+1.573624769e-04 2.433933783e-03
+1.379322632e-04 3.381476491e-03
+1.244067089e-04 1.334664022e-03
+1.249692289e-04 1.517538940e-03
+1.247899277e-04 1.405228932e-04
+1.228835783e-04 1.938648975e-04
+1.239740741e-04 7.743649789e-05
+e
+$p1spread1 << e
+1.730897667e-04 6.234547900e-02 1.696230667e-04 1.747734667e-04
+1.573624769e-04 2.433933783e-03 1.548021538e-04 1.606641846e-04
+1.379322632e-04 3.381476491e-03 1.347572368e-04 1.391749211e-04
+1.244067089e-04 1.334664022e-03 1.220884051e-04 1.271698354e-04
+1.249692289e-04 1.517538940e-03 1.218274217e-04 1.252058554e-04
+1.247899277e-04 1.405228932e-04 1.223058434e-04 1.254000000e-04
+1.228835783e-04 1.938648975e-04 1.212367711e-04 1.241586265e-04
+1.239740741e-04 7.743649789e-05 1.228234568e-04 1.259232963e-04
+e
+$p1points1 << e
+1.730897667e-04 6.234547900e-02
+1.573624769e-04 2.433933783e-03
+1.379322632e-04 3.381476491e-03
+1.244067089e-04 1.334664022e-03
+1.249692289e-04 1.517538940e-03
+1.247899277e-04 1.405228932e-04
+1.228835783e-04 1.938648975e-04
+1.239740741e-04 7.743649789e-05
+e
+$p1line2_0 << e
+1.739495424e-04 7.171402227e-01
+1.597680769e-04 3.042117770e-01
+1.410651733e-04 1.346163129e-01
+1.259803418e-04 6.621754372e-02
+1.238918434e-04 3.185137012e-02
+1.233274024e-04 1.546549427e-02
+1.230207590e-04 7.844746344e-03
+1.241108902e-04 4.031816590e-03
+e
+$p1spread2 << e
+1.739495424e-04 7.171402227e-01 1.734304576e-04 1.741029831e-04
+1.597680769e-04 3.042117770e-01 1.582528923e-04 1.606811385e-04
+1.410651733e-04 1.346163129e-01 1.400794267e-04 1.414159733e-04
+1.259803418e-04 6.621754372e-02 1.258048734e-04 1.280893165e-04
+1.238918434e-04 3.185137012e-02 1.222160602e-04 1.255661566e-04
+1.233274024e-04 1.546549427e-02 1.229510976e-04 1.253900122e-04
+1.230207590e-04 7.844746344e-03 1.221766024e-04 1.237767229e-04
+1.241108902e-04 4.031816590e-03 1.227869512e-04 1.251865366e-04
+e
+$p1points2 << e
+1.739495424e-04 7.171402227e-01
+1.597680769e-04 3.042117770e-01
+1.410651733e-04 1.346163129e-01
+1.259803418e-04 6.621754372e-02
+1.238918434e-04 3.185137012e-02
+1.233274024e-04 1.546549427e-02
+1.230207590e-04 7.844746344e-03
+1.241108902e-04 4.031816590e-03
+e
+$p1line3_0 << e
+1.727976667e-04 1.666204130e-02
+1.608101077e-04 1.659769137e-02
+1.405912667e-04 6.638770612e-04
+1.276142051e-04 1.531195215e-03
+1.232469146e-04 1.219407813e-03
+1.244747317e-04 1.506651254e-04
+1.233648916e-04 1.595237136e-04
+1.253631341e-04 1.256272591e-04
+e
+$p1spread3 << e
+1.727976667e-04 1.666204130e-02 1.726893333e-04 1.737250500e-04
+1.608101077e-04 1.659769137e-02 1.599250923e-04 1.611017692e-04
+1.405912667e-04 6.638770612e-04 1.382398667e-04 1.407780800e-04
+1.276142051e-04 1.531195215e-03 1.254309359e-04 1.300476026e-04
+1.232469146e-04 1.219407813e-03 1.220995732e-04 1.263824756e-04
+1.244747317e-04 1.506651254e-04 1.228805122e-04 1.268440244e-04
+1.233648916e-04 1.595237136e-04 1.219480723e-04 1.246718072e-04
+1.253631341e-04 1.256272591e-04 1.225788415e-04 1.267658537e-04
+e
+$p1points3 << e
+1.727976667e-04 1.666204130e-02
+1.608101077e-04 1.659769137e-02
+1.405912667e-04 6.638770612e-04
+1.276142051e-04 1.531195215e-03
+1.232469146e-04 1.219407813e-03
+1.244747317e-04 1.506651254e-04
+1.233648916e-04 1.595237136e-04
+1.253631341e-04 1.256272591e-04
+e
+$p1line4_0 << e
+6.656295625e-04 8.592152537e-02
+1.138499667e-03 3.508273821e-02
+1.767150333e-03 7.818887554e-03
+2.412713000e-03 3.437784745e-03
+1.057199600e-03 4.806173352e-04
+1.059053400e-03 2.761508031e-04
+1.075856600e-03 4.992893458e-05
+1.061493000e-03 1.372546532e-05
+e
+$p1spread4 << e
+6.656295625e-04 8.592152537e-02 6.646988125e-04 6.747200625e-04
+1.138499667e-03 3.508273821e-02 1.134674000e-03 1.144466444e-03
+1.767150333e-03 7.818887554e-03 1.760064667e-03 1.791483500e-03
+2.412713000e-03 3.437784745e-03 2.399006400e-03 2.430641800e-03
+1.057199600e-03 4.806173352e-04 1.051268700e-03 1.061750400e-03
+1.059053400e-03 2.761508031e-04 1.055467000e-03 1.066161000e-03
+1.075856600e-03 4.992893458e-05 1.068451500e-03 1.086295300e-03
+1.061493000e-03 1.372546532e-05 1.056156100e-03 1.065835600e-03
+e
+$p1points4 << e
+6.656295625e-04 8.592152537e-02
+1.138499667e-03 3.508273821e-02
+1.767150333e-03 7.818887554e-03
+2.412713000e-03 3.437784745e-03
+1.057199600e-03 4.806173352e-04
+1.059053400e-03 2.761508031e-04
+1.075856600e-03 4.992893458e-05
+1.061493000e-03 1.372546532e-05
+e
+set label 'default' at screen 0.806379,0.386624 left noenhanced front tc rgb '#202020'
+$p1default << e
+6.974387333e-04 4.440892099e-16
+e
+plot $p1spread0 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#0b5fa5' notitle, $p1points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p1line1_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p1spread1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#5a6670' notitle, $p1points1 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1line2_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p1spread2 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#857650' notitle, $p1points2 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p1line3_0 using 1:2 with lines lw 1.1 dt (3,3) lc rgb '#7a6a8c' notitle, $p1spread3 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#7a6a8c' notitle, $p1points3 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p1line4_0 using 1:2 with lines lw 1.1 dt (9,3,2,3) lc rgb '#4a716a' notitle, $p1spread4 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#4a716a' notitle, $p1points4 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p1default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

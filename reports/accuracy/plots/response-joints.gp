@@ -1,0 +1,201 @@
+# Redraw in the folder above: gnuplot plots/response-joints.gp; as PDF: gnuplot -e 'pdf = 1' plots/response-joints.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,4.9065 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'response-joints.pdf'
+} else {
+  set terminal svg size 620,468 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'response-joints.svg'
+}
+set encoding utf8
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set label 'Harmonic response: forces of the joints' at screen 0.0193548,0.96688 left noenhanced front tc rgb '#202020'
+set label 'on drill-truck, loads of 25 Hz' at screen 0.0193548,0.930556 left noenhanced front tc rgb '#5d6b79'
+set label 'reference: all modes of the same elements with static correction' at screen 0.0193548,0.898504 left noenhanced front tc rgb '#5d6b79'
+set label 'largest error of a joint'."'".'s force over the largest of them' at screen 0.0193548,0.853632 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0665161,0.0705128 to screen 0.114903,0.0705128 nohead lw 1.7 dt 1 lc rgb '#0b5fa5'
+set label '' at screen 0.0907097,0.0705128 point pt 7 ps 0.55 lc rgb '#0b5fa5'
+set label 'modes with static correction' at screen 0.127806,0.0705128 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0665161,0.0320513 to screen 0.114903,0.0320513 nohead lw 1.1 dt 1 lc rgb '#5a6670'
+set label '' at screen 0.0907097,0.0320513 point pt 6 ps 0.55 lw 1 lc rgb '#5a6670'
+set label 'modes alone' at screen 0.127806,0.0320513 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.0705128 to screen 0.558065,0.0705128 nohead lw 1.7 dt (9,4) lc rgb '#c8500a'
+set label '' at screen 0.533871,0.0705128 point pt 5 ps 0.55 lc rgb '#c8500a'
+set label 'direct' at screen 0.570968,0.0705128 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.0320513 to screen 0.558065,0.0320513 nohead lw 9 lc rgb '#dcebd3'
+set label 'good enough for a strength check' at screen 0.570968,0.0320513 left noenhanced front tc rgb '#202020'
+set logscale xy
+set errorbars 0.35
+set lmargin at screen 1.000000000e-01
+set rmargin at screen 5.096774194e-01
+set bmargin at screen 1.965811966e-01
+set tmargin at screen 8.162393162e-01
+set xrange [7.450406587e-01:1.811981647e+02]
+set yrange [1.000000000e-15:1.000000000e+01]
+set xtics ('' 0.8 1, '' 0.9 1, '1' 1, '' 2 1, '3' 3, '' 4 1, '' 5 1, '' 6 1, '' 7 1, '' 8 1, '' 9 1, '10' 10, '' 20 1, '30' 30, '' 40 1, '' 50 1, '' 60 1, '' 70 1, '' 80 1, '' 90 1, '100' 100)
+set ytics ('10^{-14}' 1e-14, '10^{-12}' 1e-12, '10^{-10}' 1e-10, '10^{-8}' 1e-08, '10^{-6}' 1e-06, '10^{-4}' 0.0001, '10^{-2}' 0.01, '1' 1)
+set label 'equations of motion' at screen 0.304839,0.123932 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+$p0line0_0 << e
+1.000000000e+00 2.408607722e+00
+2.000000000e+00 2.220764757e+00
+3.000000000e+00 2.208670315e+00
+4.000000000e+00 1.846601264e+00
+6.000000000e+00 3.350106492e-01
+8.000000000e+00 1.125271396e-02
+1.200000000e+01 1.858196131e-03
+1.600000000e+01 9.720064447e-05
+2.400000000e+01 2.414268681e-05
+3.200000000e+01 1.415598249e-05
+4.800000000e+01 1.173630667e-08
+e
+$p0points0 << e
+1.000000000e+00 2.408607722e+00
+2.000000000e+00 2.220764757e+00
+3.000000000e+00 2.208670315e+00
+4.000000000e+00 1.846601264e+00
+6.000000000e+00 3.350106492e-01
+8.000000000e+00 1.125271396e-02
+1.200000000e+01 1.858196131e-03
+1.600000000e+01 9.720064447e-05
+2.400000000e+01 2.414268681e-05
+3.200000000e+01 1.415598249e-05
+4.800000000e+01 1.173630667e-08
+e
+$p0line1_0 << e
+1.000000000e+00 9.991915734e-01
+2.000000000e+00 9.956592019e-01
+3.000000000e+00 9.952324863e-01
+4.000000000e+00 1.020411519e+00
+6.000000000e+00 9.540720999e-01
+8.000000000e+00 2.265054068e-01
+1.200000000e+01 1.323417673e-01
+1.600000000e+01 2.098955686e-02
+2.400000000e+01 1.664395396e-02
+3.200000000e+01 1.736076567e-02
+4.800000000e+01 5.474030405e-05
+e
+$p0points1 << e
+1.000000000e+00 9.991915734e-01
+2.000000000e+00 9.956592019e-01
+3.000000000e+00 9.952324863e-01
+4.000000000e+00 1.020411519e+00
+6.000000000e+00 9.540720999e-01
+8.000000000e+00 2.265054068e-01
+1.200000000e+01 1.323417673e-01
+1.600000000e+01 2.098955686e-02
+2.400000000e+01 1.664395396e-02
+3.200000000e+01 1.736076567e-02
+4.800000000e+01 5.474030405e-05
+e
+$p0points2 << e
+1.350000000e+02 4.654222200e-15
+e
+plot $p0line0_0 using 1:2 with lines lw 1.7 dt 1 lc rgb '#0b5fa5' notitle, $p0points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p0line1_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p0points1 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0points2 using 1:2 with points pt 5 ps 0.55 lc rgb '#c8500a' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.580645161e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 1.965811966e-01
+set tmargin at screen 8.162393162e-01
+set xrange [2.331673662e-05:3.925844038e-03]
+set yrange [1.000000000e-15:1.000000000e+01]
+set xtics ('' 3e-05 1, '' 4e-05 1, '' 5e-05 1, '' 6e-05 1, '' 7e-05 1, '' 8e-05 1, '' 9e-05 1, '100 µs' 0.0001, '' 0.0002 1, '' 0.0003 1, '' 0.0004 1, '' 0.0005 1, '' 0.0006 1, '' 0.0007 1, '' 0.0008 1, '' 0.0009 1, '1 ms' 0.001, '' 0.002 1, '' 0.003 1)
+set ytics ('' 1e-14, '' 1e-12, '' 1e-10, '' 1e-08, '' 1e-06, '' 0.0001, '' 0.01, '' 1)
+set label 'time per one frequency, modes included' at screen 0.762903,0.123932 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+$p1line0_0 << e
+2.342820698e-04 2.408607722e+00
+2.389843571e-04 2.220764757e+00
+2.449984146e-04 2.208670315e+00
+2.477450000e-04 1.846601264e+00
+2.581223750e-04 3.350106492e-01
+2.664123846e-04 1.125271396e-02
+3.793240741e-04 1.858196131e-03
+3.915206538e-04 9.720064447e-05
+5.688843333e-04 2.414268681e-05
+9.042478333e-04 1.415598249e-05
+2.973312250e-03 1.173630667e-08
+e
+$p1spread0 << e
+2.342820698e-04 2.408607722e+00 2.323393721e-04 2.366241860e-04
+2.389843571e-04 2.220764757e+00 2.367760476e-04 2.402639048e-04
+2.449984146e-04 2.208670315e+00 2.417532927e-04 2.458186585e-04
+2.477450000e-04 1.846601264e+00 2.460963902e-04 2.484455366e-04
+2.581223750e-04 3.350106492e-01 2.575455000e-04 2.587936250e-04
+2.664123846e-04 1.125271396e-02 2.649961538e-04 2.670140513e-04
+3.793240741e-04 1.858196131e-03 3.780414444e-04 3.818916667e-04
+3.915206538e-04 9.720064447e-05 3.907129231e-04 3.941892692e-04
+5.688843333e-04 2.414268681e-05 5.684581111e-04 5.732236111e-04
+9.042478333e-04 1.415598249e-05 9.012175000e-04 9.097995833e-04
+2.973312250e-03 1.173630667e-08 2.966729750e-03 2.983107000e-03
+e
+$p1points0 << e
+2.342820698e-04 2.408607722e+00
+2.389843571e-04 2.220764757e+00
+2.449984146e-04 2.208670315e+00
+2.477450000e-04 1.846601264e+00
+2.581223750e-04 3.350106492e-01
+2.664123846e-04 1.125271396e-02
+3.793240741e-04 1.858196131e-03
+3.915206538e-04 9.720064447e-05
+5.688843333e-04 2.414268681e-05
+9.042478333e-04 1.415598249e-05
+2.973312250e-03 1.173630667e-08
+e
+$p1line1_0 << e
+2.044664400e-04 9.991915734e-01
+2.074578776e-04 9.956592019e-01
+2.143977234e-04 9.952324863e-01
+2.164362979e-04 1.020411519e+00
+2.262900682e-04 9.540720999e-01
+2.353322326e-04 2.265054068e-01
+3.497258621e-04 1.323417673e-01
+3.618297857e-04 2.098955686e-02
+5.414394211e-04 1.664395396e-02
+8.737145833e-04 1.736076567e-02
+2.954221000e-03 5.474030405e-05
+e
+$p1spread1 << e
+2.044664400e-04 9.991915734e-01 2.029531800e-04 2.056364000e-04
+2.074578776e-04 9.956592019e-01 2.057111633e-04 2.091124082e-04
+2.143977234e-04 9.952324863e-01 2.137688936e-04 2.163625957e-04
+2.164362979e-04 1.020411519e+00 2.148567021e-04 2.167416596e-04
+2.262900682e-04 9.540720999e-01 2.259340909e-04 2.281553636e-04
+2.353322326e-04 2.265054068e-01 2.350261860e-04 2.384536744e-04
+3.497258621e-04 1.323417673e-01 3.492413793e-04 3.510053793e-04
+3.618297857e-04 2.098955686e-02 3.614202857e-04 3.622636429e-04
+5.414394211e-04 1.664395396e-02 5.375762105e-04 5.434740526e-04
+8.737145833e-04 1.736076567e-02 8.727096667e-04 8.755707500e-04
+2.954221000e-03 5.474030405e-05 2.935342750e-03 2.960771000e-03
+e
+$p1points1 << e
+2.044664400e-04 9.991915734e-01
+2.074578776e-04 9.956592019e-01
+2.143977234e-04 9.952324863e-01
+2.164362979e-04 1.020411519e+00
+2.262900682e-04 9.540720999e-01
+2.353322326e-04 2.265054068e-01
+3.497258621e-04 1.323417673e-01
+3.618297857e-04 2.098955686e-02
+5.414394211e-04 1.664395396e-02
+8.737145833e-04 1.736076567e-02
+2.954221000e-03 5.474030405e-05
+e
+$p1spread2 << e
+3.079384195e-05 4.654222200e-15 3.068541337e-05 3.095347416e-05
+e
+$p1points2 << e
+3.079384195e-05 4.654222200e-15
+e
+plot $p1line0_0 using 1:2 with lines lw 1.7 dt 1 lc rgb '#0b5fa5' notitle, $p1spread0 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#0b5fa5' notitle, $p1points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p1line1_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p1spread1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#5a6670' notitle, $p1points1 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1spread2 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#c8500a' notitle, $p1points2 using 1:2 with points pt 5 ps 0.55 lc rgb '#c8500a' notitle
+unset label
+unset arrow
+unset object
+unset multiplot

@@ -1,0 +1,283 @@
+# Redraw in the folder above: gnuplot plots/rfem-frequency.gp; as PDF: gnuplot -e 'pdf = 1' plots/rfem-frequency.gp
+if (!exists('pdf')) pdf = 0
+if (pdf) {
+  set terminal pdfcairo size 6.5000,5.5984 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set output 'rfem-frequency.pdf'
+} else {
+  set terminal svg size 620,534 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set output 'rfem-frequency.svg'
+}
+set encoding utf8
+set border 3 lc rgb '#606060'
+set tics out nomirror scale 0.5
+set xtics offset 0,0.4
+set grid lc rgb '#e4e4e4' lw 0.7 lt 1
+unset key
+set multiplot
+set label 'Rigid finite elements: lowest frequency' at screen 0.0193548,0.970974 left noenhanced front tc rgb '#202020'
+set label 'on uniform cantilever without shear (Euler and Bernoulli)' at screen 0.0193548,0.939139 left noenhanced front tc rgb '#5d6b79'
+set label 'reference: cos(x) cosh(x) = -1, long double' at screen 0.0193548,0.911049 left noenhanced front tc rgb '#5d6b79'
+set label 'relative error of the frequency' at screen 0.0193548,0.871723 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0392258,0.129213 to screen 0.0876129,0.129213 nohead lw 1.7 dt 1 lc rgb '#0b5fa5'
+set label '' at screen 0.0634194,0.129213 point pt 7 ps 0.55 lc rgb '#0b5fa5'
+set label 'classical' at screen 0.100516,0.129213 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0392258,0.0955056 to screen 0.0876129,0.0955056 nohead lw 1.7 dt (9,4) lc rgb '#c8500a'
+set label '' at screen 0.0634194,0.0955056 point pt 5 ps 0.55 lc rgb '#c8500a'
+set label 'corrected' at screen 0.100516,0.0955056 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0392258,0.0617978 to screen 0.0876129,0.0617978 nohead lw 1.1 dt 1 lc rgb '#5a6670'
+set label '' at screen 0.0634194,0.0617978 point pt 6 ps 0.55 lw 1 lc rgb '#5a6670'
+set label 'classical, extrapolated (Richardson)' at screen 0.100516,0.0617978 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0392258,0.0280899 to screen 0.0876129,0.0280899 nohead lw 1.1 dt (9,4) lc rgb '#857650'
+set label '' at screen 0.0634194,0.0280899 point pt 4 ps 0.55 lw 1 lc rgb '#857650'
+set label 'Hermite finite elements' at screen 0.100516,0.0280899 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.129213 to screen 0.558065,0.129213 nohead lw 9 lc rgb '#dcebd3'
+set label 'good enough for a strength check' at screen 0.570968,0.129213 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.509677,0.0955056 to screen 0.558065,0.0955056 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+set label 'round-off of double: 2.2e-16' at screen 0.570968,0.0955056 left noenhanced front tc rgb '#202020'
+set label '' at screen 0.533871,0.0617978 point pt 6 ps 1.5 lw 1.6 lc rgb '#202020'
+set label 'default of the program' at screen 0.570968,0.0617978 left noenhanced front tc rgb '#202020'
+set logscale xy
+set errorbars 0.35
+set lmargin at screen 1.000000000e-01
+set rmargin at screen 5.096774194e-01
+set bmargin at screen 2.958801498e-01
+set tmargin at screen 8.389513109e-01
+set xrange [2.917842983e+00:1.052832527e+03]
+set yrange [1.000000000e-16:1.000000000e-01]
+set xtics ('' 3 1, '' 4 1, '' 5 1, '' 6 1, '' 7 1, '' 8 1, '' 9 1, '10' 10, '' 20 1, '' 30 1, '' 40 1, '' 50 1, '' 60 1, '' 70 1, '' 80 1, '' 90 1, '100' 100, '' 200 1, '' 300 1, '' 400 1, '' 500 1, '' 600 1, '' 700 1, '' 800 1, '' 900 1, '1000' 1000)
+set ytics ('10^{-16}' 1e-16, '10^{-14}' 1e-14, '10^{-12}' 1e-12, '10^{-10}' 1e-10, '10^{-8}' 1e-08, '10^{-6}' 1e-06, '10^{-4}' 0.0001, '10^{-2}' 0.01)
+set label 'unknowns of the division' at screen 0.304839,0.23221 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.1,0.308423 to screen 0.509677,0.308423 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p0line0_0 << e
+4.000000000e+00 6.083722216e-02
+8.000000000e+00 1.452685803e-02
+1.600000000e+01 3.596035602e-03
+3.200000000e+01 8.968683621e-04
+6.400000000e+01 2.240846395e-04
+1.280000000e+02 5.601290227e-05
+2.560000000e+02 1.400270979e-05
+5.120000000e+02 3.500645216e-06
+e
+$p0points0 << e
+4.000000000e+00 6.083722216e-02
+8.000000000e+00 1.452685803e-02
+1.600000000e+01 3.596035602e-03
+3.200000000e+01 8.968683621e-04
+6.400000000e+01 2.240846395e-04
+1.280000000e+02 5.601290227e-05
+2.560000000e+02 1.400270979e-05
+5.120000000e+02 3.500645216e-06
+e
+$p0line1_0 << e
+4.000000000e+00 7.710575776e-03
+8.000000000e+00 8.658528324e-04
+1.600000000e+01 1.050527338e-04
+3.200000000e+01 1.298322375e-05
+6.400000000e+01 1.614440954e-06
+1.280000000e+02 2.012890959e-07
+2.560000000e+02 2.512909059e-08
+5.120000000e+02 3.139134064e-09
+e
+$p0points1 << e
+4.000000000e+00 7.710575776e-03
+8.000000000e+00 8.658528324e-04
+1.600000000e+01 1.050527338e-04
+3.200000000e+01 1.298322375e-05
+6.400000000e+01 1.614440954e-06
+1.280000000e+02 2.012890959e-07
+2.560000000e+02 2.512909059e-08
+5.120000000e+02 3.139134064e-09
+e
+$p0line2_0 << e
+1.200000000e+01 9.099300127e-04
+2.400000000e+01 4.757187424e-05
+4.800000000e+01 2.854051257e-06
+9.600000000e+01 1.766013628e-07
+1.920000000e+02 1.101014291e-08
+3.840000000e+02 6.877066694e-10
+7.680000000e+02 4.297495693e-11
+e
+$p0points2 << e
+1.200000000e+01 9.099300127e-04
+2.400000000e+01 4.757187424e-05
+4.800000000e+01 2.854051257e-06
+9.600000000e+01 1.766013628e-07
+1.920000000e+02 1.101014291e-08
+3.840000000e+02 6.877066694e-10
+7.680000000e+02 4.297495693e-11
+e
+$p0line3_0 << e
+4.000000000e+00 4.834373564e-04
+8.000000000e+00 3.270807548e-05
+1.600000000e+01 2.083010517e-06
+3.200000000e+01 1.307942212e-07
+6.400000000e+01 8.184111389e-09
+1.280000000e+02 5.116571611e-10
+2.560000000e+02 3.198552534e-11
+5.120000000e+02 1.990407839e-12
+e
+$p0points3 << e
+4.000000000e+00 4.834373564e-04
+8.000000000e+00 3.270807548e-05
+1.600000000e+01 2.083010517e-06
+3.200000000e+01 1.307942212e-07
+6.400000000e+01 8.184111389e-09
+1.280000000e+02 5.116571611e-10
+2.560000000e+02 3.198552534e-11
+5.120000000e+02 1.990407839e-12
+e
+set label 'default' at screen 0.289202,0.698237 left noenhanced front tc rgb '#202020'
+$p0default << e
+3.200000000e+01 1.298322375e-05
+e
+set arrow from screen 0.248225,0.751036 to screen 0.32037,0.718426 nohead lw 1 lc rgb '#404040'
+set label 'order 2' at screen 0.284853,0.769375 left noenhanced front tc rgb '#404040'
+set arrow from screen 0.24836,0.686723 to screen 0.315215,0.641396 nohead lw 1 lc rgb '#404040'
+set label 'order 3' at screen 0.169271,0.62897 left noenhanced front tc rgb '#404040'
+set arrow from screen 0.251142,0.643015 to screen 0.281787,0.66406 nohead lw 0.6 lc rgb '#404040'
+set arrow from screen 0.27109,0.64802 to screen 0.332177,0.592798 nohead lw 1 lc rgb '#404040'
+set label 'order 4' at screen 0.202021,0.595912 left noenhanced front tc rgb '#404040'
+plot $p0line0_0 using 1:2 with lines lw 1.7 dt 1 lc rgb '#0b5fa5' notitle, $p0points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p0line1_0 using 1:2 with lines lw 1.7 dt (9,4) lc rgb '#c8500a' notitle, $p0points1 using 1:2 with points pt 5 ps 0.55 lc rgb '#c8500a' notitle, $p0line2_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p0points2 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0line3_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p0points3 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p0default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+set lmargin at screen 5.580645161e-01
+set rmargin at screen 9.677419355e-01
+set bmargin at screen 2.958801498e-01
+set tmargin at screen 8.389513109e-01
+set xrange [4.766201277e-06:7.309600999e-04]
+set yrange [1.000000000e-16:1.000000000e-01]
+set xtics ('' 5e-06 1, '' 6e-06 1, '' 7e-06 1, '' 8e-06 1, '' 9e-06 1, '10 µs' 1e-05, '' 2e-05 1, '' 3e-05 1, '' 4e-05 1, '' 5e-05 1, '' 6e-05 1, '' 7e-05 1, '' 8e-05 1, '' 9e-05 1, '100 µs' 0.0001, '' 0.0002 1, '' 0.0003 1, '' 0.0004 1, '' 0.0005 1, '' 0.0006 1, '' 0.0007 1)
+set ytics ('' 1e-16, '' 1e-14, '' 1e-12, '' 1e-10, '' 1e-08, '' 1e-06, '' 0.0001, '' 0.01)
+set label 'time per frequency from the beam' at screen 0.762903,0.23221 center noenhanced front tc rgb '#202020'
+set label '(Hermite: sparse Cholesky and subspace' at screen 0.762903,0.20412 center noenhanced front tc rgb '#202020'
+set label 'iteration)' at screen 0.762903,0.17603 center noenhanced front tc rgb '#202020'
+set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
+set arrow from screen 0.558065,0.308423 to screen 0.967742,0.308423 nohead lw 1.2 dt (6,4) lc rgb '#606060'
+$p1line0_0 << e
+9.739211707e-06 6.083722216e-02
+1.810715722e-05 1.452685803e-02
+1.977831485e-05 3.596035602e-03
+3.837966031e-05 8.968683621e-04
+6.056799394e-05 2.240846395e-04
+9.644272115e-05 5.601290227e-05
+1.665614194e-04 1.400270979e-05
+2.978820588e-04 3.500645216e-06
+e
+$p1spread0 << e
+9.739211707e-06 6.083722216e-02 9.677411707e-06 9.886661463e-06
+1.810715722e-05 1.452685803e-02 1.803155941e-05 1.837236197e-05
+1.977831485e-05 3.596035602e-03 1.976988713e-05 1.984086535e-05
+3.837966031e-05 8.968683621e-04 3.831486641e-05 3.878825191e-05
+6.056799394e-05 2.240846395e-04 6.039512121e-05 6.093812121e-05
+9.644272115e-05 5.601290227e-05 9.586444231e-05 9.663126923e-05
+1.665614194e-04 1.400270979e-05 1.659316129e-04 1.688201290e-04
+2.978820588e-04 3.500645216e-06 2.942374706e-04 3.004185000e-04
+e
+$p1points0 << e
+9.739211707e-06 6.083722216e-02
+1.810715722e-05 1.452685803e-02
+1.977831485e-05 3.596035602e-03
+3.837966031e-05 8.968683621e-04
+6.056799394e-05 2.240846395e-04
+9.644272115e-05 5.601290227e-05
+1.665614194e-04 1.400270979e-05
+2.978820588e-04 3.500645216e-06
+e
+$p1line1_0 << e
+9.531868297e-06 7.710575776e-03
+1.888505234e-05 8.658528324e-04
+1.370490379e-05 1.050527338e-04
+2.186162801e-05 1.298322375e-05
+5.190546561e-05 1.614440954e-06
+9.008511504e-05 2.012890959e-07
+1.533053788e-04 2.512909059e-08
+2.708588684e-04 3.139134064e-09
+e
+$p1spread1 << e
+9.531868297e-06 7.710575776e-03 9.528128881e-06 9.535523989e-06
+1.888505234e-05 8.658528324e-04 1.885408972e-05 1.893802991e-05
+1.370490379e-05 1.050527338e-04 1.367909350e-05 1.378862060e-05
+2.186162801e-05 1.298322375e-05 2.178573742e-05 2.199335667e-05
+5.190546561e-05 1.614440954e-06 5.118676720e-05 5.253195767e-05
+9.008511504e-05 2.012890959e-07 8.993320354e-05 9.039459292e-05
+1.533053788e-04 2.512909059e-08 1.530028030e-04 1.549819848e-04
+2.708588684e-04 3.139134064e-09 2.699627632e-04 2.733555000e-04
+e
+$p1points1 << e
+9.531868297e-06 7.710575776e-03
+1.888505234e-05 8.658528324e-04
+1.370490379e-05 1.050527338e-04
+2.186162801e-05 1.298322375e-05
+5.190546561e-05 1.614440954e-06
+9.008511504e-05 2.012890959e-07
+1.533053788e-04 2.512909059e-08
+2.708588684e-04 3.139134064e-09
+e
+$p1line2_0 << e
+2.804968493e-05 9.099300127e-04
+3.806069173e-05 4.757187424e-05
+5.843449714e-05 2.854051257e-06
+9.965976471e-05 1.766013628e-07
+1.577296308e-04 1.101014291e-08
+2.650636923e-04 6.877066694e-10
+4.658695909e-04 4.297495693e-11
+e
+$p1spread2 << e
+2.804968493e-05 9.099300127e-04 2.793329315e-05 2.820144658e-05
+3.806069173e-05 4.757187424e-05 3.786513158e-05 3.843534962e-05
+5.843449714e-05 2.854051257e-06 5.827889143e-05 5.875320571e-05
+9.965976471e-05 1.766013628e-07 9.877569608e-05 1.003976275e-04
+1.577296308e-04 1.101014291e-08 1.551183385e-04 1.589732000e-04
+2.650636923e-04 6.877066694e-10 2.625732821e-04 2.660169231e-04
+4.658695909e-04 4.297495693e-11 4.612290455e-04 4.713610455e-04
+e
+$p1points2 << e
+2.804968493e-05 9.099300127e-04
+3.806069173e-05 4.757187424e-05
+5.843449714e-05 2.854051257e-06
+9.965976471e-05 1.766013628e-07
+1.577296308e-04 1.101014291e-08
+2.650636923e-04 6.877066694e-10
+4.658695909e-04 4.297495693e-11
+e
+$p1line3_0 << e
+6.294208181e-06 4.834373564e-04
+7.950338305e-06 3.270807548e-05
+1.228139713e-05 2.083010517e-06
+1.961305970e-05 1.307942212e-07
+3.290929180e-05 8.184111389e-09
+8.097192683e-05 5.116571611e-10
+1.895837736e-04 3.198552534e-11
+5.560055556e-04 1.990407839e-12
+e
+$p1spread3 << e
+6.294208181e-06 4.834373564e-04 6.241149573e-06 6.332024420e-06
+7.950338305e-06 3.270807548e-05 7.892928571e-06 8.066721350e-06
+1.228139713e-05 2.083010517e-06 1.219228110e-05 1.236296770e-05
+1.961305970e-05 1.307942212e-07 1.928495522e-05 1.973742431e-05
+3.290929180e-05 8.184111389e-09 3.232815738e-05 3.302352459e-05
+8.097192683e-05 5.116571611e-10 7.923321951e-05 8.180577236e-05
+1.895837736e-04 3.198552534e-11 1.878547547e-04 1.911289057e-04
+5.560055556e-04 1.990407839e-12 5.523378333e-04 5.582149444e-04
+e
+$p1points3 << e
+6.294208181e-06 4.834373564e-04
+7.950338305e-06 3.270807548e-05
+1.228139713e-05 2.083010517e-06
+1.961305970e-05 1.307942212e-07
+3.290929180e-05 8.184111389e-09
+8.097192683e-05 5.116571611e-10
+1.895837736e-04 3.198552534e-11
+5.560055556e-04 1.990407839e-12
+e
+set label 'default' at screen 0.643538,0.669211 left noenhanced front tc rgb '#202020'
+$p1default << e
+2.186162801e-05 1.298322375e-05
+e
+plot $p1line0_0 using 1:2 with lines lw 1.7 dt 1 lc rgb '#0b5fa5' notitle, $p1spread0 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#0b5fa5' notitle, $p1points0 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p1line1_0 using 1:2 with lines lw 1.7 dt (9,4) lc rgb '#c8500a' notitle, $p1spread1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#c8500a' notitle, $p1points1 using 1:2 with points pt 5 ps 0.55 lc rgb '#c8500a' notitle, $p1line2_0 using 1:2 with lines lw 1.1 dt 1 lc rgb '#5a6670' notitle, $p1spread2 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#5a6670' notitle, $p1points2 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1line3_0 using 1:2 with lines lw 1.1 dt (9,4) lc rgb '#857650' notitle, $p1spread3 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#857650' notitle, $p1points3 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p1default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+unset label
+unset arrow
+unset object
+unset multiplot
