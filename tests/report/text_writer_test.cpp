@@ -77,6 +77,9 @@ TEST_CASE("the title block says what was verified, by what, when, and the verdic
 
 TEST_CASE("a document without a governing table, and tables without rows or marks", "[text]") {
   Document document = document_of({Table{}, Table{"caption", {"a", "b"}, {}, {}}});
+  CHECK(text_of(document).find("VERDICT: PASS\n\n") != std::string::npos);
+  CHECK(text_of(document).find("input sha256") == std::string::npos);
+  document.input_sha256 = "85c7";
   CHECK(text_of(document).find("VERDICT: PASS\n\n  input sha256") != std::string::npos);
   CHECK(text_of(document).find("  caption\n  a  b\n") != std::string::npos);
   document.governing = {"", {"value"}, {row({"1.21"})}, {}};

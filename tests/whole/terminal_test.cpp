@@ -109,8 +109,8 @@ Words options_in(const std::string& help) {
   return options;
 }
 
-const Words commands{"init",    "validate", "verify", "explain",    "compare", "motion",
-                     "section", "fatigue",  "schema", "completion", "manual"};
+const Words commands{"init",    "validate", "verify", "explain", "compare",    "motion",
+                     "section", "fatigue",  "chart",  "schema",  "completion", "manual"};
 
 std::string help_of(const std::string& command) {
   const test::ProgramResult result = test::run_program({command, "--help"});

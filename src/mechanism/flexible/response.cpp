@@ -28,7 +28,8 @@ void add_loads(const Structure& structure, const auto& amount, auto& columns) {
   }
 }
 
-/// Length of a motion by the masses and inertia in the nodes.
+/// Length of a motion by the sizes of masses and inertia in the nodes, of which single ones may be
+/// below zero.
 template <class Scalar>
 double size_of(const Structure& structure, const LinkColumns<Scalar>& motion) {
   double square = 0.0;
@@ -36,7 +37,8 @@ double size_of(const Structure& structure, const LinkColumns<Scalar>& motion) {
     for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
       const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
       const auto q = motion[k].col(i);
-      square += of.mass * (std::norm(q[0]) + std::norm(q[1])) + of.inertia * std::norm(q[2]);
+      square += std::abs(of.mass) * (std::norm(q[0]) + std::norm(q[1])) +
+                std::abs(of.inertia) * std::norm(q[2]);
     }
   }
   return std::sqrt(square);

@@ -186,6 +186,11 @@ State FreeSolver::between(const Passage& passage, double time) {
   State state = interpolate(time, before, behind);
   const double share = (time - before.time) / (behind.time - before.time);
   state.lambda = (1.0 - share) * before.lambda + share * behind.lambda;
+  if (project_) {
+    // The way back onto the constraints that needs no regular position.
+    const Assembly closed = Assembler(*mechanism_).assemble(time, state.q);
+    if (closed.closed) state.q = closed.q;
+  }
   equations_.evaluate_at(time, state.q);
   state.residual = equations_.residual();
   return state;
