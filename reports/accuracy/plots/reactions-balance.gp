@@ -83,50 +83,50 @@ set lmargin at screen 5.580645161e-01
 set rmargin at screen 9.677419355e-01
 set bmargin at screen 2.998137803e-01
 set tmargin at screen 8.398510242e-01
-set xrange [6.007265033e-07:2.017684932e-05]
+set xrange [5.862590546e-07:2.094436594e-05]
 set yrange [1.000000000e-17:1.000000000e-02]
-set xtics ('' 7e-07 1, '' 8e-07 1, '' 9e-07 1, '1 µs' 1e-06, '' 2e-06 1, '3 µs' 3e-06, '' 4e-06 1, '' 5e-06 1, '' 6e-06 1, '' 7e-06 1, '' 8e-06 1, '' 9e-06 1, '10 µs' 1e-05, '' 2e-05 1)
+set xtics ('' 6e-07 1, '' 7e-07 1, '' 8e-07 1, '' 9e-07 1, '1 µs' 1e-06, '' 2e-06 1, '3 µs' 3e-06, '' 4e-06 1, '' 5e-06 1, '' 6e-06 1, '' 7e-06 1, '' 8e-06 1, '' 9e-06 1, '10 µs' 1e-05, '' 2e-05 1)
 set ytics ('' 1e-16, '' 1e-14, '' 1e-12, '' 1e-10, '' 1e-08, '' 1e-06, '' 0.0001, '' 0.01)
 set label 'time per one instant: positions to' at screen 0.762903,0.236499 center noenhanced front tc rgb '#202020'
 set label 'reactions' at screen 0.762903,0.208566 center noenhanced front tc rgb '#202020'
 set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
 set arrow from screen 0.558065,0.348289 to screen 0.967742,0.348289 nohead lw 1.2 dt (6,4) lc rgb '#606060'
 $p1spread0 << e
-3.357959341e-06 7.140433962e-17 3.338928763e-06 3.436932460e-06
+3.354833008e-06 7.140433962e-17 3.320204102e-06 3.381543294e-06
 e
 $p1points0 << e
-3.357959341e-06 7.140433962e-17
+3.354833008e-06 7.140433962e-17
 e
 $p1spread1 << e
-8.560969092e-07 6.897489810e-17 8.555060622e-07 8.626128757e-07
+8.587552514e-07 6.897489810e-17 8.515853134e-07 8.671562500e-07
 e
 $p1points1 << e
-8.560969092e-07 6.897489810e-17
+8.587552514e-07 6.897489810e-17
 e
 $p1spread2 << e
-1.668815476e-05 2.004377536e-16 1.647854018e-05 1.671451935e-05
+1.708815923e-05 2.004377536e-16 1.691759226e-05 1.729306548e-05
 e
 $p1points2 << e
-1.668815476e-05 2.004377536e-16
+1.708815923e-05 2.004377536e-16
 e
 $p1spread3 << e
-2.685956731e-06 1.637597581e-15 2.682733173e-06 2.705283120e-06
+2.695955662e-06 1.637597581e-15 2.692587874e-06 2.711045139e-06
 e
 $p1points3 << e
-2.685956731e-06 1.637597581e-15
+2.695955662e-06 1.637597581e-15
 e
 $p1points4 << e
-6.007265033e-07 2.229362670e-16
+5.862590546e-07 2.229362670e-16
 e
 $p1spread5 << e
-7.295492958e-07 6.870274755e-17 7.251640258e-07 7.313160945e-07
+7.125548659e-07 6.870274755e-17 7.100432363e-07 7.153701484e-07
 e
 $p1points5 << e
-7.295492958e-07 6.870274755e-17
+7.125548659e-07 6.870274755e-17
 e
-set label 'default' at screen 0.5854,0.369984 left noenhanced front tc rgb '#202020'
+set label 'default' at screen 0.585101,0.369984 left noenhanced front tc rgb '#202020'
 $p1default << e
-7.295492958e-07 6.870274755e-17
+7.125548659e-07 6.870274755e-17
 e
 plot $p1spread0 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#5a6670' notitle, $p1points0 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1spread1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#857650' notitle, $p1points1 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p1spread2 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#7a6a8c' notitle, $p1points2 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p1spread3 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#4a716a' notitle, $p1points3 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p1points4 using 1:2 with points pt 10 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1spread5 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#0b5fa5' notitle, $p1points5 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p1default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
 unset label
