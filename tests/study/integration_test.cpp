@@ -3,8 +3,8 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "boxbeam/study/integrators.hpp"
 #include "boxbeam/study/known_motions.hpp"
-#include "boxbeam/study/trials.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
 
 using namespace boxbeam;

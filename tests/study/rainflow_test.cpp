@@ -1,8 +1,8 @@
 #include <cmath>
 #include <string>
 
-#include "boxbeam/study/trials.hpp"
 #include "boxbeam/study/topics.hpp"
+#include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
 
 using namespace boxbeam::study;

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "boxbeam/section/torsion.hpp"
-#include "boxbeam/study/stress_function.hpp"
 #include "boxbeam/study/chart.hpp"
+#include "boxbeam/study/stress_function.hpp"
 #include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
