@@ -15,11 +15,10 @@ constexpr double strip = 28.0;  ///< of zero, of what is beyond [px]
 double decade_below(double value) { return std::pow(10.0, std::floor(std::log10(value) + 1e-9)); }
 double decade_above(double value) { return std::pow(10.0, std::ceil(std::log10(value) - 1e-9)); }
 
-/// "3", "10^{5}", "2*10^{5}".
+/// "0.2", "300", "10^{5}", "2·10^{5}".
 std::string number_text(int digit, int power) {
   constexpr int most = 3;  // decades that are written out
-  if (power >= 0 && power <= most)
-    return fmt::format("{}", std::lround(digit * std::pow(10.0, power)));
+  if (power >= -1 && power <= most) return fmt::format("{:.6g}", digit * std::pow(10.0, power));
   const std::string ten = fmt::format("10^{{{}}}", power);
   return digit == 1 ? ten : fmt::format("{}\xC2\xB7{}", digit, ten);
 }

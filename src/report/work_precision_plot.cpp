@@ -69,6 +69,11 @@ Row2 row_of(const Drawn& of, const Series& series, std::size_t i) {
   return {x, has_failed(point) ? of.y.beyond.value_or(of.y.high) : of.y.at(std::abs(point.error))};
 }
 
+/// Whether a solved setting is to be seen in a panel: it has a cost there, or none anywhere.
+bool is_seen(const Drawn& of, const Point& point) {
+  return of.abscissa.of(point).has_value() || (!point.operations && !point.time.has_value());
+}
+
 /// A method's line, broken where a setting failed or has no cost here, its marks and spreads.
 void draw_series(Drawn& of, std::size_t k) {
   const Series& series = of.chart.series[k];
@@ -79,10 +84,8 @@ void draw_series(Drawn& of, std::size_t k) {
   for (std::size_t i = 0; i < series.points.size(); ++i) {
     const Point& point = series.points[i];
     const Row2 row = row_of(of, series, i);
-    const bool costs =
-        of.abscissa.of(point).has_value() || (!point.operations && !point.time.has_value());
     if (has_failed(point)) failed.push_back(row);
-    if (has_failed(point) || !costs) {
+    if (has_failed(point) || !is_seen(of, point)) {
       if (!runs.back().empty()) runs.emplace_back();
       continue;
     }
@@ -187,7 +190,7 @@ void mark_default(Drawn& of) {
   std::vector<Row2> rings;
   for (const Series& series : of.chart.series) {
     for (std::size_t i = 0; i < series.points.size(); ++i) {
-      if (!series.points[i].is_default) continue;
+      if (!series.points[i].is_default || !is_seen(of, series.points[i])) continue;
       const auto [x, y] = row_of(of, series, i);
       rings.emplace_back(x, y);
       of.labels.put(of.gp, "default", of.panel.at(x, y), of.panel.frame, "#202020", 8.0);
