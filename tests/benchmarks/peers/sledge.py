@@ -154,7 +154,7 @@ def levenberg_marquardt(tolerance):
     def solve(f, jacobian, q):
         found = scipy.optimize.root(f, q, jac=jacobian, method="lm", options={"xtol": tolerance})
         # A minimum of the squares is a success to it, a root or not: its user has to look.
-        if not found.success or np.abs(found.fun).max() > 1e-6:
+        if not found.success or np.abs(found.fun).max() > 1e-10:
             raise Refusal(found.message if not found.success else "the residual is not zero")
         return found.x
     return solve
