@@ -26,8 +26,9 @@ constexpr double no_damping = 1e-16;
 /// Half decades in full, decades where it is to be quick.
 std::vector<double> powers(double from, double to, double step) {
   std::vector<double> values;
-  for (double power = from; power <= to + 0.5 * step; power += step) {
-    values.push_back(std::pow(10.0, power));
+  const long steps = std::lround((to - from) / step);
+  for (long i = 0; i <= steps; ++i) {
+    values.push_back(std::pow(10.0, from + step * static_cast<double>(i)));
   }
   return values;
 }
