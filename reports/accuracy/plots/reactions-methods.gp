@@ -71,11 +71,7 @@ e
 $p0points4 << e
 6.110394816e+02 3.672324129e-04
 e
-set label 'default' at screen 0.122581,0.359538 left noenhanced front tc rgb '#202020'
-$p0default << e
-6.110394816e+02 6.521964362e-16
-e
-plot $p0points0 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0points1 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p0points2 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p0points3 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p0points4 using 1:2 with points pt 10 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
+plot $p0points0 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p0points1 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p0points2 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p0points3 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p0points4 using 1:2 with points pt 10 ps 0.55 lw 1 lc rgb '#5a6670' notitle
 unset label
 unset arrow
 unset object
@@ -83,7 +79,7 @@ set lmargin at screen 5.580645161e-01
 set rmargin at screen 9.677419355e-01
 set bmargin at screen 2.998137803e-01
 set tmargin at screen 8.398510242e-01
-set xrange [5.862590546e-07:2.094436594e-05]
+set xrange [5.630705289e-07:2.011872665e-05]
 set yrange [1.000000000e-16:1.000000000e-02]
 set xtics ('' 6e-07 1, '' 7e-07 1, '' 8e-07 1, '' 9e-07 1, '1 µs' 1e-06, '' 2e-06 1, '3 µs' 3e-06, '' 4e-06 1, '' 5e-06 1, '' 6e-06 1, '' 7e-06 1, '' 8e-06 1, '' 9e-06 1, '10 µs' 1e-05, '' 2e-05 1)
 set ytics ('' 1e-16, '' 1e-14, '' 1e-12, '' 1e-10, '' 1e-08, '' 1e-06, '' 0.0001, '' 0.01)
@@ -92,41 +88,41 @@ set label 'reactions' at screen 0.762903,0.208566 center noenhanced front tc rgb
 set object rectangle from graph 0, first 0.0001 to graph 1, first 0.001 behind fs solid noborder fc rgb '#dcebd3'
 set arrow from screen 0.558065,0.313177 to screen 0.967742,0.313177 nohead lw 1.2 dt (6,4) lc rgb '#606060'
 $p1spread0 << e
-3.354833008e-06 7.418759920e-16 3.320204102e-06 3.381543294e-06
+3.308913978e-06 7.418759920e-16 3.295449597e-06 3.326403562e-06
 e
 $p1points0 << e
-3.354833008e-06 7.418759920e-16
+3.308913978e-06 7.418759920e-16
 e
 $p1spread1 << e
-8.587552514e-07 7.071175268e-16 8.515853134e-07 8.671562500e-07
+8.540531933e-07 7.071175268e-16 8.499050546e-07 8.574394638e-07
 e
 $p1points1 << e
-8.587552514e-07 7.071175268e-16
+8.540531933e-07 7.071175268e-16
 e
 $p1spread2 << e
-1.708815923e-05 2.561807507e-15 1.691759226e-05 1.729306548e-05
+1.650453125e-05 2.561807507e-15 1.621768750e-05 1.661123958e-05
 e
 $p1points2 << e
-1.708815923e-05 2.561807507e-15
+1.650453125e-05 2.561807507e-15
 e
 $p1spread3 << e
-2.695955662e-06 1.381676147e-14 2.692587874e-06 2.711045139e-06
+2.672204594e-06 1.381676147e-14 2.666386752e-06 2.680071848e-06
 e
 $p1points3 << e
-2.695955662e-06 1.381676147e-14
+2.672204594e-06 1.381676147e-14
 e
 $p1points4 << e
-5.862590546e-07 3.672324129e-04
+5.630705289e-07 3.672324129e-04
 e
 $p1spread5 << e
-7.125548659e-07 6.521964362e-16 7.100432363e-07 7.153701484e-07
+6.866472725e-07 6.521964362e-16 6.819636787e-07 6.868717105e-07
 e
 $p1points5 << e
-7.125548659e-07 6.521964362e-16
+6.866472725e-07 6.521964362e-16
 e
-set label 'default' at screen 0.578259,0.360092 left noenhanced front tc rgb '#202020'
+set label 'default' at screen 0.578638,0.360092 left noenhanced front tc rgb '#202020'
 $p1default << e
-7.125548659e-07 6.521964362e-16
+6.866472725e-07 6.521964362e-16
 e
 plot $p1spread0 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#5a6670' notitle, $p1points0 using 1:2 with points pt 6 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1spread1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#857650' notitle, $p1points1 using 1:2 with points pt 4 ps 0.55 lw 1 lc rgb '#857650' notitle, $p1spread2 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#7a6a8c' notitle, $p1points2 using 1:2 with points pt 8 ps 0.55 lw 1 lc rgb '#7a6a8c' notitle, $p1spread3 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#4a716a' notitle, $p1points3 using 1:2 with points pt 12 ps 0.55 lw 1 lc rgb '#4a716a' notitle, $p1points4 using 1:2 with points pt 10 ps 0.55 lw 1 lc rgb '#5a6670' notitle, $p1spread5 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 0.7 lc rgb '#0b5fa5' notitle, $p1points5 using 1:2 with points pt 7 ps 0.55 lc rgb '#0b5fa5' notitle, $p1default using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020' notitle
 unset label

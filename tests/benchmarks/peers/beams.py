@@ -21,7 +21,7 @@ MIDDLE, LENGTH, WIDTH, MODULUS, DENSITY = 5.0, 10.0, 0.05, 2.1e11, 7850.0
 ELEMENTS = (1, 2, 4, 8, 16, 32, 64, 128)
 MODES = (1, 2, 3, 4, 6, 8, 12, 16)
 LOAD = 1000.0
-DEFAULT_PARTS = 8  # of a link of which the case does not say it
+DEFAULT_PARTS = 16  # of a link of which the case does not say it
 
 CASE = """
 [case]
@@ -276,7 +276,7 @@ def frequency_chart(library, program, folder, name, title, scene, beam, repetiti
     take_times(charted.timers, repetitions)
 
     default = next(p for p in all_series[0]["points"] if p["default"])
-    same = {s["method"].split(",")[0] + " " + s["method"].split(",")[1].strip(): s["points"][3]
+    same = {s["method"].split(",")[0] + " " + s["method"].split(",")[1].strip(): s["points"][ELEMENTS.index(DEFAULT_PARTS)]
             for s in (all_series[1], *all_series[4:])}
     others = ", ".join(f"{method.replace(' whole process', '')} {p['error']:.0e}"
                        for method, p in same.items() if not p["failure"])
