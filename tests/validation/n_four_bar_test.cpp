@@ -17,6 +17,7 @@
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/free_motion.hpp"
+#include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
 
 using namespace boxbeam;
@@ -27,55 +28,12 @@ namespace {
 constexpr int N = 2;
 constexpr double g = 9.81;
 
-/// Cranks first, couplers behind.
-Mechanism n_four_bar() {
-  Mechanism mechanism;
-  mechanism.gravity = {0.0, -g};
-  const double quarter = std::acos(0.0);
-  for (int i = 0; i <= N; ++i) {
-    mechanism.bodies.push_back(
-        {"crank " + std::to_string(i), 1.0, 1.0 / 12.0, {}, {{i, 0.5}, quarter}, {0.5, 0.0, -1.0}});
-  }
-  for (int i = 0; i < N; ++i) {
-    mechanism.bodies.push_back({"coupler " + std::to_string(i),
-                                1.0,
-                                1.0 / 12.0,
-                                {},
-                                {{i + 0.5, 1.0}, 0.0},
-                                {1.0, 0.0, 0.0}});
-  }
-  for (int i = 0; i <= N; ++i) {
-    mechanism.joints.push_back(
-        {"A" + std::to_string(i), Pin{{i, {-0.5, 0.0}}, {ground, {i, 0.0}}}});
-  }
-  for (int i = 0; i < N; ++i) {
-    const int coupler = N + 1 + i;
-    mechanism.joints.push_back(
-        {"left " + std::to_string(i), Pin{{i, {0.5, 0.0}}, {coupler, {-0.5, 0.0}}}});
-    mechanism.joints.push_back(
-        {"right " + std::to_string(i), Pin{{i + 1, {0.5, 0.0}}, {coupler, {0.5, 0.0}}}});
-  }
-  return mechanism;
-}
-
-/// Kinetic and potential energy [J].
-double energy_of(const Mechanism& mechanism, const State& state) {
-  double energy = 0.0;
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const Body& body = mechanism.bodies[i];
-    const Eigen::Vector3d v = state.v.segment<3>(static_cast<Eigen::Index>(3 * i));
-    energy += 0.5 * (body.mass * v.head<2>().squaredNorm() + body.inertia * v[2] * v[2]);
-    energy += body.mass * g * state.q[static_cast<Eigen::Index>(3 * i) + 1];
-  }
-  return energy;
-}
-
 const Attachment B0{0, {0.5, 0.0}};
 
 }  // namespace
 
 TEST_CASE("N-four-bar: one freedom, three where it lies flat") {
-  const Mechanism mechanism = n_four_bar();
+  const Mechanism mechanism = study::n_four_bar(N);
   const DegreesOfFreedom upright = degrees_of_freedom_of(mechanism, sketch_of(mechanism));
   CHECK(upright.gruebler == 1);
   CHECK(upright.by_rank == 1);
@@ -91,10 +49,10 @@ TEST_CASE("N-four-bar: ten seconds through the singular position") {
   struct Point {
     double t, x, y;
   };
-  const Mechanism mechanism = n_four_bar();
+  const Mechanism mechanism = study::n_four_bar(N);
   FreeSolver solver(mechanism);
   const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
-  const double energy = energy_of(mechanism, first);
+  const double energy = study::energy_of(mechanism, first.q, first.v);
   State state = first;
   double drift = 0.0;
   double residual = 0.0;
@@ -103,7 +61,8 @@ TEST_CASE("N-four-bar: ten seconds through the singular position") {
     // Ten looks per second, as the benchmark asks for output.
     while (state.time < time) {
       state = solver.advance(std::min(time, state.time + 0.1), state);
-      drift = std::max(drift, std::abs(energy_of(mechanism, state) / energy - 1.0));
+      drift =
+          std::max(drift, std::abs(study::energy_of(mechanism, state.q, state.v) / energy - 1.0));
       residual = std::max(residual, state.residual);
     }
   };
@@ -156,7 +115,7 @@ TEST_CASE("N-four-bar: on the branch after any time at any tolerance") {
   }
   REQUIRE(std::abs(std::sin(theta) - 0.328458111540815379) < 1e-9);
 
-  const Mechanism mechanism = n_four_bar();
+  const Mechanism mechanism = study::n_four_bar(N);
   for (const double tolerance : {1e-8, 1e-11, 1e-13}) {
     double error = 0.0;
     int evaluations = 0;
@@ -179,7 +138,7 @@ TEST_CASE("N-four-bar: on the branch after any time at any tolerance") {
 TEST_CASE("N-four-bar: one revolution takes the exact period") {
   // By quadrature of theta' = sqrt(1 + 2 k (1 - cos theta)).
   const double period = 1.9425149226070836835;
-  const Mechanism mechanism = n_four_bar();
+  const Mechanism mechanism = study::n_four_bar(N);
   FreeSolver solver(mechanism);
   State state = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
   state = solver.advance(period, state);

@@ -1,9 +1,8 @@
-#include <cmath>
 #include <exception>
-#include <string>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/free_motion.hpp"
+#include "boxbeam/study/known_motions.hpp"
 #include "peers/answers.hpp"
 #include "peers/simbody_linkage.hpp"
 
@@ -12,49 +11,6 @@ namespace {
 
 using namespace boxbeam;
 using namespace boxbeam::planar;
-
-constexpr double g = 9.81;
-
-/// A01 of the IFToMM library of computational benchmark problems: a point of 1 kg at 1 m from the
-/// pin, let go at rest from (-1, 0).
-Mechanism pendulum() {
-  Mechanism mechanism;
-  mechanism.gravity = {0.0, -g};
-  mechanism.bodies = {Body{"point", 1.0, 0.0, {}, {{-1.0, 0.0}, 0.0}}};
-  mechanism.joints = {{"pin", Pin{{0, {1.0, 0.0}}, {ground, {0.0, 0.0}}}}};
-  return mechanism;
-}
-
-/// A02 with N = 2: cranks first, couplers behind, all of 1 m and 1 kg; upright, 1 m/s to the right.
-Mechanism four_bars() {
-  constexpr int N = 2;
-  Mechanism mechanism;
-  mechanism.gravity = {0.0, -g};
-  for (int i = 0; i <= N; ++i) {
-    mechanism.bodies.push_back({"crank " + std::to_string(i),
-                                1.0,
-                                1.0 / 12.0,
-                                {},
-                                {{i, 0.5}, std::acos(0.0)},
-                                {0.5, 0.0, -1.0}});
-    mechanism.joints.push_back(
-        {"A" + std::to_string(i), Pin{{i, {-0.5, 0.0}}, {ground, {i, 0.0}}}});
-  }
-  for (int i = 0; i < N; ++i) {
-    const int coupler = N + 1 + i;
-    mechanism.bodies.push_back({"coupler " + std::to_string(i),
-                                1.0,
-                                1.0 / 12.0,
-                                {},
-                                {{i + 0.5, 1.0}, 0.0},
-                                {1.0, 0.0, 0.0}});
-    mechanism.joints.push_back(
-        {"left " + std::to_string(i), Pin{{i, {0.5, 0.0}}, {coupler, {-0.5, 0.0}}}});
-    mechanism.joints.push_back(
-        {"right " + std::to_string(i), Pin{{i + 1, {0.5, 0.0}}, {coupler, {0.5, 0.0}}}});
-  }
-  return mechanism;
-}
 
 bench::LinkageResult run_boxbeam(const Mechanism& mechanism, const Attachment& looked_at,
                                  const Json& request) {
@@ -75,7 +31,7 @@ Json answer_free(const Json& request) {
   const bool simbody = request.at("way") == "simbody";
   const double time = request.at("time");
   const int turns = request.value("turns", 1);
-  const Mechanism mechanism = four ? four_bars() : pendulum();
+  const Mechanism mechanism = four ? study::n_four_bar(2) : study::simple_pendulum();
   const Attachment looked_at{0, {four ? 0.5 : 0.0, 0.0}};
   const bench::SimbodyLinkage linkage(four ? bench::Linkage::four_bars : bench::Linkage::pendulum);
   try {
