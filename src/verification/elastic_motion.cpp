@@ -162,6 +162,7 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n * k, n * k);
   Eigen::MatrixXd p(n, k);
   Eigen::MatrixXd statically(n, k);
+  std::vector<Eigen::MatrixXd> viscous;  // K^-1 C at the instants
   double fastest = 0.0;
   lowest_ = 1e300;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -179,6 +180,8 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
     p.row(i) = (turn.transpose() * force).transpose();
     statically.row(i) = (turn.transpose() * force.cwiseQuotient(squares)).transpose();
     const Eigen::MatrixXd damping = turn.transpose() * at.damping * turn;
+    viscous.emplace_back(turn.transpose() * squares.cwiseInverse().asDiagonal() * at.damping *
+                         turn);
     for (Eigen::Index m = 0; m < n; ++m) {
       const Eigen::Index apart = (i - m + n) % n;
       system.block(i * k, m * k, k, k) =
@@ -193,6 +196,13 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   eta_.resize(n, k);
   for (Eigen::Index i = 0; i < n; ++i) eta_.row(i) = solved.segment(i * k, k).transpose();
   dynamic_ = eta_ - statically;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Eigen::VectorXd speed = Eigen::VectorXd::Zero(k);
+    for (Eigen::Index m = 0; m < n; ++m) {
+      speed += rate * d.first[(i - m + n) % n] * eta_.row(m).transpose();
+    }
+    dynamic_.row(i) += (viscous[static_cast<std::size_t>(i)] * speed).transpose();
+  }
   left_out_ = std::pow(fastest / (two_pi * lowest_), 2);
 
   constexpr double no_limit = 1e3;

@@ -55,7 +55,7 @@ LoadsAt loads_of(const Project& project, const planar::Mechanism& mechanism,
 
 LoadsAt loads_of(const Project& project, const spatial::Mechanism& mechanism) {
   auto chain = std::make_shared<const spatial::Chain>(mechanism);
-  auto body = spatial::beam_body_of(project.beam, placement_in(project, mechanism));
+  auto body = spatial::beam_body_of(project.beam, placement_in(project, mechanism), mechanism);
   return [&project, chain, body](Time time) {
     BeamLoads loads = spatial::beam_loads_of(*chain, chain->at(time.value()), body);
     check_on_beam(project, loads, time);

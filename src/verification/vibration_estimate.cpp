@@ -33,7 +33,8 @@ Eigen::VectorXd samples_of(const Spectrum& spectrum) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The part of a mode beyond its static one, under generalised forces at equal steps of a period.
+/// The part of a mode beyond its static one, elastic and viscous, under generalised forces at equal
+/// steps of a period: its inertia over the square of its frequency.
 Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
                              double base) {
   const double omega = two_pi * frequency;
@@ -44,7 +45,7 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
         h <= n / 2 ? static_cast<double>(h) : static_cast<double>(h) - static_cast<double>(n);
     const double r = harmonic * base / frequency;
     const std::complex<double> dynamic(1.0 - r * r, damping * r / omega);
-    spectrum[h] *= (1.0 / dynamic - 1.0) / (omega * omega);
+    spectrum[h] *= r * r / dynamic / (omega * omega);
   }
   return samples_of(spectrum);
 }

@@ -30,9 +30,10 @@ struct RigidMotion {
 ///     eta'' + C(t) eta' + K(t) eta = p(t),   K = phi^T K phi,   p_j = `modal_loads`
 ///
 /// periodic, solved at N instants by Fourier collocation. To the loads of the rigid beam come those
-/// of the modes beyond what their static part would be,
+/// of the modes' own inertia, -K^-1 eta'': what elasticity and viscosity bear together beyond the
+/// static part,
 ///
-///     sum over modes of (eta - K^-1 p)_j times (joint forces and inertia of mode j)
+///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (joint forces and inertia of mode j)
 ///
 /// which are in balance. Left out: Coriolis and centrifugal coupling and the change of the modes
 /// with the posture, of the order of (omega_rotation/omega_1)^2; joints that are elastic
@@ -48,7 +49,8 @@ class ElasticMotion {
   /// Loads on the beam at any time.
   BeamLoads loads_at(Time time) const;
 
-  /// Modal coordinates less their static part at the instants, a row for each [sqrt(kg) m].
+  /// Modal coordinates with their viscous part, less their static one, at the instants, a row for
+  /// each [sqrt(kg) m].
   const Eigen::MatrixXd& dynamic_part() const { return dynamic_; }
   /// Modal coordinates at the instants [sqrt(kg) m].
   const Eigen::MatrixXd& coordinates() const { return eta_; }

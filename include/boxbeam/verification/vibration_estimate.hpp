@@ -9,9 +9,10 @@ namespace boxbeam {
 /// What rigid bodies are estimated to miss in the stresses of a moving beam, by the modes of a few
 /// postures, each taken for the whole motion: in mode j
 ///
-///     sum over harmonics h of p_jh/omega_j^2 (1/(1 - r^2 + 2 i zeta r) - 1),  r = h Omega/omega_j
+///     sum over harmonics h of p_jh/omega_j^2 r^2/(1 - r^2 + 2 i zeta r),  r = h Omega/omega_j
 ///
-/// times the stresses of the mode. Added is the order of what the rotation of the beam couples,
+/// times the stresses of the mode: what elasticity and viscosity bear together, (1 + 2 i zeta r)
+/// over the same, beyond the static 1. Added is the order of what the rotation of the beam couples,
 /// (omega_rotation/omega_1)^2. Valid for motions that repeat: others have no harmonics, and how
 /// they begin decides what vibrates.
 struct VibrationEstimate {
