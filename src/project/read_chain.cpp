@@ -14,8 +14,8 @@ using spatial::Joint;
 using spatial::JointKind;
 using spatial::Mechanism;
 
-constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not move"};
-constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move"};
+constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not move", true};
+constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move", true};
 
 /// Notes an inertia that no distribution of mass has: principal moments are not below zero, and
 /// none is above the sum of the other two.
@@ -344,6 +344,9 @@ Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables
   read_chain_loads(root, mechanism, tables);
   if (root.problems().empty() && mechanism.duration.length == 0.0) {
     check_repetition(root, named_functions_of(mechanism));
+  }
+  if (root.problems().empty()) {
+    check_tables_cover(root, named_functions_of(mechanism), mechanism.duration);
   }
   return mechanism;
 }

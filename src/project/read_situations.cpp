@@ -114,10 +114,10 @@ bool may_change(ProblemList& problems, const Change& change, const Changeable& c
 
 /// The keys of functions of time. They mean something for their own kind only.
 constexpr std::array function_keys{
-    "mean",    "amplitude", "phase", "frequency",    "angular_frequency",
-    "further", "start",     "rate",  "coefficients", "from",
-    "to",      "begin",     "end",   "file",         "periodic",
-    "value"};
+    "mean",    "amplitude",     "phase",  "frequency",    "angular_frequency",
+    "further", "start",         "rate",   "coefficients", "from",
+    "to",      "begin",         "end",    "file",         "periodic",
+    "value",   "interpolation", "beyond", "overshoot"};
 
 /// Where a situation gives a function of time another kind, what the case says of the old kind
 /// falls away.
