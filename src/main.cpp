@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
@@ -19,6 +20,7 @@
 #include "program/completion.hpp"
 #include "program/exit_code.hpp"
 #include "program/explain_command.hpp"
+#include "program/failures.hpp"
 #include "program/fatigue_command.hpp"
 #include "program/init_command.hpp"
 #include "program/manual.hpp"
@@ -63,6 +65,18 @@ std::string instant_trouble(const std::string& text) {
   const std::optional<double> seconds = number_in(text);
   if (seconds && std::abs(*seconds) <= 1e9) return "";
   return "\"" + text + "\" is no instant; write seconds without unit, for example 1.071";
+}
+
+/// What is wrong with a number on the command line that lies between two others, or nothing. The
+/// text "nan" is a number to a parser, and beyond no limit.
+std::function<std::string(const std::string&)> range_trouble(double low, double high,
+                                                             const char* example) {
+  return [=](const std::string& text) -> std::string {
+    const std::optional<double> number = number_in(text);
+    if (number && *number >= low && *number <= high) return "";
+    return fmt::format("\"{}\" is no number from {:g} to {:g}; write for example {}", text, low,
+                       high, example);
+  };
 }
 
 /// Options of which one value belongs to one mention.
@@ -245,10 +259,16 @@ Entry fatigue_entry(CLI::App& app) {
       .add_option("--raw", options->raw,
                   "the history is raw little-endian doubles in this unit: --raw MPa")
       ->type_name("UNIT");
+  command
+      .add_option("--repetitions", options->repetitions,
+                  "of the history in the wanted life (default: 1)")
+      ->check(range_trouble(1e-9, 1e15, "1e5"))
+      ->type_name("NUMBER");
   const auto factor = [&](const char* name, double& value, const char* says) {
-    command.add_option(name, value, says)->check(CLI::PositiveNumber)->type_name("NUMBER");
+    command.add_option(name, value, says)
+        ->check(range_trouble(0.01, 100.0, "1.35"))
+        ->type_name("NUMBER");
   };
-  factor("--repetitions", options->repetitions, "of the history in the wanted life (default: 1)");
   factor("--gamma-Ff", options->gamma_Ff, "partial factor on the ranges (default: 1)");
   factor("--gamma-Mf", options->gamma_Mf, "partial factor on the curve (default: 1)");
   add_choice(command, "--loading", options->loading, {"spectrum", "constant"},
@@ -418,18 +438,5 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, kept);
   // A file that grows beyond its limit is an error of writing, not the end without a word.
   std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return run(argc, argv);
-  } catch (const InputError& error) {
-    std::cerr << error.what();
-    if (error.problems().size() > 1)
-      std::cerr << error.problems().size() << " errors; nothing was written\n";
-    return wrong_input;
-  } catch (const AnalysisError& error) {
-    put_error(std::string("the analysis cannot be done\n  ") + error.what());
-    return not_possible;
-  } catch (const OutputError& error) {
-    put_error(error.what());
-    return output_failed;
-  }
+  return exit_code_of([&] { return run(argc, argv); });
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -7,20 +9,52 @@
 #include <vector>
 
 #include "boxbeam/core/error.hpp"
+#include "report/folder_update.hpp"
 
 /// What commands that write a folder of results share.
 namespace boxbeam::program {
 
-/// Does what may fail without the rest; whether it did not, else why not.
-template <class Write>
-bool attempt(std::vector<std::string>& troubles, const Write& write) {
-  try {
-    write();
-    return true;
-  } catch (const OutputError& error) {
-    troubles.emplace_back(error.what());
+/// What went wrong with outputs.
+struct Troubles {
+  std::vector<std::string> words;
+  /// Something that can be had here failed (a full disk, a tool that breaks off), other than a tool
+  /// that is not installed.
+  bool failed = false;
+
+  /// Does what may fail without the rest; whether it did not.
+  template <class Write>
+  bool attempt(const Write& write) {
+    try {
+      write();
+      return true;
+    } catch (const report::MissingTool& error) {
+      words.emplace_back(error.what());
+    } catch (const OutputError& error) {
+      words.emplace_back(error.what());
+      failed = true;
+    }
     return false;
   }
+};
+
+/// Puts what was written into its place, unless something failed and the report of an earlier run
+/// is there: that one stays whole then. Returns whether the new one is in its place.
+inline bool publish(report::FolderUpdate& update, const std::string& folder,
+                    const std::vector<std::string>& earlier, Troubles& troubles) {
+  const auto stands = [&](const std::string& name) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(std::filesystem::path(folder) / name, error);
+  };
+  for (std::string& words : troubles.words) words = update.in_place(words);
+  if (troubles.failed && std::any_of(earlier.begin(), earlier.end(), stands)) {
+    // The log of a tool that failed is no part of a report.
+    for (const std::string& name : earlier) {
+      if (name.ends_with(".log")) update.publish_beside(name);
+    }
+    troubles.words.push_back("what an earlier run wrote to " + folder + " stays as it was");
+    return false;
+  }
+  return troubles.attempt([&] { update.publish(earlier); });
 }
 
 /// The content of a figure in a folder, where it stands there.

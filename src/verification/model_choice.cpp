@@ -249,7 +249,7 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
   }
   const VibrationEstimate estimate = worst_estimate(project, rigid);
   if (estimate.frequencies.empty()) {
-    choice.reason = "rigid bodies: the beam bears no load that could make it vibrate";
+    choice.reason = "rigid bodies: no load and no mass is there that could make the beam vibrate";
     return choice;
   }
   choice.frequencies = estimate.frequencies;

@@ -1,11 +1,14 @@
 #include "boxbeam/verification/vibration_estimate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
@@ -50,6 +53,17 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
   return samples_of(spectrum);
 }
 
+[[noreturn]] void refuse(const char* what) {
+  throw AnalysisError(
+      {fmt::format("what vibration adds cannot be estimated: {}; look for a mass, an inertia or a "
+                   "stiffness that cannot be meant",
+                   what),
+       "beam",
+       {},
+       {},
+       {}});
+}
+
 std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
                                        double base) {
   Eigen::VectorXd moment(static_cast<Eigen::Index>(history.instants()));
@@ -78,10 +92,9 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   const double peak = stresses.cwiseAbs().maxCoeff();
   const double base = 1.0 / motion.period;
   VibrationEstimate estimate;
-  if (peak == 0.0) {
-    estimate.without_modes = {0.0};
-    return estimate;
-  }
+  estimate.without_modes = {0.0};
+  if (peak == 0.0) return estimate;
+  if (!std::isfinite(peak)) refuse("the stresses under the loads of rigid bodies are no numbers");
 
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
@@ -91,6 +104,10 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   for (std::size_t at = 0; at < motion.states.size(); at += step) {
     const PostureModes modes = modes_in_posture(*rigid.mechanism, motion.states[at], elastic,
                                                 *rigid.beam, modes_looked_at);
+    if (modes.frequencies.empty()) continue;  // without mass nothing vibrates
+    if (!(modes.frequencies.front() > 0.0)) {
+      refuse("the lowest natural frequency of the beam in its mechanism cannot be told from zero");
+    }
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
     Eigen::MatrixXd p(stresses.rows(), count);
     for (std::size_t i = 0; i < history.instants(); ++i) {
