@@ -1,14 +1,12 @@
 #pragma once
 
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "boxbeam/core/error.hpp"
 
-/// What commands that write a folder of results share.
+/// What commands that write files share.
 namespace boxbeam::program {
 
 /// Does what may fail without the rest; whether it did not, else why not.
@@ -24,10 +22,14 @@ bool attempt(std::vector<std::string>& troubles, const Write& write) {
 }
 
 /// The content of a figure in a folder, where it stands there.
-inline std::optional<std::string> svg_in(const std::string& folder, const std::string& name) {
-  std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
+std::optional<std::string> svg_in(const std::string& folder, const std::string& name);
+
+/// Whether a result can be written to where the user wants it, before it is calculated. All throw
+/// OutputError. A file stands in a folder that is there: none is made for it; "" and "-" are none.
+void require_file(const std::string& path);
+/// Likewise; but the folder of the report is made with the report.
+void require_file_beside(const std::string& path, const std::string& folder);
+/// A folder that is there and can be written to, or can be made.
+void require_folder(const std::string& path);
 
 }  // namespace boxbeam::program

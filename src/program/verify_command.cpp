@@ -131,6 +131,8 @@ std::string verdict_line(const Project& project, const Verification& verificatio
 int run_verify(const VerifyOptions& options) {
   const Project project = read_case(options.of_case);
   const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
+  require_folder(folder);
+  require_file_beside(options.json, folder);
   Verification verification;
   Outputs outputs;
   {

@@ -169,6 +169,9 @@ std::variant<double, FieldTrouble> number_in_table(std::string_view text, TableF
   double value = 0.0;
   const char* const end = number.data() + number.size();
   const auto [at, error] = std::from_chars(number.data(), end, value);
+  if (const std::string trouble = look_alike_sign_in(text); !trouble.empty()) {
+    return FieldTrouble{fmt::format("\"{}\" is not a number", text), trouble};
+  }
   if (error == std::errc::invalid_argument || at != end) {
     return FieldTrouble{fmt::format("\"{}\" is not a number", text),
                         form.separator == ','
