@@ -131,7 +131,8 @@ Entry verify_entry(CLI::App& app) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App& command = *app.add_subcommand("verify", "verify a case and write its report");
   command
-      .add_option("--out", options->out, "folder of the report (default: reports/NAME of the case)")
+      .add_option("--out,-o", options->out,
+                  "folder of the report (default: reports/NAME of the case)")
       ->type_name("DIR");
   add_choice(
       command, "--level", options->level, {"summary", "governing", "full"},
@@ -140,7 +141,7 @@ Entry verify_entry(CLI::App& app) {
   command.add_flag("--no-html", options->no_html, "write no report.html");
   command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");
   add_json(command, options->json, "results", "the summary");
-  command.add_flag("--quiet", options->quiet, "print the verdict only, in one line");
+  command.add_flag("--quiet,-q", options->quiet, "print the verdict only, in one line");
   add_verified_case(command, options->of_case);
   return {&command,
           {"boxbeam verify rig.toml", "boxbeam verify rig.toml --set strength.required=2.5"},
@@ -297,7 +298,7 @@ Entry chart_entry(CLI::App& app) {
                       "on this case (default: the sledge rig and the drill truck)")
           ->type_name("FILE.toml");
   add_set(command, options->of_case)->needs(of_case);
-  command.add_option("--out", options->out, "folder of the charts (default: reports/accuracy)")
+  command.add_option("--out,-o", options->out, "folder of the charts (default: reports/accuracy)")
       ->type_name("DIR");
   command.add_flag("--quick", options->quick, "fewer settings, shorter measurements");
   command.add_flag("--no-pdf", options->no_pdf, "write no chart.pdf");
@@ -350,6 +351,19 @@ Entry completion_entry(CLI::App& app, const CommandLine& line) {
           }};
 }
 
+/// Of the commands that are there before it.
+Entry help_entry(CLI::App& app, const CommandLine& line) {
+  const auto name = std::make_shared<std::string>();
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  CLI::App& command = *app.add_subcommand("help", "print the help of a command, or this one");
+  add_choice(command, "COMMAND", *name, names, "of which one (default: of the program)");
+  return {&command, {"boxbeam help verify"}, [name, &line] {
+            put(name->empty() ? help_of(line) : help_of(*command_named(line, *name)));
+            return all_pass;
+          }};
+}
+
 Entry manual_entry(CLI::App& app, const CommandLine& line) {
   CLI::App& command = *app.add_subcommand("manual", "print the manual page");
   return {&command, {"boxbeam manual | man -l -"}, [&line] {
@@ -367,7 +381,9 @@ std::vector<std::string> words_in(const std::string& type) {
 
 Argument argument_of(const CLI::Option& option) {
   const std::string type = option.get_items_expected_max() > 0 ? option.get_type_name() : "";
+  const std::vector<std::string>& brief = option.get_snames();
   return {option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().front(),
+          brief.empty() ? "" : "-" + brief.front(),
           option.get_description(),
           type.substr(0, type.find(':')),
           words_in(type),
@@ -394,14 +410,15 @@ int run(int argc, char** argv) {
       "boxbeam verifies the strength and fatigue life of welded beams that a mechanism moves.");
   app.name("boxbeam");
   app.set_help_flag("--help,-h", "print this help");
-  app.set_version_flag("--version", std::string("boxbeam ") + version, "print the version");
+  app.set_version_flag("--version,-V", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
   CommandLine line;
   const std::vector<Entry> entries{
-      init_entry(app),    validate_entry(app),         verify_entry(app),
-      explain_entry(app), compare_entry(app),          motion_entry(app),
-      section_entry(app), fatigue_entry(app),          chart_entry(app),
-      schema_entry(app),  completion_entry(app, line), manual_entry(app, line)};
+      init_entry(app),      validate_entry(app),         verify_entry(app),
+      explain_entry(app),   compare_entry(app),          motion_entry(app),
+      section_entry(app),   fatigue_entry(app),          chart_entry(app),
+      schema_entry(app),    completion_entry(app, line), manual_entry(app, line),
+      help_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {

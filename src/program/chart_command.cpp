@@ -166,6 +166,7 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
 int run_chart(const ChartOptions& options) {
   report::clear_up_before_the_end();
   const std::string folder = options.out.empty() ? "reports/accuracy" : options.out;
+  require_folder(folder);
   AccuracyRun run;
   Outputs outputs;
   {

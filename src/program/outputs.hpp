@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +9,7 @@
 #include "boxbeam/core/error.hpp"
 #include "report/folder_update.hpp"
 
-/// What commands that write a folder of results share.
+/// What commands that write files share.
 namespace boxbeam::program {
 
 /// What went wrong with outputs.
@@ -58,10 +56,14 @@ inline bool publish(report::FolderUpdate& update, const std::string& folder,
 }
 
 /// The content of a figure in a folder, where it stands there.
-inline std::optional<std::string> svg_in(const std::string& folder, const std::string& name) {
-  std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
+std::optional<std::string> svg_in(const std::string& folder, const std::string& name);
+
+/// Whether a result can be written to where the user wants it, before it is calculated. All throw
+/// OutputError. A file stands in a folder that is there: none is made for it; "" and "-" are none.
+void require_file(const std::string& path);
+/// Likewise; but the folder of the report is made with the report.
+void require_file_beside(const std::string& path, const std::string& folder);
+/// A folder that is there and can be written to, or can be made.
+void require_folder(const std::string& path);
 
 }  // namespace boxbeam::program

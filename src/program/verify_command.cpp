@@ -140,6 +140,8 @@ int run_verify(const VerifyOptions& options) {
   report::clear_up_before_the_end();
   const Project project = read_case(options.of_case);
   const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
+  require_folder(folder);
+  require_file_beside(options.json, folder);
   Verification verification;
   Outputs outputs;
   {

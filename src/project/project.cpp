@@ -295,7 +295,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   project.overrides = overrides;
   if (document.root.members.empty()) {
     problems.add({document.lines.begin()->first, 1, 1}, "the case is empty",
-                 "see sections/sledge-rig/rig.toml for a complete one");
+                 "boxbeam init planar my.toml writes a commented case that runs as it is");
     problems.raise();
   }
   TableReader root(problems, document.root, "");
