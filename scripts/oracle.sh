@@ -16,11 +16,13 @@ seed=${2:-1}
 folder=${3:-$root/build/oracle}
 density=${DENSITY:-full}
 oracle=$root/build/tests/boxbeam_oracle
-if [ ! -x "$oracle" ]; then
+if [ ! -f "$root/build/build.ninja" ]; then
   install_missing "${packages[@]}" "${test_packages[@]}"
-  configure "$root/build" -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=ON
-  build "$root/build" boxbeam_oracle
+  configure "$root/build" -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=ON -DBOXBEAM_PRECOMPILE=ON
 fi
+build "$root/build" boxbeam_oracle
+# Of another program nothing is known yet.
+folder=$folder/$(sha256sum "$oracle" | cut -c 1-12)
 mkdir -p "$folder"
 
 # A hundred at a time; each answers in a file of its own, which is there only when it is complete.
