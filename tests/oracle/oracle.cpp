@@ -1,0 +1,718 @@
+#include "oracle.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "boxbeam/fatigue/damage.hpp"
+#include "boxbeam/fatigue/rainflow.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
+#include "boxbeam/strength/shear_area.hpp"
+#include "boxbeam/verification/bending_zones.hpp"
+#include "rules.hpp"
+#include "section_stress.hpp"
+
+namespace oracle {
+namespace {
+
+using namespace boxbeam;
+
+/// The cut forces at a side of a station over the instants of a situation.
+struct Run {
+  std::size_t situation = 0;
+  double load_factor = 1.0;
+  bool closed = true;
+  std::vector<Time> times;
+  std::vector<CutForceDiagram> diagrams;
+};
+
+std::vector<Run> sample(const Project& project, const std::deque<SituationRun>& runs,
+                        int instants) {
+  std::vector<Run> sampled;
+  for (const SituationRun& of : runs) {
+    Run run;
+    run.situation = index_of(project, *of.situation);
+    run.load_factor = of.situation->load_factor;
+    run.closed = of.loads.closed();
+    const int count = run.closed ? instants : instants + 1;
+    for (int i = 0; i < count; ++i) {
+      // A closed history is not met where the program meets it.
+      const double part = (i + (run.closed ? 0.37 : 0.0)) / instants;
+      run.times.push_back(of.loads.begin() + part * of.loads.period());
+      run.diagrams.push_back(of.loads.diagram_at(run.times.back()));
+    }
+    sampled.push_back(std::move(run));
+  }
+  return sampled;
+}
+
+using Cut = std::array<double, cut_force::count>;
+
+Cut as_array(const CutForces& cut) {
+  return {cut.N.value(), cut.V_y.value(), cut.V_z.value(),
+          cut.T.value(), cut.M_y.value(), cut.M_z.value()};
+}
+
+double times_cut(const Factors& factors, const Cut& cut) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < cut.size(); ++k) sum += factors[k] * cut[k];
+  return sum;
+}
+
+/// What a place's stresses can reach at most, by the box around all cut forces.
+struct Bounds {
+  Cut low, high, most{};  ///< most: largest size, load factors applied
+
+  double range_of(const Factors& factors) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < low.size(); ++k) sum += std::abs(factors[k]) * (high[k] - low[k]);
+    return sum;
+  }
+  double size_of(const Factors& factors) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < low.size(); ++k) sum += std::abs(factors[k]) * most[k];
+    return sum;
+  }
+};
+
+class Search {
+ public:
+  Search(const Project& project, const std::deque<SituationRun>& runs, const Density& density)
+      : project_(project),
+        runs_(runs),
+        density_(density),
+        rules_(project),
+        sampled_(sample(project, runs, density.instants)),
+        zones_(bending_zones_of(project, runs)) {
+    for (const Situation& situation : project.situations) all_cycles_ += situation.cycles;
+  }
+
+  Findings findings() {
+    for (const Station& station : stations()) look_at(station);
+    look_at_deflection();
+    if (!is_flexible(project_) && !in_space(project_)) look_at_neighbours();
+    return std::move(found_);
+  }
+
+ private:
+  // ------------------------------------------------------------------------------- along the beam
+
+  /// Every place where something begins, ends, jumps or bends.
+  std::set<double> cuts() const {
+    const TaperedBeam& beam = project_.beam;
+    std::set<double> places{0.0, beam.length().value()};
+    for (const Segment& segment : beam.segments) {
+      places.insert(segment.start.value());
+      places.insert(segment.end().value());
+    }
+    for (const BeamHole& hole : beam.holes) places.insert(hole.s.value());
+    for (const BeamDetail& detail : project_.fatigue.details) {
+      places.insert(detail.from.value());
+      places.insert(detail.to.value());
+    }
+    for (const BendingZone& zone : zones_) {
+      places.insert(zone.from.value());
+      places.insert(zone.to.value());
+    }
+    // Loads that slide are met at a few of their places.
+    for (const Run& run : sampled_) {
+      const std::size_t stride = std::max<std::size_t>(1, run.diagrams.size() / 16);
+      for (std::size_t i = 0; i < run.diagrams.size(); i += stride) {
+        for (const CutForcePiece& piece : run.diagrams[i].pieces) {
+          places.insert(std::clamp(piece.start.value(), 0.0, beam.length().value()));
+          places.insert(std::clamp(piece.end().value(), 0.0, beam.length().value()));
+        }
+      }
+    }
+    return places;
+  }
+
+  /// Both sides of the cuts first, then a grid from coarse to fine, so that most places can soon be
+  /// seen to be milder than the worst.
+  std::vector<Station> stations() const {
+    const double length = project_.beam.length().value();
+    std::vector<Station> stations;
+    for (const double s : cuts()) {
+      if (s > 0.0) stations.push_back({si<Length>(s), Side::before});
+      if (s < length) stations.push_back({si<Length>(s), Side::behind});
+    }
+    std::vector<bool> done(static_cast<std::size_t>(density_.stations) + 1, false);
+    for (int stride = 64; stride >= 1; stride /= 2) {
+      for (int j = stride; j < density_.stations; j += stride) {
+        if (done[static_cast<std::size_t>(j)]) continue;
+        done[static_cast<std::size_t>(j)] = true;
+        const Length s = si<Length>(length * j / density_.stations);
+        stations.push_back({s, Side::before});
+        if (!sliding()) continue;
+        stations.push_back({s, Side::behind});
+      }
+    }
+    return stations;
+  }
+
+  /// Whether loads slide along the beam, so that both sides of any station may differ.
+  bool sliding() const {
+    for (const Run& run : sampled_) {
+      const CutForceDiagram& first = run.diagrams.front();
+      const CutForceDiagram& other = run.diagrams[run.diagrams.size() / 3];
+      if (first.pieces.size() != other.pieces.size()) return true;
+      for (std::size_t i = 0; i < first.pieces.size(); ++i) {
+        if (abs(first.pieces[i].end() - other.pieces[i].end()).value() > 1e-12) return true;
+      }
+    }
+    return false;
+  }
+
+  LocalSection section_at(const Station& station) const {
+    const TaperedBeam& beam = project_.beam;
+    LocalSection local;
+    local.here = boxbeam::section_at(beam, station);
+    local.space = in_space(project_);
+    for (const BeamHole& hole : beam.holes) {
+      if (hole.s == station.s) local.holes.push_back(hole.hole);
+    }
+    const Segment& segment = beam.segments[segment_at(beam, station)];
+    const ShearLags lags = shear_lags_at(zones_, local.here, station.s);
+    if (lags.flanges) local.flange_part = lags.flanges->flange_part;
+    if (lags.webs) local.web_part = lags.webs->flange_part;
+    if (segment.from == segment.to) return local;
+    const double h = 1e-4;
+    const double x = (station.s - segment.start) / segment.length;
+    const double per = 1.0 / (h * segment.length.value());
+    const auto near = [&](double at, double weight) {
+      local.nearby.emplace_back(interpolate(segment.from, segment.to, at), weight * per);
+    };
+    if (x < h) {
+      near(x, -1.5);
+      near(x + h, 2.0);
+      near(x + 2.0 * h, -0.5);
+    } else if (x > 1.0 - h) {
+      near(x, 1.5);
+      near(x - h, -2.0);
+      near(x - 2.0 * h, 0.5);
+    } else {
+      near(x + h, 0.5);
+      near(x - h, -0.5);
+    }
+    return local;
+  }
+
+  void look_at(const Station& station) {
+    const LocalSection section = section_at(station);
+    cuts_.clear();
+    Bounds bounds;
+    bounds.low.fill(std::numeric_limits<double>::infinity());
+    bounds.high.fill(-std::numeric_limits<double>::infinity());
+    for (const Run& run : sampled_) {
+      std::vector<Cut>& of = cuts_.emplace_back();
+      of.reserve(run.diagrams.size());
+      for (const CutForceDiagram& diagram : run.diagrams) {
+        const Cut cut = as_array(diagram.at(station));
+        for (std::size_t k = 0; k < cut.size(); ++k) {
+          bounds.low[k] = std::min(bounds.low[k], cut[k]);
+          bounds.high[k] = std::max(bounds.high[k], cut[k]);
+          bounds.most[k] = std::max(bounds.most[k], run.load_factor * std::abs(cut[k]));
+        }
+        of.push_back(cut);
+      }
+    }
+    station_ = station;
+    for (const Place& place : places_of(section, density_.around)) look_at(place, bounds);
+    look_at_holes(section, bounds);
+    look_at_class(section);
+  }
+
+  // ---------------------------------------------------------------------------- around the section
+
+  /// The edges of holes: 200 angles of the superposition that the case's concentration stands for.
+  void look_at_holes(const LocalSection& section, const Bounds& bounds) {
+    for (std::size_t i = 0; i < project_.beam.holes.size(); ++i) {
+      const BeamHole& at = project_.beam.holes[i];
+      const HoleInput& input = project_.hole_inputs[i];
+      if (at.s != station_.s || !input.concentration) continue;
+      if (*input.concentration != HoleCase::in_plane_bending &&
+          *input.concentration != HoleCase::membrane_tension)
+        continue;
+      LocalSection prismatic = section;
+      prismatic.nearby.clear();
+      // How much of the shear inclined flanges carry beside a hole is not certain: both ways.
+      look_at_edges(section, at.hole, input, bounds);
+      if (!section.nearby.empty()) look_at_edges(prismatic, at.hole, input, bounds);
+    }
+  }
+
+  void look_at_edges(const LocalSection& section, const Hole& hole, const HoleInput& input,
+                     const Bounds& bounds) {
+    const double r = 0.5 * hole.diameter.value();
+    int across = 0;
+    for (const Hole& other : section.holes) {
+      if (other.walls == HoleWalls::flanges) across += other.position.value() == 0.0 ? 1 : 2;
+    }
+    const Plane whole = plane_of(section, true, false), left = plane_of(section, true, true);
+    for (const HoleCentre& centre : centres_of(section, hole)) {
+      const double a = 2.0 * r / (centre.clear / (centre.along_z ? 1 : across));
+      const double b = 1.0 - a;
+      // Howland's hole in a strip, Peterson's fit of its gross factor.
+      const double K = (2.0 + 0.284 * b - 0.600 * b * b + 1.32 * b * b * b) / b;
+      const bool plane_only = !section.space;
+      for (int k = 0; k < density_.around; ++k) {
+        const double theta = 2.0 * std::numbers::pi * k / density_.around;
+        Place place;
+        place.name = "edge of hole " + hole.name + " in " + centre.wall;
+        place.hole = hole.name;
+        place.plate = centre.plate;
+        place.y = centre.y + (centre.along_z ? 0.0 : r * std::sin(theta));
+        place.z = centre.z + (centre.along_z ? r * std::sin(theta) : 0.0);
+        for (std::size_t i = 0; i < cut_force::count; ++i) {
+          if (plane_only && !centre.along_z) {
+            place.normal[i] = K * centre.normal[i];
+            continue;
+          }
+          place.normal[i] = K / 3.0 * (1.0 - 2.0 * std::cos(2.0 * theta)) * centre.normal[i] +
+                            r * centre.gradient[i] * (std::sin(theta) - std::sin(3.0 * theta)) -
+                            4.0 / b * std::sin(2.0 * theta) * centre.shear[i];
+        }
+        // What shear lag leaves bends more.
+        place.normal[cut_force::M_y] *= left.of[1][2] / whole.of[1][2];
+        place.normal[cut_force::M_z] *= left.of[2][1] / whole.of[2][1];
+        look_at(place, bounds, input.detail ? &*input.detail : nullptr);
+        if (plane_only && !centre.along_z) break;
+      }
+    }
+  }
+
+  /// Whether a criterion can be worse here than where it is worst so far.
+  bool beats(Criterion criterion, double utilisation) const {
+    return utilisation > found_.utilisation(criterion);
+  }
+
+  void note(Criterion criterion, double utilisation, const std::string& place) {
+    if (!beats(criterion, utilisation)) return;
+    found_.worst[criterion] = {utilisation, station_, place};
+  }
+
+  void look_at(const Place& place, const Bounds& bounds, const BeamDetail* own = nullptr) {
+    const FatigueInput& fatigue = project_.fatigue;
+    const bool throat = place.kind == PlaceKind::throat;
+    const bool edge = !place.hole.empty();
+    if (!throat)
+      look_at_yield(place, bounds);
+    else
+      look_at_weld(place, bounds);
+    Resisting direct;
+    if (!throat) direct = rules_.detail_at(station_, place.kind, place.plate);
+    if (own != nullptr) direct = {own, own->detail.compression_reduced};
+    // The whole edge of a hole carries no shear.
+    const Detail* shear = edge ? nullptr : (throat ? &fatigue.throat : &fatigue.shear);
+    look_at_ranges(place, bounds, direct, shear);
+    look_at_fatigue(place, bounds, direct, shear);
+  }
+
+  void look_at_yield(const Place& place, const Bounds& bounds) {
+    const double per = project_.strength.required * project_.strength.gamma_M0 /
+                       rules_.yield_strength(place.plate);
+    const double normal = bounds.size_of(place.normal), along = bounds.size_of(place.shear);
+    if (!beats(Criterion::yield, per * std::sqrt(normal * normal + 3.0 * along * along))) return;
+    double most = 0.0;
+    for (std::size_t r = 0; r < sampled_.size(); ++r) {
+      for (const Cut& cut : cuts_[r]) {
+        const double sigma = times_cut(place.normal, cut), tau = times_cut(place.shear, cut);
+        most = std::max(most, sampled_[r].load_factor * sampled_[r].load_factor *
+                                  (sigma * sigma + 3.0 * tau * tau));
+      }
+    }
+    ++found_.evaluations;
+    note(Criterion::yield, per * std::sqrt(most), place.name);
+  }
+
+  void look_at_weld(const Place& place, const Bounds& bounds) {
+    // sqrt(3) tau_par against f_u/(beta_w gamma_M2), of the weaker part joined.
+    const double per = project_.strength.required * std::numbers::sqrt3 * project_.material.beta_w *
+                       project_.strength.gamma_M2 / rules_.tensile_strength(place.plate);
+    if (!beats(Criterion::weld, per * bounds.size_of(place.shear))) return;
+    double most = 0.0;
+    for (std::size_t r = 0; r < sampled_.size(); ++r) {
+      for (const Cut& cut : cuts_[r]) {
+        most = std::max(most, sampled_[r].load_factor * std::abs(times_cut(place.shear, cut)));
+      }
+    }
+    ++found_.evaluations;
+    note(Criterion::weld, per * most, place.name);
+  }
+
+  // --------------------------------------------------------------------------------- ranges,
+  // cycles
+
+  /// A stress over the instants of each situation that runs, by its index in the case.
+  using Histories = std::vector<std::vector<double>>;
+
+  Histories histories_of(const Factors& factors, double times) const {
+    Histories histories(project_.situations.size());
+    for (std::size_t r = 0; r < sampled_.size(); ++r) {
+      std::vector<double>& of = histories[sampled_[r].situation];
+      of.reserve(cuts_[r].size());
+      for (const Cut& cut : cuts_[r]) of.push_back(times * times_cut(factors, cut));
+    }
+    return histories;
+  }
+
+  /// Lowest and highest in a situation, or in those of which it is made.
+  std::pair<double, double> extremes(const Histories& histories, std::size_t i) const {
+    const Situation& situation = project_.situations[i];
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const auto take = [&](std::size_t of) {
+      for (const double value : histories[of]) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    };
+    if (situation.between.empty()) take(i);
+    for (const std::size_t part : situation.between) take(part);
+    return {low, high};
+  }
+
+  double largest_range(const Histories& histories) const {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < project_.situations.size(); ++i) {
+      if (project_.situations[i].cycles == 0.0) continue;
+      const auto [low, high] = extremes(histories, i);
+      largest = std::max(largest, high - low);
+    }
+    return largest;
+  }
+
+  /// All cycles of the life.
+  std::vector<Cycle> cycles_of(const Histories& histories, bool reduced) const {
+    std::vector<Cycle> all;
+    for (std::size_t i = 0; i < project_.situations.size(); ++i) {
+      const Situation& situation = project_.situations[i];
+      if (situation.cycles == 0.0) continue;
+      std::vector<Cycle> cycles;
+      if (!situation.between.empty() && !situation.in_order) {
+        const auto [low, high] = extremes(histories, i);
+        cycles = {{si<Stress>(high - low), si<Stress>(0.5 * (high + low)), 1.0}};
+      } else {
+        std::vector<double> history = histories[i];
+        for (const std::size_t part : situation.between) {
+          const std::vector<double>& of = histories[part];
+          history.insert(history.end(), of.begin(), of.end());
+          if (closed(part)) history.push_back(of.front());
+        }
+        cycles = count_cycles(history, {Counting::periodic});
+      }
+      for (Cycle& cycle : cycles) {
+        cycle.count *= situation.cycles;
+        if (reduced) {
+          // 7.2.1: the compressive part counts 60 %.
+          const double high = cycle.mean.value() + 0.5 * cycle.range.value();
+          const double low = high - cycle.range.value();
+          const double tension = std::max(high, 0.0) - std::max(low, 0.0);
+          cycle.range = si<Stress>(tension + 0.6 * (high - low - tension));
+        }
+        all.push_back(cycle);
+      }
+    }
+    return all;
+  }
+
+  bool closed(std::size_t situation) const {
+    for (const Run& run : sampled_) {
+      if (run.situation == situation) return run.closed;
+    }
+    return true;
+  }
+
+  void look_at_ranges(const Place& place, const Bounds& bounds, const Resisting& direct,
+                      const Detail* shear) {
+    const double f_y = rules_.yield_strength(place.plate);
+    const double gamma = project_.fatigue.demand.gamma_Ff;
+    const auto look = [&](const Factors& factors, double times, double limit) {
+      if (!beats(Criterion::stress_range, gamma * times * bounds.range_of(factors) / limit)) return;
+      ++found_.evaluations;
+      note(Criterion::stress_range, gamma * largest_range(histories_of(factors, times)) / limit,
+           place.name);
+    };
+    if (direct.detail != nullptr) look(place.normal, direct.detail->stress_factor, 1.5 * f_y);
+    if (shear != nullptr) look(place.shear, 1.0, 1.5 / std::numbers::sqrt3 * f_y);
+  }
+
+  /// At most so many cycles in one repetition; with more of them places are looked at in vain, and
+  /// a place with more may be passed over.
+  static constexpr double most_cycles = 24.0;
+
+  void look_at_fatigue(const Place& place, const Bounds& bounds, const Resisting& direct,
+                       const Detail* shear) {
+    const FatigueInput& fatigue = project_.fatigue;
+    const FatigueDemand& demand = fatigue.demand;
+    const double per = fatigue.required * demand.gamma_Ff * demand.gamma_Mf;
+    const double cycles = most_cycles * all_cycles_;
+    const auto bound_of = [&](const Detail& detail, double range, double share) {
+      return per * range / rules_.strength_at(detail, place.plate, share * cycles);
+    };
+    double by_direct = 0.0, by_shear = 0.0;
+    if (direct.detail != nullptr) {
+      by_direct = bound_of(direct.detail->detail,
+                           direct.detail->stress_factor * bounds.range_of(place.normal), 2.0);
+    }
+    if (shear != nullptr) by_shear = bound_of(*shear, bounds.range_of(place.shear), 2.0);
+    const bool together = direct.detail != nullptr && shear != nullptr;
+    const bool direct_may = direct.detail != nullptr && beats(Criterion::fatigue, by_direct);
+    const bool shear_may = shear != nullptr && beats(Criterion::shear_fatigue, by_shear);
+    const bool both_may =
+        together && beats(Criterion::combined_fatigue, std::max(by_direct, by_shear));
+    if (!direct_may && !shear_may && !both_may) return;
+
+    const double nothing = 1e-9 * rules_.yield_strength(place.plate);
+    std::vector<FatigueChannel> channels;
+    Histories of_direct, of_shear;
+    double direct_range = 0.0, shear_range = 0.0;
+    if (direct.detail != nullptr) {
+      of_direct = histories_of(place.normal, direct.detail->stress_factor);
+      direct_range = largest_range(of_direct);
+    }
+    if (shear != nullptr) {
+      of_shear = histories_of(place.shear, 1.0);
+      shear_range = largest_range(of_shear);
+    }
+    ++found_.evaluations;
+    // With the ranges themselves most places can be seen to be milder.
+    const bool direct_counts = direct_range >= nothing, shear_counts = shear_range >= nothing;
+    if (direct_counts) by_direct = bound_of(direct.detail->detail, direct_range, 2.0);
+    if (shear_counts) by_shear = bound_of(*shear, shear_range, 2.0);
+    const bool want_direct = direct_counts && beats(Criterion::fatigue, by_direct);
+    const bool want_shear = shear_counts && beats(Criterion::shear_fatigue, by_shear);
+    const bool want_both = direct_counts && shear_counts &&
+                           beats(Criterion::combined_fatigue, std::max(by_direct, by_shear));
+    const auto add = [&](const Histories& histories, bool reduced, const Detail& detail) {
+      channels.push_back({cycles_of(histories, reduced), rules_.curve_of(detail, place.plate)});
+    };
+    const auto use = [&](Criterion criterion) {
+      note(criterion, fatigue.required / largest_factor(channels, demand), place.name);
+    };
+    if (want_direct || want_both) {
+      add(of_direct, direct.compression_reduced, direct.detail->detail);
+      if (want_direct) use(Criterion::fatigue);
+    }
+    if (want_both) {
+      add(of_shear, false, *shear);
+      use(Criterion::combined_fatigue);
+      channels.erase(channels.begin());
+      if (want_shear) use(Criterion::shear_fatigue);
+    } else if (want_shear) {
+      channels.clear();
+      add(of_shear, false, *shear);
+      use(Criterion::shear_fatigue);
+    }
+  }
+
+  // -------------------------------------------------------------------------------- section class
+
+  void look_at_class(const LocalSection& section) {
+    if (!found_.gate.empty()) return;
+    look_at_class(section, section.here.outer);
+    if (section.here.inner) look_at_class(section, *section.here.inner);
+  }
+
+  /// EN 1993-1-1, table 5.2: even compression 42 eps, round tubes 90 eps^2, stiffeners 14 eps, webs
+  /// by their stress; EN 1993-1-5, 5.1(2): shear buckling above 72 eps/eta, eta = 1.2.
+  void look_at_class(const LocalSection& section, const Profile& profile) {
+    const auto eps = [&](double t) { return std::sqrt(235e6 / rules_.yield_strength(t)); };
+    const auto gate = [&](const char* what) {
+      if (found_.gate.empty())
+        found_.gate = fmt::format("{} at s = {:.6g} m", what, station_.s.value());
+    };
+    if (const auto* round = std::get_if<RoundTube>(&profile)) {
+      const double t = round->wall.value();
+      if (round->diameter.value() / t > 90.0 * eps(t) * eps(t)) gate("round wall of class 4");
+      return;
+    }
+    const auto* box = std::get_if<Box>(&profile);
+    const auto* tube = std::get_if<RectangularTube>(&profile);
+    if (box == nullptr && tube == nullptr) return;
+    const double W = (box ? box->width : tube->width).value();
+    const double H = (box ? box->height : tube->height).value();
+    const double top = (box ? box->top_flange : tube->wall).value();
+    const double bottom = (box ? box->bottom_flange : tube->wall).value();
+    const double left = (box ? box->left_web : tube->wall).value();
+    const double right = (box ? box->right_web : tube->wall).value();
+    const bool bars = box != nullptr && !box->stiffeners.empty();
+    const double c_flange = W - left - right, h_w = H - top - bottom;
+    if (!bars) {
+      for (const double t : {top, bottom})
+        if (c_flange / t > 42.0 * eps(t)) gate("flange of class 4");
+    }
+    for (const double t : {left, right})
+      if (h_w / t > 72.0 / 1.2 * eps(t)) gate("web that may buckle in shear");
+    if (in_space(project_)) {
+      for (const double t : {top, bottom})
+        if (c_flange / t > 72.0 / 1.2 * eps(t)) gate("flange that may buckle in shear");
+    }
+    const Plane plane = plane_of({section.here, {}, {}, section.space, 1.0, 1.0}, false, false);
+    const auto stress = [&](const Cut& cut, double y, double z) {
+      double sum = 0.0;
+      const double forces[] = {cut[cut_force::N], cut[cut_force::M_y], cut[cut_force::M_z]};
+      for (std::size_t k = 0; k < 3; ++k)
+        sum += forces[k] * (plane.of[k][0] + plane.of[k][1] * y + plane.of[k][2] * z);
+      return sum;
+    };
+    for (const double side : {1.0, -1.0}) {
+      const double t = side > 0.0 ? left : right;
+      const double ratio = h_w / t, e = eps(t);
+      if (ratio <= 42.0 * e) continue;
+      const double y = side * 0.5 * (W - t);
+      double largest = 0.0;
+      for (const auto& run : cuts_) {
+        for (const Cut& cut : run)
+          largest = std::max({largest, std::abs(stress(cut, y, 0.5 * H - top)),
+                              std::abs(stress(cut, y, -0.5 * H + bottom))});
+      }
+      for (const auto& run : cuts_) {
+        for (const Cut& cut : run) {
+          const double up = -stress(cut, y, 0.5 * H - top), low = -stress(cut, y, bottom - 0.5 * H);
+          const double most = std::max(up, low);
+          if (most <= 0.01 * largest) continue;  // compression that does not matter
+          const double psi = std::min(up, low) / most;
+          const double limit = psi > -1.0 ? 42.0 * e / (0.67 + 0.33 * psi)
+                                          : 62.0 * e * (1.0 - psi) * std::sqrt(-psi);
+          if (ratio > limit) gate("web of class 4");
+        }
+      }
+    }
+  }
+
+  // ------------------------------------------------------------------------------ beside the
+  // stress
+
+  /// By integrating curvature and shear twice along the beam, from the chord of the case's
+  /// stations.
+  void look_at_deflection() {
+    if (!project_.deflection) return;
+    const DeflectionInput& input = *project_.deflection;
+    const double length = project_.beam.length().value();
+    std::set<double> borders = cuts();
+    for (int j = 0; j <= density_.stations; ++j) borders.insert(length * j / density_.stations);
+    const std::vector<double> at(borders.begin(), borders.end());
+    struct Middle {
+      Station station;
+      double step, per_N, per_M, per_V;
+    };
+    std::vector<Middle> middles;
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+      const Station station{si<Length>(0.5 * (at[i] + at[i + 1])), Side::both};
+      LocalSection section;
+      section.here = boxbeam::section_at(project_.beam, station);
+      const Plane plane = plane_of(section, false, false);
+      const double E = input.youngs_modulus.value();
+      middles.push_back(
+          {station, at[i + 1] - at[i], plane.of[0][2] / E, plane.of[1][2] / E,
+           1.0 / (input.shear_modulus.value() * shear_area_of(section.here).value())});
+    }
+    const auto at_station = [&](const std::vector<double>& w, double s) {
+      const auto next = std::upper_bound(at.begin(), at.end() - 1, s);
+      const auto i = static_cast<std::size_t>(next - at.begin());
+      const double part = (s - at[i - 1]) / (at[i] - at[i - 1]);
+      return w[i - 1] + part * (w[i] - w[i - 1]);
+    };
+    for (const Run& run : sampled_) {
+      for (const CutForceDiagram& diagram : run.diagrams) {
+        std::vector<double> w{0.0};
+        double slope = 0.0;
+        for (const Middle& middle : middles) {
+          const CutForces cut = diagram.at(middle.station);
+          const double curvature = middle.per_N * cut.N.value() + middle.per_M * cut.M_y.value();
+          const double half = -0.5 * curvature * middle.step;
+          w.push_back(w.back() + middle.step * (slope + half + middle.per_V * cut.V_z.value()));
+          slope += 2.0 * half;
+        }
+        const double from = input.from.value(), to = input.to.value();
+        const double w_from = at_station(w, from), w_to = at_station(w, to);
+        for (std::size_t i = 0; i < at.size(); ++i) {
+          const double chord = w_from + (w_to - w_from) * (at[i] - from) / (to - from);
+          station_ = {si<Length>(at[i]), Side::both};
+          note(Criterion::deflection, std::abs(w[i] - chord) / input.limit.value(), "axis");
+        }
+      }
+    }
+  }
+
+  void look_at_neighbours() {
+    if (project_.pins.empty() && project_.rods.empty()) return;
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+      const SituationRun& run = runs_[r];
+      const planar::Mechanism& mechanism = planar_in(project_, *run.situation);
+      planar::StateFinder finder(mechanism, planar_motion_of(run));
+      for (const Time& time : sampled_[r].times) {
+        const planar::State state = finder.at(time.value());
+        const auto reactions = planar::reactions_of(mechanism, state);
+        for (const PinInput& pin : project_.pins) {
+          for (const planar::Reaction& reaction : reactions) {
+            if (reaction.joint != pin.joint) continue;
+            note(Criterion::pin,
+                 pin_utilisation(sampled_[r].load_factor * reaction.force.norm(), pin), pin.name);
+          }
+        }
+        for (const RodInput& rod : project_.rods) {
+          const double angle = state.q[3 * rod.from.body + 2];
+          const Eigen::Vector2d way = rod.to.p - rod.from.p;
+          const Eigen::Vector2d along(
+              (std::cos(angle) * way.x() - std::sin(angle) * way.y()) / way.norm(),
+              (std::sin(angle) * way.x() + std::cos(angle) * way.y()) / way.norm());
+          double push_from = 0.0, push_to = 0.0;
+          for (const planar::Reaction& reaction : reactions) {
+            if (reaction.on != rod.from.body) continue;
+            if ((reaction.point - rod.from.p).norm() < 1e-9 * way.norm())
+              push_from += reaction.force.dot(along);
+            if ((reaction.point - rod.to.p).norm() < 1e-9 * way.norm())
+              push_to -= reaction.force.dot(along);
+          }
+          for (const double push : {push_from, push_to}) {
+            note(Criterion::buckling, rod_utilisation(sampled_[r].load_factor * push, rod),
+                 rod.name);
+          }
+        }
+      }
+    }
+  }
+
+  const Project& project_;
+  const std::deque<SituationRun>& runs_;
+  Density density_;
+  Rules rules_;
+  std::vector<Run> sampled_;
+  std::vector<BendingZone> zones_;
+  double all_cycles_ = 0.0;
+  Station station_;
+  std::vector<std::vector<Cut>> cuts_;  ///< at the station looked at, by run
+  Findings found_;
+};
+
+}  // namespace
+
+bool Findings::fails() const {
+  return std::any_of(worst.begin(), worst.end(),
+                     [](const auto& each) { return each.second.utilisation > 1.0; });
+}
+
+bool covers(const Project& project) {
+  if (!project.given_stresses.empty() || !project.points.empty()) return false;
+  if (project.dynamics == Dynamics::newton_chain) return false;
+  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
+    const Section section = section_at(project.beam, {project.beam.holes[i].s, Side::both});
+    if (std::holds_alternative<Plate>(section.outer)) return false;
+  }
+  return std::all_of(project.beam.segments.begin(), project.beam.segments.end(),
+                     [](const Segment& s) { return covers(s.from) && covers(s.to); });
+}
+
+Findings look_everywhere(const Project& project, const std::deque<SituationRun>& runs,
+                         const Density& density) {
+  return Search(project, runs, density).findings();
+}
+
+}  // namespace oracle

@@ -1,0 +1,96 @@
+#include "rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace oracle {
+
+using namespace boxbeam;
+
+Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate) {
+  const FatigueInput& fatigue = project_->fatigue;
+  const double s = station.s.value();
+  Resisting weakest;
+  double least = 0.0;
+  bool reduced = true;
+  for (const BeamDetail& stretch : fatigue.details) {
+    const double from = stretch.from.value(), to = stretch.to.value();
+    bool here = s > from && s < to;
+    if (s == from) here = station.side != Side::before || from == to;
+    if (s == to) here = station.side != Side::behind || from == to;
+    if (s == from && s == 0.0) here = true;
+    const bool meant = stretch.on == DetailPlace::section ||
+                       (stretch.on == DetailPlace::fibres && kind == PlaceKind::fibre) ||
+                       (stretch.on == DetailPlace::seams && kind == PlaceKind::seam);
+    if (!here || !meant) continue;
+    reduced = reduced && stretch.detail.compression_reduced;
+    const double strength = strength_at(stretch.detail, plate, 2e6) / stretch.stress_factor;
+    if (weakest.detail != nullptr && strength >= least) continue;
+    weakest.detail = &stretch;
+    least = strength;
+  }
+  if (weakest.detail == nullptr) return {&fatigue.beam, fatigue.beam.detail.compression_reduced};
+  weakest.compression_reduced = reduced;
+  return weakest;
+}
+
+const SnCurve& Rules::curve_of(const Detail& detail, double plate) {
+  const bool butt = detail.size_effect == SizeEffect::butt;
+  const std::pair key{&detail, butt ? plate : 0.0};
+  const auto found = curves_.find(key);
+  if (found != curves_.end()) return found->second;
+  const double factor = butt ? std::pow(std::min(1.0, 0.025 / plate), 0.2) : detail.size_factor;
+  return curves_.emplace(key, scaled(detail.curve, factor)).first->second;
+}
+
+double Rules::strength_at(const Detail& detail, double plate, double cycles) {
+  return boxbeam::strength_at(curve_of(detail, plate), cycles, project_->fatigue.demand.loading)
+      .value();
+}
+
+double Rules::yield_strength(double plate) const {
+  return yield_strength_of(project_->material, si<Length>(plate))->value();
+}
+
+double Rules::tensile_strength(double plate) const {
+  return tensile_strength_of(project_->material, si<Length>(plate))->value();
+}
+
+double pin_utilisation(double force, const PinInput& pin) {
+  const PinJoint& of = pin.geometry;
+  const PinStrength& strength = pin.strength;
+  const double d = of.diameter.value(), a = of.outer_plate.value(), b = of.inner_plate.value();
+  const double f_yp = strength.pin_yield.value();
+  const double shear =
+      0.5 * force /
+      (0.6 * std::numbers::pi / 4.0 * d * d * strength.pin_tensile.value() / strength.gamma_M2);
+  const double moment = force / 8.0 * (b + 4.0 * of.gap.value() + 2.0 * a);
+  const double bending =
+      moment / (1.5 * std::numbers::pi / 32.0 * d * d * d * f_yp / strength.gamma_M0);
+  const auto bearing = [&](double on, double t, Stress yield) {
+    return on / (1.5 * t * d * std::min(f_yp, yield.value()) / strength.gamma_M0);
+  };
+  const double inner = bearing(force, b, strength.inner_yield);
+  const double outer = bearing(0.5 * force, a, strength.outer_yield);
+  return pin.required * std::max({shear, bending, inner, outer, std::hypot(shear, bending)});
+}
+
+double rod_utilisation(double compression, const RodInput& rod) {
+  const LocalSection section{rod.section, {}, {}, false, 1.0, 1.0};
+  const Plane plane = plane_of(section, false, false);
+  // Of a symmetric section sigma_N = 1/A, dsigma/dz of M_y = 1/I_y, dsigma/dy of M_z = -1/I_z.
+  const double A = 1.0 / plane.of[0][0];
+  const double I = std::min(1.0 / plane.of[1][2], -1.0 / plane.of[2][1]);
+  const double f_y = rod.yield_strength.value(), L = rod.buckling_length.value();
+  if (compression <= 0.0) return rod.required * -compression / (A * f_y);
+  const double critical = std::numbers::pi * std::numbers::pi * 210e9 * I / (L * L);
+  const double slenderness = std::sqrt(A * f_y / critical);
+  constexpr double imperfection[] = {0.13, 0.21, 0.34, 0.49, 0.76};
+  const double alpha = imperfection[static_cast<std::size_t>(rod.curve)];
+  const double phi = 0.5 * (1.0 + alpha * (slenderness - 0.2) + slenderness * slenderness);
+  const double chi = std::min(1.0, 1.0 / (phi + std::sqrt(phi * phi - slenderness * slenderness)));
+  return rod.required * compression / (chi * A * f_y / rod.gamma_M1);
+}
+
+}  // namespace oracle
