@@ -31,9 +31,18 @@ struct Word {
   std::string_view colour;
 };
 
-/// With the space behind them, so that no longer word is meant.
-constexpr std::array words{Word{"FAIL ", red}, Word{"FAILS ", red}, Word{"PASS ", green},
-                           Word{"passes ", green}, Word{"NOT APPLICABLE ", yellow}};
+/// With the sign behind them, so that no longer word is meant.
+constexpr std::array words{
+    Word{"FAIL ", red},
+    Word{"FAIL;", red},
+    Word{"FAILS ", red},
+    Word{"PASS ", green},
+    Word{"PASS;", green},
+    Word{"passes ", green},
+    Word{"NOT APPLICABLE ", yellow},
+    Word{"NOT APPLICABLE:", yellow},
+    Word{"NOT APPLICABLE;", yellow},
+};
 
 /// The end of "165 % !" in a line, 0 where its first words are not that.
 std::size_t end_of_marked_utilisation(std::string_view line, std::size_t begin) {

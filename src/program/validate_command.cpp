@@ -97,7 +97,8 @@ std::string text_of(const Project& project) {
   for (const BeamHole& hole : project.beam.holes) holes.push_back(hole.hole.name);
   parts.add("holes", listed(holes));
   parts.add("steel", project.material.name);
-  parts.add("fatigue", project.fatigue.beam.detail.name);
+  parts.add("fatigue", project.fatigue.asked ? project.fatigue.beam.detail.name
+                                             : "not asked for: strength only");
   std::vector<std::string> details;
   for (const BeamDetail& detail : project.fatigue.details) details.push_back(detail.detail.name);
   parts.add("details", listed(details));

@@ -14,6 +14,7 @@
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
+#include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -126,12 +127,9 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
 
 /// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".
 std::string verdict_line(const Project& project, const Verification& verification) {
-  const char* verdict = verification.verdict == Verdict::pass   ? "PASS"
-                        : verification.verdict == Verdict::fail ? "FAIL"
-                                                                : "NOT APPLICABLE";
   const Check& worst = verification.checks.front().check;
-  return fmt::format("{}  {}: {}, utilisation {}\n", verdict, project.name, worst.id,
-                     text::percent(worst.utilisation()));
+  return fmt::format("{}  {}: {}, utilisation {}\n", verdict_text_of(project, verification).whole(),
+                     project.name, worst.id, text::percent(worst.utilisation()));
 }
 
 }  // namespace

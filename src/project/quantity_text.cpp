@@ -193,6 +193,7 @@ std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text) 
 
 std::string name_of(const DimensionExponents& exponents) {
   static constexpr WantedDimension named[] = {wanted::length,
+                                              wanted::area,
                                               wanted::mass,
                                               wanted::angle,
                                               wanted::frequency,
@@ -212,7 +213,6 @@ std::string name_of(const DimensionExponents& exponents) {
                                               wanted::inertia,
                                               wanted::time,
                                               {{0, 0, 0, 0}, "a number without unit", ""},
-                                              {{2, 0, 0, 0}, "an area", ""},
                                               {{3, 0, 0, 0}, "a volume", ""}};
   for (const WantedDimension& known : named) {
     if (known.exponents == exponents) return known.name;

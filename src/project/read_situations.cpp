@@ -234,9 +234,11 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
 void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
                      const LinkDefaults& links, TimeTables& tables, Project& project) {
   std::vector<TableReader> listed = root.tables("situations");
+  const bool asked = root.has("fatigue");
   TableReader fatigue = root.table("fatigue", false);
   if (listed.empty()) {
-    project.situations.push_back({"", fatigue.number("cycles", {}, "1e7"), 1.0, {}, {}, {}, false});
+    const double cycles = asked ? fatigue.number("cycles", {}, "1e7") : 0.0;
+    project.situations.push_back({"", cycles, 1.0, {}, {}, {}, false});
     return;
   }
   if (fatigue.has("cycles")) {
@@ -270,6 +272,11 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
   if (project.dynamics == Dynamics::newton_chain && project.situations.size() > 1) {
     root.problem("situations", "the published Newton chain knows one situation only",
                  "use rigorous dynamics, or remove [[situations]]");
+  }
+  // Without [fatigue] nothing is counted; what only counts falls away.
+  if (!asked) {
+    for (Situation& situation : project.situations) situation.cycles = 0.0;
+    return;
   }
   if (std::none_of(project.situations.begin(), project.situations.end(),
                    [](const Situation& situation) { return situation.cycles > 0.0; })) {

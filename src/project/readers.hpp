@@ -221,6 +221,10 @@ void check_net_sections(TableReader& root, const Project& project);
 /// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam.
 void read_neighbours(TableReader& root, const Sections& sections, Project& project);
 
+/// [deflection]: its limit, and the line that it is measured from, which the beam's supports say
+/// where the case does not.
+DeflectionInput read_deflection(TableReader table, const Project& project);
+
 /// A steel of the catalogue named by the value of a key.
 Material named_steel(TableReader& table, std::string_view key,
                      std::optional<SteelSource> source = {});

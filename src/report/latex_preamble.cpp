@@ -201,8 +201,8 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \vtop{\hsize=\dimexpr\linewidth-#1-1em\relax\raggedright\noindent\hskip0pt#3\par}\hss}\vskip2pt}
 
 % The verdict, and the fields to sign.
-\newcommand{\verdict}[2]{\vskip8pt\hbox{\fboxsep=7pt\colorbox{#1}{\hbox to\dimexpr\textwidth-14pt\relax{%
-  \sffamily\bfseries\LARGE\color{white}#2\hfil}}}\vskip6pt}
+\newcommand{\verdict}[2]{\vskip8pt\hbox{\fboxsep=7pt\colorbox{#1}{\vbox{\hsize=\dimexpr\textwidth-14pt\relax
+  \raggedright\sffamily\bfseries\LARGE\color{white}\noindent\hskip0pt#2\par}}}\vskip6pt}
 \newcommand{\signfield}[1]{\vtop{\hsize=.31\textwidth\noindent\sffamily\footnotesize\color{quiet}\strut#1\par\vskip20pt
   {\color{plain}\hrule height.4pt}\vskip3pt name, date, signature\par}}
 

@@ -92,7 +92,11 @@ std::string text_of(const Document& document) {
                                 visible(document.date));
   out += hanging("", "", document.subtitle);
   out += "\n";
-  if (!document.verdict.empty()) out += fmt::format("VERDICT: {}\n\n", visible(document.verdict));
+  if (!document.verdict.empty()) {
+    out += hanging("VERDICT: ", "         ", document.verdict);
+    for (const std::string& reason : document.reasons) out += hanging("  - ", "    ", reason);
+    out += "\n";
+  }
   if (!document.verdict.empty() && !document.governing.rows.empty()) {
     out += table_text(with_results(document.governing), width) + "\n";
   }

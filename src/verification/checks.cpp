@@ -474,7 +474,7 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     const Stress yield = yield_strength_of(project.material, given.thickness).value();
     add(Criterion::yield, given.peak, yield / project.strength.gamma_M0, project.strength.required,
         yield_source(project.material));
-    if (!given.opposite) continue;
+    if (!given.opposite || !project.fatigue.asked) continue;
     const FatigueInput& fatigue = project.fatigue;
     Stress strength =
         strength_at(curve_of(fatigue.beam.detail), most_cycles_of(project), fatigue.demand.loading);

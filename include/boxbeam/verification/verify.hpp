@@ -94,6 +94,12 @@ struct DigitsLeft {
   Time time;
 };
 
+/// Something that a case asks for and that could not be judged.
+struct NotJudged {
+  std::string what;    ///< "fatigue", "rod hanger"
+  std::string reason;  ///< "no stress range"
+};
+
 /// What there is to know of a mechanism whose joints are equations to be solved.
 struct ClosureSummary {
   planar::DegreesOfFreedom freedom;
@@ -119,6 +125,7 @@ struct MotionSummary {
 struct Verification {
   Verdict verdict = Verdict::fail;
   ModelChoice model;
+  std::vector<NotJudged> not_judged;
   std::vector<CheckResult> checks;  ///< worst utilisation first
   std::vector<CriticalInstant> critical_instants;
   std::vector<StationEnvelope> stations;
