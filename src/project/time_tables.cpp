@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "boxbeam/project/limits.hpp"
 #include "csv_text.hpp"
 #include "text_file.hpp"
 
@@ -104,6 +105,10 @@ class TimeTableParser {
           fields[0],
           fmt::format("the time {} does not come after that of the row before", fields[0].text),
           "write the rows in the order of time, each instant once, at least 1 ns apart");
+    }
+    if (table_.time.size() == limits::most_rows) {
+      return fail(fields[0], fmt::format("the table has more than {} rows", limits::most_rows),
+                  "give one period, or fewer points on it");
     }
     table_.time.push_back(seconds);
     table_.value.push_back(*value * value_factor_);
