@@ -49,6 +49,16 @@ FileText read_text_file(const std::string& path) {
   return file;
 }
 
+FileText read_regular_file(const std::string& path) {
+  FileText absent = look_for_file(path);
+  if (absent.trouble != FileText::Trouble::none) return absent;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    return {{}, FileText::Trouble::unreadable, "this is a pipe or a device, no file"};
+  }
+  return read_text_file(path);
+}
+
 std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);

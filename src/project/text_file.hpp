@@ -22,6 +22,10 @@ FileText look_for_file(const std::string& path);
 /// Reads a file, a device or a pipe of at most 8 MB.
 FileText read_text_file(const std::string& path);
 
+/// The same where only a file will do: who opens a pipe that is named in another file may wait for
+/// ever.
+FileText read_regular_file(const std::string& path);
+
 /// The lines of a text without their ends.
 std::vector<std::string> split_lines(const std::string& text);
 

@@ -134,7 +134,7 @@ const std::vector<std::string>* TimeTables::lines_of(TableReader& table, std::st
   if (std::any_of(document_->files.begin(), document_->files.end(), same)) {
     return &document_->lines.find(resolved)->second;
   }
-  const FileText file = read_text_file(resolved);
+  const FileText file = read_regular_file(resolved);
   if (file.trouble != FileText::Trouble::none) {
     table.problem(key, fmt::format("{}: {}", resolved, file.why),
                   "give the path of a table (.csv) from the folder of the case file");

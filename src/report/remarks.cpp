@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {
 namespace {
@@ -300,6 +301,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   std::vector<std::string> remarks;
   for (const std::string& assumption : project.assumptions)
     remarks.push_back("assumed: " + assumption);
+  for (std::string& odd : odd_things(project, verification)) remarks.push_back(std::move(odd));
   add_gates(verification, remarks);
   add_details(project, remarks);
   add_branches(project, remarks);

@@ -8,6 +8,7 @@
 #include "boxbeam/verification/critical_instants.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {
 namespace {
@@ -218,6 +219,7 @@ Verification verify(const Project& project, Figures figures) {
   const bool computed = project.given_stresses.empty();
   result.checks = computed ? check_beam(project, runs, stations) : check_given_stresses(project);
   check_neighbours(project, runs, result);
+  require_numbers(result);
   sort_worst_first(result.checks);
   if (computed) result.gates = gates_of(project, runs, stations, result.checks);
   for (Gate& gate : model_gates_of(project, model)) result.gates.push_back(std::move(gate));
