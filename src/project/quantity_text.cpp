@@ -237,6 +237,9 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   if (word.size() > 100) return best;
   const std::string small = small_letters(word);
   for (const std::string& candidate : known) {
+    // So many edits the lengths alone take.
+    const auto [shorter, longer] = std::minmax(word.size(), candidate.size());
+    if (longer - shorter >= best_distance.first) continue;
     const std::pair distance(edit_distance(small, small_letters(candidate)),
                              edit_distance(word, candidate));
     if (distance < best_distance) {

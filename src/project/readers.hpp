@@ -131,9 +131,6 @@ struct LinkDefaults {
   ElasticForm form;
 };
 
-/// At most so many parts of a link.
-inline constexpr int most_parts = 1'000'000;
-
 /// [links], in the order of the file, placed in the world.
 std::vector<flexible::Link> read_links(TableReader& root, const LinkDefaults& defaults);
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 
 namespace boxbeam {
@@ -321,6 +322,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   std::vector<std::string> remarks;
   for (const std::string& assumption : project.assumptions)
     remarks.push_back("assumed: " + assumption);
+  for (std::string& odd : odd_things(project, verification)) remarks.push_back(std::move(odd));
   for (const GateText& gate : gate_texts_of(verification)) {
     remarks.push_back((gate.blocks ? "not applicable: " : "") + gate.text);
   }

@@ -9,6 +9,7 @@
 #include "boxbeam/verification/critical_instants.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {
 namespace {
@@ -243,6 +244,7 @@ Verification verify(const Project& project, Figures figures) {
   const bool computed = project.given_stresses.empty();
   result.checks = computed ? check_beam(project, runs, stations) : check_given_stresses(project);
   check_neighbours(project, runs, result);
+  require_numbers(result);
   sort_worst_first(result.checks);
   look_for_fatigue(project, result);
   if (computed) {
