@@ -27,6 +27,7 @@
 #include "program/terminal.hpp"
 #include "program/validate_command.hpp"
 #include "program/verify_command.hpp"
+#include "report/text_layout.hpp"
 #include "version.hpp"
 
 /// The command line as CLI11 parses it; what the commands do stands in src/program.
@@ -435,6 +436,7 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, kept);
   // A file that grows beyond its limit is an error of writing, not the end without a word.
   std::signal(SIGXFSZ, SIG_IGN);
+  layout::set_width(columns());
   try {
     return run(argc, argv);
   } catch (const InputError& error) {

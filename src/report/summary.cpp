@@ -41,7 +41,7 @@ std::string summary(const Project& project, const Verification& verification) {
   const report::Table governing = report::with_results(
       report::governing_table({project, verification, ReportLevel::summary, {}}));
   return fmt::format("{}  {}\n{}\nRemarks:\n{}", report::verdict_text(verification.verdict),
-                     visible(project.title), report::table_text(governing, layout::width),
+                     visible(project.title), report::table_text(governing, layout::width()),
                      remarks_summary(project, verification));
 }
 
