@@ -1,11 +1,13 @@
 #include "program/terminal.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -93,6 +95,21 @@ void put_result(const std::string& json_file, const std::string& json, const std
 }
 
 void put_error(const std::string& text) { std::cerr << "boxbeam: " << visible(text, "\n") << "\n"; }
+
+std::size_t columns() {
+  constexpr std::size_t usual = 110;
+  constexpr std::size_t fewest = 60, most = 200;
+  winsize size{};
+  std::size_t found = 0;
+  if (isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) {
+    found = size.ws_col;
+  }
+  if (found == 0) {
+    const std::string_view given = environment("COLUMNS");
+    std::from_chars(given.data(), given.data() + given.size(), found);
+  }
+  return found == 0 ? usual : std::clamp(found, fewest, most);
+}
 
 bool shows_colours() {
   if (!environment("NO_COLOR").empty()) return false;

@@ -6,6 +6,7 @@
 #include "boxbeam/project/project.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
+#include "report/text_layout.hpp"
 
 namespace boxbeam::program {
 namespace {
@@ -27,7 +28,7 @@ std::vector<std::string> names_of(const Items& items) {
 class Parts {
  public:
   void add(const char* name, const std::string& says) {
-    if (!says.empty()) text_ += fmt::format("  {:<11} {}\n", name, visible(says));
+    if (!says.empty()) text_ += layout::entry(name, says);
   }
   const std::string& text() const { return text_; }
 

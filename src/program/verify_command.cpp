@@ -21,6 +21,7 @@
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
 #include "report/process.hpp"
+#include "report/text_layout.hpp"
 
 namespace boxbeam::program {
 namespace {
@@ -120,9 +121,9 @@ Outputs write_outputs(const Project& project, const Verification& verification,
 
 std::string written_line(const std::string& folder, const Outputs& outputs) {
   if (outputs.written.empty()) return "";
-  std::string line = fmt::format("\nWritten to {}: {}", folder, fmt::join(outputs.written, ", "));
+  std::string line = fmt::format("Written to {}: {}", folder, fmt::join(outputs.written, ", "));
   if (!outputs.figures.empty()) line += fmt::format(", {} figures", outputs.figures.size());
-  return line + "\n";
+  return "\n" + layout::line(line);
 }
 
 /// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".

@@ -248,9 +248,8 @@ class Writer {
   }
 
   void write(const MovingPicture& picture) {
-    if (picture.cycle.frames.empty()) return;
-    ++figures_;
-    out_ += html::cycle_figure(picture, figures_);
+    if (picture.cycles.empty()) return;
+    out_ += html::cycle_figure(picture);
   }
 
   void write(const Sheet& sheet) {

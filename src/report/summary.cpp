@@ -48,7 +48,7 @@ std::string summary(const Project& project, const Verification& verification) {
   std::string out = fmt::format("{}  {}\n", visible(verdict.line), visible(project.title));
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
   out += layout::entry("model", verification.model.reason);
-  return fmt::format("{}\n{}\nRemarks:\n{}", out, report::table_text(governing, layout::width),
+  return fmt::format("{}\n{}\nRemarks:\n{}", out, report::table_text(governing, layout::width()),
                      remarks_summary(project, verification));
 }
 

@@ -73,7 +73,7 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   if (project.beam_body == planar::ground) return comparison;
   const auto body = planar::beam_body_of(project.beam, project.beam_body);
   const BeamLoads rigorous = planar::beam_loads_of(planar_of(project), state, body);
-  for (const BeamLoadRow& row : load_rows(project, rigorous, state)) {
+  for (const BeamLoadRow& row : load_rows(project, planar_of(project), rigorous, state)) {
     if (row.s == chain.first_station) comparison.rigorous_first += row.world.head<2>();
     if (row.s == chain.second_station) comparison.rigorous_second += row.world.head<2>();
   }

@@ -78,10 +78,11 @@ struct Listing {
 
 /// The mechanism, its loads and the cut forces over the cycle, to be moved by the reader. Only HTML
 /// shows it.
+/// Situations of a case that a page with scripts shows by choice, moving.
 struct MovingPicture {
-  CycleFigure cycle;
+  std::vector<CycleFigure> cycles;  ///< none: no picture
+  std::size_t first = 0;            ///< which one it begins with
   std::string caption;
-  bool repeats = true;  ///< behind the last frame comes the first; else the motion ends there
 };
 
 struct Subheading {

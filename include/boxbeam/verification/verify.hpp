@@ -146,13 +146,17 @@ struct Verification {
   std::vector<PublishedConcentration> published_concentrations;
   std::optional<SnFigure> sn;
   // Where figures are wanted:
-  std::optional<CycleFigure> cycle;
+  std::vector<CycleFigure> cycles;  ///< of every situation that runs, the first first
   std::vector<DriverLine> drivers;
   std::optional<SectionFigure> section;  ///< where the governing check rests on cut forces
 
   /// The check with the highest utilisation of a criterion, or nullptr.
   const CheckResult* governing(Criterion criterion) const;
 };
+
+/// The situation, as an index in the case, in which the worst check that rests on cut forces is
+/// worst.
+std::size_t governing_situation_of(const Verification& verification);
 
 /// Whether a verification brings what only pictures need.
 enum class Figures { without, with };
