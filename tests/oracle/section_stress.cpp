@@ -761,7 +761,7 @@ class Gathering {
         tau[cut_force::V_z] = 1.5 * (1.0 - u * u) / (b * h);
         tau[cut_force::M_y] = -1.5 * (1.0 - u * u) * h_change / (h * h * b);
         tau[cut_force::T] = (side < 0.0 ? -1.0 : 1.0) * series(b, h, 0.5 * u * h) / I;
-        add(fmt::format("side {:+.0f} at {:.3f} m", side, 0.5 * u * h), PlaceKind::web,
+        add(fmt::format("side {:+.0f} at {:.3f} m", side, 0.5 * u * h), PlaceKind::fibre,
             side * 0.5 * b, 0.5 * u * h, thickness, tau);
         if (!section_.space) continue;
         Factors across{};
