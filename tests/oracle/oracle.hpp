@@ -46,8 +46,9 @@ struct Finding {
 /// What it found.
 struct Findings {
   std::map<boxbeam::Criterion, Finding> worst;
-  std::string gate;      ///< why stresses mean nothing here; "" where nothing says so
-  long evaluations = 0;  ///< of stresses at a place, over all instants
+  std::string gate;          ///< why stresses mean nothing here; "" where nothing says so
+  double most_cycles = 0.0;  ///< met in one repetition of a situation
+  long evaluations = 0;      ///< of stresses at a place, over all instants
 
   double utilisation(boxbeam::Criterion criterion) const {
     const auto found = worst.find(criterion);
