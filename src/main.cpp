@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
@@ -19,6 +20,7 @@
 #include "program/completion.hpp"
 #include "program/exit_code.hpp"
 #include "program/explain_command.hpp"
+#include "program/failures.hpp"
 #include "program/fatigue_command.hpp"
 #include "program/init_command.hpp"
 #include "program/manual.hpp"
@@ -63,6 +65,18 @@ std::string instant_trouble(const std::string& text) {
   const std::optional<double> seconds = number_in(text);
   if (seconds && std::abs(*seconds) <= 1e9) return "";
   return "\"" + text + "\" is no instant; write seconds without unit, for example 1.071";
+}
+
+/// What is wrong with a number on the command line that lies between two others, or nothing. The
+/// text "nan" is a number to a parser, and beyond no limit.
+std::function<std::string(const std::string&)> range_trouble(double low, double high,
+                                                             const char* example) {
+  return [=](const std::string& text) -> std::string {
+    const std::optional<double> number = number_in(text);
+    if (number && *number >= low && *number <= high) return "";
+    return fmt::format("\"{}\" is no number from {:g} to {:g}; write for example {}", text, low,
+                       high, example);
+  };
 }
 
 /// Options of which one value belongs to one mention.
@@ -117,7 +131,8 @@ Entry verify_entry(CLI::App& app) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App& command = *app.add_subcommand("verify", "verify a case and write its report");
   command
-      .add_option("--out", options->out, "folder of the report (default: reports/NAME of the case)")
+      .add_option("--out,-o", options->out,
+                  "folder of the report (default: reports/NAME of the case)")
       ->type_name("DIR");
   add_choice(
       command, "--level", options->level, {"summary", "governing", "full"},
@@ -126,7 +141,7 @@ Entry verify_entry(CLI::App& app) {
   command.add_flag("--no-html", options->no_html, "write no report.html");
   command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");
   add_json(command, options->json, "results", "the summary");
-  command.add_flag("--quiet", options->quiet, "print the verdict only, in one line");
+  command.add_flag("--quiet,-q", options->quiet, "print the verdict only, in one line");
   add_verified_case(command, options->of_case);
   return {&command,
           {"boxbeam verify rig.toml", "boxbeam verify rig.toml --set strength.required=2.5"},
@@ -245,10 +260,16 @@ Entry fatigue_entry(CLI::App& app) {
       .add_option("--raw", options->raw,
                   "the history is raw little-endian doubles in this unit: --raw MPa")
       ->type_name("UNIT");
+  command
+      .add_option("--repetitions", options->repetitions,
+                  "of the history in the wanted life (default: 1)")
+      ->check(range_trouble(1e-9, 1e15, "1e5"))
+      ->type_name("NUMBER");
   const auto factor = [&](const char* name, double& value, const char* says) {
-    command.add_option(name, value, says)->check(CLI::PositiveNumber)->type_name("NUMBER");
+    command.add_option(name, value, says)
+        ->check(range_trouble(0.01, 100.0, "1.35"))
+        ->type_name("NUMBER");
   };
-  factor("--repetitions", options->repetitions, "of the history in the wanted life (default: 1)");
   factor("--gamma-Ff", options->gamma_Ff, "partial factor on the ranges (default: 1)");
   factor("--gamma-Mf", options->gamma_Mf, "partial factor on the curve (default: 1)");
   add_choice(command, "--loading", options->loading, {"spectrum", "constant"},
@@ -277,7 +298,7 @@ Entry chart_entry(CLI::App& app) {
                       "on this case (default: the sledge rig and the drill truck)")
           ->type_name("FILE.toml");
   add_set(command, options->of_case)->needs(of_case);
-  command.add_option("--out", options->out, "folder of the charts (default: reports/accuracy)")
+  command.add_option("--out,-o", options->out, "folder of the charts (default: reports/accuracy)")
       ->type_name("DIR");
   command.add_flag("--quick", options->quick, "fewer settings, shorter measurements");
   command.add_flag("--no-pdf", options->no_pdf, "write no chart.pdf");
@@ -330,6 +351,19 @@ Entry completion_entry(CLI::App& app, const CommandLine& line) {
           }};
 }
 
+/// Of the commands that are there before it.
+Entry help_entry(CLI::App& app, const CommandLine& line) {
+  const auto name = std::make_shared<std::string>();
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  CLI::App& command = *app.add_subcommand("help", "print the help of a command, or this one");
+  add_choice(command, "COMMAND", *name, names, "of which one (default: of the program)");
+  return {&command, {"boxbeam help verify"}, [name, &line] {
+            put(name->empty() ? help_of(line) : help_of(*command_named(line, *name)));
+            return all_pass;
+          }};
+}
+
 Entry manual_entry(CLI::App& app, const CommandLine& line) {
   CLI::App& command = *app.add_subcommand("manual", "print the manual page");
   return {&command, {"boxbeam manual | man -l -"}, [&line] {
@@ -347,7 +381,9 @@ std::vector<std::string> words_in(const std::string& type) {
 
 Argument argument_of(const CLI::Option& option) {
   const std::string type = option.get_items_expected_max() > 0 ? option.get_type_name() : "";
+  const std::vector<std::string>& brief = option.get_snames();
   return {option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().front(),
+          brief.empty() ? "" : "-" + brief.front(),
           option.get_description(),
           type.substr(0, type.find(':')),
           words_in(type),
@@ -374,14 +410,15 @@ int run(int argc, char** argv) {
       "boxbeam verifies the strength and fatigue life of welded beams that a mechanism moves.");
   app.name("boxbeam");
   app.set_help_flag("--help,-h", "print this help");
-  app.set_version_flag("--version", std::string("boxbeam ") + version, "print the version");
+  app.set_version_flag("--version,-V", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
   CommandLine line;
   const std::vector<Entry> entries{
-      init_entry(app),    validate_entry(app),         verify_entry(app),
-      explain_entry(app), compare_entry(app),          motion_entry(app),
-      section_entry(app), fatigue_entry(app),          chart_entry(app),
-      schema_entry(app),  completion_entry(app, line), manual_entry(app, line)};
+      init_entry(app),      validate_entry(app),         verify_entry(app),
+      explain_entry(app),   compare_entry(app),          motion_entry(app),
+      section_entry(app),   fatigue_entry(app),          chart_entry(app),
+      schema_entry(app),    completion_entry(app, line), manual_entry(app, line),
+      help_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {
@@ -418,18 +455,5 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, kept);
   // A file that grows beyond its limit is an error of writing, not the end without a word.
   std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return run(argc, argv);
-  } catch (const InputError& error) {
-    std::cerr << error.what();
-    if (error.problems().size() > 1)
-      std::cerr << error.problems().size() << " errors; nothing was written\n";
-    return wrong_input;
-  } catch (const AnalysisError& error) {
-    put_error(std::string("the analysis cannot be done\n  ") + error.what());
-    return not_possible;
-  } catch (const OutputError& error) {
-    put_error(error.what());
-    return output_failed;
-  }
+  return exit_code_of([&] { return run(argc, argv); });
 }

@@ -94,51 +94,60 @@ std::vector<Data> data_of(const std::vector<TopicShown>& topics) {
 struct Outputs {
   std::size_t tables = 0, figures = 0;
   std::vector<std::string> pages;
-  std::vector<std::string> troubles;
+  Troubles troubles;
 };
 
-/// Removes what an earlier run has written of the same charts, and its pages: no picture may stand
+/// What an earlier run may have written of the same charts, and its pages: no picture may stand
 /// beside data that it does not show.
-void remove_outputs(const std::string& folder, const std::vector<Data>& data) {
-  std::error_code ignored;
-  const fs::path in(folder);
-  for (const char* name : {"chart.html", "chart.pdf", "chart.log"}) fs::remove(in / name, ignored);
+std::vector<std::string> files_of_charts(const std::vector<Data>& data) {
+  std::vector<std::string> files{"chart.html", "chart.pdf", "chart.log"};
   for (const Data& of : data) {
-    fs::remove(in / (of.name + ".csv"), ignored);
-    fs::remove(in / (of.name + ".svg"), ignored);
-    fs::remove(in / "plots" / (of.name + ".gp"), ignored);
+    files.push_back(of.name + ".csv");
+    files.push_back(of.name + ".svg");
+    files.push_back("plots/" + of.name + ".gp");
   }
+  return files;
+}
+
+void write_into(AccuracyRun& run, const std::vector<Data>& data, const std::string& folder,
+                bool with_pdf, Progress& progress, Outputs& outputs) {
+  const bool possible = outputs.troubles.attempt([&] {
+    for (const Data& of : data) {
+      write_file(fmt::format("{}/{}.csv", folder, of.name), of.csv);
+      ++outputs.tables;
+    }
+  });
+  if (!possible) return;
+  progress.now("drawing the charts");
+  std::optional<report::ScratchFolder> twins;  // the figures as PDF
+  run.drawn = outputs.troubles.attempt([&] {
+    if (with_pdf) twins.emplace(folder);
+    outputs.figures = draw_charts(run.topics, folder, twins ? twins->path().string() : "").size();
+  });
+  const report::Document document = accuracy_document(run);
+  outputs.troubles.attempt([&] {
+    const auto picture = [&](const std::string& name) { return svg_in(folder, name); };
+    write_file(folder + "/chart.html", report::html_of(document, picture));
+    outputs.pages.emplace_back("chart.html");
+  });
+  if (!with_pdf) return;
+  progress.now("setting the PDF");
+  outputs.troubles.attempt([&] {
+    report::write_pdf(document, twins ? twins->path().string() : "", folder + "/chart.pdf");
+    outputs.pages.emplace_back("chart.pdf");
+  });
 }
 
 Outputs write_outputs(AccuracyRun& run, const std::string& folder, bool with_pdf,
                       Progress& progress) {
   Outputs outputs;
   const std::vector<Data> data = data_of(run.topics);
-  const bool possible = attempt(outputs.troubles, [&] {
-    remove_outputs(folder, data);
-    for (const Data& of : data) {
-      write_file(fmt::format("{}/{}.csv", folder, of.name), of.csv);
-      ++outputs.tables;
-    }
-  });
-  if (!possible) return outputs;
-  progress.now("drawing the charts");
-  std::optional<report::ScratchFolder> twins;  // the figures as PDF
-  run.drawn = attempt(outputs.troubles, [&] {
-    if (with_pdf) twins.emplace(folder);
-    outputs.figures = draw_charts(run.topics, folder, twins ? twins->path().string() : "").size();
-  });
-  const report::Document document = accuracy_document(run);
-  attempt(outputs.troubles, [&] {
-    const auto picture = [&](const std::string& name) { return svg_in(folder, name); };
-    write_file(folder + "/chart.html", report::html_of(document, picture));
-    outputs.pages.emplace_back("chart.html");
-  });
-  if (!with_pdf) return outputs;
-  progress.now("setting the PDF");
-  attempt(outputs.troubles, [&] {
-    report::write_pdf(document, twins ? twins->path().string() : "", folder + "/chart.pdf");
-    outputs.pages.emplace_back("chart.pdf");
+  outputs.troubles.attempt([&] {
+    report::FolderUpdate update(folder);
+    write_into(run, data, update.path(), with_pdf, progress, outputs);
+    if (publish(update, folder, files_of_charts(data), outputs.troubles)) return;
+    outputs.tables = outputs.figures = 0;
+    outputs.pages.clear();
   });
   return outputs;
 }
@@ -155,7 +164,9 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
 }  // namespace
 
 int run_chart(const ChartOptions& options) {
+  report::clear_up_before_the_end();
   const std::string folder = options.out.empty() ? "reports/accuracy" : options.out;
+  require_folder(folder);
   AccuracyRun run;
   Outputs outputs;
   {
@@ -164,8 +175,8 @@ int run_chart(const ChartOptions& options) {
     outputs = write_outputs(run, folder, !options.no_pdf, progress);
   }
   put_text(accuracy_text(run.topics) + written_line(folder, outputs));
-  for (const std::string& trouble : outputs.troubles) put_error(trouble);
-  return outputs.troubles.empty() ? all_pass : output_failed;
+  for (const std::string& trouble : outputs.troubles.words) put_error(trouble);
+  return outputs.troubles.words.empty() ? all_pass : output_failed;
 }
 
 }  // namespace boxbeam::program

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "boxbeam/project/quantity_text.hpp"
@@ -59,7 +60,7 @@ std::string entries_of(const std::vector<Argument>& options) {
 /// Whether a word is the value of an option before it: "charts" of "--out charts".
 bool is_value(const Command& command, const std::string& before) {
   return std::any_of(command.options.begin(), command.options.end(), [&](const Argument& option) {
-    return option.name == before && !option.value.empty();
+    return (option.name == before || option.brief == before) && !option.value.empty();
   });
 }
 
@@ -80,18 +81,28 @@ std::string word_hint(const Command& command, const std::vector<std::string>& wo
   return "";
 }
 
-std::string option_hint(const Command& command, const std::vector<std::string>& words) {
+/// The nearest of some options to one of the words that is none of them.
+std::string option_hint(const std::vector<Argument>& options,
+                        const std::vector<std::string>& words) {
   std::vector<std::string> known;
-  for (const Argument& option : command.options) known.push_back(option.name);
+  std::vector<std::string> brief;
+  for (const Argument& option : options) {
+    known.push_back(option.name);
+    if (!option.brief.empty()) brief.push_back(option.brief);
+  }
   for (const std::string& given : words) {
     const std::string word = given.substr(0, given.find('='));
-    if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) {
-      continue;
-    }
-    const std::string near = nearest_word(word, known);
-    if (!near.empty()) return fmt::format("did you mean {}?", near);
+    if (word.size() < 2 || word[0] != '-') continue;
+    const bool is_brief = word[1] != '-';
+    const std::vector<std::string>& among = is_brief ? brief : known;
+    if (std::find(among.begin(), among.end(), word) != among.end()) continue;
+    const std::string near = nearest_word(word, among);
+    // Of one letter nothing is near but the same, small or capital.
+    const bool meant =
+        !is_brief || (near.size() == word.size() && std::tolower(near[1]) == std::tolower(word[1]));
+    if (!near.empty() && meant) return fmt::format("did you mean {}?", near);
   }
-  return word_hint(command, words);
+  return "";
 }
 
 }  // namespace
@@ -124,9 +135,11 @@ std::string usage_of(const Command& command) {
 }
 
 std::string shape_of(const Argument& option) {
-  if (option.value.empty()) return option.name;
-  if (option.words.empty()) return option.name + " " + option.value;
-  return fmt::format("{} {}", option.name, fmt::join(option.words, "|"));
+  const std::string name =
+      option.brief.empty() ? option.name : fmt::format("{}, {}", option.brief, option.name);
+  if (option.value.empty()) return name;
+  if (option.words.empty()) return name + " " + option.value;
+  return fmt::format("{} {}", name, fmt::join(option.words, "|"));
 }
 
 std::string help_of(const Command& command) {
@@ -168,9 +181,15 @@ std::string hint_for(const CommandLine& line, const std::vector<std::string>& wo
                                   [](const std::string& word) { return !word.starts_with('-'); });
   std::string all = fmt::format("write boxbeam verify CASE.toml, or one of the commands {}",
                                 fmt::join(names, ", "));
-  if (first == words.end()) return all;
+  if (first == words.end()) {
+    const std::string hint = option_hint(line.options, words);
+    return hint.empty() ? all : hint;
+  }
   if (const Command* command = command_named(line, *first)) {
-    if (!incomplete) return option_hint(*command, words);
+    if (!incomplete) {
+      const std::string hint = option_hint(command->options, words);
+      return hint.empty() ? word_hint(*command, words) : hint;
+    }
     const std::string example =
         command->examples.empty() ? "" : ", for example " + command->examples.front();
     return "write " + usage_of(*command) + example;

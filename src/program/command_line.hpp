@@ -8,7 +8,8 @@
 namespace boxbeam::program {
 
 struct Argument {
-  std::string name;  ///< "--out"; "CASE" where it goes by its place
+  std::string name;   ///< "--out"; "CASE" where it goes by its place
+  std::string brief;  ///< "-o"; "" where it has no short name
   std::string says;
   std::string value;               ///< "FILE", "DIR", "FILE.toml", "NUMBER"; "" of a flag
   std::vector<std::string> words;  ///< the only values that there are, where so

@@ -7,6 +7,7 @@
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
+#include "program/outputs.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
 
@@ -24,6 +25,8 @@ std::string motion_document(const Project& project, const std::vector<double>& t
 int run_compare(const CompareOptions& options) {
   const PublishedValues published = read_published(options.published);
   const Project project = read_case(options.of_case);
+  require_file(options.json);
+  require_file(options.html);
   Comparison comparison;
   {
     Progress progress;

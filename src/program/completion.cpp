@@ -36,10 +36,12 @@ std::string bash_of(const CommandLine& line) {
     for (const Argument& option : command.options) {
       names.push_back(option.name);
       if (option.value.empty()) continue;
-      with_value +=
-          fmt::format("{}{}:{}", with_value.empty() ? "" : "|", command.name, option.name);
-      values +=
-          fmt::format("    {}:{}) {}; return ;;\n", command.name, option.name, bash_action(option));
+      for (const std::string& name : {option.name, option.brief}) {
+        if (name.empty()) continue;
+        with_value += fmt::format("{}{}:{}", with_value.empty() ? "" : "|", command.name, name);
+        values +=
+            fmt::format("    {}:{}) {}; return ;;\n", command.name, name, bash_action(option));
+      }
     }
     options +=
         fmt::format("      {}) _boxbeam_words \"{}\" ;;\n", command.name, fmt::join(names, " "));

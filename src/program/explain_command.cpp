@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/quantity_text.hpp"
@@ -58,9 +59,20 @@ InputError unknown(const Verification& verification, const std::string& id) {
                     hint + "boxbeam explain list CASE shows all");
 }
 
+/// The check stands before the case; a file in its place is the case.
+void refuse_swapped(const ExplainOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_regular_file(options.check, error) || fs::exists(options.of_case.file, error)) return;
+  throw InputError("the check stands before the case",
+                   fmt::format("boxbeam explain {} {}", shell_word(options.of_case.file),
+                               shell_word(options.check)));
+}
+
 }  // namespace
 
 int run_explain(const ExplainOptions& options) {
+  refuse_swapped(options);
   const Project project = read_case(options.of_case);
   Verification verification;
   {

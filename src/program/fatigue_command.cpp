@@ -10,6 +10,7 @@
 #include "boxbeam/report/history_report.hpp"
 #include "boxbeam/verification/history_fatigue.hpp"
 #include "program/exit_code.hpp"
+#include "program/outputs.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
 
@@ -69,6 +70,7 @@ int run_fatigue(const FatigueOptions& options) {
                    options.gamma_Ff, options.gamma_Mf};
   demand.compression_reduced = options.stress_relieved;
   demand.repetitions = options.repetitions;
+  require_file(options.json);
   HistoryFatigue fatigue;
   {
     SampleCount count(options.json != "-");

@@ -33,13 +33,15 @@ std::string entry(const std::string& term, const std::string& says) {
 }
 
 std::string term_of(const Argument& option) {
-  if (option.value.empty()) return bold(option.name);
-  if (option.words.empty()) return bold(option.name) + " " + italic(option.value);
+  const std::string name =
+      option.brief.empty() ? bold(option.name) : bold(option.brief) + ", " + bold(option.name);
+  if (option.value.empty()) return name;
+  if (option.words.empty()) return name + " " + italic(option.value);
   std::string words;
   for (const std::string& word : option.words) {
     words += (words.empty() ? "" : "|") + bold(word);
   }
-  return bold(option.name) + " " + words;
+  return name + " " + words;
 }
 
 std::string command_text(const Command& command) {

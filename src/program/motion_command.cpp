@@ -8,6 +8,7 @@
 #include "boxbeam/verification/flexible_motion_result.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "program/exit_code.hpp"
+#include "program/outputs.hpp"
 #include "program/terminal.hpp"
 
 namespace boxbeam::program {
@@ -48,6 +49,7 @@ int run_motion(const MotionOptions& options) {
   // The mechanism alone: where the beam's loads come from does not matter, so that a case made for
   // the chain can be moved as well.
   const Project project = read_case(options.of_case);
+  require_file(options.json);
   if (is_flexible(project)) return run_flexible_motion(project, options);
   if (options.assemblies) return run_assemblies(project, options);
   if (in_space(project)) {

@@ -8,6 +8,7 @@
 #include "boxbeam/report/section_text.hpp"
 #include "boxbeam/verification/section_summary.hpp"
 #include "program/exit_code.hpp"
+#include "program/outputs.hpp"
 #include "program/terminal.hpp"
 
 namespace boxbeam::program {
@@ -18,6 +19,7 @@ int run_section(const SectionOptions& options) {
     throw InputError(fmt::format("there is no steel \"{}\"", options.steel),
                      fmt::format("known are {}", fmt::join(steel_names(), ", ")));
   }
+  require_file(options.json);
   std::vector<SectionSummary> summaries;
   std::string text;
   for (const NamedSection& section : sections_from_words(options.profiles)) {

@@ -30,19 +30,18 @@ namespace fs = std::filesystem;
 struct Outputs {
   std::vector<std::string> written;  ///< in the folder, or as the user named them
   std::vector<std::string> figures;  ///< their files
-  std::vector<std::string> troubles;
+  Troubles troubles;
   std::string results;  ///< results.json
 };
 
-/// Removes what an earlier run has written: nothing of it may stand beside the new report.
-void remove_outputs(const std::string& folder) {
-  std::error_code ignored;
+/// What an earlier run may have written: nothing of it may stand beside the new report.
+std::vector<std::string> files_of_reports() {
+  std::vector<std::string> files = files_of_figures();
   for (const char* name :
        {"report.txt", "report.html", "report.pdf", "report.log", "results.json"}) {
-    fs::remove(fs::path(folder) / name, ignored);
+    files.emplace_back(name);
   }
-  remove_figures(folder);
-  fs::remove(fs::path(folder) / "plots", ignored);  // where nothing else is in it
+  return files;
 }
 
 ReportLevel level_of(const std::string& word) {
@@ -61,7 +60,7 @@ void write_report(const Project& project, const Verification& verification,
   std::optional<report::ScratchFolder> twins;  // the figures as PDF
   if (!options.no_plots) {
     progress.now("drawing the figures");
-    attempt(outputs.troubles, [&] {
+    outputs.troubles.attempt([&] {
       if (!options.no_pdf) twins.emplace(folder);
       outputs.figures =
           draw_figures(project, verification, folder, twins ? twins->path().string() : "");
@@ -73,35 +72,44 @@ void write_report(const Project& project, const Verification& verification,
   };
   const report::Document document =
       with_pictures(report_of(project, verification, level_of(options.level)), drawn);
-  attempt(outputs.troubles, [&] { write("report.txt", report::text_of(document)); });
+  outputs.troubles.attempt([&] { write("report.txt", report::text_of(document)); });
   if (!options.no_html) {
     const auto picture = [&](const std::string& name) { return svg_in(folder, name); };
-    attempt(outputs.troubles, [&] { write("report.html", report::html_of(document, picture)); });
+    outputs.troubles.attempt([&] { write("report.html", report::html_of(document, picture)); });
   }
   if (!options.no_pdf) {
     progress.now("setting the PDF");
-    attempt(outputs.troubles, [&] {
+    outputs.troubles.attempt([&] {
       report::write_pdf(document, twins ? twins->path().string() : "", folder + "/report.pdf");
       outputs.written.emplace_back("report.pdf");
     });
   }
 }
 
-/// Writes all that is asked for. Without the results nothing else is written to the folder.
+/// Writes all that is asked for.
 Outputs write_outputs(const Project& project, const Verification& verification,
                       const VerifyOptions& options, const std::string& folder, Progress& progress) {
   Outputs outputs;
   outputs.results = results_json(project, verification);
-  const bool possible = attempt(outputs.troubles, [&] {
-    remove_outputs(folder);
-    write_file(folder + "/results.json", outputs.results);
+  outputs.troubles.attempt([&] {
+    report::FolderUpdate update(folder);
+    const bool possible = outputs.troubles.attempt(
+        [&] { write_file(update.path() + "/results.json", outputs.results); });
+    if (possible) {
+      outputs.written.emplace_back("results.json");
+      write_report(project, verification, options, update.path(), progress, outputs);
+      std::rotate(outputs.written.begin(), outputs.written.begin() + 1, outputs.written.end());
+    }
+    if (publish(update, folder, files_of_reports(), outputs.troubles)) {
+      std::error_code ignored;
+      fs::remove(fs::path(folder) / "plots", ignored);  // where nothing is in it
+    } else {
+      outputs.written.clear();
+      outputs.figures.clear();
+    }
   });
-  if (possible) {
-    write_report(project, verification, options, folder, progress, outputs);
-    outputs.written.emplace_back("results.json");
-  }
   if (!options.json.empty() && options.json != "-") {
-    attempt(outputs.troubles, [&] {
+    outputs.troubles.attempt([&] {
       write_file(options.json, outputs.results);
       outputs.written.push_back(options.json);
     });
@@ -129,8 +137,11 @@ std::string verdict_line(const Project& project, const Verification& verificatio
 }  // namespace
 
 int run_verify(const VerifyOptions& options) {
+  report::clear_up_before_the_end();
   const Project project = read_case(options.of_case);
   const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
+  require_folder(folder);
+  require_file_beside(options.json, folder);
   Verification verification;
   Outputs outputs;
   {
@@ -146,8 +157,8 @@ int run_verify(const VerifyOptions& options) {
   } else {
     put_text(summary(project, verification) + written_line(folder, outputs));
   }
-  for (const std::string& trouble : outputs.troubles) put_error(trouble);
-  if (!outputs.troubles.empty()) return output_failed;
+  for (const std::string& trouble : outputs.troubles.words) put_error(trouble);
+  if (!outputs.troubles.words.empty()) return output_failed;
   return verification.verdict == Verdict::pass ? all_pass : check_fails;
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "text_file.hpp"
+#include "toml_hint.hpp"
 
 namespace boxbeam {
 namespace {
@@ -108,10 +109,11 @@ Node parse_text(CaseDocument& document, const std::string& name, const std::stri
     return TreeBuilder(file).node(toml::parse(text, file));
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    throw InputError(
-        {document.problem_at({file, static_cast<int>(at.line), static_cast<int>(at.column)},
-                             fmt::format("not valid TOML: {}", error.description()),
-                             "values with a unit stand in quotation marks: length = \"1.5 m\"")});
+    Problem problem =
+        document.problem_at({file, static_cast<int>(at.line), static_cast<int>(at.column)},
+                            fmt::format("not valid TOML: {}", error.description()));
+    problem.hint = toml_hint(problem.source_line, problem.column, error.description());
+    throw InputError({std::move(problem)});
   }
 }
 

@@ -7,7 +7,7 @@ namespace boxbeam {
 
 /// Reads a short decimal number, "-12.345" or "1.2e3", exactly rounded; returns its end, nullptr
 /// where the text begins with no number or with one that is not short. `text` ends with a character
-/// that belongs to no number; `decimal_sign` holds besides the point.
+/// that belongs to no number; a digit as `decimal_sign` is none.
 ///
 /// Short: digits that are a whole number up to 2^53 without the point, and a power of ten up to 22,
 /// so that both are doubles and one multiplication or division rounds once.
@@ -32,7 +32,7 @@ inline const char* parse_short_decimal(const char* text, char decimal_sign, doub
   if (negative || *at == '+') ++at;
   std::int64_t count = take_digits();
   std::int64_t power = 0;
-  if (*at == '.' || *at == decimal_sign) {
+  if (*at == decimal_sign) {
     ++at;
     power = -take_digits();
     count -= power;

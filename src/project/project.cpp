@@ -160,17 +160,31 @@ std::string read_in_plane(TableReader& root, const Node& tree, const readers::Se
   return beam_body;
 }
 
-/// The beam's own points in space that lie on its axis, as places of interest.
-void add_points_on_axis(Project& project) {
-  const spatial::Body& body =
-      spatial_of(project).bodies[static_cast<std::size_t>(project.beam_body)];
+/// A place of interest under a place in beam axes, if the beam is there; one of a kind at a place.
+void add_point_under(const std::string& name, const Eigen::Vector3d& at, Project& project) {
   const double length = project.beam.length().value();
-  for (const spatial::BodyPoint& point : body.points) {
-    const Eigen::Vector3d at = in_beam(project.placement, point.p);
-    const bool on_axis = at.tail<2>().norm() < 1e-9 * length;
-    if (!on_axis || at.x() < -1e-9 * length || at.x() > (1.0 + 1e-9) * length) continue;
-    project.beam.points.push_back(
-        {point.name, place_near(places_of(project.beam), si<Length>(at.x()))});
+  if (at.x() < -1e-9 * length || at.x() > (1.0 + 1e-9) * length) return;
+  const BeamPoint point{name, place_near(places_of(project.beam), si<Length>(at.x()))};
+  const auto same = [&](const BeamPoint& other) {
+    return other.name == point.name && other.s == point.s;
+  };
+  std::vector<BeamPoint>& points = project.beam.points;
+  if (std::none_of(points.begin(), points.end(), same)) points.push_back(point);
+}
+
+/// The beam's own points in space, projected on its axis, and what loads at points of other bodies
+/// that do not move against it stand over.
+void add_points_on_axis(Project& project) {
+  const spatial::Mechanism& mechanism = spatial_of(project);
+  const auto body = static_cast<std::size_t>(project.beam_body);
+  for (const spatial::BodyPoint& point : mechanism.bodies[body].points) {
+    add_point_under(point.name, in_beam(project.placement, point.p), project);
+  }
+  for (const spatial::AppliedLoad& load : mechanism.loads) {
+    if (load.on != project.beam_body || load.at.body == project.beam_body) continue;
+    for (const spatial::LastingPlace& place : lasting_places_of(mechanism, project.placement)) {
+      if (place.name == load.name) add_point_under(place.name, place.at, project);
+    }
   }
 }
 
@@ -281,7 +295,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   project.overrides = overrides;
   if (document.root.members.empty()) {
     problems.add({document.lines.begin()->first, 1, 1}, "the case is empty",
-                 "see sections/sledge-rig/rig.toml for a complete one");
+                 "boxbeam init planar my.toml writes a commented case that runs as it is");
     problems.raise();
   }
   TableReader root(problems, document.root, "");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -156,6 +157,13 @@ std::size_t edit_distance(std::string_view word, std::string_view candidate) {
   return row.back();
 }
 
+std::string small_letters(std::string_view word) {
+  std::string small(word);
+  std::transform(small.begin(), small.end(), small.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -170,7 +178,11 @@ std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text) 
   ParsedQuantity quantity;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), quantity.value);
   if (error == std::errc::result_out_of_range) return std::string("the number is out of range");
-  if (error != std::errc{}) return fmt::format("\"{}\" does not begin with a number", text);
+  if (error != std::errc{}) {
+    if (std::string trouble = look_alike_sign_in(rest.substr(0, 4)); !trouble.empty())
+      return trouble;
+    return fmt::format("\"{}\" does not begin with a number", text);
+  }
   if (!std::isfinite(quantity.value)) return std::string("the number must be finite");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   if (rest.starts_with(',')) return std::string("the decimal sign is a point, not a comma");
@@ -221,16 +233,40 @@ std::string name_of(const DimensionExponents& exponents) {
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::pair best_distance(std::max<std::size_t>(1, word.size() / 3) + 1, std::size_t{0});
   if (word.size() > 100) return best;
+  const std::string small = small_letters(word);
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::pair distance(edit_distance(small, small_letters(candidate)),
+                             edit_distance(word, candidate));
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;
     }
   }
   return best;
+}
+
+std::string look_alike_sign_in(std::string_view text) {
+  struct Sign {
+    std::string_view sign;
+    const char* name;
+  };
+  static constexpr Sign signs[] = {{"\u2212", "the minus sign U+2212"},
+                                   {"\u2013", "the dash U+2013"},
+                                   {"\u2014", "the dash U+2014"},
+                                   {"\u2010", "the hyphen U+2010"},
+                                   {"\u2011", "the hyphen U+2011"}};
+  for (const Sign& sign : signs) {
+    const std::size_t at = text.find(sign.sign);
+    if (at == std::string_view::npos) continue;
+    const std::string_view rest = text.substr(at + sign.sign.size());
+    if (rest.empty() ||
+        std::string_view("0123456789. \"'").find(rest.front()) == std::string_view::npos)
+      continue;
+    return fmt::format("{} stands there; write the minus of the keyboard, -", sign.name);
+  }
+  return "";
 }
 
 }  // namespace boxbeam

@@ -14,8 +14,8 @@ using spatial::Joint;
 using spatial::JointKind;
 using spatial::Mechanism;
 
-constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not move"};
-constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move"};
+constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not move", true};
+constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move", true};
 
 /// Notes an inertia that no distribution of mass has: principal moments are not below zero, and
 /// none is above the sum of the other two.
@@ -345,6 +345,9 @@ Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables
   if (root.problems().empty() && mechanism.duration.length == 0.0) {
     check_repetition(root, named_functions_of(mechanism));
   }
+  if (root.problems().empty()) {
+    check_tables_cover(root, named_functions_of(mechanism), mechanism.duration);
+  }
   return mechanism;
 }
 
@@ -414,18 +417,21 @@ void place_beam(TableReader& root, const TaperedBeam& beam, const spatial::BeamP
   const double whole = beam.length().value();
   std::vector<Length> ends{Length{}};
   for (const Segment& segment : beam.segments) ends.push_back(segment.end());
-  for (spatial::LineForce& line : mechanism.line_forces) {
+  for (const spatial::LineForce& line : mechanism.line_forces) {
     if (line.on != placement.body) continue;
-    for (Eigen::Vector3d* place : {&line.from, &line.to}) {
-      const Eigen::Vector3d at = in_beam(placement, *place);
+    const Eigen::Vector3d from = in_beam(placement, line.from);
+    const Eigen::Vector3d to = in_beam(placement, line.to);
+    const bool beside = (from - to).tail<2>().norm() < 1e-9 * whole;
+    for (const Eigen::Vector3d& at : {from, to}) {
       const bool at_end = std::any_of(ends.begin(), ends.end(), [&](Length end) {
         return std::abs(at.x() - end.value()) < 1e-9 * whole;
       });
-      if (at_end && at.tail<2>().norm() < 1e-9 * whole) continue;
+      if (at_end && (beside || at.tail<2>().norm() < 1e-9 * whole)) continue;
       root.table("forces").problem(
           line.name,
           fmt::format("line force \"{}\" reaches to s = {:.6g} m of the beam, {:.6g} m off its "
-                      "axis: it lies along the axis over whole segments",
+                      "axis: it lies along the axis, or beside it at one distance, over whole "
+                      "segments",
                       line.name, at.x(), at.tail<2>().norm()),
           "end it where segments end, or split the segment there");
       break;

@@ -11,8 +11,8 @@ using planar::Coordinate;
 using planar::Driven;
 using planar::Mechanism;
 
-constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not move"};
-constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move"};
+constexpr FunctionOf length{wanted::length, "m", "stroke", "the driver does not move", true};
+constexpr FunctionOf angle{wanted::angle, "rad", "angle", "the driver does not move", true};
 
 /// The angle of one body against another.
 Driven read_relative_angle(TableReader& table, const Mechanism& mechanism) {

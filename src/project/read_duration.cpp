@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -18,6 +20,32 @@ Duration read_duration(TableReader& root) {
   duration.settle = table.not_negative("settle", wanted::time, 0.0);
   table.finish();
   return duration;
+}
+
+void check_tables_cover(TableReader& root, const std::vector<NamedFunction>& functions,
+                        const Duration& duration) {
+  double until = duration.settle + duration.length;
+  if (duration.length == 0.0) {
+    // To the end of the last step or table; where all repeats, no table has an end.
+    for (const NamedFunction& function : functions) {
+      until = std::max(until, timing_of(*function.driver, function.turning).end);
+    }
+  }
+  for (const NamedFunction& function : functions) {
+    const DriverTiming timing = timing_of(*function.driver, function.turning);
+    if (!timing.known) continue;
+    const auto [first, last] = *timing.known;
+    const double rounding = 1e-9 * (last - first);
+    if (first <= rounding && last >= until - rounding) continue;
+    TableReader table = root.table(function.table);
+    table.problem(
+        function.name,
+        fmt::format("the table of \"{}\" goes from {:.6g} s to {:.6g} s, and the motion is "
+                    "looked at from 0 s to {:.6g} s",
+                    function.name, first, last, until),
+        "write beyond = \"hold\" (it keeps its end values) or beyond = \"periodic\", or "
+        "give it more rows");
+  }
 }
 
 void check_repetition(TableReader& root, const std::vector<NamedFunction>& functions) {

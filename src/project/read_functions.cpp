@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -29,6 +30,9 @@ class Derivative {
   std::string name_;
   std::string example_;
 };
+
+/// A cubic curve may leave its points by this share of their range without a word of the case.
+constexpr double most_overshoot = 0.02;
 
 /// What stands still is no function of time.
 void refuse_still(TableReader& table, const FunctionOf& of, std::string_view key,
@@ -108,24 +112,75 @@ void close(TableReader& reader, TimeTable& table) {
     table.value.back() = table.value.front();
     return;
   }
-  reader.problems().add(table.end,
-                        fmt::format("the table is to repeat, but its last value misses its first "
-                                    "by {:.6g} in SI units",
-                                    gap),
-                        "end it with the first value once more, or write periodic = false");
+  reader.problems().add(
+      table.end,
+      fmt::format("the table is to repeat, but its last value misses its first "
+                  "by {:.6g} in SI units",
+                  gap),
+      "end it with the first value once more, or write beyond = \"hold\" for what does not repeat");
+}
+
+/// Motions are twice continuously differentiable; of a force straight lines are what a reader of
+/// the table sees in it.
+Interpolation read_interpolation(TableReader& table, const FunctionOf& of) {
+  constexpr std::array kinds{Interpolation::linear, Interpolation::pchip, Interpolation::cubic,
+                             Interpolation::step};
+  if (!table.has("interpolation")) return of.moves ? Interpolation::cubic : Interpolation::linear;
+  const std::size_t before = table.problems().size();
+  const Interpolation chosen =
+      kinds[table.choice("interpolation", {"linear", "pchip", "cubic", "step"})];
+  if (of.moves && chosen != Interpolation::cubic && table.problems().size() == before) {
+    table.problem("interpolation",
+                  "what moves a coordinate needs accelerations everywhere, which only a cubic "
+                  "curve has",
+                  "leave \"interpolation\" out; more rows keep the curve near the points");
+  }
+  return chosen;
+}
+
+Beyond read_beyond(TableReader& table) {
+  const bool periodic = table.boolean("periodic", false);
+  if (!table.has("beyond")) return periodic ? Beyond::periodic : Beyond::nothing;
+  const Beyond beyond =
+      table.choice("beyond", {"hold", "periodic"}) == 0 ? Beyond::hold : Beyond::periodic;
+  if (periodic && beyond == Beyond::hold) {
+    table.problem("beyond", "a table that repeats does not keep its end values",
+                  "write one of periodic = true and beyond = \"hold\"");
+  }
+  return beyond;
+}
+
+/// Notes a spline that leaves its points by more than what a reader of the table would take as one.
+void check_overshoot(TableReader& table, const FunctionOf& of, const TableCurve& curve) {
+  const bool accepted = table.has("overshoot");
+  if (accepted) table.choice("overshoot", {"accept"});
+  const Overshoot overshoot = curve.overshoot();
+  if (accepted || overshoot.share <= most_overshoot) return;
+  table.problem(
+      "file",
+      fmt::format("between two points the cubic curve leaves them by {:.3g} {}, {:.3g} % of the "
+                  "table's range, at t = {:.6g} s",
+                  overshoot.beyond, of.unit, 100.0 * overshoot.share, overshoot.at),
+      fmt::format("{}, or write overshoot = \"accept\"",
+                  of.moves ? "give more rows where it bends"
+                           : "write interpolation = \"linear\" or \"pchip\", or give more rows"));
 }
 
 Driver read_table(TableReader& table, const FunctionOf& of, TimeTables& tables) {
-  const bool periodic = table.boolean("periodic", false);
+  const std::size_t before = table.problems().size();
+  const Interpolation interpolation = read_interpolation(table, of);
+  const Beyond beyond = read_beyond(table);
   auto points = tables.read(table, "file", of.value, of.column);
-  if (!points) return {};
-  if (periodic) {
-    const std::size_t before = table.problems().size();
-    close(table, *points);
-    if (table.problems().size() != before) return {};
+  const bool readable = points.has_value();
+  if (readable && beyond == Beyond::periodic) close(table, *points);
+  if (!readable || table.problems().size() != before) {
+    static_cast<void>(table.has("overshoot"));
+    return {};
   }
-  return TableDriver{CubicSpline(std::move(points->time), std::move(points->value),
-                                 periodic ? SplineEnds::periodic : SplineEnds::clamped)};
+  TableDriver driver{
+      TableCurve(std::move(points->time), std::move(points->value), interpolation, beyond)};
+  check_overshoot(table, of, driver.curve);
+  return driver;
 }
 
 }  // namespace

@@ -197,6 +197,9 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
     // Of nothing that drives and too few equations, the one follows from the other.
     if (root.problems().empty()) check_count(root, mechanism);
   }
+  if (root.problems().empty()) {
+    check_tables_cover(root, named_functions_of(mechanism), mechanism.duration);
+  }
   return draft;
 }
 

@@ -114,10 +114,10 @@ bool may_change(ProblemList& problems, const Change& change, const Changeable& c
 
 /// The keys of functions of time. They mean something for their own kind only.
 constexpr std::array function_keys{
-    "mean",    "amplitude", "phase", "frequency",    "angular_frequency",
-    "further", "start",     "rate",  "coefficients", "from",
-    "to",      "begin",     "end",   "file",         "periodic",
-    "value"};
+    "mean",    "amplitude",     "phase",  "frequency",    "angular_frequency",
+    "further", "start",         "rate",   "coefficients", "from",
+    "to",      "begin",         "end",    "file",         "periodic",
+    "value",   "interpolation", "beyond", "overshoot"};
 
 /// Where a situation gives a function of time another kind, what the case says of the old kind
 /// falls away.
@@ -236,7 +236,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
   std::vector<TableReader> listed = root.tables("situations");
   TableReader fatigue = root.table("fatigue", false);
   if (listed.empty()) {
-    project.situations.push_back({"", fatigue.number("cycles"), 1.0, {}, {}, {}, false});
+    project.situations.push_back({"", fatigue.number("cycles", {}, "1e7"), 1.0, {}, {}, {}, false});
     return;
   }
   if (fatigue.has("cycles")) {
@@ -251,7 +251,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
       table.problem("name", fmt::format("there is already a situation \"{}\"", situation.name),
                     "give every situation a name of its own");
     }
-    situation.cycles = table.has("cycles") ? table.number("cycles") : 0.0;
+    situation.cycles = table.has("cycles") ? table.number("cycles", {}, "1e7") : 0.0;
     if (table.has("between") || table.has("sequence")) {
       read_made_of(table, project.situations, situation);
     } else {

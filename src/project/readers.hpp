@@ -64,6 +64,7 @@ struct FunctionOf {
   const char* unit;    ///< "m"
   const char* column;  ///< of a table in examples, "stroke"
   const char* still;   ///< where it is a constant: "the driver does not move"
+  bool moves = false;  ///< a coordinate, whose acceleration is needed
 };
 
 /// A function of time: harmonic, constant rate, polynomial, smooth step or table. Nothing where its
@@ -80,6 +81,10 @@ struct NamedFunction {
   std::string name;
   const char* table;  ///< "drivers"
 };
+
+/// Notes tables that say nothing of a time that is looked at, 0 s to the end of the motion.
+void check_tables_cover(TableReader& root, const std::vector<NamedFunction>& functions,
+                        const Duration& duration);
 
 /// Without a duration, the motion is looked at for a common period, or to the end of a step.
 void check_repetition(TableReader& root, const std::vector<NamedFunction>& functions);

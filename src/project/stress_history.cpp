@@ -113,6 +113,7 @@ class HistoryTableReader {
     while (!last) {
       const std::size_t wanted = block_bytes - filled;
       const std::size_t got = bytes_->read(block.data() + filled, wanted);
+      unify_line_ends(block.data() + filled, got);
       filled += got;
       last = got < wanted;
       if (last) block[filled++] = '\n';
@@ -125,6 +126,7 @@ class HistoryTableReader {
       filled -= whole_lines;
       std::memmove(block.data(), block.data() + whole_lines, filled);
     }
+    if (columns_.empty() && !head_.columns().empty()) take_columns();
     chunk_.deliver();
     if (history_.samples == 0) {
       bytes_->fail(columns_.empty() ? "the file is empty" : "the table has no rows", header_hint);
@@ -139,8 +141,19 @@ class HistoryTableReader {
     double factor;  ///< to SI
   };
 
+  /// Ends lines with LF where the first one ends with CR alone.
+  void unify_line_ends(char* text, std::size_t size) {
+    if (!only_returns_) {
+      const char* const end =
+          std::find_if(text, text + size, [](char c) { return c == '\r' || c == '\n'; });
+      if (end == text + size) return;
+      only_returns_ = *end == '\r' && (end + 1 == text + size || end[1] != '\n');
+    }
+    if (*only_returns_) std::replace(text, text + size, '\r', '\n');
+  }
+
   const char* skip_blanks(const char* at) const {
-    while (*at == ' ' || (*at == '\t' && separator_ != '\t')) ++at;
+    while (*at == ' ' || (*at == '\t' && form_.separator != '\t')) ++at;
     return at;
   }
 
@@ -170,8 +183,8 @@ class HistoryTableReader {
 
   /// The end of a number, nullptr where there is none that can be read at once.
   const char* parse_number(const char* at, const char* end, double& value) const {
-    const char* const behind = parse_short_decimal(at, decimal_sign_, value);
-    if (behind != nullptr || decimal_sign_ != '.') return behind;
+    const char* const behind = parse_short_decimal(at, form_.decimal_sign, value);
+    if (behind != nullptr || form_.decimal_sign != '.') return behind;
     const auto [to, error] = std::from_chars(at, end, value);
     return error == std::errc{} ? to : nullptr;
   }
@@ -182,7 +195,7 @@ class HistoryTableReader {
     double numbers[most_columns] = {};
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       if (i > 0) {
-        if (*at != separator_) return nullptr;
+        if (*at != form_.separator) return nullptr;
         at = skip_blanks(at + 1);
       }
       at = parse_number(at, end, numbers[i]);
@@ -221,64 +234,58 @@ class HistoryTableReader {
       fail({{}, position_of(source_line_, at).column}, "the file is not UTF-8 text",
            "save it with UTF-8 encoding, or give the unit of its raw doubles");
     }
-    const std::string_view line = source_line_.substr(0, source_line_.find('#'));
+    const std::string_view line = without_comment(source_line_);
     if (trimmed(line).empty()) return;
-    if (columns_.empty()) {
-      take_header(line);
-    } else {
+    if (!columns_.empty()) {
       take_unusual_row(line);
+    } else if (!head_.wants_more_than(line, static_cast<int>(std::min(line_, largest_line)))) {
+      take_columns();
     }
   }
 
-  void take_header(std::string_view line) {
-    for (const char separator : {';', '\t', ','}) {
-      separator_ = separator;
-      if (line.find(separator) != std::string_view::npos) break;
-    }
-    decimal_sign_ = separator_ == ';' ? ',' : '.';
-    const std::vector<Field> fields = fields_of(line, separator_);
+  /// Reads what the columns are, once the head of the table is complete.
+  void take_columns() {
+    form_ = head_.form();
     std::size_t stresses = 0;
-    for (const Field& field : fields) {
-      const auto unit = unit_of_column(field.text);
+    for (const TableHead::Column& column : head_.columns()) {
+      const auto unit = unit_of_column(column.name);
       if (const auto* trouble = std::get_if<std::string>(&unit)) {
-        fail(field, *trouble, header_hint);
+        fail_in_head(column, *trouble, header_hint);
       }
       const auto& quantity = std::get<ParsedQuantity>(unit);
-      const bool first = &field == &fields.front();
+      const bool first = &column == &head_.columns().front();
       if (first && is_of(quantity.exponents, wanted::time)) {
         columns_.push_back({Kind::time, quantity.value});
         continue;
       }
       if (!is_of(quantity.exponents, wanted::stress)) {
-        fail(field, wrong_dimension(field.text, quantity.exponents, wanted::stress), header_hint);
+        fail_in_head(column, wrong_dimension(column.name, quantity.exponents, wanted::stress),
+                     header_hint);
       }
       if (++stresses > most_stresses) {
-        fail(field, "a history has at most two stresses, normal and shear",
-             "give the columns of one place only");
+        fail_in_head(column, "a history has at most two stresses, normal and shear",
+                     "give the columns of one place only");
       }
       columns_.push_back({stresses == 1 ? Kind::normal : Kind::shear, quantity.value});
     }
-    if (stresses == 0) fail(fields.front(), "the table has no column of a stress", header_hint);
+    if (stresses == 0) {
+      fail_in_head(head_.columns().front(), "the table has no column of a stress", header_hint);
+    }
     history_.has_shear = stresses == most_stresses;
   }
 
   void take_unusual_row(std::string_view line) {
-    const std::vector<Field> fields = fields_of(line, separator_);
+    const std::vector<Field> fields = fields_of(line, form_.separator);
     if (fields.size() != columns_.size()) {
-      const std::string_view between = separator_ == ';'    ? "semicolons"
-                                       : separator_ == '\t' ? "tabs"
-                                                            : "commas";
       fail(fields.front(),
            fmt::format("the first line names {}, here {} {}", columns_text(columns_.size()),
                        fields.size() == 1 ? "is" : "are", fields.size()),
-           fmt::format("write as many numbers, {} between them{}", between,
-                       separator_ == ',' ? "; a decimal comma wants semicolons" : ""));
+           fmt::format("write as many numbers, {} between them{}", form_.separators(),
+                       form_.separator == ',' ? "; a decimal comma wants semicolons" : ""));
     }
     double numbers[most_columns] = {};
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      std::string text(fields[i].text);
-      std::replace(text.begin(), text.end(), decimal_sign_, '.');
-      const auto number = number_in_table(text);
+      const auto number = number_in_table(fields[i].text, form_);
       if (const auto* trouble = std::get_if<FieldTrouble>(&number)) {
         fail(fields[i], trouble->message, trouble->hint);
       }
@@ -297,20 +304,29 @@ class HistoryTableReader {
   }
 
   [[noreturn]] void fail(const Field& field, std::string message, std::string hint) const {
-    constexpr std::int64_t largest = std::numeric_limits<int>::max();
-    throw InputError({{bytes_->name(), static_cast<int>(std::min(line_, largest)), field.column,
-                       std::string(source_line_), std::move(message), std::move(hint)}});
+    throw InputError(
+        {{bytes_->name(), static_cast<int>(std::min(line_, largest_line)), field.column,
+          std::string(source_line_), std::move(message), std::move(hint)}});
+  }
+
+  /// Of the head, which may stand lines above.
+  [[noreturn]] void fail_in_head(const TableHead::Column& column, std::string message,
+                                 std::string hint) const {
+    throw InputError({{bytes_->name(), head_.line_number(), column.column, head_.line(),
+                       std::move(message), std::move(hint)}});
   }
 
   static constexpr std::size_t most_columns = 3;
   static constexpr std::size_t most_stresses = 2;
+  static constexpr std::int64_t largest_line = std::numeric_limits<int>::max();
 
   ByteSource* bytes_;
   StressHistory history_;
   ChunkWriter chunk_;
   std::vector<Column> columns_;
-  char separator_ = ',';
-  char decimal_sign_ = '.';
+  TableHead head_;
+  TableForm form_;
+  std::optional<bool> only_returns_;  ///< unknown until a line has ended
   std::int64_t line_ = 0;
   std::string_view source_line_;
 };

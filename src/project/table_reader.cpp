@@ -21,6 +21,17 @@ const char* kind_name(const Node& node) {
   return "";
 }
 
+/// The number that a text is, with or without a unit behind it, as it would stand by itself; "" of
+/// anything else.
+std::string number_in_quotes(const Node& node) {
+  if (node.kind != Node::Kind::text) return "";
+  const std::size_t end =
+      std::min(node.text.find_first_not_of("0123456789+-.eE"), node.text.size());
+  const std::string number = node.text.substr(0, end);
+  const auto parsed = parse_quantity(number);
+  return std::holds_alternative<ParsedQuantity>(parsed) ? number : "";
+}
+
 /// Beyond these no dimension, load or factor is meant; within them no formula overflows.
 constexpr double largest_magnitude = 1e20;
 constexpr double smallest_positive = 1e-20;
@@ -381,20 +392,29 @@ bool TableReader::is_table(std::string_view key) const {
 }
 
 double TableReader::bare_number(std::string_view key, std::optional<double> fallback,
-                                bool above_zero) {
+                                bool above_zero, const char* example) {
   const Node* node = take(key, !fallback, "a number");
   if (node == nullptr) return fallback.value_or(std::nan(""));
-  const std::string hint = fmt::format("write {} = 2.0", key);
+  const std::string hint = fmt::format("write {} = {}", key, example);
   if (node->kind != Node::Kind::number) {
-    problem(key, fmt::format("\"{}\" is a number without unit, not {}", key, kind_name(*node)),
-            hint);
+    const std::string number = number_in_quotes(*node);
+    if (number.empty()) {
+      problem(key, fmt::format("\"{}\" is a number without unit, not {}", key, kind_name(*node)),
+              hint);
+    } else {
+      problem(key, fmt::format("\"{}\" is a number, which stands without quotation marks", key),
+              fmt::format("write {} = {}", key, number));
+    }
     return std::nan("");
   }
   const double value = node->number;
   const double size = std::abs(value);
-  if (!std::isfinite(value) || (above_zero && value <= 0.0)) {
-    problem(key, fmt::format("\"{}\" must be finite{}", key, above_zero ? " and above zero" : ""),
-            hint);
+  if (!std::isfinite(value)) {
+    problem(key, fmt::format("\"{}\" must be finite", key), hint);
+    return std::nan("");
+  }
+  if (above_zero && value <= 0.0) {
+    problem(key, fmt::format("\"{}\" is {:g}, but must be above zero", key, value), hint);
     return std::nan("");
   }
   if (size > largest_magnitude || (size > 0.0 && size < smallest_positive)) {
@@ -405,12 +425,13 @@ double TableReader::bare_number(std::string_view key, std::optional<double> fall
   return value;
 }
 
-double TableReader::number(std::string_view key, std::optional<double> fallback) {
-  return bare_number(key, fallback, true);
+double TableReader::number(std::string_view key, std::optional<double> fallback,
+                           const char* example) {
+  return bare_number(key, fallback, true, example);
 }
 
 double TableReader::any_number(std::string_view key, std::optional<double> fallback) {
-  return bare_number(key, fallback, false);
+  return bare_number(key, fallback, false, "2.0");
 }
 
 int TableReader::whole_number(std::string_view key, std::optional<int> fallback) {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "boxbeam/core/code_points.hpp"
 
@@ -49,9 +51,14 @@ FileText read_text_file(const std::string& path) {
   return file;
 }
 
-std::vector<std::string> split_lines(const std::string& text) {
+void unify_line_ends(std::string& text) {
+  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+}
+
+std::vector<std::string> split_lines(std::string text) {
+  unify_line_ends(text);
   std::vector<std::string> lines;
-  std::istringstream stream(text);
+  std::istringstream stream(std::move(text));
   for (std::string line; std::getline(stream, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     lines.push_back(std::move(line));

@@ -22,8 +22,11 @@ FileText look_for_file(const std::string& path);
 /// Reads a file, a device or a pipe of at most 8 MB.
 FileText read_text_file(const std::string& path);
 
-/// The lines of a text without their ends.
-std::vector<std::string> split_lines(const std::string& text);
+/// Ends lines with LF where they end with CR alone.
+void unify_line_ends(std::string& text);
+
+/// The lines of a text without their ends: LF, CR LF, or CR alone in a text without LF.
+std::vector<std::string> split_lines(std::string text);
 
 /// The place of the first byte that is not UTF-8, or npos.
 std::size_t find_not_utf8(std::string_view text);

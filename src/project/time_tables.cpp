@@ -21,16 +21,18 @@ class TimeTableParser {
       : problems_(&problems), file_(file), wanted_(&wanted), column_(column) {}
 
   std::optional<TimeTable> parse(const std::vector<std::string>& lines) {
-    bool header = true;
     for (const std::string& whole : lines) {
       ++line_;
-      std::string_view line = std::string_view(whole).substr(0, whole.find('#'));
+      std::string_view line = without_comment(whole);
       if (line_ == 1 && line.starts_with("\uFEFF")) line.remove_prefix(3);
       if (trimmed(line).empty()) continue;
-      if (!(header ? take_header(line) : take_row(line))) return std::nullopt;
-      header = false;
       table_.end = {file_, line_, 1};
+      if (in_head_ && head_.wants_more_than(line, line_)) continue;
+      const bool is_row = !in_head_;
+      if (in_head_ && !take_head()) return std::nullopt;
+      if (is_row && !take_row(line)) return std::nullopt;
     }
+    if (in_head_ && !head_.columns().empty() && !take_head()) return std::nullopt;
     if (table_.time.size() < fewest_rows) {
       fail({},
            fmt::format("the table has {} rows, at least {} are wanted", table_.time.size(),
@@ -47,37 +49,55 @@ class TimeTableParser {
                        column_, example_unit_of(*wanted_));
   }
 
+  std::string count_trouble(std::size_t parts) const {
+    return fmt::format("the first line names two columns with {} between them, here {} {}",
+                       form_.separators(), parts == 1 ? "is" : "are", parts);
+  }
+
+  std::string row_hint() const {
+    return fmt::format("write two numbers in a row{}",
+                       form_.separator == ','
+                           ? "; a decimal comma wants semicolons or tabs between the columns"
+                           : "");
+  }
+
   bool fail(const Field& field, std::string message, std::string hint) {
     problems_->add({file_, std::max(1, line_), field.column}, std::move(message), std::move(hint));
     return false;
   }
 
-  bool has_two(const std::vector<Field>& fields, const char* what) {
-    if (fields.size() == 2) return true;
-    return fail(fields.front(),
-                fmt::format("{} has two parts with a comma between them, time and {}; here {} {}",
-                            what, column_, fields.size() == 1 ? "is" : "are", fields.size()),
-                header_hint());
+  /// Of the head, which may stand lines above.
+  bool fail_in_head(int column, std::string message) {
+    problems_->add({file_, head_.line_number(), column}, std::move(message), header_hint());
+    return false;
   }
 
-  /// The factor to SI of the unit in the brackets of a column's name.
-  std::optional<double> factor_of(const Field& field, const WantedDimension& wanted) {
-    const auto unit = unit_of_column(field.text);
+  /// The factor to SI of the unit that a column names.
+  std::optional<double> factor_of(const TableHead::Column& column, const WantedDimension& wanted) {
+    const auto unit = unit_of_column(column.name);
     if (const auto* trouble = std::get_if<std::string>(&unit)) {
-      fail(field, *trouble, header_hint());
+      fail_in_head(column.column, *trouble);
       return std::nullopt;
     }
     const auto& quantity = std::get<ParsedQuantity>(unit);
     if (is_of(quantity.exponents, wanted)) return quantity.value;
-    fail(field, wrong_dimension(field.text, quantity.exponents, wanted), header_hint());
+    fail_in_head(column.column, wrong_dimension(column.name, quantity.exponents, wanted));
     return std::nullopt;
   }
 
-  bool take_header(std::string_view line) {
-    const std::vector<Field> fields = fields_of(line, ',');
-    if (!has_two(fields, "the first line")) return false;
-    const std::optional<double> time = factor_of(fields[0], wanted::time);
-    const std::optional<double> value = time ? factor_of(fields[1], *wanted_) : std::nullopt;
+  /// Reads what the columns are, once the head is complete.
+  bool take_head() {
+    in_head_ = false;
+    form_ = head_.form();
+    const std::vector<TableHead::Column>& columns = head_.columns();
+    if (columns.size() != 2) {
+      return fail_in_head(columns.front().column,
+                          fmt::format("a table has two columns, time and {}; the first line names "
+                                      "{}",
+                                      column_, columns.size()));
+    }
+    const std::optional<double> time = factor_of(columns[0], wanted::time);
+    const std::optional<double> value = time ? factor_of(columns[1], *wanted_) : std::nullopt;
     if (!value) return false;
     time_factor_ = *time;
     value_factor_ = *value;
@@ -85,7 +105,7 @@ class TimeTableParser {
   }
 
   std::optional<double> number_in(const Field& field) {
-    const auto number = number_in_table(field.text);
+    const auto number = number_in_table(field.text, form_);
     if (const auto* value = std::get_if<double>(&number)) return *value;
     const auto& trouble = std::get<FieldTrouble>(number);
     fail(field, trouble.message, trouble.hint);
@@ -93,8 +113,8 @@ class TimeTableParser {
   }
 
   bool take_row(std::string_view line) {
-    const std::vector<Field> fields = fields_of(line, ',');
-    if (!has_two(fields, "a row")) return false;
+    const std::vector<Field> fields = fields_of(line, form_.separator);
+    if (fields.size() != 2) return fail(fields.front(), count_trouble(fields.size()), row_hint());
     const std::optional<double> time = number_in(fields[0]);
     const std::optional<double> value = time ? number_in(fields[1]) : std::nullopt;
     if (!value) return false;
@@ -115,6 +135,9 @@ class TimeTableParser {
   const WantedDimension* wanted_;
   const char* column_;
   int line_ = 0;
+  bool in_head_ = true;
+  TableHead head_;
+  TableForm form_;
   double time_factor_ = 1.0;
   double value_factor_ = 1.0;
   TimeTable table_;
@@ -137,7 +160,9 @@ const std::vector<std::string>* TimeTables::lines_of(TableReader& table, std::st
   }
   document_->add_file(written, resolved, file.text);
   if (const std::size_t at = find_not_utf8(file.text); at != std::string::npos) {
-    const LineColumn place = position_of(file.text, at);
+    std::string text = file.text;
+    unify_line_ends(text);
+    const LineColumn place = position_of(text, at);
     table.problems().add({document_->lines.find(resolved)->first, place.line, place.column},
                          "the file is not UTF-8 text", "save it with UTF-8 encoding");
     return nullptr;

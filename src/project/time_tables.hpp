@@ -18,9 +18,11 @@ struct TimeTable {
   Place end;                  ///< its last row
 };
 
-/// The tables of numbers that a case names: files of comma-separated values whose first line names
-/// two columns with their units, `time [s], stroke [mm]`; behind "#" stands a comment. Every file
-/// becomes part of the document, whose hash covers it.
+/// The tables of numbers that a case names: files whose first line names two columns with their
+/// units, `time [s], stroke [mm]`, or whose second line gives the units. Between columns stand
+/// commas, semicolons or tabs, with the latter two the decimal sign may be a comma; names may stand
+/// in quotation marks; behind "#" stands a comment. Every file becomes part of the document, whose
+/// hash covers it.
 class TimeTables {
  public:
   explicit TimeTables(CaseDocument& document) : document_(&document) {}

@@ -8,8 +8,10 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "boxbeam/core/error.hpp"
+#include "unfinished.hpp"
 
 namespace boxbeam {
 
@@ -33,6 +35,8 @@ void write_file(const std::string& path, const std::string& content) {
       fs::is_symlink(target, error) ? fs::weakly_canonical(target, error) : target;
   const std::string temporary =
       special ? path : fmt::format("{}.{}.tmp", real.string(), ::getpid());
+  std::optional<report::UnfinishedPath> unfinished;
+  if (!special) unfinished.emplace(temporary);
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(temporary.c_str(), "wb"),
                                                        std::fclose);
   if (!file) fail("written", errno);
@@ -41,15 +45,8 @@ void write_file(const std::string& path, const std::string& content) {
       std::fflush(file.get()) == 0;
   const int write_error = errno;
   const bool closed = std::fclose(file.release()) == 0;
-  if (!written || !closed) {
-    if (!special) std::remove(temporary.c_str());
-    fail("written", written ? errno : write_error);
-  }
-  if (!special && std::rename(temporary.c_str(), real.c_str()) != 0) {
-    const int code = errno;
-    std::remove(temporary.c_str());
-    fail("replaced", code);
-  }
+  if (!written || !closed) fail("written", written ? errno : write_error);
+  if (!special && std::rename(temporary.c_str(), real.c_str()) != 0) fail("replaced", errno);
 }
 
 }  // namespace boxbeam

@@ -59,18 +59,32 @@ struct FunctionText {
   }
 
   std::string operator()(const TableDriver& driver) const {
-    const CubicSpline& spline = driver.spline;
-    double low = spline.at(spline.first_x()).value;
-    double high = low;
-    for (const double time : spline.points()) {
-      low = std::min(low, spline.at(time).value);
-      high = std::max(high, spline.at(time).value);
-    }
+    const TableCurve& curve = driver.curve;
+    const auto [low, high] = std::minmax_element(curve.values().begin(), curve.values().end());
     return fmt::format(
-        "cubic spline through {} points of a table from t = {} s to {} s, values "
-        "{} to {} {}{}",
-        spline.points().size(), plain(spline.first_x()), plain(spline.last_x()), plain(low),
-        plain(high), unit.text, spline.ends() == SplineEnds::periodic ? ", periodic" : "");
+        "{} through {} points of a table from t = {} s to {} s, values {} to {} {}{}",
+        to_text(curve.interpolation()), curve.points().size(), plain(curve.first_x()),
+        plain(curve.last_x()), plain(*low), plain(*high), unit.text, to_text(curve.beyond()));
+  }
+
+ private:
+  static const char* to_text(Interpolation interpolation) {
+    switch (interpolation) {
+      case Interpolation::step: return "steps";
+      case Interpolation::linear: return "straight lines";
+      case Interpolation::pchip: return "monotone cubics (pchip)";
+      case Interpolation::cubic: return "cubic spline";
+    }
+    return "";
+  }
+
+  static const char* to_text(Beyond beyond) {
+    switch (beyond) {
+      case Beyond::nothing: return "";
+      case Beyond::hold: return ", its end values beyond";
+      case Beyond::periodic: return ", periodic";
+    }
+    return "";
   }
 };
 

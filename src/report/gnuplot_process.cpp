@@ -43,9 +43,12 @@ std::string log_of(const Drawing& drawing) { return drawing.file() + ".log"; }
 
 /// Starts gnuplot on a script in a folder.
 Run start_gnuplot(const fs::path& folder, const Drawing& drawing) {
-  // Names in UTF-8 wherever it runs, and one time zone.
-  report::Command command{
-      {"gnuplot", "-d"}, folder, log_of(drawing), {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC0"}}};
+  // Names in UTF-8 wherever it runs, one time zone, and no terminal before the script's own: that
+  // of the user's shell may need a display.
+  report::Command command{{"gnuplot", "-d"},
+                          folder,
+                          log_of(drawing),
+                          {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC0"}, {"GNUTERM", "unknown"}}};
   if (drawing.format == Drawing::pdf) {
     command.arguments.emplace_back("-e");
     command.arguments.emplace_back("pdf = 1");
@@ -110,7 +113,8 @@ void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
     if (running.size() == at_once) wait_for_first();
     running.push_back(start_gnuplot(folder, drawing));
     if (running.back().process.id < 0)
-      throw OutputError(fmt::format("no plots: {}; everything else is written", not_installed));
+      throw report::MissingTool(
+          fmt::format("no plots: {}; everything else is written", not_installed));
   }
   while (!running.empty()) wait_for_first();
   if (!troubles.empty()) throw OutputError("gnuplot failed, no plots are written:" + troubles);

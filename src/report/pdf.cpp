@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -59,10 +60,17 @@ std::string first_error_in(const fs::path& log) {
   return "it ended without a message";
 }
 
-/// Moves a file to where it belongs, over a border of file systems too.
-void keep(const fs::path& from, const std::string& to) {
-  std::ifstream in(from, std::ios::binary);
-  write_file(to, std::string(std::istreambuf_iterator<char>(in), {}));
+std::string content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Whether a file is a PDF from its first to its last bytes: on a full disk there may be a part.
+bool is_whole_pdf(const std::string& content) {
+  constexpr std::size_t tail = 64;
+  return content.starts_with("%PDF-") &&
+         content.find("%%EOF", content.size() - std::min(tail, content.size())) !=
+             std::string::npos;
 }
 
 }  // namespace
@@ -70,17 +78,14 @@ void keep(const fs::path& from, const std::string& to) {
 void write_pdf(const Document& document, const std::string& figures, const std::string& path) {
   const fs::path target(path);
   const fs::path log = target.parent_path() / (target.stem().string() + ".log");
-  std::error_code ignored;
-  fs::remove(target, ignored);  // one of an earlier run must not stand for this one
-  fs::remove(log, ignored);
-
   const ScratchFolder scratch(target.has_parent_path() ? target.parent_path() : fs::path("."));
   const auto has_picture = [&](const std::string& name) {
     const fs::path figure = fs::path(figures) / (name + ".pdf");
     std::error_code error;
     if (figures.empty() || !fs::is_regular_file(figure, error)) return false;
-    fs::create_symlink(fs::absolute(figure), scratch.path() / (name + ".pdf"), error);
-    return true;
+    const fs::path from = fs::absolute(figure, error);
+    if (!error) fs::create_symlink(from, scratch.path() / (name + ".pdf"), error);
+    return !error;
   };
   write_file((scratch.path() / "report.tex").string(), latex_of(document, has_picture));
 
@@ -89,17 +94,22 @@ void write_pdf(const Document& document, const std::string& figures, const std::
     const std::optional<int> code =
         exit_code_of(start(pdflatex(scratch.path(), document.date, draft)));
     if (!code) {
-      throw OutputError(
+      throw MissingTool(
           "no PDF: pdflatex is not installed (apt install texlive-latex-base "
           "texlive-latex-recommended lmodern); everything else is written");
     }
     if (*code != 0) {
-      keep(scratch.path() / "report.log", log.string());
+      write_file(log.string(), content_of(scratch.path() / "report.log"));
       throw OutputError(fmt::format("no PDF: pdflatex failed: {}\n  its log: {}",
                                     first_error_in(scratch.path() / "report.log"), log.string()));
     }
   }
-  keep(scratch.path() / "report.pdf", path);
+  const std::string pdf = content_of(scratch.path() / "report.pdf");
+  if (!is_whole_pdf(pdf)) {
+    throw OutputError(fmt::format("no PDF: pdflatex ended well, but what it wrote is {}",
+                                  pdf.empty() ? "nothing" : "only a part of a PDF"));
+  }
+  write_file(path, pdf);
 }
 
 }  // namespace boxbeam::report

@@ -103,12 +103,13 @@ std::vector<std::string> figures_of(const Project& project, const Verification& 
   return names;
 }
 
-void remove_figures(const std::string& folder) {
-  std::error_code ignored;
+std::vector<std::string> files_of_figures() {
+  std::vector<std::string> files;
   for (const FigureKind& kind : kinds) {
-    fs::remove(fs::path(folder) / fmt::format("{}.svg", kind.name), ignored);
-    fs::remove(fs::path(folder) / "plots" / fmt::format("{}.gp", kind.name), ignored);
+    files.push_back(fmt::format("{}.svg", kind.name));
+    files.push_back(fmt::format("plots/{}.gp", kind.name));
   }
+  return files;
 }
 
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 
@@ -51,10 +52,20 @@ Process start(const Command& command) {
   posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, 1, 2);
   posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
+  // What this program keeps from itself until all is cleared up must reach that one.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   Process process;
-  const int error = posix_spawnp(&process.id, arguments.front().c_str(), &actions, nullptr,
+  const Finishing whole;
+  const int error = posix_spawnp(&process.id, arguments.front().c_str(), &actions, &attributes,
                                  argument_pointers.data(), environment_pointers.data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
+  if (error == 0) note_program(process.id);
   if (error == ENOENT) return {};
   if (error != 0) {
     throw OutputError(
@@ -68,12 +79,15 @@ std::optional<int> exit_code_of(const Process& process) {
   int status = 0;
   while (::waitpid(process.id, &status, 0) < 0 && errno == EINTR) {
   }
+  forget_program(process.id);
   if (WIFSIGNALED(status)) return 128 + WTERMSIG(status);
   if (WEXITSTATUS(status) == 127) return std::nullopt;
   return WEXITSTATUS(status);
 }
 
-ScratchFolder::ScratchFolder(const fs::path& beside) {
+namespace {
+
+fs::path new_folder_in(const fs::path& beside) {
   std::error_code error;
   fs::create_directories(beside, error);
   std::string pattern = (beside / ".boxbeam-XXXXXX").string();
@@ -81,12 +95,11 @@ ScratchFolder::ScratchFolder(const fs::path& beside) {
     throw OutputError(
         fmt::format("{} cannot be written: {}", beside.string(), std::strerror(errno)));
   }
-  path_ = pattern;
+  return pattern;
 }
 
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
+}  // namespace
+
+ScratchFolder::ScratchFolder(const fs::path& beside) : path_(new_folder_in(beside)) {}
 
 }  // namespace boxbeam::report

@@ -8,7 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/core/error.hpp"
+#include "unfinished.hpp"
+
 namespace boxbeam::report {
+
+/// A program that an output needs is not installed: all else can be had.
+class MissingTool : public OutputError {
+  using OutputError::OutputError;
+};
 
 /// A program to be run in a folder of its own, without a shell and without standard input.
 struct Command {
@@ -35,13 +43,10 @@ class ScratchFolder {
  public:
   /// Makes the folders above it where they are missing. Throws OutputError where it cannot be made.
   explicit ScratchFolder(const std::filesystem::path& beside);
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_.path(); }
 
  private:
-  std::filesystem::path path_;
+  UnfinishedPath path_;
 };
 
 }  // namespace boxbeam::report

@@ -55,7 +55,7 @@ LoadsAt loads_of(const Project& project, const planar::Mechanism& mechanism,
 
 LoadsAt loads_of(const Project& project, const spatial::Mechanism& mechanism) {
   auto chain = std::make_shared<const spatial::Chain>(mechanism);
-  auto body = spatial::beam_body_of(project.beam, placement_in(project, mechanism));
+  auto body = spatial::beam_body_of(project.beam, placement_in(project, mechanism), mechanism);
   return [&project, chain, body](Time time) {
     BeamLoads loads = spatial::beam_loads_of(*chain, chain->at(time.value()), body);
     check_on_beam(project, loads, time);
@@ -140,12 +140,21 @@ double imbalance_over(const Project& project, const Situation& situation,
   double largest = weight;
   double worst = 0.0;
   Time when;
-  for (std::size_t i = 0; i < loads.instants(); i += loads.instants() / 16) {
+  const std::size_t step = std::max<std::size_t>(1, loads.instants() / 16);
+  for (std::size_t i = 0; i < loads.instants(); i += step) {
     const Time time = loads.time_of(i);
     const BeamLoads at = loads.loads_at(time);
     for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
     const Imbalance open = imbalance_of(at);
     const double left = open.force.norm() + open.moment.norm() / project.beam.length().value();
+    if (!std::isfinite(left)) {
+      throw AnalysisError({"the loads on the beam are no numbers: masses, stiffnesses or times of "
+                           "the case are too far apart for the arithmetic",
+                           "beam",
+                           time.value(),
+                           {},
+                           {}});
+    }
     if (left <= worst) continue;
     worst = left;
     when = time;

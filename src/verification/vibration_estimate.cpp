@@ -1,11 +1,14 @@
 #include "boxbeam/verification/vibration_estimate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
@@ -33,7 +36,8 @@ Eigen::VectorXd samples_of(const Spectrum& spectrum) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The part of a mode beyond its static one, under generalised forces at equal steps of a period.
+/// The part of a mode beyond its static one, elastic and viscous, under generalised forces at equal
+/// steps of a period: its inertia over the square of its frequency.
 Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
                              double base) {
   const double omega = two_pi * frequency;
@@ -44,9 +48,20 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
         h <= n / 2 ? static_cast<double>(h) : static_cast<double>(h) - static_cast<double>(n);
     const double r = harmonic * base / frequency;
     const std::complex<double> dynamic(1.0 - r * r, damping * r / omega);
-    spectrum[h] *= (1.0 / dynamic - 1.0) / (omega * omega);
+    spectrum[h] *= r * r / dynamic / (omega * omega);
   }
   return samples_of(spectrum);
+}
+
+[[noreturn]] void refuse(const char* what) {
+  throw AnalysisError(
+      {fmt::format("what vibration adds cannot be estimated: {}; look for a mass, an inertia or a "
+                   "stiffness that cannot be meant",
+                   what),
+       "beam",
+       {},
+       {},
+       {}});
 }
 
 std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
@@ -77,10 +92,9 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   const double peak = stresses.cwiseAbs().maxCoeff();
   const double base = 1.0 / motion.period;
   VibrationEstimate estimate;
-  if (peak == 0.0) {
-    estimate.without_modes = {0.0};
-    return estimate;
-  }
+  estimate.without_modes = {0.0};
+  if (peak == 0.0) return estimate;
+  if (!std::isfinite(peak)) refuse("the stresses under the loads of rigid bodies are no numbers");
 
   double fastest = 0.0;
   for (const planar::State& state : motion.states) {
@@ -88,18 +102,28 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   }
   const std::size_t step = std::max<std::size_t>(1, motion.states.size() / postures_looked_at);
   for (std::size_t at = 0; at < motion.states.size(); at += step) {
-    const PostureModes modes = modes_in_posture(*rigid.mechanism, motion.states[at], elastic,
-                                                *rigid.beam, modes_looked_at);
+    const planar::State& state = motion.states[at];
+    const PostureModes modes =
+        modes_in_posture(loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam,
+                                        rigid.loads(si<Time>(state.time))),
+                         modes_looked_at);
+    if (modes.frequencies.empty()) continue;  // without mass nothing vibrates
+    if (!(modes.frequencies.front() > 0.0)) {
+      refuse("the lowest natural frequency of the beam in its mechanism cannot be told from zero");
+    }
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
     Eigen::MatrixXd p(stresses.rows(), count);
     for (std::size_t i = 0; i < history.instants(); ++i) {
       p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.diagram(i)).transpose();
     }
-    const double left_out = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
+    const double turning = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
+    const double beside = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
+    const double left_out = turning * std::clamp(beside, 0.0, 1.0);
     estimate.left_out = std::max(estimate.left_out, left_out);
     const auto raise = [&](std::size_t counted, double error) {
       if (estimate.without_modes.size() <= counted) estimate.without_modes.resize(counted + 1, 0.0);
-      estimate.without_modes[counted] = std::max(estimate.without_modes[counted], error + left_out);
+      estimate.without_modes[counted] =
+          std::max(estimate.without_modes[counted], error + (counted == 0 ? turning : left_out));
     };
     Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(stresses.rows(), stresses.cols());
     raise(static_cast<std::size_t>(count), 0.0);

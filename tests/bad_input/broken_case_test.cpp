@@ -19,7 +19,7 @@ TEST_CASE("a file that is no case is refused", "[bad_input]") {
   }();
   const std::string nested = std::string(100000, '[') + std::string(100000, ']');
   check_refused({
-      {"empty", "", 1, {"the case is empty", "rig.toml for a complete one"}},
+      {"empty", "", 1, {"the case is empty", "boxbeam init planar my.toml"}},
       {"comments only", "# nothing\n\n", 1, {"the case is empty"}},
       {"not UTF-8", "[case]\nname = \"sl\xE4t\"\n", 2, {"not UTF-8", "save it with UTF-8"}},
       {"overlong UTF-8", "# \xC0\xAF\n", 1, {"not UTF-8"}},
@@ -39,8 +39,9 @@ TEST_CASE("a file that is no case is refused", "[bad_input]") {
 
 TEST_CASE("TOML that cannot be read is named with its line", "[bad_input]") {
   check_refused({
-      replaced("unit without quotation marks", "mass = \"119 kg\"", "mass = 119 kg",
-               {"not valid TOML", "values with a unit stand in quotation marks"}),
+      replaced(
+          "unit without quotation marks", "mass = \"119 kg\"", "mass = 119 kg",
+          {"not valid TOML", "a value with its unit stands in quotation marks: mass = \"119 kg\""}),
       replaced("text without its end", "name = \"sledge-rig\"", "name = \"sledge-rig",
                {"not valid TOML"}),
       replaced("table without its end", "[drivers.exciter]", "[drivers.exciter",
@@ -49,7 +50,8 @@ TEST_CASE("TOML that cannot be read is named with its line", "[bad_input]") {
                {"not valid TOML", "mass"}, "mass = \"120 kg\""),
       appended("duplicate table", "\n[material]  # again\nsteel = \"S235\"\n",
                "[material]  # again", {"not valid TOML", "material"}),
-      replaced("bare decimal comma", "cycles = 1e8", "cycles = 1,5", {"not valid TOML"}),
+      replaced("bare decimal comma", "cycles = 1e8", "cycles = 1,5",
+               {"not valid TOML", "the decimal sign is a point: cycles = 1.5"}),
       replaced("key without value", "cycles = 1e8", "cycles =", {"not valid TOML"}),
   });
 }

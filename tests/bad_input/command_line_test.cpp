@@ -84,9 +84,12 @@ TEST_CASE("a wrong or missing command is refused with what to write", "[bad_inpu
   refused({"verify"}, {"CASE is required", "write boxbeam verify CASE.toml", help});
   refused({"motion"}, {"CASE is required", "write boxbeam motion CASE.toml", help});
   refused({"verify", rig, rig}, {"not expected", help});
+  refused({"help", "verifi"}, {"verifi", "did you mean verify?", help});
 }
 
 TEST_CASE("a wrong option or value of one is refused", "[bad_input]") {
+  refused({"-v"}, {"did you mean -V?"});
+  refused({"verify", rig, "-O", "x"}, {"-O", "did you mean -o?"});
   refused({"verify", rig, "--outt", "x"}, {"--outt", "did you mean --out?"});
   refused({"verify", rig, "--dynamic=rigorous"}, {"--dynamic", "did you mean --dynamics?"});
   refused({"motion", rig, "--ad", "1"}, {"--ad", "did you mean --at?"});
@@ -102,6 +105,53 @@ TEST_CASE("a wrong option or value of one is refused", "[bad_input]") {
     refused({"motion", rig, "--at=" + value, "--json", "motion.json"},
             {"--at: \"" + value + "\" is no instant", "write seconds without unit"});
   }
+}
+
+TEST_CASE("a check and a case that changed places are put right", "[bad_input]") {
+  refused({"explain", rig, "fatigue"},
+          {"the check stands before the case", "boxbeam explain fatigue " + rig});
+  refused({"explain", "fatigue", "fatigue"}, {"fatigue: error: there is no such file"});
+}
+
+TEST_CASE("a place that cannot be written is found before the calculation", "[bad_input]") {
+  const test::TemporaryFolder there;
+  const std::string file = there.write("file", "x");
+  const std::string nowhere = (there.path() / "none" / "r.json").string();
+  const std::string gear = test::project_file("sections/landing-gear/gear.toml");
+  const std::string values = test::project_file("sections/landing-gear/published.csv");
+  // Where a calculation went before it, its result would be said.
+  const auto refused_at_once = [](const Words& arguments, const std::string& said) {
+    const test::ProgramResult result = test::run_program(arguments);
+    INFO(result.out << result.err);
+    CHECK(result.exit_code == 4);
+    CHECK(result.out.empty());
+    CHECK(result.err.find(said) != std::string::npos);
+  };
+  const std::string no_folder = "there is no folder " + (there.path() / "none").string();
+  for (const Words& command :
+       {Words{"verify", rig, "--out", there.path().string()}, Words{"motion", rig},
+        Words{"section", "SHS 100x5"}, Words{"compare", gear, values}}) {
+    Words arguments = command;
+    arguments.insert(arguments.end(), {"--json", nowhere});
+    refused_at_once(arguments, no_folder);
+    arguments.back() = there.path().string();
+    refused_at_once(arguments, there.path().string() + " is a folder");
+  }
+  refused_at_once({"compare", gear, values, "--html", nowhere}, no_folder);
+  const std::string history = there.write("h.csv", "sigma [MPa]\n0\n100\n0\n");
+  refused_at_once({"fatigue", history, "--detail", "71", "--json", nowhere}, no_folder);
+  refused_at_once({"verify", rig, "--out", file}, file + " is no folder");
+  refused_at_once({"verify", rig, "-o", file + "/below"}, file + " is no folder");
+  refused_at_once({"chart", "section", "--quick", "--out", file}, file + " is no folder");
+  CHECK_FALSE(std::filesystem::exists(there.path() / "none"));
+  // The folder of the report is made with the report, and may hold the copy as well.
+  const std::string report = (there.path() / "report").string();
+  const test::ProgramResult result =
+      test::run_program({"verify", rig, "--no-plots", "--no-pdf", "--no-html", "-q", "-o", report,
+                         "--json", report + "/copy.json"});
+  INFO(result.err);
+  CHECK(result.exit_code == 1);
+  CHECK(test::read_file(report + "/copy.json") == test::read_file(report + "/results.json"));
 }
 
 TEST_CASE("what only the other kind of case has is refused", "[bad_input]") {

@@ -58,7 +58,7 @@ struct Rod {
     mechanism.joints.resize(1);
     mechanism.joints[0].kind = JointKind::revolute;
     mechanism.joints[0].driver = std::move(driver);
-    body = beam_body_of(beam, placement);
+    body = beam_body_of(beam, placement, mechanism);
   }
 
   Wrench joint(double time) const {

@@ -180,7 +180,25 @@ TEST_CASE("the nearest word is one typing error away, or none") {
   CHECK(nearest_word("length", known) == "length");
   CHECK(nearest_word("ib", known) == "id");
   CHECK(nearest_word("frequency", known).empty());
+  // As many letters are other ones, but of "B" only the size is.
+  CHECK(nearest_word("lever.b", {"lever.A", "lever.B", "lever.C"}) == "lever.B");
+  CHECK(nearest_word("LENGTH", known) == "length");
+  CHECK(nearest_word("b", {"B", "b"}) == "b");
+  CHECK(nearest_word("B", {"b", "B"}) == "B");
   CHECK(nearest_word("", known).empty());
   CHECK(nearest_word("length", {}).empty());
   CHECK(nearest_word(std::string(100000, 'x'), known).empty());
+}
+
+TEST_CASE("signs that look like a minus are named") {
+  for (const auto& [text, name] : {std::pair{"\u22121.5 m", "the minus sign U+2212"},
+                                   {"\u20131.5 m", "the dash U+2013"},
+                                   {"\u2212 1.5 m", "the minus sign U+2212"}}) {
+    const auto parsed = parse_quantity(text);
+    REQUIRE(std::holds_alternative<std::string>(parsed));
+    CHECK(std::get<std::string>(parsed) ==
+          std::string(name) + " stands there; write the minus of the keyboard, -");
+  }
+  CHECK(look_alike_sign_in("-1.5 m").empty());
+  CHECK(look_alike_sign_in("Stra\u00dfe \u2013x").empty());
 }

@@ -131,10 +131,18 @@ TEST_CASE("the beam lies in its body from its start along its axis; y completes"
   CHECK(at.axes.col(0) == Vector3d(0, 0, -1));
   CHECK(at.axes.col(2) == Vector3d(1, 0, 0));
   CHECK(at.axes.col(1) == Vector3d(0, 1, 0));
-  // Of the body's points only those on the axis are places of the beam.
-  REQUIRE(project.beam.points.size() == 1);
-  CHECK(project.beam.points[0].name == "side");
-  CHECK(read(weld + hinge + swing).beam.points.size() == 2);
+  // The body's points are places of the beam where they stand over its axis: A, B and far, in the
+  // plane z = 0, 0.2 m behind "side".
+  REQUIRE(project.beam.points.size() == 4);
+  for (const BeamPoint& point : project.beam.points) {
+    CAPTURE(point.name);
+    CHECK(point.s.value() == Approx(point.name == "side" ? 0.0 : 0.2).margin(1e-15));
+  }
+  // Along x from A, 1 m long: "side" stands over its middle, "far" beyond its end.
+  const auto points = read(weld + hinge + swing).beam.points;
+  REQUIRE(points.size() == 3);
+  CHECK(points[2].name == "side");
+  CHECK(points[2].s == 0.5 * metre);
 }
 
 TEST_CASE("loads: where, on what, in whose axes") {

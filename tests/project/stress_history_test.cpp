@@ -90,6 +90,23 @@ TEST_CASE("commas, tabs and semicolons between columns, with semicolons a decima
   }
 }
 
+TEST_CASE("names in quotation marks, a row of units, decimal commas between tabs, CR alone") {
+  const Numbers normal{1.5, -2.25};
+  for (const char* text :
+       {"\"t [s]\",\"sigma, gauge #3 [Pa]\"\n0,1.5\n1,-2.25\n",
+        "\"t [s]\";\"sigma [Pa]\"\n\"0\";\"1,5\"\n\"1\";\"-2,25\"\n",
+        "time;sigma\ns;Pa\n0;1,5\n1;-2,25\n", "time\tsigma\n[s]\t[Pa]\n0\t1,5\n1\t-2,25\n",
+        "\xEF\xBB\xBFsigma\n(Pa)\n1.5\n-2.25\n", "sigma [Pa]\r1.5\r-2.25\r",
+        "sigma [Pa]\r1.5\r# last\r-2.25", "sigma [Pa]\r\n1.5\r\n-2.25"}) {
+    INFO(text);
+    CHECK(read_text(text).normal == normal);
+  }
+  // The line ends are those of the first line, however far the others are.
+  std::string long_table = "sigma [Pa]\r";
+  while (long_table.size() < (std::size_t{3} << 20U)) long_table += "1\r2\r";
+  CHECK(read_text(long_table).history.samples == (long_table.size() - 11) / 2);
+}
+
 TEST_CASE("comments, blank lines, CR LF, a byte order mark and a last line without end") {
   const Numbers normal{1, 2, 3};
   for (const char* text :

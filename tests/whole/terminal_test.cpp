@@ -102,15 +102,15 @@ Words completed(const Words& words, const fs::path& folder) {
 
 Words options_in(const std::string& help) {
   Words options;
-  const std::regex option("\n  (--[A-Za-z-]+)");
+  const std::regex option("\n  (?:-[A-Za-z], )?(--[A-Za-z-]+)");
   for (std::sregex_iterator it(help.begin(), help.end(), option), end; it != end; ++it) {
     options.push_back((*it)[1]);
   }
   return options;
 }
 
-const Words commands{"init",    "validate", "verify", "explain", "compare",    "motion",
-                     "section", "fatigue",  "chart",  "schema",  "completion", "manual"};
+const Words commands{"init",    "validate", "verify", "explain",    "compare", "motion", "section",
+                     "fatigue", "chart",    "schema", "completion", "manual",  "help"};
 
 std::string help_of(const std::string& command) {
   const test::ProgramResult result = test::run_program({command, "--help"});
@@ -184,6 +184,12 @@ TEST_CASE("help: every command says what it does, in lines of 100 signs", "[term
     CHECK(help_of(command).find("boxbeam " + command) != std::string::npos);
   }
   CHECK(test::run_program({"--version"}).out.starts_with("boxbeam "));
+  CHECK(test::run_program({"-V"}).out == test::run_program({"--version"}).out);
+  CHECK(test::run_program({"help"}).out == help);
+  CHECK(test::run_program({"help", "verify"}).out == help_of("verify"));
+  for (const char* both : {"-o, --out DIR", "-q, --quiet", "-h, --help"}) {
+    CHECK(help_of("verify").find(both) != std::string::npos);
+  }
 }
 
 TEST_CASE("manual: holds every command and every option", "[terminal]") {
@@ -237,6 +243,7 @@ TEST_CASE("completion: bash offers commands, options, values and files", "[termi
   CHECK(offers({"verify", ""}) == Words{"a case.toml", "b.toml", "deep"});
   CHECK(offers({"fatigue", "c"}) == Words{"c.csv"});
   CHECK(offers({"verify", "--out", ""}) == Words{"deep"});
+  CHECK(offers({"verify", "-o", ""}) == Words{"deep"});
   CHECK(offers({"verify", "--dynamics", ""}) == Words{"newton-chain", "rigorous"});
   // bash cuts --dynamics=rig into three words.
   CHECK(offers({"verify", "--dynamics", "=", "rig"}) == Words{"rigorous"});
@@ -285,8 +292,7 @@ TEST_CASE("a folder that cannot be one, or must not be written, ends with 4", "[
   const test::ProgramResult result = test::run_program({"verify", rig, "--out", file});
   CHECK(result.exit_code == 4);
   CHECK(result.err.find(file) != std::string::npos);
-  CHECK(result.out.starts_with("FAIL"));  // the results are known
-  CHECK(result.out.find("Written") == std::string::npos);
+  CHECK(result.out.empty());  // nothing has been calculated for it
   CHECK(test::read_file(file) == "mine");
   const std::string html = file + "/comparison.html";
   CHECK(test::run_program({"motion", rig, "--json", html}).exit_code == 4);

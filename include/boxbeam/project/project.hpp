@@ -116,6 +116,9 @@ struct Situation {
   /// order, counted as one history that repeats.
   std::vector<std::size_t> between;
   bool in_order = false;
+  /// Elastic links: the harmonic loads are switched on at once on the structure at rest, and the
+  /// time after it is looked at, instead of the steady vibration.
+  bool sudden_start = false;
 };
 
 /// A pin of the mechanism and the plates it bears on.
@@ -136,6 +139,18 @@ struct RodInput {
   Length buckling_length;
   BucklingCurve curve = BucklingCurve::c;
   double gamma_M1 = 1.0;
+  double required = 1.0;
+};
+
+/// A weld around a profile that joins two parts of the beam at a station and carries all that is
+/// cut there.
+struct WeldInput {
+  std::string name;
+  Length s;
+  Profile around;  ///< the weld follows its outline
+  Length throat;
+  Length thickness;    ///< of the thicker part joined, which decides the tensile strength
+  Detail root, shear;  ///< its root across the throat, and shear along it: EN 1993-1-9, row 8.5/3
   double required = 1.0;
 };
 
@@ -212,6 +227,7 @@ struct Project {
   std::vector<NamedPoint> points;
   std::vector<PinInput> pins;
   std::vector<RodInput> rods;
+  std::vector<WeldInput> welds;
   std::optional<DeflectionInput> deflection;
   std::vector<GivenStress> given_stresses;
   std::vector<HandFormula> hand_formulas;

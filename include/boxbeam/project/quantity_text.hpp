@@ -72,10 +72,15 @@ struct ParsedQuantity {
 /// G. Returns what is wrong as text where it cannot be read; the value is always finite.
 std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text);
 
+/// What to write where a text has a sign that only looks like the minus of a number, "\u2212" or a
+/// dash; "" where it has none.
+std::string look_alike_sign_in(std::string_view text);
+
 /// "a length", "a force", or the unit in base units for a dimension without a name here.
 std::string name_of(const DimensionExponents& exponents);
 
-/// The entry of `known` nearest to `word` by edit distance, "" where none is near.
+/// The entry of `known` nearest to `word` by edit distance, "" where none is near. Capitals count
+/// only between entries that are equally near without them.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace boxbeam

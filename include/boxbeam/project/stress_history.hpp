@@ -33,10 +33,11 @@ struct StressHistory {
 
 /// Reads a history of any length in blocks and hands its samples on; the memory stays the same.
 ///
-/// The first line of a table names its columns with their units: one of normal stress, or two, the
-/// second of shear; before them the time may stand, which ascends and is not handed on. Between
-/// columns stand commas, tabs or semicolons, with semicolons the decimal sign may be a comma;
-/// behind "#" stands a comment.
+/// The first line of a table names its columns with their units, or its second line gives the
+/// units: one column of normal stress, or two, the second of shear; before them the time may stand,
+/// which ascends and is not handed on. Between columns stand commas, tabs or semicolons, with the
+/// latter two the decimal sign may be a comma; names may stand in quotation marks; lines end with
+/// LF, CR LF or CR; behind "#" stands a comment.
 ///
 ///     time [s], sigma [MPa], tau [MPa]
 ///

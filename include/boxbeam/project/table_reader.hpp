@@ -69,7 +69,8 @@ class TableReader {
   bool is_table(std::string_view key) const;
 
   /// A bare, finite number above zero and of a size that can be meant.
-  double number(std::string_view key, std::optional<double> fallback = {});
+  double number(std::string_view key, std::optional<double> fallback = {},
+                const char* example = "2.0");
   /// A bare, finite number of either sign, or zero.
   double any_number(std::string_view key, std::optional<double> fallback = {});
   int whole_number(std::string_view key, std::optional<int> fallback = {});
@@ -107,7 +108,8 @@ class TableReader {
   const Node* take(std::string_view key, bool required, std::string_view example);
   const Node* take_or_say(std::string_view key, bool required, std::string hint);
   std::string name_below(std::string_view key) const;
-  double bare_number(std::string_view key, std::optional<double> fallback, bool above_zero);
+  double bare_number(std::string_view key, std::optional<double> fallback, bool above_zero,
+                     const char* example);
   const std::vector<Node>* list_of(std::string_view key, const char* example);
   double quantity_in(const Node& node, const std::string& what, const WantedDimension& wanted);
   Eigen::Vector3d direction_in(const Node& node, const std::string& what);

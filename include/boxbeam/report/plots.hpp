@@ -20,8 +20,8 @@ std::vector<std::string> draw_figures(const Project& project, const Verification
                                       const std::string& folder,
                                       const std::string& pdf_folder = "");
 
-/// Removes the figures of an earlier run, so that none stands beside a report it does not belong
-/// to.
-void remove_figures(const std::string& folder);
+/// The files that figures of any verification have in a folder, so that none of an earlier run
+/// stands beside a report it does not belong to.
+std::vector<std::string> files_of_figures();
 
 }  // namespace boxbeam

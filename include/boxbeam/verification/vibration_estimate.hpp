@@ -9,16 +9,19 @@ namespace boxbeam {
 /// What rigid bodies are estimated to miss in the stresses of a moving beam, by the modes of a few
 /// postures, each taken for the whole motion: in mode j
 ///
-///     sum over harmonics h of p_jh/omega_j^2 (1/(1 - r^2 + 2 i zeta r) - 1),  r = h Omega/omega_j
+///     sum over harmonics h of p_jh/omega_j^2 r^2/(1 - r^2 + 2 i zeta r),  r = h Omega/omega_j
 ///
-/// times the stresses of the mode. Added is the order of what the rotation of the beam couples,
-/// (omega_rotation/omega_1)^2. Valid for motions that repeat: others have no harmonics, and how
+/// times the stresses of the mode: what elasticity and viscosity bear together, (1 + 2 i zeta r)
+/// over the same, beyond the static 1 of the beam that bends statically. Added is the order of what
+/// the rotation of the beam couples, (omega_rotation/omega_1)^2; where modes are counted, of it the
+/// part of the first mode's mass that is not the beam's. Valid for motions that repeat: others have
+/// no harmonics, and how
 /// they begin decides what vibrates.
 struct VibrationEstimate {
   /// As `difference_between`, of the worst posture, with none, one, ... of the modes counted; of
   /// the last, all that are looked at, what their number leaves out is not known.
   std::vector<double> without_modes;
-  double left_out = 0.0;  ///< (omega_rotation/omega_1)^2, contained in these
+  double left_out = 0.0;  ///< what rotation couples in spite of modes, contained in these
   /// Of the posture whose first frequency is lowest [Hz].
   std::vector<double> frequencies;
   /// Harmonics of the bending moment where the stress range is largest, above a hundredth of it.

@@ -55,7 +55,7 @@ struct Evaluator {
   }
 
   DriverState operator()(const TableDriver& driver) const {
-    const Derivatives at = driver.spline.at(time);
+    const Derivatives at = driver.curve.at(time);
     return {at.value, at.first, at.second};
   }
 };
@@ -95,21 +95,22 @@ struct Timing {
   }
 
   DriverTiming operator()(const StepDriver& driver) const {
-    return {{}, false, driver.end, turn / (driver.end - driver.begin)};
+    return {{}, false, driver.end, {}, turn / (driver.end - driver.begin)};
   }
 
   DriverTiming operator()(const TableDriver& driver) const {
-    const CubicSpline& spline = driver.spline;
+    const TableCurve& curve = driver.curve;
     DriverTiming timing;
-    double shortest = spline.last_x() - spline.first_x();
-    if (spline.ends() == SplineEnds::periodic) {
+    double shortest = curve.last_x() - curve.first_x();
+    if (curve.beyond() == Beyond::periodic) {
       timing.omegas.push_back(turn / shortest);
     } else {
       timing.repeats = false;
-      timing.end = spline.last_x();
+      timing.end = curve.last_x();
     }
-    for (std::size_t i = 1; i < spline.points().size(); ++i) {
-      shortest = std::min(shortest, spline.points()[i] - spline.points()[i - 1]);
+    if (curve.beyond() == Beyond::nothing) timing.known = {curve.first_x(), curve.last_x()};
+    for (std::size_t i = 1; i < curve.points().size(); ++i) {
+      shortest = std::min(shortest, curve.points()[i] - curve.points()[i - 1]);
     }
     // Between three points of a table a value can swing once.
     timing.highest_omega = 0.5 * turn / shortest;
@@ -128,6 +129,20 @@ DriverState driver_at(const Driver& driver, double time) {
 
 DriverTiming timing_of(const Driver& driver, bool turning) {
   return std::visit(Timing{turning}, driver);
+}
+
+std::vector<Break> breaks_of(const Driver& driver, double from, double until) {
+  if (const auto* table = std::get_if<TableDriver>(&driver)) {
+    return table->curve.breaks(from, until);
+  }
+  std::vector<Break> breaks;
+  if (const auto* step = std::get_if<StepDriver>(&driver)) {
+    // Rate and acceleration are zero at both ends, the third derivative is not.
+    for (const double end : {step->begin, step->end}) {
+      if (end >= from && end <= until) breaks.push_back({end, 3});
+    }
+  }
+  return breaks;
 }
 
 std::optional<double> common_period_of(const std::vector<double>& omegas, int most) {

@@ -45,4 +45,25 @@ TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& durati
   return span;
 }
 
+std::vector<Break> breaks_of(const std::vector<DriverUse>& uses, double from, double until) {
+  std::vector<Break> all;
+  for (const DriverUse& use : uses) {
+    const std::vector<Break> own = breaks_of(*use.driver, from, until);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end(), [](const Break& a, const Break& b) {
+    return a.at < b.at || (a.at == b.at && a.order < b.order);
+  });
+  // Points of two tables that are meant to be the same time may differ by rounding.
+  const double same = 1e-12 * std::max({std::abs(from), std::abs(until), until - from});
+  std::vector<Break> breaks;
+  for (const Break& each : all) {
+    if (!breaks.empty() && each.at - breaks.back().at <= same)
+      breaks.back().order = std::min(breaks.back().order, each.order);
+    else
+      breaks.push_back(each);
+  }
+  return breaks;
+}
+
 }  // namespace boxbeam

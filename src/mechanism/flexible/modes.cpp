@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "boxbeam/core/error.hpp"
@@ -34,11 +35,17 @@ constexpr double beyond = 1e-6;
 /// Runs that look for modes of a repeated frequency, each finds at least one.
 constexpr int most_runs = 100;
 
+[[noreturn]] void fail(const std::string& what) {
+  throw AnalysisError(
+      {fmt::format("the natural frequencies were not found: {}", what), "", {}, {}, {}});
+}
+
 /// A square of a circular frequency for the shift: with the sign turned it lies below all natural
 /// frequencies, and near the lowest that strains: 1/(mass x flexibility), all springs in a row.
 double shift_of(const Structure& structure) {
   const Mechanism& mechanism = *structure.mechanism;
   double mass = 0.0;
+  double inertia = 0.0;
   double flexibility = 0.0;
   double turning = 0.0;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
@@ -51,7 +58,10 @@ double shift_of(const Structure& structure) {
     const Link& link = mechanism.links[k];
     reach(link.origin);
     reach(link.origin + link.length * Eigen::Vector2d(std::cos(link.angle), std::sin(link.angle)));
-    for (const RigidElement& element : structure.links[k].elements) mass += element.mass;
+    for (const RigidElement& element : structure.links[k].elements) {
+      mass += element.mass;
+      inertia += element.inertia;
+    }
     for (const SpringElement& spring : structure.links[k].springs) {
       flexibility += spring.axial + spring.bending(0, 0);
       turning += spring.bending(1, 1);
@@ -66,7 +76,10 @@ double shift_of(const Structure& structure) {
     }
   }
   flexibility += turning * (high - low).squaredNorm();
-  return mass > 0.0 && flexibility > 0.0 ? 1.0 / (mass * flexibility) : 1.0;
+  // A flywheel turns on the springs more slowly than any mass moves.
+  const double slowness = mass * flexibility + inertia * turning;
+  if (!std::isfinite(slowness)) fail("masses or flexibilities are beyond all numbers");
+  return slowness > 0.0 ? 1.0 / slowness : 1.0;
 }
 
 /// Motions of all rigid elements as one vector.
@@ -108,13 +121,42 @@ struct Problem {
   Coordinates coordinates;
   DynamicStiffness<double> stiffness;
 
-  explicit Problem(const Structure& of)
-      : structure(of), below(shift_of(of)), coordinates(of), stiffness(of, -below, 0.0) {}
+  Problem(const Structure& of, double shift)
+      : structure(of), below(shift), coordinates(of), stiffness(of, -below, 0.0) {}
 
   VectorXd mass_times(const VectorXd& q) const {
     return coordinates.vector(flexible::mass_times(structure, coordinates.columns(q.data())));
   }
 };
+
+/// A load without pattern, always the same for the same number.
+VectorXd random_load(Index size, unsigned number) {
+  std::mt19937 random(number);
+  VectorXd load(size);
+  for (double& part : load) part = static_cast<double>(random()) / 4294967296.0 - 0.5;
+  return load;
+}
+
+/// The shift near the lowest frequency that strains. Masses that nothing moves (a flywheel on a
+/// driven shaft) make the first guess too low, by however many powers of ten: one inverse iteration
+/// tells how far, omega^2 + |shift| = q^T M q/(q^T M (K - shift M)^-1 M q).
+Problem problem_of(const Structure& structure) {
+  constexpr double near = 1e-3;
+  constexpr int most_guesses = 8;
+  double below = shift_of(structure);
+  for (int guess = 1;; ++guess) {
+    Problem problem(structure, below);
+    const Coordinates& coordinates = problem.coordinates;
+    const auto moved_by = [&](const VectorXd& load) {
+      return coordinates.vector(problem.stiffness.solve(coordinates.columns(load.data())).motion);
+    };
+    const VectorXd q = moved_by(random_load(coordinates.size(), 1U));
+    const VectorXd M_q = problem.mass_times(q);
+    const double theta = below * M_q.dot(moved_by(M_q)) / q.dot(M_q);
+    if (!(theta > 0.0 && theta < near) || guess == most_guesses) return problem;
+    below /= theta;
+  }
+}
 
 /// What Spectra asks of M.
 class Mass {
@@ -163,44 +205,106 @@ struct Found {
   VectorXd theta;
 };
 
-[[noreturn]] void fail(const std::string& what) {
-  throw AnalysisError(
-      {fmt::format("the natural frequencies were not found: {}", what), "", {}, {}, {}});
+/// Flexibility and mass of all motions that loads can cause, in a basis of these.
+struct SmallProblem {
+  MatrixXd basis, flexibility, mass;
+};
+
+MatrixXd symmetric(const MatrixXd& of) { return 0.5 * (of + of.transpose()); }
+
+MatrixXd mass_times(const Problem& problem, const MatrixXd& q) {
+  MatrixXd product(q.rows(), q.cols());
+  for (Index i = 0; i < q.cols(); ++i) product.col(i) = problem.mass_times(q.col(i));
+  return product;
+}
+
+/// What loads do, without dimension.
+MatrixXd moved_by(const Problem& problem, const MatrixXd& loads) {
+  const MatrixXd none(loads.rows(), 0);
+  const VectorXd nothing(0);
+  const Inverse inverse(problem, none, nothing);
+  MatrixXd motions(loads.rows(), loads.cols());
+  for (Index i = 0; i < loads.cols(); ++i) {
+    inverse.perform_op(loads.col(i).data(), motions.col(i).data());
+  }
+  if (!motions.allFinite()) fail("stiffnesses and masses are too far apart");
+  return motions;
+}
+
+/// In the coordinates themselves.
+SmallProblem whole_problem(const Problem& problem) {
+  const Index size = problem.coordinates.size();
+  const MatrixXd identity = MatrixXd::Identity(size, size);
+  return {identity, symmetric(moved_by(problem, identity)),
+          symmetric(mass_times(problem, identity))};
+}
+
+/// Of many rigid bodies on few springs the motions that loads can cause are few, however many
+/// coordinates there are: one load after the other, without pattern, until they bring nothing new.
+/// Nothing where more than `most` do.
+std::optional<SmallProblem> few_motions(const Problem& problem, Index most) {
+  constexpr double new_part = 1e-13;  // of a motion beyond those known
+  constexpr int nothing_new = 3;      // loads in a row
+  const Index size = problem.coordinates.size();
+  MatrixXd basis(size, 0);
+  unsigned number = 0;
+  for (int idle = 0; idle < nothing_new;) {
+    VectorXd motion = moved_by(problem, random_load(size, ++number)).col(0);
+    const double before = motion.norm();
+    for (int again = 0; again < 2; ++again) {
+      motion -= basis * (basis.transpose() * motion).eval();
+    }
+    if (!(motion.norm() > new_part * before)) {
+      ++idle;
+      continue;
+    }
+    if (basis.cols() == most) return std::nullopt;
+    idle = 0;
+    basis.conservativeResize(size, basis.cols() + 1);
+    basis.rightCols<1>() = motion.normalized();
+  }
+  return SmallProblem{basis, symmetric(basis.transpose() * moved_by(problem, basis)),
+                      symmetric(basis.transpose() * mass_times(problem, basis))};
 }
 
 /// All modes, by the flexibility R R^T of the structure: R^T M R z = theta z, q = R z. R squares
 /// the round-off of high modes, what it takes from low ones: made good by Rayleigh and Ritz.
-Found dense_modes(const Problem& problem) {
-  const Index size = problem.coordinates.size();
-  const MatrixXd none(size, 0);
-  const VectorXd nothing(0);
-  const Inverse inverse(problem, none, nothing);
-  MatrixXd flexibility(size, size);
-  for (Index i = 0; i < size; ++i) {
-    const VectorXd unit = VectorXd::Unit(size, i);
-    inverse.perform_op(unit.data(), flexibility.col(i).data());
-  }
-  const Mass mass(problem);
-  const auto mass_times = [&](const MatrixXd& q) {
-    MatrixXd product(q.rows(), q.cols());
-    for (Index i = 0; i < q.cols(); ++i) mass.perform_op(q.col(i).data(), product.col(i).data());
-    return product;
-  };
-  const auto symmetric = [](const MatrixXd& of) -> MatrixXd { return 0.5 * (of + of.transpose()); };
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> root(symmetric(flexibility));
+Found all_modes(const SmallProblem& of) {
+  const Index size = of.flexibility.rows();
+  const Found none{MatrixXd(of.basis.rows(), 0), VectorXd(0)};
+  if (size == 0) return none;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> root(of.flexibility);
   const MatrixXd R =
       root.eigenvectors() * root.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> first(symmetric(R.transpose() * mass_times(R)));
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> first(symmetric(R.transpose() * of.mass * R));
   const VectorXd& theta = first.eigenvalues();
+  if (root.info() != Eigen::Success || first.info() != Eigen::Success || !theta.allFinite())
+    fail("stiffnesses and masses are too far apart");
   const double floor = std::max(no_mode * theta[size - 1], least_mode);
   const Index modes = (theta.array() > floor).count();
-  if (modes == 0) return {MatrixXd(size, 0), VectorXd(0)};
+  if (modes == 0) return none;
   const MatrixXd q = R * first.eigenvectors().rightCols(modes) *
                      theta.tail(modes).cwiseSqrt().cwiseInverse().asDiagonal();
-  const MatrixXd M_q = mass_times(q);
+  const MatrixXd M_q = of.mass * q;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> second(
-      symmetric(M_q.transpose() * flexibility * M_q), symmetric(q.transpose() * M_q));
-  return {q * second.eigenvectors().rowwise().reverse(), second.eigenvalues().reverse()};
+      symmetric(M_q.transpose() * of.flexibility * M_q), symmetric(q.transpose() * M_q));
+  if (second.info() != Eigen::Success) fail("stiffnesses and masses are too far apart");
+  return {of.basis * q * second.eigenvectors().rowwise().reverse(), second.eigenvalues().reverse()};
+}
+
+/// At most so many modes bend anything: one for each elasticity.
+Index elasticities_of(const Structure& structure) {
+  Index count = 0;
+  for (const DividedLink& link : structure.links) {
+    for (const SpringElement& spring : link.springs) {
+      count += (spring.axial > 0.0 ? 1 : 0) + (spring.bending.isZero(0.0) ? 0 : 2);
+    }
+  }
+  for (const Joint& joint : structure.mechanism->joints) {
+    count += std::count_if(joint.stiffness.begin(), joint.stiffness.end(),
+                           [](double k) { return k > 0.0 && std::isfinite(k); });
+  }
+  return count;
 }
 
 /// Adds the `more` lowest modes beyond those found, of a repeated frequency perhaps only one. False
@@ -212,16 +316,19 @@ bool add_lanczos_modes(const Problem& problem, Index more, Index space, Found& f
   Spectra::SymGEigsShiftSolver<Inverse, Mass, Spectra::GEigsMode::ShiftInvert> solver(
       inverse, mass, more, space, 0.0);
   // A start among the motions that loads can cause.
-  std::mt19937 random(static_cast<unsigned>(found.q.cols()) + 1U);
-  VectorXd loads(size);
-  for (double& load : loads) load = static_cast<double>(random()) / 4294967296.0 - 0.5;
+  const VectorXd loads = random_load(size, static_cast<unsigned>(found.q.cols()) + 1U);
   VectorXd start(size);
   inverse.perform_op(loads.data(), start.data());
+  const double moved_mass = start.dot(problem.mass_times(start));
+  if (!std::isfinite(moved_mass)) fail("stiffnesses and masses are too far apart");
+  if (!(moved_mass > 0.0)) fail("there are fewer than are asked for: no mass moves any more");
   try {
     solver.init(start.data());
     solver.compute(Spectra::SortRule::LargestAlge, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
   } catch (const std::runtime_error&) {
     return false;  // Spectra throws where the small eigenproblem of a space does not converge
+  } catch (const std::invalid_argument&) {
+    fail("there are fewer than are asked for");  // and where nothing is left to begin with
   }
   if (solver.info() != Spectra::CompInfo::Successful) return false;
   Found all{MatrixXd(size, found.q.cols() + more), VectorXd(found.q.cols() + more)};
@@ -270,6 +377,7 @@ Found lowest_modes(const Problem& problem, Index count) {
       if (space == size || space > 64 * (missing + 8)) fail("they do not converge; ask for fewer");
       space = std::min(size, 2 * space + 3);
     }
+    if (!(found.theta[count - 1] > 0.0)) fail("there are fewer than are asked for");
     const double last = std::max(0.0, square_of(problem, found.theta[count - 1]));
     const auto [limit, there] = count_beyond(problem, last);
     Index here = 0;
@@ -320,13 +428,18 @@ Mode finished(const Problem& problem, const VectorXd& q) {
 
 std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
   if (count == 0 || structure.elements() == 0) return {};
-  const Problem problem(structure);
+  const Problem problem = problem_of(structure);
   const Index size = problem.coordinates.size();
-  const bool dense = size <= few || static_cast<Index>(count) > size / 6;
-  const Found found =
-      dense ? dense_modes(problem) : lowest_modes(problem, static_cast<Index>(count));
+  const auto asked = static_cast<Index>(count);
+  std::optional<SmallProblem> small;
+  if (size <= few || asked > size / 6) {
+    small = whole_problem(problem);
+  } else if (elasticities_of(structure) <= few) {
+    small = few_motions(problem, 2 * few);
+  }
+  const Found found = small ? all_modes(*small) : lowest_modes(problem, asked);
   std::vector<Mode> modes;
-  const Index wanted = std::min(static_cast<Index>(count), found.theta.size());
+  const Index wanted = std::min(asked, found.theta.size());
   for (Index i = 0; i < wanted; ++i) modes.push_back(finished(problem, found.q.col(i)));
   std::stable_sort(modes.begin(), modes.end(),
                    [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });

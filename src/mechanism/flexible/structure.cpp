@@ -262,6 +262,23 @@ std::size_t element_at(const DividedLink& link, double s, bool nodes_at_joints) 
 
 }  // namespace
 
+std::array<double, 2> turning_of(const SpringElement& part) {
+  const auto& [N_0, N_m, N_1] = part.tension;
+  const double per = (part.to - part.from) / 12.0;
+  return {per * (3.0 * N_0 + 4.0 * N_m - N_1), per * (3.0 * N_1 + 4.0 * N_m - N_0)};
+}
+
+void load_axially(DividedLink& link, const TensionAt& tension) {
+  for (std::size_t i = 0; i < link.springs.size(); ++i) {
+    SpringElement& part = link.springs[i];
+    part.tension = {tension(part.from, Side::behind), tension(part.place, Side::both),
+                    tension(part.to, Side::before)};
+    const std::array<double, 2> turning = turning_of(part);
+    link.elements[i].turning += turning[0];
+    link.elements[i + 1].turning += turning[1];
+  }
+}
+
 Grip grip_of(const Structure& structure, const Attachment& at) {
   Grip grip;
   grip.link = at.link;

@@ -4,6 +4,53 @@
 #include <algorithm>
 
 namespace boxbeam::spatial {
+namespace {
+
+bool is_constant(const Driver& driver) {
+  const DriverTiming timing = timing_of(driver, false);
+  return timing.repeats && timing.omegas.empty();
+}
+
+/// The body nearest to the ground that joints without motion hold to this one.
+int first_held_with(const Mechanism& mechanism, int body) {
+  while (body != ground) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(body)];
+    if (joint.kind != JointKind::fixed && !is_constant(joint.driver)) break;
+    body = joint.parent;
+  }
+  return body;
+}
+
+/// A place in beam axes; of the beam's own body without the way round by the world, which would
+/// leave round-off that changes over time.
+Eigen::Vector3d in_beam(const BeamPlacement& placement, const State& state, const Attachment& at) {
+  if (at.body == placement.body) return in_beam(placement, at.p);
+  const BodyMotion& own = state.bodies[static_cast<std::size_t>(placement.body)];
+  return in_beam(placement, own.R_WB.transpose() * (position_of(state, at) - own.position));
+}
+
+/// Where a joint takes hold of the body that carries it: a prismatic one where the carried body has
+/// its point, which slides.
+Attachment place_on_carrier(const Mechanism& mechanism, std::size_t i) {
+  const Joint& joint = mechanism.joints[i];
+  if (joint.kind == JointKind::prismatic) return {static_cast<int>(i), joint.point};
+  return {joint.parent, joint.at};
+}
+
+/// Calls f(name, place) for what acts at a point of the beam's body, in the order of its loads.
+template <class Function>
+void each_place(const Mechanism& mechanism, int own, const Function& f) {
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (static_cast<int>(i) == own) f(joint.name, Attachment{own, joint.point});
+    if (joint.parent == own) f(joint.name, place_on_carrier(mechanism, i));
+  }
+  for (const AppliedLoad& load : mechanism.loads) {
+    if (load.on == own) f(load.name, load.at);
+  }
+}
+
+}  // namespace
 
 Eigen::Vector3d in_beam(const BeamPlacement& placement, const Eigen::Vector3d& in_body) {
   return placement.axes.transpose() * (in_body - placement.start);
@@ -16,8 +63,28 @@ void give_mass(Body& body, const BeamPlacement& placement, const TaperedBeam& be
   body.inertia = placement.axes * properties.tensor * placement.axes.transpose();
 }
 
-BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement) {
-  return {placement, &beam, mass_distribution_of(beam), places_of(beam)};
+std::vector<LastingPlace> lasting_places_of(const Mechanism& mechanism,
+                                            const BeamPlacement& placement) {
+  const State state = Chain(mechanism).at(0.0);
+  const int held_with = first_held_with(mechanism, placement.body);
+  std::vector<LastingPlace> places;
+  each_place(mechanism, placement.body, [&](const std::string& name, const Attachment& at) {
+    if (first_held_with(mechanism, at.body) != held_with) return;
+    places.push_back({name, in_beam(placement, state, at)});
+  });
+  return places;
+}
+
+BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
+                      const Mechanism& mechanism) {
+  BeamBody body{placement, &beam, mass_distribution_of(beam), places_of(beam)};
+  const Length end = body.places.back();
+  for (const LastingPlace& place : lasting_places_of(mechanism, placement)) {
+    const Length s = place_near(body.places, si<Length>(place.at.x()));
+    // Beyond the ends nothing is known of the beam; the last of the places is its length.
+    if (s > Length{} && s < end) body.places.insert(body.places.end() - 1, s);
+  }
+  return body;
 }
 
 BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam) {
@@ -27,10 +94,9 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
   const Eigen::Matrix3d R_WS = motion.R_WB * beam.placement.axes;
 
   BeamLoads loads;
-  // Place and vectors in the world.
-  const auto add = [&](const Eigen::Vector3d& place, const Wrench& wrench) {
-    const Eigen::Vector3d in_body = motion.R_WB.transpose() * (place - motion.position);
-    const Eigen::Vector3d at = in_beam(beam.placement, in_body);
+  // Vectors in the world.
+  const auto add = [&](const Attachment& place, const Wrench& wrench) {
+    const Eigen::Vector3d at = in_beam(beam.placement, state, place);
     PointLoad load;
     load.s = place_near(beam.places, si<Length>(at.x()));
     load.force = R_WS.transpose() * wrench.force;
@@ -41,16 +107,17 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
   const std::vector<Wrench> joints = chain.joint_wrenches(state);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    const Eigen::Vector3d place = position_of(state, {static_cast<int>(i), joint.point});
-    if (static_cast<int>(i) == own) add(place, joints[i]);
-    if (joint.parent == own) add(place, {-joints[i].force, -joints[i].moment});
+    if (static_cast<int>(i) == own) add({own, joint.point}, joints[i]);
+    if (joint.parent == own) {
+      add(place_on_carrier(mechanism, i), {-joints[i].force, -joints[i].moment});
+    }
   }
   for (const AppliedLoad& load : mechanism.loads) {
     if (load.on != own) continue;
     const Eigen::Vector3d vector =
         driver_at(load.size, state.time).value * in_world(state, load.axes, load.direction);
     const bool force = load.kind == LoadKind::force;
-    add(position_of(state, load.at),
+    add(load.at,
         force ? Wrench{vector, Eigen::Vector3d::Zero()} : Wrench{Eigen::Vector3d::Zero(), vector});
   }
 
@@ -64,13 +131,16 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     if (line.on != own) continue;
     const Eigen::Vector3d force = driver_at(line.size, state.time).value *
                                   (R_WS.transpose() * in_world(state, line.axes, line.direction));
-    const double one = in_beam(beam.placement, line.from).x();
+    const Eigen::Vector3d from = in_beam(beam.placement, line.from);
+    const double one = from.x();
     const double other = in_beam(beam.placement, line.to).x();
+    const Eigen::Vector3d couple = Eigen::Vector3d(0.0, from.y(), from.z()).cross(force);
     for (LineLoad& stretch : loads.lines) {
       const double middle = (stretch.start + 0.5 * stretch.length).value();
       if (middle < std::min(one, other) || middle > std::max(one, other)) continue;
       for (int axis = 0; axis < 3; ++axis) {
         stretch.force[static_cast<std::size_t>(axis)].c[0] += force[axis];
+        stretch.couple[static_cast<std::size_t>(axis)].c[0] += couple[axis];
       }
     }
   }

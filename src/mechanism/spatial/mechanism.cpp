@@ -36,7 +36,7 @@ int joint_index(const Mechanism& mechanism, std::string_view name) {
   return index_by_name(mechanism.joints, name);
 }
 
-TimeSpan time_span_of(const Mechanism& mechanism) {
+std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
   std::vector<DriverUse> uses;
   for (const Joint& joint : mechanism.joints) {
     if (joint.kind == JointKind::fixed) continue;
@@ -44,7 +44,11 @@ TimeSpan time_span_of(const Mechanism& mechanism) {
   }
   for (const AppliedLoad& load : mechanism.loads) uses.push_back({&load.size, false});
   for (const LineForce& line : mechanism.line_forces) uses.push_back({&line.size, false});
-  return boxbeam::time_span_of(uses, mechanism.duration);
+  return uses;
+}
+
+TimeSpan time_span_of(const Mechanism& mechanism) {
+  return boxbeam::time_span_of(functions_of(mechanism), mechanism.duration);
 }
 
 }  // namespace boxbeam::spatial

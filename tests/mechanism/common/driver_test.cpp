@@ -20,7 +20,8 @@ TEST_CASE("rate and acceleration of every driver are the derivatives of its valu
       HarmonicDriver{0.2, 0.3, 4.0, 0.5, {{0.1, 12.0, -0.3}, {0.02, 40.0, 1.0}}},
       RateDriver{0.4, -2.0}, PolynomialDriver{{0.3, -1.0, 0.5, 2.0, -0.7}},
       StepDriver{0.5, -0.2, 0.1, 1.3},
-      TableDriver{CubicSpline({0.0, 0.4, 0.7, 1.5}, {0.0, 0.3, 0.1, 1.0}, SplineEnds::clamped)}};
+      TableDriver{TableCurve({0.0, 0.4, 0.7, 1.5}, {0.0, 0.3, 0.1, 1.0}, Interpolation::cubic,
+                             Beyond::hold)}};
   const double h = 1e-4;
   for (const Driver& driver : drivers) {
     for (const double t : {0.2345, 0.5, 0.813, 1.2}) {

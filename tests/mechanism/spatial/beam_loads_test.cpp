@@ -49,13 +49,13 @@ struct BeamTree {
     placement.axes = chance.rotation();
     placement.start = chance.vector();
     give_mass(mechanism.bodies[4], placement, beam);
-    body = beam_body_of(beam, placement);
     for (LineForce& line : mechanism.line_forces) {
       line.on = 4;
       line.from = placement.start + (chance.one_of(2) == 0 ? 0.5 : 1.25) * placement.axes.col(0);
       line.to = placement.start + (chance.one_of(2) == 0 ? 0.0 : 1.75) * placement.axes.col(0);
     }
     for (std::size_t i = 0; i < 4; ++i) mechanism.loads[i].on = 4;
+    body = beam_body_of(beam, placement, mechanism);
   }
 };
 
@@ -149,7 +149,7 @@ TEST_CASE("what acts off the axis adds its moment; a place may belong to another
   const Chain chain(mechanism);
   BeamPlacement placement;
   placement.body = 0;
-  const BeamLoads loads = beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement));
+  const BeamLoads loads = beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement, mechanism));
   REQUIRE(loads.points.size() == 4);
   // The joint with the ground, at the start: the opposite of all.
   CHECK(loads.points[0].s.value() == 0.0);
@@ -190,7 +190,7 @@ TEST_CASE("a line force acts between its ends, whichever comes first, and nowher
                               {-1, 0, 0},
                               PolynomialDriver{{40.0}}}};
     const Chain chain(mechanism);
-    const BeamLoads loads = beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement));
+    const BeamLoads loads = beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement, mechanism));
     // -x of the world is y of the beam.
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(loads.lines[i].force[0](0.3) == Approx(0.0).margin(1e-13));

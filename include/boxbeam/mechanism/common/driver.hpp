@@ -1,10 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "boxbeam/numerics/cubic_spline.hpp"
+#include "boxbeam/numerics/table_curve.hpp"
 
 /// Functions of time that a coordinate, a force or a couple follows. Plain SI numbers, by what is
 /// driven: metres or radians, newtons or newton metres.
@@ -49,9 +50,10 @@ struct StepDriver {
   double end = 1.0;    ///< [s]
 };
 
-/// Through the points of a table, twice continuously differentiable.
+/// Through the points of a table: what moves a coordinate is twice continuously differentiable, the
+/// size of a force need not be.
 struct TableDriver {
-  CubicSpline spline;
+  TableCurve curve;
 };
 
 using Driver = std::variant<HarmonicDriver, RateDriver, PolynomialDriver, StepDriver, TableDriver>;
@@ -74,12 +76,20 @@ struct DriverTiming {
   bool repeats = true;
   /// Where it does not repeat: the end of a step or table [s], 0 where it has none.
   double end = 0.0;
+  /// Of a table that says nothing beyond its points: the only times at which it may be asked [s].
+  std::optional<std::pair<double, double>> known = {};
   /// Highest angular frequency that it holds [rad/s]: a bound for the sampling of what follows it.
   double highest_omega = 0.0;
 };
 
 /// `turning`: the driver moves an angle, whose whole turns are no difference.
 DriverTiming timing_of(const Driver& driver, bool turning);
+
+/// The times from `from` to `until`, both included, at which a driver is not smooth: points of a
+/// table, ends of a smooth step. Ascending. At a jump (order 0) the driver has the value behind it;
+/// the one before it is found a little earlier (1e-9 of the time looked at is far more than
+/// rounding can take back).
+std::vector<Break> breaks_of(const Driver& driver, double from, double until);
 
 /// The shortest time after which all of the angular frequencies have completed whole cycles, or
 /// nothing where there is none with at most `most` cycles of the fastest [s].

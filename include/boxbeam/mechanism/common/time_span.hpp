@@ -30,4 +30,9 @@ struct DriverUse {
 /// table. Throws AnalysisError where none of these is known.
 TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& duration);
 
+/// The times from `from` to `until` at which any of the functions is not smooth, ascending, each
+/// once with the lowest order that jumps there: where a search over time is to be divided. A motion
+/// driver that jumps in its third derivative gives loads whose slope jumps.
+std::vector<Break> breaks_of(const std::vector<DriverUse>& uses, double from, double until);
+
 }  // namespace boxbeam

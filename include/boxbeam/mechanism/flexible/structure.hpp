@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
+#include "boxbeam/beam/tapered_beam.hpp"
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 
 namespace boxbeam::flexible {
@@ -17,6 +19,9 @@ struct RigidElement {
   /// Static moment of the mass about the node, along the axis and across it [kg m].
   Eigen::Vector2d first_moment = Eigen::Vector2d::Zero();
   double inertia = 0.0;  ///< about the node [kg m^2]
+  /// What forces that keep their direction add to the stiffness against turning [N m/rad]: tension
+  /// stiffens, compression softens.
+  double turning = 0.0;
 };
 
 /// A spring-damping element (SDE) between two neighbouring rigid elements: how they shift and turn
@@ -27,6 +32,9 @@ struct SpringElement {
   double axial = 0.0;           ///< flexibility along the axis [m/N]
   /// Flexibility of (shift across, turn) to (force across, couple) [m/N, 1/N; 1/N, rad/(N m)].
   Eigen::Matrix2d bending = Eigen::Matrix2d::Zero();
+  /// Axial force at the start, in the middle and at the end of the part, that is there before
+  /// anything moves [N].
+  std::array<double, 3> tension{};
 };
 
 /// A link divided into rigid elements and the springs between them, one fewer.
@@ -91,6 +99,23 @@ DividedLink divide(const Link& link, std::vector<double> nodes, Element element,
 /// What takes hold of a place: the element whose node is nearest, or, where divisions do not follow
 /// the joints, the one that holds the place.
 Grip grip_of(const Structure& structure, const Attachment& at);
+
+/// Tension of a link along its axis, by the place and, where it jumps, the side of it [N].
+using TensionAt = std::function<double(double, Side)>;
+
+/// Gives a link the axial force that it bears before anything moves: its geometric stiffness
+///
+///     integral of N w'^2 ds   over every part, from the turns phi of its two nodes
+///     t_0 phi_0^2 + t_1 phi_1^2,  t_0 = D (3 N_0 + 4 N_m - N_1)/12,  t_1 = D (3 N_1 + 4 N_m - N_0)/12
+///
+/// by Euler and Maclaurin's formula: of fourth order where N and the curvature are continuous, for
+/// w' is that of the nodes and phi w'' vanishes at free, pinned and clamped ends. N may jump at
+/// nodes. Precondition: the corrected form; parts no longer than where N is nearly a parabola.
+/// Source: Przemieniecki, Theory of Matrix Structural Analysis (1968), chapter 15.
+void load_axially(DividedLink& link, const TensionAt& tension);
+
+/// t_0 and t_1 of a part.
+std::array<double, 2> turning_of(const SpringElement& part);
 
 /// Divides all links and finds what joints and loads take hold of.
 Structure structure_of(const Mechanism& mechanism);

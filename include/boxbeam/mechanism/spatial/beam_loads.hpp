@@ -22,19 +22,34 @@ Eigen::Vector3d in_beam(const BeamPlacement& placement, const Eigen::Vector3d& i
 /// Gives the beam's body the mass properties of the beam; a body has no other mass.
 void give_mass(Body& body, const BeamPlacement& placement, const TaperedBeam& beam);
 
+/// Where a joint or a load stands on the beam's body, in beam axes [m], while the mechanism moves:
+/// its own points, and those of bodies that joints without motion hold to it.
+struct LastingPlace {
+  std::string name;  ///< of the joint or load
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+};
+
+std::vector<LastingPlace> lasting_places_of(const Mechanism& mechanism,
+                                            const BeamPlacement& placement);
+
 /// The rigid body that is the verified beam.
 struct BeamBody {
   BeamPlacement placement;
   const TaperedBeam* beam = nullptr;
   std::vector<SegmentMass> distribution;
-  std::vector<Length> places;  ///< of the beam: a load within round-off of one stands there
+  /// Of the beam, and under what lasts on it off its axis: a load within round-off of one stands
+  /// there, so that its jump keeps its place over time.
+  std::vector<Length> places;
 };
 
-BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement);
+BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
+                      const Mechanism& mechanism);
 
 /// Loads on the beam at an instant: what its joints and the loads on it do, its line forces, and
-/// its own weight and inertia per length. What acts off the axis adds its moment.
-/// Precondition: line forces on the beam's body lie along its axis, between ends of segments.
+/// its own weight and inertia per length. What acts off the axis acts at its projection on it, with
+/// its moment.
+/// Precondition: line forces on the beam's body lie along its axis or beside it at one distance,
+/// between ends of segments.
 BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam);
 
 /// The joints and loads behind its point loads, in their order.

@@ -99,6 +99,9 @@ struct Mechanism {
 int body_index(const Mechanism& mechanism, std::string_view name);
 int joint_index(const Mechanism& mechanism, std::string_view name);
 
+/// The functions of time of all drivers and loads.
+std::vector<DriverUse> functions_of(const Mechanism& mechanism);
+
 /// How long the motion is looked at. Throws AnalysisError where it is not known.
 TimeSpan time_span_of(const Mechanism& mechanism);
 

@@ -1,0 +1,78 @@
+#include "program/outputs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace boxbeam::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+void require_writing_in(const fs::path& folder, const std::string& what) {
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return;
+  throw OutputError(fmt::format("{}: nothing can be written in {}: {}", what, folder.string(),
+                                std::strerror(errno)));
+}
+
+}  // namespace
+
+void require_file(const std::string& path) {
+  if (path.empty() || path == "-") return;
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw OutputError(fmt::format("{} is a folder", path));
+  const fs::path folder = folder_of(path);
+  if (!fs::is_directory(folder, error)) {
+    throw OutputError(fmt::format("there is no folder {} to write {} to", folder.string(),
+                                  fs::path(path).filename().string()));
+  }
+  if (fs::exists(path, error)) {
+    if (::access(path.c_str(), W_OK) == 0) return;
+    throw OutputError(fmt::format("{} cannot be written: {}", path, std::strerror(errno)));
+  }
+  require_writing_in(folder, path);
+}
+
+void require_file_beside(const std::string& path, const std::string& folder) {
+  if (path.empty() || path == "-") return;
+  std::error_code error;
+  const bool inside =
+      fs::weakly_canonical(folder_of(path), error) == fs::weakly_canonical(folder, error);
+  if (!inside || fs::exists(path, error)) require_file(path);
+}
+
+void require_folder(const std::string& path) {
+  std::error_code error;
+  // Where it is not there yet, what is there of the way to it.
+  fs::path there = fs::path(path);
+  if (!there.has_filename()) there = there.parent_path();  // "reports/"
+  while (!fs::exists(fs::symlink_status(there, error))) {
+    if (!there.has_parent_path()) {
+      there = ".";
+      break;
+    }
+    there = there.parent_path();
+  }
+  if (!fs::is_directory(there, error)) {
+    throw OutputError(
+        fmt::format("the folder {} cannot be made: {} is no folder", path, there.string()));
+  }
+  require_writing_in(there, path);
+}
+
+std::optional<std::string> svg_in(const std::string& folder, const std::string& name) {
+  std::ifstream file(folder + "/" + name + ".svg", std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+}  // namespace boxbeam::program
