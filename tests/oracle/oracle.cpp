@@ -754,6 +754,7 @@ bool Findings::fails() const {
 
 bool covers(const Project& project) {
   if (!project.given_stresses.empty() || !project.points.empty()) return false;
+  if (!project.welds.empty()) return false;
   if (project.dynamics == Dynamics::newton_chain) return false;
   for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
     const Section section = section_at(project.beam, {project.beam.holes[i].s, Side::both});
