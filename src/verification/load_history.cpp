@@ -10,9 +10,16 @@ namespace {
 
 constexpr std::size_t last_node = LoadHistory::nodes - 1;
 
-/// Chebyshev point of the second kind, ascending in [-1, 1].
+/// Chebyshev point of the second kind, ascending in [-1, 1]. Every value between instants asks for
+/// all of them: their cosines are taken once.
 double node(std::size_t k) {
-  return -std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(last_node));
+  static const auto nodes = [] {
+    std::array<double, LoadHistory::nodes> of;
+    for (std::size_t i = 0; i < of.size(); ++i)
+      of[i] = -std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(last_node));
+    return of;
+  }();
+  return nodes[k];
 }
 
 /// Value at u of the polynomial through the nodes. Barycentric formula; weights of Chebyshev points

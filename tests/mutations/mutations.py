@@ -140,7 +140,7 @@ MUTATIONS = [
     *_in("src/mechanism/spatial", "beam_loads.cpp",
          ("off-axis", "Eigen::Vector3d(0.0, at.y(), at.z()).cross(load.force)", "Eigen::Vector3d(0.0, at.y(), 0.0).cross(load.force)",
           "couple of a force above the axis of the beam in space", "beam_loads_test"),
-         ("joint-sense", "if (joint.parent == own) add(place, {-joints[i].force, -joints[i].moment});", "if (joint.parent == own) add(place, {-joints[i].force, joints[i].moment});",
+         ("joint-sense", "{-joints[i].force, -joints[i].moment});", "{-joints[i].force, joints[i].moment});",
           "moment of a joint that the beam carries", "beam_loads_test landing_gear_leg_test")),
     *_in("src/mechanism/flexible", "structure.cpp",
          ("shear-flexibility", "return 1.0 / stretch.GA(x) + lever * lever / stretch.EI(x);", "return lever * lever / stretch.EI(x);",

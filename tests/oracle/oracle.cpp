@@ -223,6 +223,7 @@ class Search {
       }
     }
     station_ = station;
+    known_.clear();
     for (const Place& place : places_of(section, density_.around)) look_at(place, bounds);
     look_at_holes(section, bounds);
     look_at_class(section);
@@ -306,12 +307,22 @@ class Search {
     else
       look_at_weld(place, bounds);
     Resisting direct;
-    if (!throat) direct = rules_.detail_at(station_, place.kind, place.plate);
+    if (!throat) direct = detail_here(place);
     if (own != nullptr) direct = {own, own->detail.compression_reduced};
     // The whole edge of a hole carries no shear.
     const Detail* shear = edge ? nullptr : (throat ? &fatigue.throat : &fatigue.shear);
     look_at_ranges(place, bounds, direct, shear);
     look_at_fatigue(place, bounds, direct, shear);
+  }
+
+  /// Many places of a station share kind and plate.
+  const Resisting& detail_here(const Place& place) {
+    for (const Known& known : known_) {
+      if (known.kind == place.kind && known.plate == place.plate) return known.resisting;
+    }
+    known_.push_back(
+        {place.kind, place.plate, rules_.detail_at(station_, place.kind, place.plate)});
+    return known_.back().resisting;
   }
 
   void look_at_yield(const Place& place, const Bounds& bounds) {
@@ -442,53 +453,87 @@ class Search {
     if (shear != nullptr) look(place.shear, 1.0, 1.5 / std::numbers::sqrt3 * f_y);
   }
 
-  /// At most so many cycles in one repetition; with more of them places are looked at in vain, and
-  /// a place with more may be passed over.
-  static constexpr double most_cycles = 24.0;
+  /// So many cycles in one repetition are reckoned with where only the box around the cut forces is
+  /// known; a place at which more of them are met says so (Findings::most_cycles).
+  static constexpr double reckoned_cycles = 8.0;
+
+  /// Half the turning points of all situations, each as often as it happens: no fewer than the
+  /// cycles of the life.
+  double cycles_in(const Histories& histories) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < project_.situations.size(); ++i) {
+      const Situation& situation = project_.situations[i];
+      if (situation.cycles == 0.0) continue;
+      double turns = 2.0;
+      const auto count = [&](std::size_t of) {
+        const std::vector<double>& h = histories[of];
+        for (std::size_t k = 1; k + 1 < h.size(); ++k)
+          turns += (h[k] > h[k - 1]) != (h[k + 1] > h[k]) ? 1.0 : 0.0;
+      };
+      if (situation.between.empty()) count(i);
+      if (situation.in_order) {
+        for (const std::size_t part : situation.between) {
+          count(part);
+          turns += 2.0;
+        }
+      }
+      found_.most_cycles = std::max(found_.most_cycles, 0.5 * turns);
+      sum += situation.cycles * 0.5 * turns;
+    }
+    return sum;
+  }
 
   void look_at_fatigue(const Place& place, const Bounds& bounds, const Resisting& direct,
                        const Detail* shear) {
     const FatigueInput& fatigue = project_.fatigue;
     const FatigueDemand& demand = fatigue.demand;
     const double per = fatigue.required * demand.gamma_Ff * demand.gamma_Mf;
-    const double cycles = most_cycles * all_cycles_;
-    const auto bound_of = [&](const Detail& detail, double range, double share) {
-      return per * range / rules_.strength_at(detail, place.plate, share * cycles);
+    // As many cycles of the largest range as there are cycles, and of two stresses a half of the
+    // damage for each, is worse than what is there.
+    const auto bound_of = [&](const Detail& detail, double range, double cycles) {
+      return per * range / rules_.strength_at(detail, place.plate, cycles);
     };
+    const double times = direct.detail != nullptr ? direct.detail->stress_factor : 1.0;
     double by_direct = 0.0, by_shear = 0.0;
     if (direct.detail != nullptr) {
-      by_direct = bound_of(direct.detail->detail,
-                           direct.detail->stress_factor * bounds.range_of(place.normal), 2.0);
-    }
-    if (shear != nullptr) by_shear = bound_of(*shear, bounds.range_of(place.shear), 2.0);
-    const bool together = direct.detail != nullptr && shear != nullptr;
-    const bool direct_may = direct.detail != nullptr && beats(Criterion::fatigue, by_direct);
-    const bool shear_may = shear != nullptr && beats(Criterion::shear_fatigue, by_shear);
-    const bool both_may =
-        together && beats(Criterion::combined_fatigue, std::max(by_direct, by_shear));
-    if (!direct_may && !shear_may && !both_may) return;
-
-    const double nothing = 1e-9 * rules_.yield_strength(place.plate);
-    std::vector<FatigueChannel> channels;
-    Histories of_direct, of_shear;
-    double direct_range = 0.0, shear_range = 0.0;
-    if (direct.detail != nullptr) {
-      of_direct = histories_of(place.normal, direct.detail->stress_factor);
-      direct_range = largest_range(of_direct);
+      by_direct = bound_of(direct.detail->detail, times * bounds.range_of(place.normal),
+                           2.0 * reckoned_cycles * all_cycles_);
     }
     if (shear != nullptr) {
-      of_shear = histories_of(place.shear, 1.0);
-      shear_range = largest_range(of_shear);
+      by_shear =
+          bound_of(*shear, bounds.range_of(place.shear), 2.0 * reckoned_cycles * all_cycles_);
     }
+    const bool together = direct.detail != nullptr && shear != nullptr &&
+                          beats(Criterion::combined_fatigue, std::max(by_direct, by_shear));
+    const bool direct_may =
+        direct.detail != nullptr && (together || beats(Criterion::fatigue, by_direct));
+    const bool shear_may =
+        shear != nullptr && (together || beats(Criterion::shear_fatigue, by_shear));
+    if (!direct_may && !shear_may) return;
     ++found_.evaluations;
-    // With the ranges themselves most places can be seen to be milder.
-    const bool direct_counts = direct_range >= nothing, shear_counts = shear_range >= nothing;
-    if (direct_counts) by_direct = bound_of(direct.detail->detail, direct_range, 2.0);
-    if (shear_counts) by_shear = bound_of(*shear, shear_range, 2.0);
+
+    const double nothing = 1e-9 * rules_.yield_strength(place.plate);
+    Histories of_direct, of_shear;
+    bool direct_counts = false, shear_counts = false;
+    // With the ranges and cycles themselves most places can be seen to be milder.
+    if (direct_may) {
+      of_direct = histories_of(place.normal, times);
+      const double range = largest_range(of_direct);
+      direct_counts = range >= nothing;
+      by_direct = bound_exactly(direct.detail->detail, place.plate, per * range,
+                                2.0 * cycles_in(of_direct));
+    }
+    if (shear_may) {
+      of_shear = histories_of(place.shear, 1.0);
+      const double range = largest_range(of_shear);
+      shear_counts = range >= nothing;
+      by_shear = bound_exactly(*shear, place.plate, per * range, 2.0 * cycles_in(of_shear));
+    }
     const bool want_direct = direct_counts && beats(Criterion::fatigue, by_direct);
     const bool want_shear = shear_counts && beats(Criterion::shear_fatigue, by_shear);
-    const bool want_both = direct_counts && shear_counts &&
+    const bool want_both = together && direct_counts && shear_counts &&
                            beats(Criterion::combined_fatigue, std::max(by_direct, by_shear));
+    std::vector<FatigueChannel> channels;
     const auto add = [&](const Histories& histories, bool reduced, const Detail& detail) {
       channels.push_back({cycles_of(histories, reduced), rules_.curve_of(detail, place.plate)});
     };
@@ -499,16 +544,18 @@ class Search {
       add(of_direct, direct.compression_reduced, direct.detail->detail);
       if (want_direct) use(Criterion::fatigue);
     }
-    if (want_both) {
+    if (want_shear || want_both) {
       add(of_shear, false, *shear);
-      use(Criterion::combined_fatigue);
-      channels.erase(channels.begin());
+      if (want_both) use(Criterion::combined_fatigue);
+      if (channels.size() == 2) channels.erase(channels.begin());
       if (want_shear) use(Criterion::shear_fatigue);
-    } else if (want_shear) {
-      channels.clear();
-      add(of_shear, false, *shear);
-      use(Criterion::shear_fatigue);
     }
+  }
+
+  /// The same bound with numbers that differ from place to place.
+  double bound_exactly(const Detail& detail, double plate, double range, double cycles) {
+    const Loading loading = project_.fatigue.demand.loading;
+    return range / strength_at(rules_.curve_of(detail, plate), cycles, loading).value();
   }
 
   // -------------------------------------------------------------------------------- section class
@@ -688,6 +735,12 @@ class Search {
   std::vector<BendingZone> zones_;
   double all_cycles_ = 0.0;
   Station station_;
+  struct Known {
+    PlaceKind kind;
+    double plate;
+    Resisting resisting;
+  };
+  std::vector<Known> known_;            ///< details of the station looked at
   std::vector<std::vector<Cut>> cuts_;  ///< at the station looked at, by run
   Findings found_;
 };
@@ -701,6 +754,7 @@ bool Findings::fails() const {
 
 bool covers(const Project& project) {
   if (!project.given_stresses.empty() || !project.points.empty()) return false;
+  if (!project.welds.empty()) return false;
   if (project.dynamics == Dynamics::newton_chain) return false;
   for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
     const Section section = section_at(project.beam, {project.beam.holes[i].s, Side::both});

@@ -22,7 +22,8 @@
 /// by thickness; the shear area of a section; and the torsion constant of a welded box.
 ///
 /// It covers boxes, sharp rectangular tubes, round tubes, one in the other, and solid plates;
-/// not: stresses given in the case, named points, holes in solid plates, the Newton chain.
+/// not: stresses given in the case, named points, welds around a profile, holes in solid plates, the
+/// Newton chain.
 namespace oracle {
 
 /// How densely it looks.
@@ -46,8 +47,9 @@ struct Finding {
 /// What it found.
 struct Findings {
   std::map<boxbeam::Criterion, Finding> worst;
-  std::string gate;      ///< why stresses mean nothing here; "" where nothing says so
-  long evaluations = 0;  ///< of stresses at a place, over all instants
+  std::string gate;          ///< why stresses mean nothing here; "" where nothing says so
+  double most_cycles = 0.0;  ///< met in one repetition of a situation
+  long evaluations = 0;      ///< of stresses at a place, over all instants
 
   double utilisation(boxbeam::Criterion criterion) const {
     const auto found = worst.find(criterion);

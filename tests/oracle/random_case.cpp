@@ -383,6 +383,41 @@ void write_lever(Draw& draw, RandomCase& of) {
   text += deflection(draw, 0.0, draw.chance(0.5) ? pin : length);
 }
 
+/// A lever that a crank swings by a pin in its slot: the load slides along the beam.
+void write_quick_return(Draw& draw, RandomCase& of) {
+  const double length = round_mm(draw.real(1.9, 2.6));
+  BeamWriter beam(draw, length, draw.real(0.12, 0.3), false);
+  const double radius = round_mm(draw.real(0.2, 0.5));
+  const double mass = beam.modulus() * draw.real(2e7, 1.5e8) / 9.81 / length;
+  std::string& text = of.text;
+  text += fmt::format(
+      "[case]\nname = \"{}\"\nkind = \"planar\"\n\n[mechanism]\ngravity = [\"0 m/s^2\", \"-9.81 "
+      "m/s^2\"]\n\n[bodies.crank]\nmass = \"40 kg\"\ninertia = \"1 kg m^2\"\npoints = {{ O = "
+      "[\"0 m\", \"0 m\"], A = [{}, \"0 m\"] }}\nsketch = {{ at = [\"0 m\", \"0 m\"], angle = \"90 "
+      "deg\" }}\n\n[bodies.lever]\npoints = {{ C = [\"0 m\", \"0 m\"], D = [{}, \"0 m\"] "
+      "}}\nsketch = {{ at = [\"0 m\", \"-1.2 m\"], angle = \"90 deg\" }}\n\n[bodies.load]\nmass = "
+      "\"{:.4g} kg\"\ninertia = \"{:.4g} kg m^2\"\npoints = {{ D = [\"0 m\", \"0 m\"] }}\nsketch = "
+      "{{ at = [\"0 m\", \"{:.4g} m\"], angle = \"90 deg\" }}\n",
+      of.name, m(radius), m(length), mass, 0.03 * mass, length - 1.2);
+  text += fmt::format(
+      "\n[joints.O]\nkind = \"pin\"\nconnect = [\"crank.O\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n"
+      "\n[joints.A]\nkind = \"pin in slot\"\npoint = \"crank.A\"\nguide = \"lever.C\"\ndirection "
+      "= \"0 deg\"\n\n[joints.C]\nkind = \"pin\"\nconnect = [\"lever.C\", \"ground\"]\nat = [\"0 "
+      "m\", \"-1.2 m\"]\n\n[joints.D]\nkind = \"rigid\"\nconnect = [\"lever.D\", \"load.D\"]\n"
+      "\n[drivers.motor]\npoint = \"crank.O\"\ncoordinate = \"angle\"\nkind = \"constant "
+      "rate\"\nstart = \"90 deg\"\nrate = \"{:.4g} rpm\"\n",
+      draw.one_of({15.0, 24.0, 30.0, 37.5, 48.0}));
+  text += beam.sections;
+  text += "\n[model]\ndemand = \"rigid\"\n";
+  text += "\n[beam]\nbody = \"lever\"\ndensity = \"7850 kg/m^3\"\n" + beam.segments + beam.holes();
+  const bool several = draw.chance(0.3);
+  text += demands(draw, beam, length, several);
+  if (several) {
+    text += situations(draw, "drivers.motor.rate",
+                       {"", fmt::format("\"{:.4g} rpm\"", draw.real(10, 50))});
+  }
+}
+
 /// A beam that stands still under forces that change: clamped, or on two supports.
 void write_standing(Draw& draw, RandomCase& of) {
   const double length = round_mm(draw.real(1.5, 5.0));
@@ -390,14 +425,15 @@ void write_standing(Draw& draw, RandomCase& of) {
   const bool clamped = draw.chance(0.5);
   const double support = round_mm(length * draw.real(0.6, 1.0));
   const double middle = round_mm(length * draw.real(0.15, 0.9));
+  const double aside = draw.chance(0.3) ? round_mm(draw.real(-0.3, 0.3)) : 0.0;
   const double period = draw.one_of({0.5, 1.0, 2.0});
   const double size = beam.modulus() * draw.real(3e7, 2e8) / length * (clamped ? 1.0 : 3.0);
   std::string& text = of.text;
   text += fmt::format(
       "[case]\nname = \"{}\"\nkind = \"planar\"\n\n[mechanism]\ngravity = [\"0 m/s^2\", \"-9.81 "
       "m/s^2\"]\n\n[bodies.beam]\npoints = {{ A = [\"0 m\", \"0 m\"], B = [{}, \"0 m\"], E = [{}, "
-      "\"0 m\"], F = [{}, \"0 m\"] }}\nsketch = {{ at = [\"0 m\", \"0 m\"], angle = \"0 deg\" }}\n",
-      of.name, m(support), m(middle), m(length));
+      "{}], F = [{}, \"0 m\"] }}\nsketch = {{ at = [\"0 m\", \"0 m\"], angle = \"0 deg\" }}\n",
+      of.name, m(support), m(middle), m(aside), m(length));
   if (clamped) {
     text +=
         "\n[joints.A]\nkind = \"rigid\"\nconnect = [\"beam.A\", \"ground\"]\nat = [\"0 m\", \"0 "
@@ -527,10 +563,12 @@ RandomCase random_case(std::uint64_t number) {
   RandomCase of;
   of.name = fmt::format("random-{}", number);
   const double which = draw.real(0, 1);
-  if (which < 0.3)
+  if (which < 0.28)
     write_standing(draw, of);
-  else if (which < 0.6)
+  else if (which < 0.5)
     write_lever(draw, of);
+  else if (which < 0.6)
+    write_quick_return(draw, of);
   else if (which < 0.92)
     write_jib(draw, of);
   else

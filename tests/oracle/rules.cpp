@@ -45,8 +45,12 @@ const SnCurve& Rules::curve_of(const Detail& detail, double plate) {
 }
 
 double Rules::strength_at(const Detail& detail, double plate, double cycles) {
-  return boxbeam::strength_at(curve_of(detail, plate), cycles, project_->fatigue.demand.loading)
-      .value();
+  const std::tuple key{&detail, plate, cycles};
+  const auto found = strengths_.find(key);
+  if (found != strengths_.end()) return found->second;
+  const Loading loading = project_->fatigue.demand.loading;
+  const double strength = boxbeam::strength_at(curve_of(detail, plate), cycles, loading).value();
+  return strengths_.emplace(key, strength).first->second;
 }
 
 double Rules::yield_strength(double plate) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,7 @@ class Rules {
  private:
   const boxbeam::Project* project_;
   std::map<std::pair<const boxbeam::Detail*, double>, boxbeam::SnCurve> curves_;
+  std::map<std::tuple<const boxbeam::Detail*, double, double>, double> strengths_;
 };
 
 /// Utilisation of a pin in double shear under a force [N]: EN 1993-1-8, table 3.10.

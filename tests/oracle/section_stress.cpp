@@ -284,14 +284,17 @@ struct Ring {
   double own_torsion = 0.0;  ///< sum of s t^3/3
   double I_T = 0.0;
 
-  Vector3d before(std::size_t index) const {
+  /// All material before each piece, its own lump included; set when all pieces are there.
+  std::vector<Vector3d> before_piece;
+  void add_up() {
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i <= index; ++i) {
-      sum += pieces[i].lump;
-      if (i < index) sum += pieces[i].material(1.0);
+    for (const Piece& piece : pieces) {
+      sum += piece.lump;
+      before_piece.push_back(sum);
+      sum += piece.material(1.0);
     }
-    return sum;
   }
+  Vector3d before(std::size_t index) const { return before_piece[index]; }
   Vector3d total() const { return before(pieces.size() - 1) + pieces.back().material(1.0); }
 };
 
@@ -412,6 +415,7 @@ Ring ring_of(const Profile& profile, const std::vector<Hole>& holes) {
   } else {
     ring.I_T = boxbeam::torsion_constant_of(profile)->value();
   }
+  ring.add_up();
   return ring;
 }
 
@@ -432,6 +436,7 @@ class Flow {
         inner ? std::optional<Profile>(section.here.outer) : section.here.inner;
     if (other) whole_I_T_ += ring_of(*other, {}).I_T;
     total_ = ring_.total();
+    bredt_ = constant_flow();
     total_change_ = change_of([](const Ring& ring) { return ring.total(); });
     close();
   }
@@ -480,7 +485,10 @@ class Flow {
   }
 
   /// Constant flow per torque, positive along the ring.
-  double bredt() const {
+  double bredt() const { return bredt_; }
+
+ private:
+  double constant_flow() const {
     // T r/I_p where the ring is round.
     const Piece& first = ring_.pieces.front();
     if (first.radius > 0.0) return first.radius * first.thickness / whole_I_T_;
@@ -492,7 +500,6 @@ class Flow {
     return (ring_.I_T - ring_.own_torsion) / whole_I_T_ / twice_area;
   }
 
- private:
   struct Nearby {
     Ring ring;
     Eigen::Matrix3d plane;
@@ -597,7 +604,7 @@ class Flow {
   Vector3d total_;
   Eigen::RowVector3d total_change_;
   Factors closing_{};
-  double whole_I_T_ = 0.0;
+  double whole_I_T_ = 0.0, bredt_ = 0.0;
 };
 
 // ------------------------------------------------------------------------------------- the places
@@ -761,7 +768,7 @@ class Gathering {
         tau[cut_force::V_z] = 1.5 * (1.0 - u * u) / (b * h);
         tau[cut_force::M_y] = -1.5 * (1.0 - u * u) * h_change / (h * h * b);
         tau[cut_force::T] = (side < 0.0 ? -1.0 : 1.0) * series(b, h, 0.5 * u * h) / I;
-        add(fmt::format("side {:+.0f} at {:.3f} m", side, 0.5 * u * h), PlaceKind::web,
+        add(fmt::format("side {:+.0f} at {:.3f} m", side, 0.5 * u * h), PlaceKind::fibre,
             side * 0.5 * b, 0.5 * u * h, thickness, tau);
         if (!section_.space) continue;
         Factors across{};
