@@ -118,6 +118,12 @@ Json sn_json(const Project& project, const Verification& verification) {
   return fatigue;
 }
 
+Json search_json(const SearchSummary& search) {
+  return {{"evaluations", search.evaluations},
+          {"pieces", search.pieces},
+          {"tolerance", finite(search.tolerance)}};
+}
+
 }  // namespace
 
 std::string results_json(const Project& project, const Verification& verification) {
@@ -157,7 +163,8 @@ std::string results_json(const Project& project, const Verification& verificatio
                          {"concentrations", concentrations_json(verification)},
                          {"sn", sn_json(project, verification)},
                          {"verdict_text", verdict_text_of(project, verification).whole()},
-                         {"not_judged", std::move(not_judged)}};
+                         {"not_judged", std::move(not_judged)},
+                         {"search", search_json(verification.search)}};
   return document.dump(2) + "\n";
 }
 

@@ -126,6 +126,7 @@ struct Verification {
   Verdict verdict = Verdict::fail;
   ModelChoice model;
   std::vector<NotJudged> not_judged;
+  SearchSummary search;             ///< of the governing places along the beam
   std::vector<CheckResult> checks;  ///< worst utilisation first
   std::vector<CriticalInstant> critical_instants;
   std::vector<StationEnvelope> stations;
