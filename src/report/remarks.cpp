@@ -311,6 +311,7 @@ std::string rods_not_checked(const Project& project, const Verification& verific
                     });
     if (!checked) missing.push_back(rod.name);
   }
+  if (missing.size() == project.rods.size()) return ", rods";
   if (missing.empty()) return ", bending of rods by their own weight and inertia";
   return fmt::format(", rods ({}; of the others bending by their own weight and inertia)",
                      fmt::join(missing, ", "));

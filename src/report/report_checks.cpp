@@ -67,7 +67,7 @@ std::size_t checks_above(const Verification& verification, double utilisation) {
 /// One row per criterion for the checks from a place on in the list, worst first.
 Table rest_table(const Verification& verification, std::size_t from) {
   Table table =
-      table_of("The other checks, each used less than 50 %, by criterion",
+      table_of("Checks used less than 50 %, by criterion",
                {"criterion", "checks", "highest use [%]", "least factor", "s [m]", "point"});
   std::vector<Criterion> seen;
   for (std::size_t i = from; i < verification.checks.size(); ++i) {
@@ -161,9 +161,8 @@ Chapter checks_chapter(const Source& source) {
   Chapter chapter{"Checks", {}};
   if (source.level == ReportLevel::summary) return chapter;
   add_pictures(source, {"utilisation"}, chapter.blocks);
-  const std::size_t shown = source.level == ReportLevel::full
-                                ? all.size()
-                                : checks_above(source.verification, shown_above);
+  const std::size_t much_used = checks_above(source.verification, shown_above);
+  const std::size_t shown = source.level == ReportLevel::full ? all.size() : much_used;
   std::vector<const Check*> checks;
   for (std::size_t i = 0; i < shown; ++i) checks.push_back(&all[i].check);
   chapter.blocks.emplace_back(
@@ -187,8 +186,10 @@ Chapter checks_chapter(const Source& source) {
     }
   }
   chapter.blocks.emplace_back(std::move(table));
+  if (much_used < all.size()) {
+    chapter.blocks.emplace_back(rest_table(source.verification, much_used));
+  }
   if (shown < all.size()) {
-    chapter.blocks.emplace_back(rest_table(source.verification, shown));
     chapter.blocks.emplace_back(
         Paragraph{"All checks stand in results.json, and with --level full in this report."});
   }

@@ -435,8 +435,9 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
     return choice;
   }
   ModelChoice choice = choose_by_estimate(project, rigid);
+  if (choice.chosen.level == ModelLevel::rigid) return choice;
   const std::string tabled = tabled_forces_in(project);
-  if (choice.chosen.level != ModelLevel::rigid && !tabled.empty()) {
+  if (!tabled.empty()) {
     choice.reason += fmt::format(
         "; load {} comes from a table: if it was measured on the machine it contains the "
         "vibration, which counts twice here, and [model] wants loads = \"measured\"",
