@@ -222,6 +222,9 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
 /// where the case does not.
 DeflectionInput read_deflection(TableReader table, const Project& project);
 
+/// [[welds]] between parts of the beam.
+void read_welds(TableReader& root, const Sections& sections, Project& project);
+
 /// A steel of the catalogue named by the value of a key.
 Material named_steel(TableReader& table, std::string_view key,
                      std::optional<SteelSource> source = {});

@@ -10,6 +10,7 @@
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/pictures.hpp"
 #include "boxbeam/verification/plausibility.hpp"
+#include "boxbeam/verification/weld_checks.hpp"
 
 namespace boxbeam {
 namespace {
@@ -244,6 +245,9 @@ Verification verify(const Project& project, Figures figures) {
   result.stations = cut_force_envelopes(project, runs, stations);
   const bool computed = project.given_stresses.empty();
   result.checks = computed ? check_beam(project, runs, stations) : check_given_stresses(project);
+  if (computed) {
+    for (CheckResult& weld : check_welds(project, runs)) result.checks.push_back(std::move(weld));
+  }
   check_neighbours(project, runs, result);
   require_numbers(result);
   sort_worst_first(result.checks);
