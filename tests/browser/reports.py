@@ -19,8 +19,8 @@ import xml.etree.ElementTree
 sys.dont_write_bytecode = True  # the sources stay as they are
 import chromium  # noqa: E402
 
-CASES = ["sections/sledge-rig/rig.toml", "sections/landing-gear/retraction.toml",
-         "sections/drill-truck/truck.toml"]
+CASES = ["sections/sledge-rig/rig.toml", "sections/landing-gear/gear.toml",
+         "sections/landing-gear/retraction.toml", "sections/drill-truck/truck.toml"]
 
 # The situation whose stress governs: of the leg's flight the landing, whose touch-down is the worst of
 # its three parts (46 kN at the foot where the others have 1.3 kN).
@@ -120,7 +120,7 @@ def check_situations(page, results, governing):
     if data["situations"][0]["mechanism"]["space"]:
         page.run("""(() => { const s = document.querySelector(".controls select.view");
           s.value = "from above, x-y"; s.dispatchEvent(new Event("change")); })()""")
-    # The one that it began with comes last.
+    # The one that it began with comes last, as it was.
     order = [i for i in range(len(names)) if i != data["first"]] + [data["first"]]
     for number in order:
         page.run(f"""(() => {{ const s = {select}; s.value = {number};
@@ -144,6 +144,10 @@ def check_situations(page, results, governing):
         results.check(abs(shown - expected) <= 6e-4 * abs(expected) + 1e-9,
                       f"{names[number]}: {cut['name']} is {shown} instead of {expected}")
     results.equal(page.run("""document.querySelectorAll(".readout table").length"""), 2, "tables")
+    if data["situations"][0]["mechanism"]["space"]:
+        page.run("""(() => { const s = document.querySelector(".controls select.view");
+          s.value = "oblique"; s.dispatchEvent(new Event("change")); })()""")
+    move_to(page, data["situations"][data["first"]]["frame"])
 
 
 def check_slider(page, results):
@@ -178,7 +182,10 @@ def check_slider(page, results):
         if cut_off:
             results.equal(cut_off, [], f"texts outside the drawing at frame {frame}")
     results.check(worst < 0.02, f"joints are drawn {worst:.3f} px off their places")
-    results.check(len(postures) > count // 3, "the slider does not move the mechanism")
+    # Where the drivers hold it, only loads change.
+    stands = len({json.dumps(frame) for frame in data["mechanism"]["frames"]}) == 1
+    results.check(len(postures) == 1 if stands else len(postures) > count // 3,
+                  "the slider does not move the mechanism as the data say")
     results.check(len(curves) > count // 3, "the slider does not move the cut forces")
     results.equal(len(times), count, "different times shown")
     check_values(page, data, results)
@@ -210,7 +217,7 @@ def check_keys_and_play(page, results):
     page.key("ArrowLeft")
     page.key("ArrowLeft")
     results.equal(page.run(SLIDER + ".valueAsNumber"), (frame - 1) % count, "a step by the left arrow")
-    before = page.run(JOINTS)
+    before = page.run(JOINTS), page.run(CURVES)
     page.run("""document.querySelectorAll(".controls button")[1].click()""")
     frames = page.run("""new Promise(done => {
       const seen = new Set();
@@ -222,7 +229,7 @@ def check_keys_and_play(page, results):
       requestAnimationFrame(look);
     })""")
     results.check(frames > 20, "playing does not move the drawing")
-    results.check(page.run(JOINTS) != before, "playing draws the same")
+    results.check((page.run(JOINTS), page.run(CURVES)) != before, "playing draws the same")
     page.run("""document.querySelectorAll(".controls button")[1].click()""")
     stopped = page.run(JOINTS)
     page.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
