@@ -93,7 +93,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \newcommand{\lowerfigure}[1]{\ifdim\ht\figurebox>#1\setbox\figurebox\hbox{\resizebox{!}{#1}{\box\figurebox}}\fi}
 \newcommand{\loadfigure}[2]{\def\figureextra{#2}\setbox\figurebox\hbox{\includegraphics{#1}}%
   \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
-  \lowerfigure{.7\textheight}\figureleast=.65\ht\figurebox
+  \lowerfigure{.7\textheight}\figureleast=.85\ht\figurebox
   \ifdim\figureleast>.4\textheight\lowerfigure{\figureleast}\else\lowerfigure{.4\textheight}\fi}
 \newcommand{\findroom}{\par\if@nobreak\else\penalty0\fi
   \dimen0=\dimexpr\ifdim\pagetotal>0pt\pagegoal-\pagetotal\else\textheight\fi\relax}

@@ -134,15 +134,18 @@ constexpr double ring = 12.0;  ///< radius of a couple's arrow [px]
 
 /// Three quarters of a circle about a place with a head at its end, open below.
 void put_couple(Script& gp, const Pixel& at, bool counter_clockwise, const std::string& style) {
-  constexpr int parts = 12;
+  constexpr int parts = 24;
   constexpr double quarter = 0.5 * std::numbers::pi;
+  constexpr double to_tip = 6.0;  // so long that the head has room on its line
   const double side = counter_clockwise ? 1.0 : -1.0;
+  const auto angle_of = [&](int k) { return -quarter + side * quarter * (0.5 + 3.0 * k / parts); };
   const auto on_ring = [&](int k) -> Pixel {
-    const double angle = -quarter + side * quarter * (0.5 + 3.0 * k / parts);
-    return at + ring * Pixel(std::cos(angle), std::sin(angle));
+    return at + ring * Pixel(std::cos(angle_of(k)), std::sin(angle_of(k)));
   };
   for (int k = 1; k < parts; ++k) put_line(gp, on_ring(k - 1), on_ring(k), style);
-  put_arrow(gp, on_ring(parts - 1), on_ring(parts), style + " front size screen 0.012,20 filled");
+  const Pixel onwards(-std::sin(angle_of(parts)), std::cos(angle_of(parts)));
+  put_arrow(gp, on_ring(parts - 2), on_ring(parts) + side * to_tip * onwards,
+            style + " front size screen 0.012,20 filled");
 }
 
 /// The component of a couple about the line of sight, counter-clockwise.

@@ -73,13 +73,15 @@ void frequency_response(Script& gp, const Project&, const Verification& verifica
   }
   constexpr double height = 330.0;
   const double below = footing_room + height_of_legend(legend);
-  gp.begin("frequency-response", below + height + 46.0);
+  gp.begin("frequency-response", below + height + 52.0);
   const Panel panel{
       {60.0, below, 600.0, below + height}, 0.0, lines.at.back(), 1e-5 * top, top, false, true};
   gp << "set logscale y\nset format y '10^{%T}'\nset ytics 10\nset mytics 1\n";
   place(gp, panel);
   put_footing(gp, panel, "frequency of the harmonic loads [Hz]");
-  put_heading(gp, panel, "largest force of the joints [kN]");
+  // Above the name of the drive, which may stand anywhere along the axis.
+  put_text(gp, "largest force of the joints [kN]",
+           {panel.frame.left - 44.0, panel.frame.top + 32.0});
   draw_legend(gp, legend, 2.0);
   std::vector<std::string> curves;
   for (std::size_t j = 0; j < lines.names.size(); ++j) {

@@ -180,7 +180,7 @@ std::string load(const Sheet& sheet, const BeamLoadRow& of, std::vector<Point>& 
   std::string words =
       of.name.empty() ? fmt::format("s = {} m", text::significant(of.s.value(), 3)) : of.name;
   if (pushes) words += "  " + text::kN(of.world.norm());
-  if (turns) words += (pushes ? ", " : "  ") + text::kNm(std::abs(couple));
+  if (turns) words += (pushes ? ", " : "  ") + text::kNm(of.couple.norm());
   std::string out;
   Point beside = tip - Point(0.0, ring + 9.0);
   if (pushes) {

@@ -12,7 +12,8 @@ namespace {
 
 using plain_text::columns_of;
 
-constexpr std::size_t gap = 2;  // before every column
+constexpr std::size_t usual_gap = 2;   // before every column
+constexpr std::size_t narrow_gap = 1;  // where all cells stay whole by it
 
 /// A table whose cells are safe for a terminal.
 using Grid = std::vector<std::vector<std::string>>;
@@ -61,9 +62,9 @@ std::vector<Column> columns_in(const Table& table, const Grid& grid) {
   return columns;
 }
 
-std::size_t width_of(const std::vector<Column>& columns) {
+std::size_t width_of(const std::vector<Column>& columns, std::size_t gap = usual_gap) {
   return std::accumulate(columns.begin(), columns.end(), std::size_t{0},
-                         [](std::size_t sum, const Column& of) { return sum + gap + of.width; });
+                         [&](std::size_t sum, const Column& of) { return sum + gap + of.width; });
 }
 
 /// Takes width from the widest column that can give some, until the table fits or none can. Words
@@ -102,8 +103,8 @@ void end_line(std::string& line, std::string& out) {
   out += '\n';
 }
 
-void add_row(const std::vector<std::string>& row, const std::vector<Column>& columns, char mark,
-             std::string& out) {
+void add_row(const std::vector<std::string>& row, const std::vector<Column>& columns,
+             std::size_t gap, char mark, std::string& out) {
   const auto fits = [&](std::size_t k) { return columns_of(row[k]) <= columns[k].width; };
   bool one_line = true;
   for (std::size_t k = 0; k < row.size(); ++k) one_line = one_line && fits(k);
@@ -159,9 +160,9 @@ std::string in_parts(const Table& table, std::size_t width, const std::vector<Co
   std::string out;
   for (std::size_t from = 1; from < columns.size();) {
     std::size_t to = from + 1;
-    std::size_t used = 2 * gap + columns.front().width + columns[from].width;
-    while (to < columns.size() && used + gap + columns[to].width <= width) {
-      used += gap + columns[to].width;
+    std::size_t used = 2 * usual_gap + columns.front().width + columns[from].width;
+    while (to < columns.size() && used + usual_gap + columns[to].width <= width) {
+      used += usual_gap + columns[to].width;
       ++to;
     }
     if (from == 1 && to == columns.size()) return "";  // nothing to part
@@ -177,18 +178,20 @@ std::string table_text(const Table& table, std::size_t width) {
   if (table.header.empty()) return "";
   const Grid grid = grid_of(table);
   std::vector<Column> columns = columns_in(table, grid);
+  const bool wide = width_of(columns) > width;
+  const std::size_t gap = wide && width_of(columns, narrow_gap) <= width ? narrow_gap : usual_gap;
   for (const std::size_t most : {width, longest_word}) {
-    if (width_of(columns) <= width) break;
+    if (width_of(columns, gap) <= width) break;
     columns = columns_in(table, grid);
     narrow(grid, width, most, columns);
   }
-  if (width_of(columns) > width && columns.size() > 2) {
+  if (width_of(columns, gap) > width && columns.size() > 2) {
     if (std::string parts = in_parts(table, width, columns); !parts.empty()) return parts;
   }
   std::string out;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const bool marked = i > 0 && !table.marks.empty();
-    add_row(grid[i], columns, marked ? sign_of(table.marks[i - 1]) : ' ', out);
+    add_row(grid[i], columns, gap, marked ? sign_of(table.marks[i - 1]) : ' ', out);
   }
   return out;
 }

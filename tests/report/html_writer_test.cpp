@@ -310,6 +310,49 @@ TEST_CASE("the moving picture has the places and forces of its frames to five di
   }
 }
 
+TEST_CASE("every situation has its data, and the page begins with the one that it is told") {
+  CycleFigure first = turning_beam("P");
+  CycleFigure second = turning_beam("Q");
+  first.situation = "running";
+  second.situation = "landing";
+  second.repeats = false;
+  Document document;
+  document.chapters = {{"", {MovingPicture{{first, second}, 1, "Turning."}}}};
+  const test::Markup page = test::read_markup(html_of(document, no_pictures));
+  const nlohmann::json data = cycle_data(page);  // of the one that it begins with
+  CHECK(data["situation"] == "landing");
+  CHECK(data["repeats"] == false);
+  CHECK(data["loads"]["names"][0] == "Q");
+  for (const test::Element& script : test::elements_named(page, "script")) {
+    if (script.attributes.count("type") == 0) continue;
+    const nlohmann::json all = nlohmann::json::parse(script.text);
+    REQUIRE(all["situations"].size() == 2);
+    CHECK(all["situations"][0]["situation"] == "running");
+    CHECK(all["situations"][0]["repeats"] == true);
+  }
+}
+
+TEST_CASE("a couple is drawn as an arrow around its place, with its size") {
+  CycleFigure cycle = turning_beam("P");
+  for (CycleFrame& frame : cycle.frames) frame.posture.loads[0].couple.z() = -2500.0;
+  cycle.frames[3].posture.loads[0].world.setZero();
+  Document document;
+  document.chapters = {{"", {MovingPicture{{cycle}, 0, "Turning."}}}};
+  const test::Markup page = test::read_markup(html_of(document, no_pictures));
+  std::size_t rings = 0;
+  for (const test::Element& path : test::elements_named(page, "path")) {
+    if (path.attributes.at("class") != "couple") continue;
+    ++rings;
+    // Clockwise on a drawing whose y points down: the sweep of its arc is 1.
+    CHECK(path.attributes.at("d").find(" 0 1 1 ") != std::string::npos);
+  }
+  CHECK(rings == 1);
+  CHECK(test::elements_named(page, "text").at(0).text == "P  2.500 kN m");
+  const nlohmann::json loads = cycle_data(page)["loads"];
+  CHECK(loads["frames"][0][0][5].get<double>() * loads["coupleDigit"].get<double>() ==
+        Approx(-2.5).epsilon(1e-4));
+}
+
 TEST_CASE("without script the mechanism is drawn as it stands at the largest moment") {
   const CycleFigure cycle = turning_beam("P");
   Document document;

@@ -268,6 +268,23 @@ TEST_CASE("a summary is two pages, three at most", "[report][pdf][shipped]") {
   }
 }
 
+TEST_CASE("figures are numbered through, those beside each other as well", "[report][pdf]") {
+  if (!test::has_pdflatex() || !test::has_pdftotext()) return;
+  const test::TemporaryFolder folder;
+  Document figure;
+  figure.title = "of the figure";
+  write_pdf(figure, "", (folder.path() / "figures" / "page.pdf").string());
+  Document document;
+  document.title = "numbers";
+  document.chapters = {{"First", {Picture{"page", "first caption"}, Paragraph{"words"}}},
+                       {"Second", {Picture{"page", "second caption"}}}};
+  const std::string path = (folder.path() / "report.pdf").string();
+  write_pdf(document, (folder.path() / "figures").string(), path);
+  const std::string text = test::text_of_pdf(path);
+  CHECK(text.find("Figure 1. first caption") != std::string::npos);
+  CHECK(text.find("Figure 2. second caption") != std::string::npos);
+}
+
 TEST_CASE("a figure waits where a page has no room for it", "[report][pdf]") {
   if (!test::has_pdflatex() || !test::has_pdftotext()) return;
   const test::TemporaryFolder folder;

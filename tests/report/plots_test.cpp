@@ -125,6 +125,78 @@ TEST_CASE("every kind of case has its figures, in the order of a report") {
               "modes", "frequency-response", "joint-forces", "sudden-start"});
 }
 
+TEST_CASE("a spatial figure shows the three most telling instants and says how many there are") {
+  const Drawn& leg = drawn("sections/landing-gear/retraction.toml");
+  Verification more = leg.verification;
+  REQUIRE(more.postures.size() == 4);  // one at the beginning
+  for (int i = 0; i < 3; ++i) {
+    PostureFigure posture = more.postures.back();
+    posture.time = si<Time>(0.011 * (i + 1));
+    posture.weight = i == 1 ? 5.0 : 0.001;
+    more.postures.push_back(posture);
+  }
+  const test::TemporaryFolder folder;
+  draw_figures(leg.project, more, folder.path().string());
+  const std::string svg = test::read_file(folder.path() / "mechanism.svg");
+  const std::vector<SvgText> texts = texts_of(svg);
+  CHECK(has(texts, "3 of 6 instants"));
+  const auto shown = std::count_if(texts.begin(), texts.end(), [](const SvgText& text) {
+    return text.text.starts_with("(") && text.text.find(") t = ") != std::string::npos;
+  });
+  CHECK(shown == 3);
+  CHECK(has(texts, "(5) t = 0.0220 s"));
+  CHECK_FALSE(has(texts, "(4) t = "));
+  CHECK_FALSE(has(texts, "(6) t = "));
+  test::check_legible(svg);
+  // High enough for a page without being made smaller: 0.7 of 252 mm where 620 px are 468 pt.
+  const std::size_t box = svg.find("viewBox=\"0 0 620 ");
+  REQUIRE(box != std::string::npos);
+  CHECK(std::stod(svg.substr(box + 17)) <= 0.7 * 252.0 / 25.4 * 72.0 * 620.0 / 468.0);
+}
+
+TEST_CASE("figures of cases whose names are long stay legible") {
+  for (const auto& [path, joint] : {std::pair{"sections/templates/spatial.toml", "joints.root"},
+                                    {"sections/templates/planar.toml", "joints.B"},
+                                    {"sections/templates/flexible.toml", "joints.jack"}}) {
+    CAPTURE(path);
+    std::string text = test::read_file(test::project_file(path));
+    const std::size_t at = text.find(joint);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, std::string(joint).size(),
+                 "joints.hinge_of_the_upper_bracket_on_the_left_side");
+    const Drawn figures(parse_project("long.toml", text));
+    for (const std::string& name : figures_of(figures.project, figures.verification)) {
+      CAPTURE(name);
+      test::check_legible(figures.svg(name));
+    }
+  }
+}
+
+TEST_CASE("a couple on the beam stands in the figure with its force and its size") {
+  const Drawn& jack = drawn("sections/pump-jack/beam.toml");
+  const std::vector<SvgText> texts = texts_of(jack.svg("mechanism"));
+  std::size_t couples = 0;
+  for (std::size_t k = 1; k < jack.verification.postures.size(); ++k) {
+    for (const BeamLoadRow& row : jack.verification.postures[k].loads) {
+      CAPTURE(row.name);
+      const std::string force = row.name + "  " + text::kN(row.world.norm());
+      CHECK(has(texts, force));
+      if (row.name != "H") continue;  // rigidly joined: the others are pins
+      ++couples;
+      CHECK(row.couple.norm() > 1e3);
+      CHECK(has(texts, force + ", " + text::kNm(row.couple.norm())));
+    }
+  }
+  CHECK(couples == jack.verification.postures.size() - 1);
+}
+
+TEST_CASE("an axis that does not begin at zero says so") {
+  const std::vector<SvgText> texts = texts_of(drawn("sections/sledge-rig/rig.toml").svg("motion"));
+  // The exciter goes from 0.25 to 0.75 m and back: position above zero, speed on both sides.
+  CHECK(has(texts, "x [mm]  (axis not from 0)"));
+  CHECK_FALSE(has(texts, "v [m/s]  (axis not from 0)"));
+}
+
 TEST_CASE("no text of a figure leaves it, is small, or lies on another") {
   for (const std::string& path : shipped) {
     for (const std::string& name : figures_of(drawn(path).project, drawn(path).verification)) {

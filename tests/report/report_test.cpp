@@ -227,6 +227,49 @@ TEST_CASE("the moving picture stands where the cycle is known", "[report]") {
   }
 }
 
+TEST_CASE("the moving picture offers every situation and begins with the governing one",
+          "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    if (of.verification.cycles.empty()) continue;
+    std::vector<std::string> running;
+    for (const Situation& situation : of.project.situations) {
+      if (situation.between.empty()) running.push_back(situation.name);
+    }
+    for_each<MovingPicture>(
+        report_of(of.project, of.verification), [&](const MovingPicture& picture) {
+          REQUIRE(picture.cycles.size() == running.size());
+          for (std::size_t i = 0; i < running.size(); ++i) {
+            CHECK(picture.cycles[i].situation == running[i]);
+          }
+          const auto worst =
+              std::find_if(of.verification.checks.begin(), of.verification.checks.end(),
+                           [](const CheckResult& result) { return result.basis.has_value(); });
+          if (worst == of.verification.checks.end()) return;
+          CHECK(picture.cycles.at(picture.first).situation ==
+                of.project.situations[worst->basis->running].name);
+        });
+  }
+}
+
+TEST_CASE("joint forces grow without bound at resonance only where nothing damps", "[report]") {
+  const std::string path = test::project_file("sections/drill-truck/truck.toml");
+  for (const bool damped : {false, true}) {
+    const std::vector<std::string> set =
+        damped ? std::vector<std::string>{"model.damping={ ratio = 0.02, at = \"25 Hz\" }"}
+               : std::vector<std::string>{};
+    const Project project = read_project(path, set);
+    std::string caption;
+    for_each<Picture>(report_of(project, verify(project, Figures::with)),
+                      [&](const Picture& picture) {
+                        if (picture.name == "frequency-response") caption = picture.caption;
+                      });
+    INFO(caption);
+    CHECK((caption.find("grows without bound") != std::string::npos) == !damped);
+    CHECK((caption.find("as high as the damping lets it") != std::string::npos) == damped);
+  }
+}
+
 TEST_CASE("in a full report every check has its row, the worst of a station its sheet",
           "[report]") {
   for (const test::ShippedCase& of : test::shipped_cases()) {

@@ -195,6 +195,33 @@ TEST_CASE("the jumps of N and V in a frame are the loads drawn in it") {
   }
 }
 
+TEST_CASE("loads carry the names of the joints and forces that they come from") {
+  // All three act at the same place of the beam.
+  const Project project = parse_project("shaken.toml", shaken_beam);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const CycleFigure cycle = cycle_figure_of(project, runs.front());
+  std::vector<std::string> names;
+  for (const BeamLoadRow& row : cycle.frames.front().posture.loads) names.push_back(row.name);
+  std::sort(names.begin(), names.end());
+  CHECK(names == std::vector<std::string>{"exciter", "guide", "mount"});
+}
+
+TEST_CASE("the couple of a load in world axes is its moment in those of the beam") {
+  // Planar beam axes have y into the plane: counter-clockwise is positive about the world's z only.
+  for (const std::string& path : shipped) {
+    CAPTURE(path);
+    const Drawn drawn(path);
+    for (const CycleFrame& frame : drawn.cycle.frames) {
+      for (const BeamLoadRow& row : frame.posture.loads) {
+        CHECK(row.couple.norm() == Approx(row.moment.norm()).margin(1e-9));
+        if (!in_space(drawn.project)) {
+          CHECK(row.couple.z() == Approx(-row.moment.y()).margin(1e-9));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("the envelope of the frames lies within that of the verification") {
   for (const char* path : {"sections/sledge-rig/rig.toml", "sections/landing-gear/gear.toml"}) {
     CAPTURE(path);

@@ -26,15 +26,18 @@ using Words = std::vector<std::string>;
 
 const std::string rig = test::project_file("sections/sledge-rig/rig.toml");
 
-/// What the program shows on a terminal of its own, both outputs together.
-std::string on_terminal(const Words& arguments, const std::map<std::string, std::string>& set) {
+/// What the program shows on a terminal of its own, both outputs together; 0 columns: of no size.
+std::string on_terminal(const Words& arguments, const std::map<std::string, std::string>& set,
+                        unsigned short columns = 0) {
   Words words{test::program()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   int terminal = -1;
-  const pid_t pid = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  winsize size{};
+  size.ws_col = columns;
+  const pid_t pid = ::forkpty(&terminal, nullptr, nullptr, &size);
   REQUIRE(pid >= 0);
   if (pid == 0) {
     for (const char* name : {"NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"}) ::unsetenv(name);
@@ -190,6 +193,42 @@ TEST_CASE("help: every command says what it does, in lines of 100 signs", "[term
   for (const char* both : {"-o, --out DIR", "-q, --quiet", "-h, --help"}) {
     CHECK(help_of("verify").find(both) != std::string::npos);
   }
+}
+
+TEST_CASE("width: on a terminal of 80 columns no line is broken by it", "[terminal]") {
+  const test::TemporaryFolder folder;
+  const std::string gear = test::project_file("sections/landing-gear/gear.toml");
+  const std::string values = test::project_file("sections/landing-gear/published.csv");
+  const std::string truck = test::project_file("sections/drill-truck/truck.toml");
+  const std::string retraction = test::project_file("sections/landing-gear/retraction.toml");
+  const std::string detailed = test::project_file("sections/sledge-rig/rig-detailed.toml");
+  const std::string out = folder.path().string();
+  const std::string history = folder.write("h.csv", "sigma [MPa], tau [MPa]\n0,1\n90,9\n0,1\n");
+  const auto longest = [](const std::string& shown) {
+    std::istringstream lines(std::regex_replace(shown, std::regex("\033\\[[0-9;]*[mK]|\r"), ""));
+    std::size_t most = 0;
+    for (std::string line; std::getline(lines, line);) {
+      // What a path makes long cannot be helped.
+      if (line.find('/') == std::string::npos) most = std::max(most, line.size());
+    }
+    return most;
+  };
+  for (const Words& command :
+       {Words{"--help"}, Words{"help", "fatigue"}, Words{"validate", detailed},
+        Words{"verify", rig, "--no-plots", "--no-pdf", "--no-html", "--out", out},
+        Words{"verify", retraction, "--no-plots", "--no-pdf", "--no-html", "--out", out},
+        Words{"explain", "fatigue", rig}, Words{"motion", rig, "--at", "1"}, Words{"motion", gear},
+        Words{"motion", truck}, Words{"motion", rig, "--assemblies"},
+        Words{"section", "RHS 200x100x8"}, Words{"compare", gear, values},
+        Words{"fatigue", history, "--detail", "71", "--shear-detail", "80"}}) {
+    INFO(command[0] << " " << (command.size() > 1 ? command[1] : ""));
+    const std::size_t narrow = longest(on_terminal(command, {{"COLUMNS", "80"}}));
+    CHECK(narrow > 30);
+    CHECK(narrow <= 80);
+  }
+  // The terminal itself, where it has a size; a wide one is used.
+  CHECK(longest(on_terminal({"motion", gear}, {}, 80)) <= 80);
+  CHECK(longest(on_terminal({"motion", gear}, {{"COLUMNS", "80"}}, 140)) > 110);
 }
 
 TEST_CASE("manual: holds every command and every option", "[terminal]") {

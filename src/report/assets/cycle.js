@@ -125,11 +125,11 @@
       this.normal = cross(this.view[0], this.view[1]);
       this.guide = 0.12 * size;
       for (const load of all) take(this.tail(load));
-      const margin = 30;
+      const [beside, above] = [30, 54];  // with the names beyond the arrows and the rule
       const extent = [0, 1].map((i) => Math.max(high[i] - low[i], 1e-3 * size));
-      const height = clamp((width - 2 * margin) * extent[1] / extent[0] + 2 * margin, 220,
-        Math.min(460, 1.15 * width));
-      this.scale = Math.min((width - 2 * margin) / extent[0], (height - 2 * margin) / extent[1]);
+      const height = clamp((width - 2 * beside) * extent[1] / extent[0] + 2 * above, 240,
+        Math.min(480, 1.2 * width));
+      this.scale = Math.min((width - 2 * beside) / extent[0], (height - 2 * above) / extent[1]);
       this.middle = [0, 1].map((i) => 0.5 * (low[i] + high[i]));
       this.ink.size(width, height);
       this.build();
@@ -279,7 +279,7 @@
         }
         if (turns) {
           this.turn(arrow, tip, couple > 0);
-          words += `${pushes ? ", " : ""}${significant(Math.abs(couple))} kN m`;
+          words += `${pushes ? ", " : ""}${significant(length(load.couple))} kN m`;
         }
         this.write(this.names[i], words, beside, along);
       });
