@@ -225,8 +225,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   if (word.size() > 100) return best;
   for (const std::string& candidate : known) {
     // So many edits the lengths alone take.
-    const auto [shorter, longer] = std::minmax(word.size(), candidate.size());
-    if (longer - shorter >= best_distance) continue;
+    const std::size_t a = word.size(), b = candidate.size();
+    if (std::max(a, b) - std::min(a, b) >= best_distance) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance) {
       best_distance = distance;
