@@ -499,7 +499,7 @@ std::vector<std::string> TableReader::texts(std::string_view key, bool required)
             fmt::format("write {} = [\"...\", \"...\"]", key));
     return result;
   }
-  if (is_too_long(name_below(key), node->place, node->items.size())) return result;
+  static_cast<void>(is_too_long(name_below(key), node->place, node->items.size()));
   for (const Node& item : node->items) result.push_back(item.text);
   return result;
 }
@@ -541,8 +541,10 @@ std::vector<TableReader> TableReader::tables(std::string_view key, bool required
     problem(key, fmt::format("\"{}\" is a list of tables", key), fmt::format("write [[{}]]", name));
     return result;
   }
-  if (is_too_long(name, node->place, node->items.size())) return result;
-  for (std::size_t i = 0; i < node->items.size(); ++i) {
+  // Of too many the first are read, so that what else is wrong is said as well.
+  const bool too_long = is_too_long(name, node->place, node->items.size());
+  const std::size_t count = too_long ? limits::most_entries(name) : node->items.size();
+  for (std::size_t i = 0; i < count; ++i) {
     result.emplace_back(*problems_, node->items[i], fmt::format("{}.{}", name, i));
   }
   return result;
@@ -550,12 +552,11 @@ std::vector<TableReader> TableReader::tables(std::string_view key, bool required
 
 std::vector<std::pair<std::string, TableReader>> TableReader::named_tables() {
   std::vector<std::pair<std::string, TableReader>> result;
-  if (is_too_long(name_, table_->place, table_->members.size())) {
-    accept_all();
-    return result;
-  }
+  const bool too_long = is_too_long(name_, table_->place, table_->members.size());
+  const std::size_t count = too_long ? limits::most_entries(name_) : table_->members.size();
   for (const Node::Member& member : table_->members) {
     asked_.push_back(member.key);
+    if (result.size() == count) continue;
     result.emplace_back(member.key, TableReader(*problems_, member.value, name_below(member.key)));
   }
   return result;

@@ -62,9 +62,8 @@ constexpr std::array factors{0.0, -1.0, 0.5, 2.0,  1.001, 0.9,  1e-3, 1e3, 1e-6,
 constexpr std::array units{"m",     "mm",   "kg", "t",      "s",      "Hz",    "rad",     "deg",
                            "rad/s", "rpm",  "N",  "kN",     "kN m",   "MPa",   "GPa",     "m/s^2",
                            "N/m",   "kg/m", "",   "kg m^2", "kg/m^3", "N s/m", "N m/rad", "1"};
-constexpr std::array wild_texts{"",         "0",          "-0 m",  "1e308 m",
-                                "1e-300 m", "9.99e19 kg", "ground", "0 m",
-                                "1e15 N/m", "rigid",      "1 mm",   "90 deg"};
+constexpr std::array wild_texts{"",       "0",   "-0 m",     "1e308 m", "1e-300 m", "9.99e19 kg",
+                                "ground", "0 m", "1e15 N/m", "rigid",   "1 mm",     "90 deg"};
 constexpr std::array wild_numbers{0.0,  -1.0, 1.0,  2.0,   0.5,  1e-9,  1e9,  1e15,   -1e-3,
                                   1e20, 3.0,  16.0, 1e-20, 71.0, 1e300, 0.99, 1000.0, 2000.0};
 

@@ -85,11 +85,13 @@ std::string trouble_in_checks(const Verification& verification) {
 }
 
 /// Words that numbers become which are none.
-std::string trouble_in_text(const std::string& text) {
+std::string trouble_in_text(const std::string& text, const std::string& input) {
   static const std::regex none(
       "(^|[^A-Za-z_.])(-?nan|-?inf|[0-9.]+e\\+?2[5-9][0-9]|[0-9.]+e\\+?30[0-9])([^A-Za-z_0-9]|$)");
   std::smatch found;
   if (!std::regex_search(text, found, none)) return "";
+  // A name or an assumption of the user's own stands in it as it was written.
+  if (input.find(found[2].str()) != std::string::npos) return "";
   const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, found.position() - 60));
   return "the report says \"" + text.substr(from, 120) + "\"";
 }
@@ -106,7 +108,7 @@ Outcome outcome_of(const Mutant& mutant, bool with_report) {
       trouble = trouble_in(Json::parse(results_json(project, verification)), "", "");
     if (trouble.empty() && with_report) {
       trouble = trouble_in_text(
-          report::text_of(report_of(project, verification, ReportLevel::governing)));
+          report::text_of(report_of(project, verification, ReportLevel::governing)), mutant.text);
     }
     if (!trouble.empty()) return {Ending::broken, trouble};
     switch (verification.verdict) {

@@ -75,6 +75,25 @@ TEST_CASE("thick-walled box 400 x 1000 x 50: 8.8577e9 mm^4, where Bredt alone is
   CHECK(bredt / 8.8577e9 == Approx(0.96).margin(0.002));
 }
 
+TEST_CASE(
+    "boxes of plates thicker than they are long are never stiffer than they are, nor "
+    "negative",
+    "[section]") {
+  // Width, height, flange, web: the corners fill the box and meet each other.
+  struct Dimensions {
+    double width, height, flange, web;
+  };
+  for (const Dimensions& of : {Dimensions{160, 40, 15, 70}, Dimensions{160, 40, 15, 40},
+                               Dimensions{100, 100, 40, 40}, Dimensions{120, 60, 25, 40}}) {
+    CAPTURE(of.width, of.height, of.flange, of.web);
+    const double exact = extrapolated_constant(of.width, of.height, of.flange, of.web, 1.0);
+    const double ours =
+        constant_of(symmetric_box(mm(of.width), mm(of.height), mm(of.flange), mm(of.web)));
+    CHECK(ours < 1.001 * exact);
+    CHECK(ours > 0.7 * exact);
+  }
+}
+
 TEST_CASE("boxes against finite elements, within 0.2 %", "[section]") {
   const double cases[][4] = {{400, 1000, 50, 50},
                              {400, 600, 50, 50},
