@@ -57,7 +57,7 @@ std::optional<planar::Attachment> point_on_beam(const planar::Joint& joint, int 
   return std::nullopt;
 }
 
-std::vector<Support> supports_of(const Project& project) {
+std::vector<Support> supports_of(const Project& project, const planar::Mechanism& mechanism) {
   if (project.beam_body == planar::ground) return {};
   const Length centre = mass_properties_of(project.beam).centre;
   const std::vector<Length> places = places_of(project.beam);
@@ -65,7 +65,7 @@ std::vector<Support> supports_of(const Project& project) {
     Hold hold;
   };
   std::vector<Place> found;
-  for (const planar::Joint& joint : planar_of(project).joints) {
+  for (const planar::Joint& joint : mechanism.joints) {
     const auto point = point_on_beam(joint, project.beam_body);
     if (!point) continue;
     const Hold hold = hold_of(joint.kind);
@@ -122,10 +122,21 @@ std::string text_of(const std::variant<Chord, Tangent>& line) {
   return fmt::format("the tangent at s = {} m", metres(std::get<Tangent>(line).at));
 }
 
+/// The same of a case; nothing where its situations hold the beam unlike.
+std::optional<SupportedLine> supported_line_of(const Project& project) {
+  auto line = line_of(supports_of(project, planar_of(project)));
+  for (const Situation& situation : project.situations) {
+    if (!line) break;
+    const auto other = line_of(supports_of(project, planar_in(project, situation)));
+    if (!other || text_of(other->line) != text_of(line->line)) line.reset();
+  }
+  return line;
+}
+
 /// "against", with "from" and "to" or "at"; without it what the supports say.
 void read_against(TableReader& table, const Project& project, DeflectionInput& deflection) {
   const TaperedBeam& beam = project.beam;
-  const auto supported = line_of(supports_of(project));
+  const auto supported = supported_line_of(project);
   const bool said = table.has("against");
   enum { chord, axis, tangent };
   const std::size_t word = said ? table.choice("against", {"chord", "axis", "tangent"}) : axis;

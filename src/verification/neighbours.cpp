@@ -252,8 +252,10 @@ NeighbourResult check_compression(const Project& project, const RodInput& rod,
   result.slenderness = column_slenderness(section.effective, rod.yield_strength, critical);
   result.reduction = column_reduction(result.slenderness, rod.curve);
   Check& check = result.check = frame(Criterion::buckling, rod.name, project, worst);
+  result.plastic = section.effective * rod.yield_strength / rod.gamma_M0;
   check.resisting =
-      buckling_resistance(section.effective, rod.yield_strength, critical, rod.curve, rod.gamma_M1);
+      std::min(result.plastic, buckling_resistance(section.effective, rod.yield_strength, critical,
+                                                   rod.curve, rod.gamma_M1));
   check.safety_factor = check.resisting / check.acting;
   check.required = rod.required;
   check.source = section.class_4 ? "EN 1993-1-1:2005, 6.3.1; effective area EN 1993-1-5:2006, 4.4"

@@ -209,6 +209,21 @@ TEST_CASE("a cantilever is measured from its clamp: P L^3/(3 E I) + P L/(G A_v) 
   CHECK(name == "the chord from s = 0 to 4 m");
 }
 
+TEST_CASE("situations that hold the beam unlike leave the line to be said") {
+  const std::string situations =
+      "[[situations]]\nname = \"work\"\n[[situations]]\nname = \"jacked\"\n"
+      "set = { \"joints.root.connect\" = [\"beam.B\", \"ground\"], "
+      "\"joints.root.at\" = [\"4 m\", \"0 m\"] }\n";
+  const auto demand = [&](const std::string& more) {
+    return "[deflection]\nlimit = \"10 mm\"\n" + more + situations;
+  };
+  test::check_refused(test::clamped_beam_text(test::clamped::steady, demand("")), "[deflection]",
+                      "does not say from which line", "against = \"tangent\"");
+  const Project said =
+      test::clamped_beam(test::clamped::steady, demand("against = \"tangent\"\nat = \"0 m\"\n"));
+  CHECK(said.deflection->measured_from == "the tangent at s = 0 m");
+}
+
 TEST_CASE("a beam on two supports is measured from the chord between them, its overhang too") {
   // Pins at 0 and 2.5 m, 10 kN at the tip 1.5 m behind: P c^2 (l + c)/(3 E I) + P c (1 + c/l)/(G
   // A).

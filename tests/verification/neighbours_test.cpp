@@ -294,6 +294,29 @@ TEST_CASE("a strut of 600 x 600 x 1 bears about 66 kN, not the 851 kN of its who
   CHECK(result.check.source.find("EN 1993-1-5:2006, 4.4") != std::string::npos);
 }
 
+TEST_CASE("a stout strut bears no more than its section, by the partial factor of sections") {
+  // 50 x 50 mm, 1 m: lambda = 0.88, chi = 0.61 by curve c; 150 x 150 mm: lambda = 0.27, chi = 0.96,
+  // so that A f_y/1.5 is the less.
+  const auto resistance = [](const std::string& side) {
+    const Project project =
+        rod_under(false, "-90 deg", "1 kN",
+                  "kind = \"plate\"\nwidth = \"" + side + "\"\nheight = \"" + side + "\"\n",
+                  "gamma_M0 = 1.5\n");
+    return buckling_of(project, run_situations(project)).check.resisting.value();
+  };
+  const auto buckling = [](double side, double f_y) {
+    const double lambda =
+        std::sqrt(side * side * f_y * 12.0 / (210e9 * std::pow(side, 4))) / std::numbers::pi;
+    const double phi = 0.5 * (1.0 + 0.49 * (lambda - 0.2) + lambda * lambda);
+    return side * side * f_y / (phi + std::sqrt(phi * phi - lambda * lambda));
+  };
+  // S355 by EN 10025-2: 335 MPa from 40 to 63 mm, 295 MPa from 100 to 150 mm.
+  CHECK(resistance("50 mm") == Approx(buckling(0.05, 335e6)).epsilon(1e-9));
+  CHECK(resistance("50 mm") < 0.05 * 0.05 * 335e6 / 1.5);
+  CHECK(resistance("150 mm") == Approx(0.15 * 0.15 * 295e6 / 1.5).epsilon(1e-12));
+  CHECK(resistance("150 mm") < buckling(0.15, 295e6));
+}
+
 TEST_CASE("a strut whose section cannot be judged stops the verdict; as a tie it may be checked") {
   // d/t = 600/2 = 300 is far above 90 eps^2 = 59.6.
   const std::string shell = "kind = \"round tube\"\ndiameter = \"600 mm\"\nwall = \"2 mm\"\n";

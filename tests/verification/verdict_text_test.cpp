@@ -2,11 +2,13 @@
 
 #include "boxbeam/verification/verdict_text.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "boxbeam/report/html_writer.hpp"
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/report/latex_writer.hpp"
+#include "boxbeam/report/remarks.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
@@ -120,6 +122,25 @@ TEST_CASE("pins and rods without a force, and a beam that never bends, are named
   const Verification verification = verify(project);
   CHECK(verdict_text_of(project, verification).line ==
         "PASS for strength; fatigue: no stress range; pin bolt: no force; rod idler: no force");
+  CHECK(contains(remarks_of(project, verification).back(), ", rods, deflection"));
+}
+
+TEST_CASE("what is not checked names rods where they have no check") {
+  const std::string flat = "kind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n";
+  const auto last_remark = [&](const std::string& rods) {
+    const Project project = test::held_bar(true, flat, rods);
+    return remarks_of(project, verify(project)).back();
+  };
+  CHECK(contains(last_remark(""), ", rods"));
+  const std::string rod =
+      "[[rods]]\nname = \"hanger\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\nsection = \"bar\"\n"
+      "curve = \"c\"\n";
+  CHECK(contains(last_remark(rod), "bending of rods by their own weight and inertia"));
+  const Project project = test::held_bar(true, flat, rod);
+  const std::vector<std::string> remarks = remarks_of(project, verify(project));
+  CHECK(std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+    return remark.starts_with("rod hanger is never compressed");
+  }));
 }
 
 TEST_CASE("why a verdict is not applicable stands beside it") {
