@@ -119,8 +119,7 @@ Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns) {
 /// Stops where a posture buckles.
 LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elastic,
                                const planar::State& state, const BeamLoads& loads) {
-  LoadedPosture posture =
-      loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads);
+  LoadedPosture posture = loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads);
   if (!stands(posture)) {
     refuse(
         "the beam buckles in the plane of motion under its axial force: no elastic loads exist; "
@@ -276,8 +275,8 @@ LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
                            std::move(rigid)};
   const ElasticBody elastic = elastic_body_of(project, model.parts);
   if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);
-  auto of = std::make_shared<const ElasticMotion>(bodies, elastic,
-                                                  static_cast<std::size_t>(model.modes));
+  auto of =
+      std::make_shared<const ElasticMotion>(bodies, elastic, static_cast<std::size_t>(model.modes));
   return [of](Time time) { return of->loads_at(time); };
 }
 

@@ -153,7 +153,7 @@ flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
   for (std::size_t i = 0; i < link.springs.size(); ++i) {
     const flexible::SpringElement& part = link.springs[i];
     const Eigen::Vector3d mean = mean_over(posture.rigid, part);
-    for (const auto& [element, sign] : {std::pair(i, 1.0), std::pair(i + 1, -1.0)}) {
+    for (const auto& [element, sign] : {std::pair(i, -1.0), std::pair(i + 1, 1.0)}) {
       Eigen::Vector3d load = sign * mean;
       load[2] += (part.place - link.elements[element].node) * load[1];
       loads[index].col(static_cast<Eigen::Index>(element)) += load;
@@ -168,9 +168,13 @@ Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::Spring
   const auto at = [&](double s, Side side) {
     return in_link_axes(diagram.at({si<Length>(s), side}));
   };
-  return (at(part.from, Side::behind) + 4.0 * at(0.5 * (part.from + part.to), Side::both) +
-          at(part.to, Side::before)) /
-         6.0;
+  const double middle = 0.5 * (part.from + part.to);
+  Eigen::Vector3d mean =
+      (at(part.from, Side::behind) + 4.0 * at(middle, Side::both) + at(part.to, Side::before)) /
+      6.0;
+  // dM/ds = V, M against the sense of a link's couples.
+  mean[2] -= (part.place - middle) * mean[1];
+  return mean;
 }
 
 LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::State& state,
@@ -199,6 +203,8 @@ LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, con
 }
 
 bool stands(const LoadedPosture& posture) {
+  const auto index = static_cast<std::size_t>(posture.beam_link);
+  if (!flexible::parts_stand(posture.structure.links[index])) return false;
   return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0).frequencies_below() == 0;
 }
 

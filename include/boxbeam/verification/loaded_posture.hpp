@@ -57,8 +57,8 @@ SecondOrder second_order_of(const LoadedPosture& posture);
 BeamLoads loads_in_motion(const LoadedPosture& posture, const flexible::Deformation<double>& motion,
                           double frequency);
 
-/// The mean of cut forces (N, V, couple in the link's axes) over a part, for cut forces that are
-/// polynomials of third degree in it.
+/// The mean of cut forces (N, V, couple in the link's axes at the part's spring) over a part, for
+/// cut forces that are polynomials of third degree in it.
 Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::SpringElement& part);
 
 }  // namespace boxbeam
