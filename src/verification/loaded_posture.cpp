@@ -133,11 +133,13 @@ void add_arms(const planar::Mechanism& mechanism, const planar::State& state, co
 }
 
 /// Divides the links and loads the beam along its axis.
-void load_beam(const BeamLoads& rigid, double factor, LoadedPosture& posture) {
+void load_beam(const BeamLoads& rigid, const BeamLoads& axial, double factor,
+               LoadedPosture& posture) {
   posture.structure = flexible::structure_of(*posture.links);
   posture.rigid = cut_forces_of(rigid);
+  const CutForceDiagram borne = cut_forces_of(axial);
   flexible::load_axially(posture.structure.links[static_cast<std::size_t>(posture.beam_link)],
-                         tension_in(posture.rigid, rigid, factor));
+                         tension_in(borne, axial, factor));
 }
 
 /// N, V and couple of a diagram in the axes of a link: y of the beam points into the plane.
@@ -153,7 +155,7 @@ flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
   for (std::size_t i = 0; i < link.springs.size(); ++i) {
     const flexible::SpringElement& part = link.springs[i];
     const Eigen::Vector3d mean = mean_over(posture.rigid, part);
-    for (const auto& [element, sign] : {std::pair(i, 1.0), std::pair(i + 1, -1.0)}) {
+    for (const auto& [element, sign] : {std::pair(i, -1.0), std::pair(i + 1, 1.0)}) {
       Eigen::Vector3d load = sign * mean;
       load[2] += (part.place - link.elements[element].node) * load[1];
       loads[index].col(static_cast<Eigen::Index>(element)) += load;
@@ -168,14 +170,18 @@ Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::Spring
   const auto at = [&](double s, Side side) {
     return in_link_axes(diagram.at({si<Length>(s), side}));
   };
-  return (at(part.from, Side::behind) + 4.0 * at(0.5 * (part.from + part.to), Side::both) +
-          at(part.to, Side::before)) /
-         6.0;
+  const double middle = 0.5 * (part.from + part.to);
+  Eigen::Vector3d mean =
+      (at(part.from, Side::behind) + 4.0 * at(middle, Side::both) + at(part.to, Side::before)) /
+      6.0;
+  // dM/ds = V, M against the sense of a link's couples.
+  mean[2] -= (part.place - middle) * mean[1];
+  return mean;
 }
 
 LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic, const TaperedBeam& beam,
-                             const BeamLoads& rigid, double factor) {
+                             const BeamLoads& rigid, double factor, const BeamLoads* axial) {
   auto links = std::make_unique<flexible::Mechanism>(links_of(mechanism, state, elastic));
   keep_nodes(rigid, elastic.body, *links);
   stiffen_lines(mechanism, state, factor, *links);
@@ -183,7 +189,7 @@ LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::S
   posture.links = std::move(links);
   posture.beam_link = elastic.body;
   posture.beam = &beam;
-  load_beam(rigid, factor, posture);
+  load_beam(rigid, axial != nullptr ? *axial : rigid, factor, posture);
   add_arms(mechanism, state, Arms(state, elastic, factor, posture.structure));
   return posture;
 }
@@ -194,11 +200,13 @@ LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, con
   keep_nodes(rigid, 0, held);
   posture.links = std::make_unique<const flexible::Mechanism>(std::move(held));
   posture.beam = &beam;
-  load_beam(rigid, factor, posture);
+  load_beam(rigid, rigid, factor, posture);
   return posture;
 }
 
 bool stands(const LoadedPosture& posture) {
+  const auto index = static_cast<std::size_t>(posture.beam_link);
+  if (!flexible::parts_stand(posture.structure.links[index])) return false;
   return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0).frequencies_below() == 0;
 }
 

@@ -233,14 +233,14 @@ std::string second_order_text(const SecondOrderEstimate& of) {
   if (of.in_plane.part == 0.0 && of.change.value_or(0.0) == 0.0) {
     return "second order changes nothing, for the beam bears no axial force";
   }
-  std::string text =
-      of.change ? fmt::format("second order is estimated to change it by {}",
-                              percent_text(*of.change))
-                : std::string("the beam buckles");
+  std::string text = of.change ? fmt::format("second order is estimated to change it by {}",
+                                             percent_text(*of.change))
+                               : std::string("the beam buckles");
   if (of.in_plane.part > 0.0) {
     text += fmt::format(", N/N_cr = {:.3g} at most in the plane", of.in_plane.part);
   }
-  if (of.across && of.across->part > 0.0) text += fmt::format(", {:.3g} across it", of.across->part);
+  if (of.across && of.across->part > 0.0)
+    text += fmt::format(", {:.3g} across it", of.across->part);
   return text;
 }
 
@@ -327,10 +327,10 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
       estimate.without_modes.front() + of_bending,
       {}};
   choice.weighed.push_back(by_rigid);
-  const std::string missed = fmt::format(
-      "vibration is estimated to change the governing stress by {}, {}; tolerance {}",
-      percent_text(estimate.without_modes.front()), second_order_text(second),
-      percent_text(choice.tolerance));
+  const std::string missed =
+      fmt::format("vibration is estimated to change the governing stress by {}, {}; tolerance {}",
+                  percent_text(estimate.without_modes.front()), second_order_text(second),
+                  percent_text(choice.tolerance));
   bool enough = by_rigid.error <= choice.tolerance;
   // An estimate far below the tolerance is not worth the modes of every posture.
   constexpr double verified_above = 0.7;

@@ -10,7 +10,8 @@ namespace {
 /// Places of the beam whose motion tells modes apart.
 constexpr int samples = 9;
 
-Eigen::VectorXd shape_of(const flexible::Structure& structure, int beam_link, double beam_mass, const flexible::Deformation<double>& deformation) {
+Eigen::VectorXd shape_of(const flexible::Structure& structure, int beam_link, double beam_mass,
+                         const flexible::Deformation<double>& deformation) {
   const std::vector<flexible::Link>& links = structure.mechanism->links;
   Eigen::VectorXd shape(3 * static_cast<Eigen::Index>(links.size() + samples));
   Eigen::Index at = 0;
@@ -54,6 +55,19 @@ void add_products(const flexible::DividedLink& link, const Eigen::Matrix3Xd& of_
   }
 }
 
+/// How a part of a link is stretched, shifted across and turned in a motion.
+Eigen::Vector3d strain_of(const flexible::DividedLink& link, std::size_t part,
+                          const Eigen::Matrix3Xd& motion) {
+  const auto column = static_cast<Eigen::Index>(part);
+  const double place = link.springs[part].place;
+  const Eigen::Vector3d from = motion.col(column);
+  const Eigen::Vector3d to = motion.col(column + 1);
+  return {to[0] - from[0],
+          to[1] - (link.springs[part].to - place) * to[2] - from[1] -
+              (place - link.springs[part].from) * from[2],
+          to[2] - from[2]};
+}
+
 }  // namespace
 
 PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
@@ -86,6 +100,13 @@ PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
     }
   }
   modes.beam = structure.links[beam_index];
+  for (std::size_t i = 0; i < modes.beam.springs.size(); ++i) {
+    Eigen::Matrix3Xd& strains = modes.strains.emplace_back(3, size);
+    for (Eigen::Index j = 0; j < size; ++j) {
+      strains.col(j) = strain_of(modes.beam, i,
+                                 model.modes[static_cast<std::size_t>(j)].shape.motion[beam_index]);
+    }
+  }
   return modes;
 }
 
@@ -102,15 +123,9 @@ FrameTerms frame_terms(const PostureModes& modes, const planar::State& state) {
 }
 
 Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid) {
-  const auto count = static_cast<Eigen::Index>(modes.diagrams.size());
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(count);
-  for (const flexible::SpringElement& part : modes.beam.springs) {
-    Eigen::Vector3d strain = mean_over(rigid, part);
-    strain[0] *= part.axial;
-    strain.tail<2>() = part.bending * strain.tail<2>().eval();
-    for (Eigen::Index j = 0; j < count; ++j) {
-      p[j] += strain.dot(mean_over(modes.diagrams[static_cast<std::size_t>(j)], part));
-    }
+  Eigen::VectorXd p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(modes.diagrams.size()));
+  for (std::size_t i = 0; i < modes.strains.size(); ++i) {
+    p += modes.strains[i].transpose() * mean_over(rigid, modes.beam.springs[i]);
   }
   return p;
 }

@@ -11,6 +11,8 @@
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/strength/column_buckling.hpp"
+#include "boxbeam/strength/material.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -66,8 +68,7 @@ BeamLoads in_plane(BeamLoads loads, Plane plane) {
 }
 
 /// The beam alone on the ground, clamped at one place or pinned at two.
-flexible::Mechanism beam_alone(const Project& project, Plane plane,
-                               const std::vector<double>& at) {
+flexible::Mechanism beam_alone(const Project& project, Plane plane, const std::vector<double>& at) {
   flexible::Mechanism mechanism;
   flexible::Link& link = mechanism.links.emplace_back();
   link.name = "beam";
@@ -142,8 +143,7 @@ std::vector<double> supports_of(const Project& project, const SituationRun& run,
   if (in_space(project)) {
     const spatial::Mechanism& mechanism = spatial_in(project, *run.situation);
     const spatial::BeamPlacement placement = placement_in(project, mechanism);
-    const Eigen::Vector3d& joint =
-        mechanism.joints[static_cast<std::size_t>(placement.body)].point;
+    const Eigen::Vector3d& joint = mechanism.joints[static_cast<std::size_t>(placement.body)].point;
     return {std::clamp(spatial::in_beam(placement, joint).x(), 0.0, length)};
   }
   if (is_flexible(project)) {
@@ -176,8 +176,7 @@ Held held_at(const Project& project, const SituationRun& run, std::size_t instan
   if (!holds_whole(project, run)) return held;
   const planar::Mechanism& mechanism = planar_in(project, *run.situation);
   const planar::Motion& motion = planar_motion_of(run);
-  const planar::State& state =
-      instant < motion.states.size() ? motion.states[instant] : motion.end;
+  const planar::State& state = instant < motion.states.size() ? motion.states[instant] : motion.end;
   const MakePosture whole = [&project, &mechanism, &state, loads](double factor) {
     return loaded_posture(mechanism, state, elastic_body_of(project, parts), project.beam, loads,
                           factor);
@@ -204,7 +203,7 @@ bool stands_under(const MakePosture& make, double factor) {
 
 /// N/N_cr, where it is above `known`.
 double part_of_critical(const MakePosture& make, double known) {
-  constexpr double least = 1e-3;
+  constexpr double least = 1e-4;
   double stable = 1.0 / std::max(known, least);
   if (stands_under(make, stable)) return known;
   double buckled = stable;
@@ -220,10 +219,11 @@ double part_of_critical(const MakePosture& make, double known) {
   return 2.0 / (stable + buckled);
 }
 
-void raise(BucklingLoad& load, const MakePosture& make, const std::string& held, Time time,
-           std::size_t situation) {
-  const double part = part_of_critical(make, load.part);
-  if (part > load.part) load = {part, time, situation, held};
+/// N/N_b,Rd of a beam whose N is `of_yield` of A f_y and `part` of N_cr. Curve c is that of stout
+/// welded boxes with thick welds, and on the safe side of a and b.
+double of_resistance(double of_yield, double part) {
+  if (of_yield <= 0.0 || part <= 0.0) return 0.0;
+  return of_yield / column_reduction(std::sqrt(part / of_yield), BucklingCurve::c);
 }
 
 /// Largest compression along the beam [N].
@@ -246,9 +246,8 @@ std::vector<std::size_t> instants_of(const LoadHistory& history) {
   const std::size_t step = std::max<std::size_t>(1, history.instants() / spread);
   for (std::size_t i = 0; i < history.instants(); i += step) instants.push_back(i);
   const std::size_t count = std::min(peaks, compressions.size());
-  std::partial_sort(compressions.begin(),
-                    compressions.begin() + static_cast<std::ptrdiff_t>(count), compressions.end(),
-                    std::greater<>());
+  std::partial_sort(compressions.begin(), compressions.begin() + static_cast<std::ptrdiff_t>(count),
+                    compressions.end(), std::greater<>());
   for (std::size_t i = 0; i < count; ++i) instants.push_back(compressions[i].second);
   std::sort(instants.begin(), instants.end());
   instants.erase(std::unique(instants.begin(), instants.end()), instants.end());
@@ -281,6 +280,13 @@ class Estimating {
  public:
   explicit Estimating(const Project& project)
       : project_(&project), places_(compared_places_of(project.beam)) {
+    for (const ComparedPlace& place : places_) {
+      const Section section = section_at(project.beam, place.station);
+      const Length half = 0.5 * height_of(section.outer);
+      const Length wall = std::max(wall_at(section.outer, half), wall_at(section.outer, -half));
+      const auto yield = yield_strength_of(project.material, wall);
+      yield_.push_back(yield ? yield->value() : infinite);
+    }
     result_.whole = true;
     result_.across.emplace();
     result_.change = 0.0;
@@ -294,8 +300,17 @@ class Estimating {
       const Held held = held_at(*project_, run, i, loads);
       if (!held.whole) result_.whole = false;
       const std::size_t situation = index_of(*project_, *run.situation);
-      raise(result_.in_plane, held.in_plane, held.in_plane_words, time, situation);
-      raise(*result_.across, held.across, held.across_words, time, situation);
+      const CutForceDiagram diagram = cut_forces_of(loads);
+      const double compressed = compression_of_yield(diagram);
+      const auto raise = [&](BucklingLoad& load, const MakePosture& make,
+                             const std::string& words) {
+        const double part = part_of_critical(make, load.part);
+        if (part <= load.part) return;
+        load = {part, time, situation, words, of_resistance(compressed, part)};
+      };
+      raise(result_.in_plane, held.in_plane, held.in_plane_words);
+      raise(*result_.across, held.across, held.across_words);
+      result_.bending = std::max(result_.bending, bending_of_yield(diagram));
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
         result_.change.reset();
         continue;
@@ -317,12 +332,39 @@ class Estimating {
   void compare(const MakePosture& make, const BeamLoads& loads, Compared& compared) {
     const SecondOrder bent = second_order_of(make(1.0));
     result_.turn = std::max(result_.turn, bent.turn);
-    compared.add(fibre_stresses(cut_forces_of(loads), places_),
-                 fibre_stresses(cut_forces_of(bent.loads), places_));
+    const Eigen::ArrayXd straight = fibre_stresses(cut_forces_of(loads), places_);
+    const Eigen::ArrayXd change = fibre_stresses(cut_forces_of(bent.loads), places_);
+    compared.add(straight, change);
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      // Half the difference of the two fibres is M/W.
+      const auto i = 2 * static_cast<Eigen::Index>(k);
+      const double bending = 0.5 * (straight[i] + change[i] - straight[i + 1] - change[i + 1]);
+      result_.bending = std::max(result_.bending, std::abs(bending) / yield_[k]);
+    }
+  }
+
+  /// Largest compression over A f_y.
+  double compression_of_yield(const CutForceDiagram& diagram) const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const double N = diagram.at(places_[k].station).N.value();
+      most = std::max(most, -N * places_[k].per_N / yield_[k]);
+    }
+    return most;
+  }
+
+  double bending_of_yield(const CutForceDiagram& diagram) const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const double M = diagram.at(places_[k].station).M_y.value();
+      most = std::max(most, std::abs(M) * places_[k].per_M / yield_[k]);
+    }
+    return most;
   }
 
   const Project* project_;
   std::vector<ComparedPlace> places_;
+  std::vector<double> yield_;  ///< of the flanges there [Pa]
   SecondOrderEstimate result_;
 };
 

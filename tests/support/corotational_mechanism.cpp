@@ -134,7 +134,8 @@ class Model {
     }
     for (const auto& [place, force] : forces_) {
       const double size = driver_at(force->size, time).value;
-      const Vector2d vector = size * Vector2d(std::cos(force->direction), std::sin(force->direction));
+      const Vector2d vector =
+          size * Vector2d(std::cos(force->direction), std::sin(force->direction));
       if (place.dof < 0) continue;
       result.internal.segment<2>(place.dof) -= vector;
       const Vector2d arm = turned(q, place);
@@ -245,8 +246,8 @@ class Model {
     double length = 0.0;
   };
 
-  static Strain strain_of(const Element& element, const VectorXd& q, const VectorXd& v,
-                          double tau, Index i) {
+  static Strain strain_of(const Element& element, const VectorXd& q, const VectorXd& v, double tau,
+                          Index i) {
     Strain at;
     const Vector2d d = q.segment<2>(i + 3) - q.segment<2>(i);
     at.length = d.norm();
@@ -264,14 +265,13 @@ class Model {
     at.D(1, 1) = at.D(2, 2) = 4.0 * element.EI / element.length;
     at.D(1, 2) = at.D(2, 1) = 2.0 * element.EI / element.length;
     // (l^2 - l_0^2)/(l + l_0) keeps the digits of a small stretch.
-    const double stretch = (d.squaredNorm() - element.length * element.length) /
-                           (at.length + element.length);
+    const double stretch =
+        (d.squaredNorm() - element.length * element.length) / (at.length + element.length);
     const Eigen::Vector3d strain(stretch, wrapped(q[i + 2] - beta), wrapped(q[i + 5] - beta));
     at.stress = at.D * (strain + tau * (at.B * v.segment<6>(i)));
     return at;
   }
-  Strain strain_of(const Element& element, const VectorXd& q, const VectorXd& v,
-                   double tau) const {
+  Strain strain_of(const Element& element, const VectorXd& q, const VectorXd& v, double tau) const {
     return strain_of(element, q, v, tau, nodes_[element.from].dof);
   }
 
@@ -292,9 +292,9 @@ class Model {
     fixed.insert(fixed.end(), loaded.begin(), loaded.end());
     std::sort(fixed.begin(), fixed.end());
     const double near = 1e-9 * length;
-    fixed.erase(std::unique(fixed.begin(), fixed.end(),
-                            [&](double a, double b) { return b - a < near; }),
-                fixed.end());
+    fixed.erase(
+        std::unique(fixed.begin(), fixed.end(), [&](double a, double b) { return b - a < near; }),
+        fixed.end());
     const auto add_node = [&](double s) {
       nodes_.push_back({s, size_});
       size_ += 3;
@@ -523,8 +523,8 @@ CorotationalStress corotational_stress(const Project& project, const Corotationa
       now.row(i) = model.stresses(integration.q(), integration.v(), more_damping).transpose();
     }
     result.periods = period + 1;
-    if (period > 3 && (now - before).cwiseAbs().maxCoeff() <
-                          options.tolerance * now.cwiseAbs().maxCoeff()) {
+    if (period > 3 &&
+        (now - before).cwiseAbs().maxCoeff() < options.tolerance * now.cwiseAbs().maxCoeff()) {
       result.settled = true;
       break;
     }

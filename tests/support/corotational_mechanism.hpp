@@ -9,18 +9,18 @@ namespace test {
 
 /// How a geometrically nonlinear mechanism is integrated.
 struct CorotationalOptions {
-  int elements = 32;       ///< of the whole beam, at least
-  int steps = 400;         ///< to a period
-  double tolerance = 1e-4; ///< last two periods agree within this, of the largest stress
+  int elements = 32;        ///< of the whole beam, at least
+  int steps = 400;          ///< to a period
+  double tolerance = 1e-4;  ///< last two periods agree within this, of the largest stress
   int most_periods = 60;
 };
 
 /// Nominal stress N/A + M/W and N/A - M/W [Pa] at the two ends of every element of the beam, over
 /// the last period.
 struct CorotationalStress {
-  std::vector<double> places;  ///< s of the elements' ends, two for each [m]
-  std::vector<double> largest; ///< absolute, of both fibres, by place
-  double governing = 0.0;      ///< largest of all
+  std::vector<double> places;   ///< s of the elements' ends, two for each [m]
+  std::vector<double> largest;  ///< absolute, of both fibres, by place
+  double governing = 0.0;       ///< largest of all
   double largest_at(double s) const;
   int periods = 0;
   bool settled = false;

@@ -146,8 +146,9 @@ RandomScene slider_crank(Chance& chance) {
       chance.around(0.5, 30.0), place(P));
   text += bearing("O", "crank.O", Vector2d::Zero()) + pin("A", "crank.A", "rod.A") +
           pin("P", "rod.P", "slide.P");
-  text += "[joints.guide]\nkind = \"slider\"\npoint = \"slide.P\"\nthrough = [\"0 m\", \"0 m\"]\n"
-          "direction = \"0 deg\"\n";
+  text +=
+      "[joints.guide]\nkind = \"slider\"\npoint = \"slide.P\"\nthrough = [\"0 m\", \"0 m\"]\n"
+      "direction = \"0 deg\"\n";
   text += turning_drive(turn, drive_rate(chance, rod));
   return {"slider-crank, rod", text + beam_text(chance, {"rod", rod})};
 }
@@ -170,19 +171,18 @@ RandomScene four_bar(Chance& chance, bool coupler_bends) {
   if (coupler_bends) {
     beam = {"coupler", coupler * (1.0 + overhang)};
     text += body("coupler", {{"A", 0.0}, {"B", coupler}, {"T", beam.length}}, A, angle_of(B - A));
-    text += body("rocker", {{"C", 0.0}, {"B", rocker}}, C, angle_of(B - C),
-                 chance.around(2.0, 60.0));
+    text +=
+        body("rocker", {{"C", 0.0}, {"B", rocker}}, C, angle_of(B - C), chance.around(2.0, 60.0));
   } else {
     beam = {"rocker", rocker * (1.0 + overhang)};
-    text += body("coupler", {{"A", 0.0}, {"B", coupler}}, A, angle_of(B - A),
-                 chance.around(2.0, 60.0));
+    text +=
+        body("coupler", {{"A", 0.0}, {"B", coupler}}, A, angle_of(B - A), chance.around(2.0, 60.0));
     text += body("rocker", {{"C", 0.0}, {"B", rocker}, {"T", beam.length}}, C, angle_of(B - C));
   }
   text += bearing("O", "crank.O", Vector2d::Zero()) + pin("A", "crank.A", "coupler.A") +
           pin("B", "coupler.B", "rocker.B") + bearing("C", "rocker.C", C);
   text += turning_drive(turn, drive_rate(chance, beam.length));
-  return {coupler_bends ? "four-bar, coupler" : "four-bar, rocker",
-          text + beam_text(chance, beam)};
+  return {coupler_bends ? "four-bar, coupler" : "four-bar, rocker", text + beam_text(chance, beam)};
 }
 
 /// A rocker C-B-D that a crank swings by its coupler at B; its end D drives a link and a rocker.
@@ -196,7 +196,8 @@ RandomScene lever(Chance& chance) {
   const Vector2d A = B + along(turn + chance.between(1.2, 1.9), chance.between(0.4, 0.8));
   const Vector2d O = A + along(angle_of(B - A) + chance.between(1.2, 1.9), 0.25);
   const Vector2d E = D + along(turn - chance.between(1.1, 2.0), length * chance.between(0.4, 0.9));
-  const Vector2d F = E + along(angle_of(D - E) + chance.between(1.2, 1.9), chance.between(0.4, 0.8));
+  const Vector2d F =
+      E + along(angle_of(D - E) + chance.between(1.2, 1.9), chance.between(0.4, 0.8));
   std::string text = head;
   const double crank = angle_of(A - O);
   text += body("crank", {{"O", 0.0}, {"A", 0.25}}, O, crank, 5.0);

@@ -182,7 +182,8 @@ class TurningCantilever {
     after_period(system.lu().solve(forced), 1.0, &path_);
   }
 
-  /// Moment of the root at a part of the period: of weight, inertia, and weight along the bent axis.
+  /// Moment of the root at a part of the period: of weight, inertia, and weight along the bent
+  /// axis.
   double root_moment_at(double part) const {
     const auto k = static_cast<std::size_t>(std::lround(part * steps));
     const double t = part * period();
@@ -379,10 +380,9 @@ TEST_CASE("the vibration of a large motion is that of integration over time", "[
   mode.period = motion.period;
   Eigen::VectorXd first;
   for (const planar::State& state : motion.states) {
-    const PostureModes modes =
-        modes_in_posture(loaded_posture(mechanism, state, elastic, project.beam,
-                                        rigid.loads(si<Time>(state.time))),
-                         1);
+    const PostureModes modes = modes_in_posture(
+        loaded_posture(mechanism, state, elastic, project.beam, rigid.loads(si<Time>(state.time))),
+        1);
     if (first.size() == 0) first = modes.shapes.col(0);
     const double sign = first.dot(modes.shapes.col(0)) > 0.0 ? 1.0 : -1.0;
     mode.square.push_back(std::pow(2 * pi * modes.frequencies.front(), 2) +

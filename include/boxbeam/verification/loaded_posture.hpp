@@ -29,10 +29,12 @@ struct LoadedPosture {
 };
 
 /// `rigid`: loads on the rigid beam in this state; all forces that are there count `factor` times
-/// in the stiffness. Precondition: no obstacle to links.
+/// in the stiffness. `axial`: loads whose axial force the beam bears, where they are better known
+/// than those of the rigid beam. Precondition: no obstacle to links.
 LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic, const TaperedBeam& beam,
-                             const BeamLoads& rigid, double factor = 1.0);
+                             const BeamLoads& rigid, double factor = 1.0,
+                             const BeamLoads* axial = nullptr);
 
 /// The beam alone, as a link that joints hold and that bears this axial force.
 LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, const BeamLoads& rigid,
@@ -57,8 +59,8 @@ SecondOrder second_order_of(const LoadedPosture& posture);
 BeamLoads loads_in_motion(const LoadedPosture& posture, const flexible::Deformation<double>& motion,
                           double frequency);
 
-/// The mean of cut forces (N, V, couple in the link's axes) over a part, for cut forces that are
-/// polynomials of third degree in it.
+/// The mean of cut forces (N, V, couple in the link's axes at the part's spring) over a part, for
+/// cut forces that are polynomials of third degree in it.
 Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::SpringElement& part);
 
 }  // namespace boxbeam

@@ -20,6 +20,8 @@ struct PostureModes {
   /// different postures apart.
   Eigen::MatrixXd shapes;
   flexible::DividedLink beam;  ///< the springs of the beam
+  /// Of every part of it, a column per mode: how it is stretched, shifted and turned.
+  std::vector<Eigen::Matrix3Xd> strains;
   /// Of every body, over its masses: sum of m d_i . d_j and of m d_i x d_j of the modes' shifts,
   /// whose frame turns with the body.
   std::vector<Eigen::MatrixXd> shifting, turning;
@@ -43,10 +45,10 @@ FrameTerms frame_terms(const PostureModes& modes, const planar::State& state);
 /// The generalised force of a mode under loads on the rigid beam that are in balance: the work of
 /// their cut forces on its strains,
 ///
-///     p_j = integral of N N_j/EA + V V_j/GA + M M_j/EI   over the beam
+///     p_j = integral of N epsilon_j + V gamma_j + M kappa_j   over the beam
 ///
 /// the same as phi_j^T of all forces and inertia of the rigid mechanism, for joints do no work and
-/// rigid bodies are in balance. Per part by Simpson's rule. Source: principle of virtual work.
+/// rigid bodies are in balance. Per part with the mean cut forces. Source: principle of virtual work.
 Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid);
 
 }  // namespace boxbeam

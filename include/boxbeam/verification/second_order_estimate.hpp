@@ -18,6 +18,9 @@ struct BucklingLoad {
   Time when;          ///< of it
   std::size_t situation = 0;
   std::string held;  ///< how the beam is taken to be held, in words
+  /// N/N_b,Rd then, chi from lambda = sqrt(alpha_ult/alpha_cr), alpha_ult of N alone, by curve c.
+  /// Source: EN 1993-1-1, 6.3.1.2 and, for a tapered beam, 6.3.4(2) and (3).
+  double of_resistance = 0.0;
 };
 
 /// What bending under its axial force changes in a beam that was computed as a straight one.
@@ -34,6 +37,8 @@ struct SecondOrderEstimate {
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
   double turn = 0.0;   ///< largest turn of a section by bending [rad]
+  /// Largest M/(W f_y) of the bent beam over the motion; of the straight one where it buckles.
+  double bending = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };
 

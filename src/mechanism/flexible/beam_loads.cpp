@@ -229,7 +229,13 @@ Polynomial<4> tension_times_slope(const SpringElement& part, const Eigen::Vector
   const double a = part.tension[0] * q0[2];
   const double b = part.tension[1] * middle;
   const double c = part.tension[2] * q1[2];
-  const double lack = turning[0] * q0[2] + turning[1] * q1[2] - D / 6.0 * (a + 4.0 * b + c);
+  // What the chord that turns more than its nodes' levers feels of the mean tension.
+  const double N = (part.tension[0] + 4.0 * part.tension[1] + part.tension[2]) / 6.0;
+  const double chord =
+      q1[1] - q0[1] -
+      part.reach * ((part.place - part.from) * q0[2] + (part.to - part.place) * q1[2]);
+  const double couple = N * chord + turning[0] * q0[2] + turning[1] * q1[2];
+  const double lack = couple - D / 6.0 * (a + 4.0 * b + c);
   const double bubble = 30.0 * lack / std::pow(D, 5);
   Polynomial<4> g;
   g.c = {a, (4.0 * b - 3.0 * a - c) / D, 2.0 * (a - 2.0 * b + c) / (D * D) + bubble * D * D,
@@ -253,8 +259,8 @@ void add_second_order(const DividedLink& link, const std::vector<Length>& places
     const auto i = static_cast<Eigen::Index>(at);
     const SpringElement& part = link.springs[at];
     const Polynomial<4> g = tension_times_slope(part, motion.col(i), motion.col(i + 1));
-    line.force[2] = line.force[2] + shifted(derivative_of(g), line.start.value() - part.from,
-                                            line.length.value());
+    line.force[2] = line.force[2] +
+                    shifted(derivative_of(g), line.start.value() - part.from, line.length.value());
   }
   double largest = 0.0;
   for (const SpringElement& part : link.springs) {

@@ -20,14 +20,15 @@ constexpr double no_pivot = 1e-14;
 /// Between two neighbouring elements: the spring, and from the nodes of both to its place.
 struct Between {
   const SpringElement* spring;
-  double to_place;    ///< from the node of the element that is gathered
-  double from_other;  ///< from the node of the other
+  double to_place;    ///< lever from the node of the element that is gathered
+  double from_other;  ///< and from the node of the other
 };
 
 /// `i` is gathered towards `next`, its neighbour.
 Between between(const DividedLink& link, std::size_t i, std::size_t next) {
   const SpringElement& spring = link.springs[std::min(i, next)];
-  return {&spring, spring.place - link.elements[i].node, spring.place - link.elements[next].node};
+  return {&spring, spring.reach * (spring.place - link.elements[i].node),
+          spring.reach * (spring.place - link.elements[next].node)};
 }
 
 /// The elements of a link in the order in which they are gathered, with the neighbour each goes to.
@@ -569,8 +570,8 @@ std::size_t DynamicStiffness<Scalar>::frequencies_below() const {
     const auto negative = static_cast<std::size_t>((eigen.eigenvalues().array() < 0.0).count());
     // Every force of a joint brings a negative one of its own, but one that pushes its ends apart
     // across its line.
-    const auto holding =
-        std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.flexibility >= 0.0; });
+    const auto holding = std::count_if(rows_.begin(), rows_.end(),
+                                       [](const Row& row) { return row.flexibility >= 0.0; });
     return gathered_below_ + negative - static_cast<std::size_t>(holding);
   } else {
     assert(false);

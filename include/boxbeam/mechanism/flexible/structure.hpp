@@ -35,6 +35,8 @@ struct SpringElement {
   /// Axial force at the start, in the middle and at the end of the part, that is there before
   /// anything moves [N].
   std::array<double, 3> tension{};
+  /// Levers of the force across about the nodes, over the distances from them: 1/(1 + nu).
+  double reach = 1.0;
 };
 
 /// A link divided into rigid elements and the springs between them, one fewer.
@@ -103,19 +105,29 @@ Grip grip_of(const Structure& structure, const Attachment& at);
 /// Tension of a link along its axis, by the place and, where it jumps, the side of it [N].
 using TensionAt = std::function<double(double, Side)>;
 
-/// Gives a link the axial force that it bears before anything moves: its geometric stiffness
+/// Gives a link the axial force N that it bears before anything moves. A part of length D whose
+/// chord turns by theta feels the shear V - N theta. With f_11, f_22 its flexibilities about the
+/// place where they do not couple, and nu = N f_11/D:
 ///
-///     integral of N w'^2 ds   over every part, from the turns phi of its two nodes
-///     t_0 phi_0^2 + t_1 phi_1^2,  t_0 = D (3 N_0 + 4 N_m - N_1)/12,  t_1 = D (3 N_1 + 4 N_m - N_0)/12
+///     f_11' = f_11/(1 + nu),  levers of the force across times 1/(1 + nu),
+///     t_0 phi_0^2 + t_1 phi_1^2 of its nodes' turns, 12 (1 + nu) t_0 = D (3 N_0 + 4 N_m - N_1)
 ///
-/// by Euler and Maclaurin's formula: of fourth order where N and the curvature are continuous, for
-/// w' is that of the nodes and phi w'' vanishes at free, pinned and clamped ends. N may jump at
-/// nodes. Precondition: the corrected form; parts no longer than where N is nearly a parabola.
-/// Source: Przemieniecki, Theory of Matrix Structural Analysis (1968), chapter 15.
+/// so that a part that turns without strain feels exactly V = N theta. The moment of its spring
+/// then is that of the nodes less N D^2/4EI of it, and the mean of the bowed part's less N D^2/12EI:
+///
+///     f_22' = f_22 (1 + N D f_22/6)   to the first order of N
+///
+/// Of fourth order in D where N is continuous; N may jump at nodes. Where a part itself nearly
+/// buckles (nu < -1/2) it is taken for no less, and the link does not stand. Precondition: the
+/// corrected form; once only. Derived here from the beam-column; Timoshenko, Gere, Theory of
+/// Elastic Stability (1961), section 1.11.
 void load_axially(DividedLink& link, const TensionAt& tension);
 
 /// t_0 and t_1 of a part.
 std::array<double, 2> turning_of(const SpringElement& part);
+
+/// Whether no part of a link buckles between its nodes.
+bool parts_stand(const DividedLink& link);
 
 /// Divides all links and finds what joints and loads take hold of.
 Structure structure_of(const Mechanism& mechanism);
