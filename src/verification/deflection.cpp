@@ -124,11 +124,10 @@ std::optional<Check> check_deflection(const Project& project,
       peak_value = value;
       peak = i;
     }
-    const double middle = loads.time_of(loads.middle_near(peak)).value();
-    const double step = loads.step().value();
+    const LoadHistory::Reach reach = loads.reach_of(peak);
     const Extremum found = find_maximum(
         [&](double time) { return largest_of(loads.diagram_at(si<Time>(time))).first; },
-        middle - step, middle + step);
+        reach.from.value(), reach.to.value());
     const bool between = found.value > peak_value;
     double time = between ? found.at : loads.time_of(peak).value();
     const double value = std::max(found.value, peak_value) * run.situation->load_factor;

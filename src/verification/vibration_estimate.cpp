@@ -6,6 +6,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
@@ -52,9 +53,9 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
 
 std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
                                        double base) {
-  Eigen::VectorXd moment(static_cast<Eigen::Index>(history.instants()));
-  for (std::size_t i = 0; i < history.instants(); ++i) {
-    moment[static_cast<Eigen::Index>(i)] = history.diagram(i).at(station).M_y.value();
+  Eigen::VectorXd moment(static_cast<Eigen::Index>(history.even_instants()));
+  for (std::size_t i = 0; i < history.even_instants(); ++i) {
+    moment[static_cast<Eigen::Index>(i)] = history.even_diagram(i).at(station).M_y.value();
   }
   const Spectrum spectrum = spectrum_of(moment);
   const double largest = moment.cwiseAbs().maxCoeff();
@@ -65,6 +66,15 @@ std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station
     if (share > significant) harmonics.push_back({static_cast<double>(h) * base, share});
   }
   return harmonics;
+}
+
+/// The largest coefficient of dry friction in a mechanism.
+double largest_friction(const planar::Mechanism& mechanism) {
+  double largest = 0.0;
+  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
+    largest = std::max(largest, contact.law.coulomb);
+  }
+  return largest;
 }
 
 }  // namespace
@@ -93,8 +103,8 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
                                                 *rigid.beam, modes_looked_at);
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
     Eigen::MatrixXd p(stresses.rows(), count);
-    for (std::size_t i = 0; i < history.instants(); ++i) {
-      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.diagram(i)).transpose();
+    for (std::size_t i = 0; i < history.even_instants(); ++i) {
+      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.even_diagram(i)).transpose();
     }
     const double left_out = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
     estimate.left_out = std::max(estimate.left_out, left_out);
@@ -116,6 +126,10 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       estimate.frequencies = modes.frequencies;
     }
   }
+  // Dry friction follows the pressure on its guide, whose elastic part is in no mode.
+  const double rubbed = largest_friction(*rigid.mechanism) * estimate.without_modes.front();
+  for (double& error : estimate.without_modes) error += rubbed;
+  estimate.left_out += rubbed;
   Eigen::Index governing = 0;
   (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
   estimate.harmonics =
