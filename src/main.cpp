@@ -237,6 +237,18 @@ Entry fatigue_entry(CLI::App& app) {
       .add_option("--shear-detail", options->shear_detail,
                   "likewise for the shear stress of a second column: 100 or 80")
       ->type_name("DETAIL");
+  command
+      .add_option(
+          "--thickness", options->thickness,
+          "of the plate: for the size effect of the row or the code, the line of a row, and "
+          "the yield strength of --steel")
+      ->type_name("LENGTH");
+  command
+      .add_option("--steel", options->steel,
+                  "the plate's steel, for the limit of a range, 1.5 f_y (EN 1993-1-9, 8(1))")
+      ->type_name("STEEL");
+  command.add_option("--yield", options->yield, "its yield strength instead: \"355 MPa\"")
+      ->type_name("STRESS");
   add_choice(command, "--count", options->count, {"astm", "4-point", "periodic"},
              "how cycles are counted (default: astm); periodic: one period of a repeating history");
   add_choice(command, "--residue", options->residue, {"half-cycles", "repeated", "discard"},

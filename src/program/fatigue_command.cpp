@@ -1,12 +1,13 @@
 #include "program/fatigue_command.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
+
+#include <optional>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/project/detail_catalogue.hpp"
+#include "boxbeam/project/catalogue.hpp"
+#include "boxbeam/project/named_resistance.hpp"
 #include "boxbeam/project/quantity_text.hpp"
-#include "boxbeam/project/sn_catalogue.hpp"
 #include "boxbeam/report/history_report.hpp"
 #include "boxbeam/verification/history_fatigue.hpp"
 #include "program/exit_code.hpp"
@@ -16,37 +17,42 @@
 namespace boxbeam::program {
 namespace {
 
-/// A curve as the command line names it: a category of EN 1993-1-9 ("100", "36*"), a row of its
-/// tables ("8.2/6"), or a curve of a code ("DNV-RP-C203 air:D").
-SnCurve curve_named(const std::string& text, StressKind kind) {
-  const std::size_t colon = text.rfind(':');
-  const std::string family = colon == std::string::npos ? "EN 1993-1-9" : text.substr(0, colon);
-  const std::string name = colon == std::string::npos ? text : text.substr(colon + 1);
-  if (colon == std::string::npos && text.find('/') != std::string::npos) {
-    std::vector<std::string> ids;
-    const DetailRow* weakest = nullptr;
-    for (const DetailRow& row : detail_rows()) {
-      ids.push_back(row.id);
-      if (row.id != text || row.kind != kind) continue;
-      if (weakest == nullptr || row.category < weakest->category) weakest = &row;
-    }
-    if (weakest != nullptr) return curve_of(*weakest);
-    const std::string near = nearest_word(text, ids);
-    throw InputError(
-        fmt::format("there is no row \"{}\" for this stress in the tables", text),
-        near.empty() ? "write table and row, 8.2/6" : fmt::format("did you mean {}?", near));
+/// A quantity in words of the command line; nothing where the option is not there.
+template <class Quantity>
+std::optional<Quantity> quantity_of(const std::string& option, const std::string& text,
+                                    const WantedDimension& wanted) {
+  if (text.empty()) return std::nullopt;
+  const auto parsed = parse_quantity(text);
+  const auto* quantity = std::get_if<ParsedQuantity>(&parsed);
+  if (quantity == nullptr || !is_of(quantity->exponents, wanted) || !(quantity->value > 0.0)) {
+    throw InputError(fmt::format("{} \"{}\" is not {} above zero", option, text, wanted.name),
+                     fmt::format("write {} {}", option, wanted.example));
   }
-  const std::vector<std::string> all = families();
-  if (std::find(all.begin(), all.end(), family) == all.end()) {
-    throw InputError(fmt::format("there are no curves \"{}\"", family),
-                     fmt::format("one of {}", fmt::join(all, ", ")));
+  return si<Quantity>(quantity->value);
+}
+
+/// The yield strength as it is given, or that of a steel at the plate's thickness.
+std::optional<Stress> yield_strength_by(const FatigueOptions& options,
+                                        std::optional<Length> thickness) {
+  if (options.steel.empty()) return quantity_of<Stress>("--yield", options.yield, wanted::stress);
+  if (!options.yield.empty()) {
+    throw InputError("--steel and --yield both say the yield strength", "leave one of them out");
   }
-  if (auto curve = find_curve(family, name, kind)) return *curve;
-  const std::vector<std::string> names = names_of(family, kind);
-  throw InputError(
-      fmt::format("{} has no {} curve \"{}\"", family,
-                  kind == StressKind::direct ? "direct" : "shear", name),
-      names.empty() ? "take another code" : fmt::format("one of {}", fmt::join(names, ", ")));
+  const auto steel = find_steel(options.steel);
+  if (!steel) {
+    throw InputError(fmt::format("there is no steel \"{}\"", options.steel),
+                     fmt::format("known are {}", fmt::join(steel_names(), ", ")));
+  }
+  if (!thickness) {
+    throw InputError("the yield strength of a steel depends on the plate's thickness",
+                     "add --thickness \"20 mm\", or write --yield \"355 MPa\"");
+  }
+  const auto strength = yield_strength_of(*steel, *thickness);
+  if (!strength) {
+    throw InputError(fmt::format("{} has no yield strength for this thickness", options.steel),
+                     "write --yield \"265 MPa\"");
+  }
+  return strength;
 }
 
 }  // namespace
@@ -61,10 +67,12 @@ int run_fatigue(const FatigueOptions& options) {
   demand.rule.residue = options.residue == "half-cycles" ? Residue::half_cycles
                         : options.residue == "repeated"  ? Residue::repeated
                                                          : Residue::discard;
-  demand.direct = curve_named(options.detail, StressKind::direct);
+  const auto thickness = quantity_of<Length>("--thickness", options.thickness, wanted::length);
+  demand.direct = resistance_named(options.detail, StressKind::direct, thickness);
   if (!options.shear_detail.empty()) {
-    demand.shear = curve_named(options.shear_detail, StressKind::shear);
+    demand.shear = resistance_named(options.shear_detail, StressKind::shear, thickness);
   }
+  demand.yield_strength = yield_strength_by(options, thickness);
   demand.demand = {options.loading == "spectrum" ? Loading::spectrum : Loading::constant_amplitude,
                    options.gamma_Ff, options.gamma_Mf};
   demand.compression_reduced = options.stress_relieved;

@@ -8,6 +8,9 @@ struct FatigueOptions {
   std::string history;
   std::string detail;
   std::string shear_detail;
+  std::string thickness;  ///< of the plate, with its unit; "" where it is not known
+  std::string steel;
+  std::string yield;
   std::string count = "astm";
   std::string residue = "half-cycles";
   std::string raw;

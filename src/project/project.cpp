@@ -316,6 +316,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   readers::read_situations(root, document.root, beam_body, links, tables, project);
   readers::read_demands(root, project);
   if (kind == Kind::planar) readers::read_neighbours(root, sections, project);
+  readers::read_welds(root, sections, project);
   readers::check_net_sections(root, project);
   check_rounding(root, project);
   check_dynamics(root, kind, project);

@@ -219,7 +219,7 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
                                                  : "a change between situations"),
                   "write how often: cycles = 5000");
   }
-  if (table.has("set") || table.has("load_factor")) {
+  if (table.has("set") || table.has("load_factor") || table.has("sudden_start")) {
     table.problem(key,
                   fmt::format("{} has no loads of its own", situation.in_order
                                                                 ? "a sequence of situations"
@@ -256,6 +256,11 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
       read_made_of(table, project.situations, situation);
     } else {
       situation.load_factor = table.number("load_factor", 1.0);
+      situation.sudden_start = table.boolean("sudden_start", false);
+      if (situation.sudden_start && !is_flexible(project)) {
+        table.problem("sudden_start", "a sudden start is known for elastic links only",
+                      "leave it out, or write the start as a driver or a force over time");
+      }
       if (table.has("set")) {
         TableReader set = table.table("set");
         set.accept_all();

@@ -221,6 +221,9 @@ void check_net_sections(TableReader& root, const Project& project);
 /// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam.
 void read_neighbours(TableReader& root, const Sections& sections, Project& project);
 
+/// [[welds]] between parts of the beam.
+void read_welds(TableReader& root, const Sections& sections, Project& project);
+
 /// A steel of the catalogue named by the value of a key.
 Material named_steel(TableReader& table, std::string_view key,
                      std::optional<SteelSource> source = {});

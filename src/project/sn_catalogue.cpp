@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/project/table_reader.hpp"
@@ -19,9 +20,19 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 /// The codes print three to five digits; two of their figures further apart are a misprint.
 constexpr double largest_gap = 2e-3;
 
+/// Exponents of a family's thickness correction: by curve, or by kind of detail.
+struct ThicknessExponents {
+  Length reference;
+  bool unconfirmed = false;
+  std::map<std::string, double> by_curve;
+  std::optional<double> toe, butt, flush, along;
+};
+
 struct Family {
   std::string name;
   std::vector<SnCurve> curves;
+  std::optional<ThicknessExponents> thickness;
+  double damage_limit = 1.0;
 };
 
 /// Curves of the same branches, each by its strength at 2e6 cycles.
@@ -104,13 +115,37 @@ std::vector<SnCurve> read_group(TableReader& group, const std::string& code) {
   return curves;
 }
 
+ThicknessExponents read_thickness(TableReader table) {
+  ThicknessExponents exponents;
+  exponents.reference = si<Length>(table.positive("reference", wanted::length));
+  exponents.unconfirmed = table.boolean("unconfirmed", false);
+  table.text("source");
+  if (table.has("curves")) {
+    TableReader curves = table.table("curves");
+    for (const Node::Member& curve : curves.members()) {
+      exponents.by_curve.emplace(curve.key, curves.any_number(curve.key));
+    }
+    curves.finish();
+  } else {
+    exponents.toe = table.number("toe");
+    exponents.butt = table.number("butt");
+    exponents.flush = table.number("flush");
+    exponents.along = table.number("along");
+  }
+  table.finish();
+  return exponents;
+}
+
 std::vector<Family> read_families() {
   const CaseDocument document = parse_document("sn-curves.toml", catalogue_data::sn_curves, {});
   ProblemList problems(document);
   std::vector<Family> all;
   for (auto& [name, table] : TableReader(problems, document.root, "").named_tables()) {
-    Family family{name, {}};
+    Family family;
+    family.name = name;
     const std::string code = table.text("code");
+    if (table.has("thickness")) family.thickness = read_thickness(table.table("thickness"));
+    family.damage_limit = table.number("damage_limit", 1.0);
     for (TableReader& group : table.tables("groups", true)) {
       for (SnCurve& curve : read_group(group, code)) family.curves.push_back(std::move(curve));
     }
@@ -126,12 +161,30 @@ const std::vector<Family>& all_families() {
   return all;
 }
 
+const Family* family_named(std::string_view name) {
+  for (const Family& each : all_families()) {
+    if (each.name == name) return &each;
+  }
+  return nullptr;
+}
+
 const std::vector<SnCurve>& curves_of(std::string_view family) {
   static const std::vector<SnCurve> none;
-  for (const Family& each : all_families()) {
-    if (each.name == family) return each.curves;
+  const Family* found = family_named(family);
+  return found == nullptr ? none : found->curves;
+}
+
+/// The exponent for a row of EN 1993-1-9. Ground butt welds are those of category 112.
+double exponent_of(const ThicknessExponents& exponents, const SnCurve& curve,
+                   std::string_view row) {
+  if (!exponents.by_curve.empty()) {
+    const auto found = exponents.by_curve.find(curve.name);
+    return found == exponents.by_curve.end() ? 0.0 : found->second;
   }
-  return none;
+  if (row.starts_with("8.1/") || row.starts_with("8.2/")) return *exponents.along;
+  if (!row.starts_with("8.3/")) return *exponents.toe;
+  constexpr double ground = 112e6;
+  return curve.reference.value() >= ground * (1.0 - 1e-9) ? *exponents.flush : *exponents.butt;
 }
 
 }  // namespace
@@ -167,6 +220,34 @@ std::optional<SnCurve> curve_of_same_strength(std::string_view family, StressKin
   }
   if (best == nullptr) return std::nullopt;
   return *best;
+}
+
+std::optional<ThicknessRule> thickness_rule_of(std::string_view family, const SnCurve& curve,
+                                               std::string_view row) {
+  const Family* found = family_named(family);
+  if (found == nullptr || !found->thickness || curve.kind != StressKind::direct) {
+    return std::nullopt;
+  }
+  const ThicknessExponents& exponents = *found->thickness;
+  return ThicknessRule{exponents.reference, exponent_of(exponents, curve, row),
+                       exponents.unconfirmed};
+}
+
+double factor_of(const ThicknessRule& rule, Length thickness) {
+  if (thickness <= rule.reference) return 1.0;
+  return std::pow(rule.reference / thickness, rule.exponent);
+}
+
+std::string to_text(const ThicknessRule& rule, Length thickness) {
+  const auto mm = [](Length length) { return fmt::format("{:.6g} mm", length.value() * 1e3); };
+  if (rule.exponent == 0.0) return "none for this curve";
+  if (thickness <= rule.reference) return fmt::format("1 up to {}", mm(rule.reference));
+  return fmt::format("({}/{})^{:g}", mm(rule.reference), mm(thickness), rule.exponent);
+}
+
+double damage_limit_of(std::string_view family) {
+  const Family* found = family_named(family);
+  return found == nullptr ? 1.0 : found->damage_limit;
 }
 
 }  // namespace boxbeam

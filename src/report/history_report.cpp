@@ -47,11 +47,67 @@ std::string curve_text(const SnCurve& curve) {
   return out;
 }
 
-std::string channel_text(const std::string& title, const ChannelFatigue& channel) {
+/// What the result leaves out, or takes beyond what its source says.
+std::vector<std::string> remarks_of(const HistoryDemand& demand, const HistoryFatigue& fatigue) {
+  constexpr double shortest_life = 1e4;
+  std::vector<std::string> remarks;
+  const auto add = [&](const ChannelFatigue& channel) {
+    const NamedResistance& resistance = channel.resistance;
+    const char* stress = resistance.curve.kind == StressKind::direct ? "normal" : "shear";
+    if (!resistance.not_applied.empty()) {
+      remarks.push_back(fmt::format("{} stress: {}", stress, resistance.not_applied));
+    }
+    if (!channel.range_passes(demand.demand.gamma_Ff)) {
+      remarks.push_back(fmt::format(
+          "{} stress: the largest range, {}, is above its limit {}: fatigue strengths do not hold "
+          "there (EN 1993-1-9, 8(1))",
+          stress, text::MPa(demand.demand.gamma_Ff * channel.largest.value()),
+          text::MPa(channel.range_limit->value())));
+    }
+    if (channel.fewest_endured < shortest_life) {
+      remarks.push_back(fmt::format(
+          "{} stress: the largest range endures {:.3g} cycles: the lines of the code begin at 1e4, "
+          "its damage is extrapolated",
+          stress, channel.fewest_endured));
+    }
+    if (channel.cycles < shortest_life) {
+      remarks.push_back(fmt::format(
+          "{} stress: {:.6g} cycles in all, fewer than the 1e4 from which fatigue is judged by "
+          "these lines: the static strength may decide",
+          stress, channel.cycles));
+    }
+  };
+  add(fatigue.direct);
+  if (fatigue.shear) add(*fatigue.shear);
+  if (!demand.yield_strength) {
+    remarks.push_back(
+        "ranges are not held against 1.5 f_y (EN 1993-1-9, 8(1)): neither --yield nor --steel is "
+        "given");
+  }
+  return remarks;
+}
+
+std::string channel_text(const std::string& title, const ChannelFatigue& channel, double gamma_Ff) {
   std::string out = layout::heading(title);
-  out += layout::entry("curve", curve_text(channel.curve));
+  out += layout::entry("curve", curve_text(channel.resistance.curve));
+  if (!channel.resistance.row.empty()) {
+    out += layout::entry("detail", "row " + channel.resistance.row + " of EN 1993-1-9");
+  }
+  if (!channel.resistance.size_rule.empty()) {
+    out += layout::entry("size", fmt::format("{}, {}; in the curve above",
+                                             text::significant(channel.resistance.size_factor),
+                                             channel.resistance.size_rule));
+  }
   out += layout::entry("cycles", fmt::format("{:.12g}, largest range {}", channel.cycles,
                                              text::MPa(channel.largest.value())));
+  if (channel.range_limit) {
+    out += layout::entry(
+        "limit",
+        fmt::format(
+            "of a range {}, {} (EN 1993-1-9, 8(1)): {}", text::MPa(channel.range_limit->value()),
+            channel.resistance.curve.kind == StressKind::direct ? "1.5 f_y" : "1.5 f_y/sqrt(3)",
+            channel.range_passes(gamma_Ff) ? "held" : "EXCEEDED"));
+  }
   out += layout::entry("damage", text::significant(channel.damage));
   out += layout::entry("range", fmt::format("{} at 2e6 cycles does the same damage",
                                             text::MPa(channel.equivalent_range.value())));
@@ -100,12 +156,22 @@ Json cycles_json(const ChannelFatigue& channel) {
   return cycles;
 }
 
+Json resistance_json(const ChannelFatigue& channel) {
+  const NamedResistance& resistance = channel.resistance;
+  return {{"row", resistance.row},
+          {"size_factor", resistance.size_factor},
+          {"not_applied", resistance.not_applied},
+          {"largest_range", channel.largest.value()},
+          {"range_limit", channel.range_limit ? Json(channel.range_limit->value()) : Json()}};
+}
+
 Json channel_json(const ChannelFatigue& channel) {
   return {{"cycles", cycles_json(channel)},
           {"binned", channel.binned},
           {"damage", channel.damage},
           {"equivalent_range", channel.equivalent_range.value()},
-          {"curve", curve_json(channel.curve)}};
+          {"curve", curve_json(channel.resistance.curve)},
+          {"resistance", resistance_json(channel)}};
 }
 
 }  // namespace
@@ -148,14 +214,18 @@ std::string history_text(const HistoryDemand& demand, const HistoryFatigue& fati
                       ? "spectrum"
                       : "constant amplitude: no damage while all ranges are below the limit",
                   demand.compression_reduced ? "; compression counts 60 % (7.2.1)" : ""));
-  out += "\n" + channel_text("Normal stress", fatigue.direct);
+  const double gamma_Ff = demand.demand.gamma_Ff;
+  out += "\n" + channel_text("Normal stress", fatigue.direct, gamma_Ff);
   if (fatigue.shear) {
-    out += channel_text("Shear stress", *fatigue.shear);
+    out += channel_text("Shear stress", *fatigue.shear, gamma_Ff);
     out += layout::paragraph(fmt::format("Together: {} + {} = {} (EN 1993-1-9, 8(3), equation 8.3)",
                                          text::significant(fatigue.direct.damage),
                                          text::significant(fatigue.shear->damage),
                                          text::significant(fatigue.damage)));
   }
+  const std::vector<std::string> remarks = remarks_of(demand, fatigue);
+  if (!remarks.empty()) out += layout::heading("Remarks");
+  for (const std::string& remark : remarks) out += layout::entry("-", remark);
   return out;
 }
 
@@ -174,7 +244,9 @@ std::string history_json(const HistoryDemand& demand, const HistoryFatigue& fati
                    {"damage", fatigue.damage},
                    {"equivalent_range", fatigue.direct.equivalent_range.value()},
                    {"life", fatigue.life ? Json(*fatigue.life) : Json()},
-                   {"curve", curve_json(fatigue.direct.curve)}};
+                   {"curve", curve_json(fatigue.direct.resistance.curve)},
+                   {"resistance", resistance_json(fatigue.direct)},
+                   {"remarks", remarks_of(demand, fatigue)}};
   document["shear"] = fatigue.shear ? channel_json(*fatigue.shear) : Json();
   return document.dump(2) + "\n";
 }

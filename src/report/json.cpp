@@ -86,6 +86,9 @@ Json codes_json(const Verification& verification) {
                      {"required", finite(code.required)},
                      {"station", found ? Json(finite(code.station.s.value())) : Json()},
                      {"point", found ? Json(code.point) : Json()},
+                     {"thickness", found ? Json(finite(code.thickness.value())) : Json()},
+                     {"size_factor", found ? Json(finite(code.size_factor)) : Json()},
+                     {"damage_limit", finite(code.damage_limit)},
                      {"missing", code.missing}});
   }
   return codes;

@@ -155,10 +155,28 @@ void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closu
   }
 }
 
-/// What a mechanism in space follows, by name.
-std::vector<std::pair<std::string, const Driver*>> functions_of(
-    const spatial::Mechanism& mechanism) {
-  std::vector<std::pair<std::string, const Driver*>> functions;
+/// The functions of time that a mechanism follows, by name.
+using NamedFunctions = std::vector<std::pair<std::string, const Driver*>>;
+
+NamedFunctions named_functions_of(const planar::Mechanism& mechanism) {
+  NamedFunctions functions;
+  for (const planar::Joint& joint : mechanism.joints) {
+    if (const auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
+      functions.emplace_back("driver " + joint.name, &driven->driver);
+    }
+  }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    if (const auto* push = std::get_if<planar::PointForce>(&force.kind)) {
+      functions.emplace_back("force " + force.name, &push->size);
+    } else if (const auto* couple = std::get_if<planar::Couple>(&force.kind)) {
+      functions.emplace_back("couple " + force.name, &couple->size);
+    }
+  }
+  return functions;
+}
+
+NamedFunctions named_functions_of(const spatial::Mechanism& mechanism) {
+  NamedFunctions functions;
   for (const spatial::Joint& joint : mechanism.joints) {
     if (joint.kind == spatial::JointKind::fixed) continue;
     functions.emplace_back("the driver of joint " + joint.name, &joint.driver);
@@ -176,7 +194,7 @@ std::vector<std::pair<std::string, const Driver*>> functions_of(
 void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motion,
                  std::vector<std::string>& remarks) {
   const double end = (motion.begin + motion.period).value();
-  for (const auto& [name, driver] : functions_of(mechanism)) {
+  for (const auto& [name, driver] : named_functions_of(mechanism)) {
     const DriverTiming timing = timing_of(*driver, false);
     if (timing.end > end * (1.0 + 1e-9)) {
       remarks.push_back(fmt::format("the time looked at ends at {}, before {} does at {}",
@@ -192,14 +210,33 @@ void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motio
   }
 }
 
+/// Notes how far curves leave the points of their tables.
+void add_overshoots(const NamedFunctions& functions, std::vector<std::string>& remarks) {
+  constexpr double rounding = 1e-6;
+  for (const auto& [name, driver] : functions) {
+    const auto* table = std::get_if<TableDriver>(driver);
+    if (table == nullptr) continue;
+    const Overshoot overshoot = table->curve.overshoot();
+    if (overshoot.share <= rounding) continue;
+    remarks.push_back(fmt::format(
+        "{}: between two points of its table the cubic curve leaves them by {:.2g} % of the range "
+        "of all points, at t = {}",
+        name, 100.0 * overshoot.share, text::seconds(overshoot.at)));
+  }
+}
+
 void add_motion(const Project& project, const MotionSummary& motion,
                 std::vector<std::string>& remarks) {
+  const Situation& situation = project.situations[motion.situation];
   if (motion.closure) add_closure(planar_of(project), *motion.closure, remarks);
   if (in_space(project)) {
-    add_cut_off(spatial_in(project, project.situations[motion.situation]), motion, remarks);
+    add_cut_off(spatial_in(project, situation), motion, remarks);
+    add_overshoots(named_functions_of(spatial_in(project, situation)), remarks);
+  } else if (!is_flexible(project)) {
+    add_overshoots(named_functions_of(planar_in(project, situation)), remarks);
   }
   // Of a situation that only its sequence counts, the sequence says how it repeats.
-  const double cycles = project.situations[motion.situation].cycles;
+  const double cycles = situation.cycles;
   if (cycles == 0.0) return;
   if (duration_of(project).length > 0.0) {
     remarks.push_back(
@@ -231,6 +268,9 @@ void add_warping(const Project& project, std::vector<std::string>& remarks) {
 void add_sudden_start(const Project& project, const Verification& verification,
                       std::vector<std::string>& remarks) {
   if (!verification.elastic || verification.elastic->after_start.at.empty()) return;
+  const bool counted = std::any_of(project.situations.begin(), project.situations.end(),
+                                   [](const Situation& each) { return each.sudden_start; });
+  if (counted) return;
   const JointLines& steady = verification.elastic->over_period;
   const JointLines& started = verification.elastic->after_start;
   const auto largest = [](const JointLines& lines, std::size_t joint) {
@@ -254,7 +294,8 @@ void add_sudden_start(const Project& project, const Verification& verification,
   const std::string where = name.empty() ? "" : fmt::format("situation \"{}\": ", name);
   remarks.push_back(
       fmt::format("{}steady vibration; after a sudden start joint {} reaches {} where the steady "
-                  "vibration has {}: strength and fatigue take the steady one",
+                  "vibration has {}: strength and fatigue take the steady one; a situation with "
+                  "sudden_start = true counts the start",
                   where, steady.names[worst], text::kN(largest(started, worst)),
                   text::kN(largest(steady, worst))));
 }
@@ -296,6 +337,26 @@ void add_gates(const Verification& verification, std::vector<std::string>& remar
 
 }  // namespace
 
+namespace {
+
+/// Where one profile ends and another begins: a weld that nobody described carries what is cut.
+void add_joined_profiles(const Project& project, std::vector<std::string>& remarks) {
+  const std::vector<Segment>& segments = project.beam.segments;
+  for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
+    if (segments[i].to.outer == segments[i + 1].from.outer) continue;
+    const Length s = segments[i].end();
+    const bool described = std::any_of(project.welds.begin(), project.welds.end(),
+                                       [&](const WeldInput& weld) { return weld.s == s; });
+    if (described) continue;
+    remarks.push_back(fmt::format(
+        "not checked: the weld between {} and {} at s = {:.6g} m carries all that is cut there; "
+        "[[welds]] with its throat checks throat and root",
+        segments[i].name, segments[i + 1].name, s.value()));
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> remarks_of(const Project& project, const Verification& verification) {
   std::vector<std::string> remarks;
   for (const std::string& assumption : project.assumptions)
@@ -323,6 +384,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   add_warping(project, remarks);
   add_holes(project, remarks);
   add_published(project, verification, remarks);
+  add_joined_profiles(project, remarks);
   remarks.push_back(
       "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
       "for granted), lateral torsional buckling, plate buckling of class 4" +

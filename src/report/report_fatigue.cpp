@@ -81,25 +81,44 @@ void add_spectrum(const Source& source, const CheckResult& governing, std::vecto
                                             rows.size() - shown, text::factor(rest))});
 }
 
+/// What the code does with the plate's thickness.
+std::string size_text(const CodeResult& code) {
+  if (code.size_factor == 1.0) {
+    return code.size_rule.empty() ? std::string("1") : code.size_rule;
+  }
+  return fmt::format("{}{}", text::factor(code.size_factor),
+                     code.size_rule.empty() ? "" : " = " + code.size_rule);
+}
+
+std::string remark_of(const CodeResult& code) {
+  std::string remark = code.unconfirmed ? "UNCONFIRMED" : "";
+  if (code.damage_limit < 1.0) {
+    remark += fmt::format("{}damage sum up to {:g}", remark.empty() ? "" : "; ", code.damage_limit);
+  }
+  return remark;
+}
+
 void add_codes(const Verification& verification, std::vector<Block>& blocks) {
   if (verification.codes.empty()) return;
   blocks.emplace_back(Subheading{"The same beam under several codes"});
   blocks.emplace_back(Paragraph{
       "Direct-stress fatigue: the same ranges, counts and partial factors on the curve of each "
-      "code whose strength at 2e6 cycles is nearest below that of the detail."});
-  Table table =
-      table_of("", {"code", "curve", "factor", "required", "use [%]", "s [m]", "point", "remark"});
+      "code whose strength at 2e6 cycles is nearest below that of the detail, with the code's own "
+      "correction for the thickness of the plate at the place. The case's own code has the size "
+      "effect of the detail's row."});
+  Table table = table_of("", {"code", "curve", "thickness", "factor", "required", "use [%]",
+                              "s [m]", "point", "remark"});
   for (const CodeResult& code : verification.codes) {
     if (!code.missing.empty()) {
-      add_row(table, row_of(code.code, "-", "-", "-", "-", "-", "-", code.missing));
+      add_row(table, row_of(code.code, "-", "-", "-", "-", "-", "-", "-", code.missing));
       table.marks.push_back(Mark::none);
       continue;
     }
     const double use = code.required / code.safety_factor;
-    add_row(table,
-            row_of(code.code, code.curve, cell(Quantity::factor, code.safety_factor),
-                   cell(Quantity::factor, code.required), cell(Quantity::utilisation, use),
-                   to_text(code.station), code.point, code.unconfirmed ? "UNCONFIRMED" : ""));
+    add_row(table, row_of(code.code, code.curve, size_text(code),
+                          cell(Quantity::factor, code.safety_factor),
+                          cell(Quantity::factor, code.required), cell(Quantity::utilisation, use),
+                          to_text(code.station), code.point, remark_of(code)));
     table.marks.push_back(use > 1.0 ? Mark::fails : Mark::passes);
   }
   blocks.emplace_back(std::move(table));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
@@ -185,6 +186,48 @@ Steps throat_steps(const Project& project, const Check& check, const CheckBasis&
   return steps;
 }
 
+/// The throat of a weld around a profile: its stresses from N, M, V and T in the weld's line.
+Steps weld_line_steps(const Project& project, const Check& check, const CheckBasis& basis) {
+  const StressPoint& point = basis.point;
+  Steps steps{time_step(check, "where the throat is used most")};
+  append(steps, normal_section_steps(project, point));
+  append(steps, normal_stress_steps("sigma_w", project, point, basis.cut_at_time));
+  append(steps, shear_section_steps(project, point));
+  append(steps, shear_stress_steps("tau_par", project, point, basis.cut_at_time));
+  const double normal = basis.stress_at_time.normal.value();
+  const double shear = basis.stress_at_time.shear.value();
+  const std::string sigma = text::MPa(normal), tau = text::MPa(shear);
+  const std::string acting =
+      text::MPa(std::hypot(std::numbers::sqrt2 * normal, std::numbers::sqrt3 * shear));
+  steps.push_back(
+      {"sigma_v",
+       {"sqrt(2 sigma_w^2 + 3 tau_par^2)", fmt::format("sqrt(2 x ({})^2 + 3 x ({})^2)", sigma, tau),
+        acting},
+       {"sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "
+        "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it",
+        fmt::format(
+            "the weld's line is a {} section as thick as its throat, its middle the "
+            "outline of the profile",
+            std::holds_alternative<RoundTube>(point.section.outer) ? "round" : "rectangular")}});
+  const std::string f_u = text::MPa(tensile_strength_of(project.material, point.plate)->value());
+  steps.push_back(
+      {"f_u",
+       {f_u},
+       {fmt::format("{}, plate {}", project.material.name, text::mm(point.plate.value()))}});
+  const std::string limit = text::MPa(check.resisting.value());
+  steps.push_back({"limit",
+                   {"f_u/(beta_w gamma_M2)",
+                    fmt::format("{}/({} x {})", f_u, number(project.material.beta_w),
+                                number(project.strength.gamma_M2)),
+                    limit},
+                   {}});
+  const std::string gamma = load_factor_text(project, basis);
+  steps.push_back(factor_step(check, gamma.empty() ? "limit/sigma_v" : "limit/(gamma_F sigma_v)",
+                              gamma.empty() ? fmt::format("{}/{}", limit, acting)
+                                            : fmt::format("{}/({}{})", limit, gamma, acting)));
+  return steps;
+}
+
 Steps given_yield_steps(const Project& project, const Check& check, const GivenStress& given) {
   const std::string sigma = text::MPa(given.peak.value());
   const Stress f_y = *yield_strength_of(project.material, given.thickness);
@@ -269,7 +312,9 @@ Steps steps_of(const Project& project, const Verification& verification,
   switch (check.criterion) {
     case Criterion::yield: return yield_steps(project, check, basis);
     case Criterion::stress_range: return stress_range_steps(project, check, basis);
-    case Criterion::weld: return throat_steps(project, check, basis);
+    case Criterion::weld:
+      return basis.point.on_throat ? throat_steps(project, check, basis)
+                                   : weld_line_steps(project, check, basis);
     default: return fatigue_steps(project, check, basis);
   }
 }

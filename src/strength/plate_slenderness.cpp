@@ -75,7 +75,9 @@ std::vector<Panel> panels_of(const Box& box) {
 }
 
 std::vector<Panel> panels_of(const RectangularTube& tube) {
-  const Length corners = 2.0 * (tube.wall + tube.inner_radius);
+  // A rolled tube's plate counts with half of each corner, whatever its radii: b - 3 t, EN
+  // 1993-1-5:2006, 4.4(2); between corners sharper than that it is as long as it is.
+  const Length corners = std::min(3.0 * tube.wall, 2.0 * (tube.wall + tube.inner_radius));
   return {{"flange", tube.width - corners, tube.wall, compressed},
           {"web", tube.height - corners, tube.wall, bent}};
 }

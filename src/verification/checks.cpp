@@ -42,11 +42,6 @@ std::string one_word(const std::string& name) {
   return word;
 }
 
-/// "yield/4.2-/hole-hub-edge+z": no spaces, so that an id is one word on a command line.
-std::string id_of(Criterion criterion, const Station& station, const std::string& point) {
-  return fmt::format("{}/{}/{}", one_word(to_text(criterion)), to_text(station), one_word(point));
-}
-
 CutForceFunction normal_stress(const StressPoint& point) {
   return [&point](const CutForces& cut) { return stress_at(point.influence, cut).normal.value(); };
 }
@@ -233,6 +228,10 @@ Stress rounded(Stress stress, Stress step) {
 }
 
 }  // namespace
+
+std::string id_of(Criterion criterion, const Station& station, const std::string& point) {
+  return fmt::format("{}/{}/{}", one_word(to_text(criterion)), to_text(station), one_word(point));
+}
 
 std::optional<CheckResult> check_yield(const Project& project,
                                        const std::vector<SituationHistory>& histories,

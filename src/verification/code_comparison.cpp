@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <map>
 
 #include "boxbeam/project/sn_catalogue.hpp"
@@ -32,10 +34,27 @@ double strength_at_reference(const SnCurve& curve) {
   return strength_at(curve, reference_cycles, Loading::spectrum).value();
 }
 
-std::vector<Cycle> cycles_of(const CheckBasis& basis) {
+/// The cycles of a check, of which a code that allows less than the whole damage sees more. The
+/// smaller sum is for ranges of many sizes: one size is what the curves were measured with.
+std::vector<Cycle> cycles_of(const CheckBasis& basis, double damage_limit) {
   std::vector<Cycle> cycles;
-  for (const SpectrumRow& row : basis.spectrum) cycles.push_back(row.cycle);
+  for (const SpectrumRow& row : basis.spectrum) {
+    cycles.push_back(row.cycle);
+    cycles.back().count /= damage_limit;
+  }
   return cycles;
+}
+
+bool one_size(const CheckBasis& basis) {
+  constexpr double same = 1e-6;
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+  for (const SpectrumRow& row : basis.spectrum) {
+    if (row.cycle.count == 0.0) continue;
+    low = std::min(low, row.cycle.range.value());
+    high = std::max(high, row.cycle.range.value());
+  }
+  return high - low <= same * high;
 }
 
 CodeResult governing_under(const std::string& code, const Project& project,
@@ -46,7 +65,10 @@ CodeResult governing_under(const std::string& code, const Project& project,
   bool found = false;
   for (const CheckResult& result : checks) {
     if (result.check.criterion != Criterion::fatigue || !result.basis) continue;
-    const double strength = strength_at_reference(result.basis->curves.front());
+    // Of the detail itself: each code has a size effect of its own.
+    const BeamDetail* at = result.basis->point.detail;
+    const SnCurve& own = at != nullptr ? at->detail.curve : result.basis->curves.front();
+    const double strength = strength_at_reference(own);
     const std::optional<SnCurve>& curve = curves.at(strength);
     if (!curve) {
       worst.missing =
@@ -54,12 +76,22 @@ CodeResult governing_under(const std::string& code, const Project& project,
                       strength * 1e-6, to_text(result.check.station), result.check.point);
       return worst;
     }
-    const double factor = largest_factor(cycles_of(*result.basis), *curve, project.fatigue.demand);
+    const Length thickness = result.basis->point.plate;
+    const auto rule = thickness_rule_of(code, *curve, at != nullptr ? at->detail.row : "");
+    double size_factor = rule ? factor_of(*rule, thickness) : 1.0;
+    if (code.starts_with("EN 1993-1-9") && at != nullptr) size_factor = at->detail.size_factor;
+    const double limit = one_size(*result.basis) ? 1.0 : damage_limit_of(code);
+    const double factor = largest_factor(cycles_of(*result.basis, limit),
+                                         scaled(*curve, size_factor), project.fatigue.demand);
     if (found && factor >= worst.safety_factor) continue;
     found = true;
+    worst.thickness = thickness;
+    worst.size_factor = size_factor;
+    worst.size_rule = rule ? to_text(*rule, thickness) : "";
+    worst.damage_limit = limit;
     worst.code = curve->code;
     worst.curve = curve->name;
-    worst.unconfirmed = curve->unconfirmed;
+    worst.unconfirmed = curve->unconfirmed || (rule && rule->unconfirmed && size_factor != 1.0);
     worst.station = result.check.station;
     worst.point = result.check.point;
     worst.safety_factor = factor;
@@ -78,8 +110,18 @@ std::vector<CodeResult> compare_codes(const Project& project,
     if (result.check.criterion != Criterion::fatigue || !result.basis) continue;
     // The checks stand worst first.
     const SnCurve& curve = result.basis->curves.front();
-    results.push_back({curve.code, curve.name, curve.unconfirmed, result.check.station,
-                       result.check.point, result.check.safety_factor, result.check.required, ""});
+    CodeResult& own = results.emplace_back();
+    own.code = curve.code;
+    own.curve = curve.name;
+    own.unconfirmed = curve.unconfirmed;
+    own.station = result.check.station;
+    own.point = result.check.point;
+    own.safety_factor = result.check.safety_factor;
+    own.required = result.check.required;
+    own.thickness = result.basis->point.plate;
+    if (result.basis->point.detail != nullptr) {
+      own.size_factor = result.basis->point.detail->detail.size_factor;
+    }
     break;
   }
   if (results.empty()) return results;

@@ -8,6 +8,7 @@
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
 #include "boxbeam/verification/elastic_posture.hpp"
+#include "boxbeam/verification/sudden_start.hpp"
 
 namespace boxbeam {
 namespace {
@@ -56,16 +57,6 @@ std::vector<double> swept_frequencies(double drive, const std::vector<flexible::
   return frequencies;
 }
 
-/// As many modes as reach well beyond the drive; what they leave out is corrected statically.
-flexible::ModalModel modal_model_beyond(const flexible::Structure& structure, double drive) {
-  constexpr std::size_t fewest = 24;
-  for (std::size_t count = fewest;; count *= 2) {
-    flexible::ModalModel model = flexible::modal_model_of(structure, count);
-    const bool all = model.modes.size() < count;
-    if (all || model.modes.back().frequency >= 3.0 * drive) return model;
-  }
-}
-
 JointLines lines_over_frequency(const flexible::ModalModel& model) {
   const flexible::Mechanism& mechanism = *model.structure->mechanism;
   JointLines lines = named_lines(mechanism);
@@ -97,22 +88,8 @@ JointLines lines_over_period(const FlexibleMotion& motion) {
 JointLines lines_after_start(const flexible::ModalModel& model) {
   const flexible::Mechanism& mechanism = *model.structure->mechanism;
   JointLines lines = named_lines(mechanism);
-  double slowest = mechanism.frequency;
-  for (const flexible::Mode& mode : model.modes) {
-    if (mode.frequency > 0.0) slowest = std::min(slowest, mode.frequency);
-  }
-  double fastest = mechanism.frequency;
-  for (std::size_t i = 0; i < std::min(modes_drawn, model.modes.size()); ++i) {
-    fastest = std::max(fastest, model.modes[i].frequency);
-  }
-  // Some periods of the drive and of the slowest vibration, in steps that show the fastest one
-  // drawn; where these are too many it ends sooner.
-  constexpr double most_steps = 4000.0;
-  const double rate = 20.0 * fastest;
-  const double steps =
-      std::min(most_steps, std::ceil(rate * std::max(8.0 / mechanism.frequency, 3.0 / slowest)));
-  const flexible::SuddenStart start =
-      flexible::sudden_start_of(model, steps / rate, static_cast<std::size_t>(steps));
+  const StartSpan span = start_span_of(model);
+  const flexible::SuddenStart start = flexible::sudden_start_of(model, span.length, span.steps);
   lines.at = start.times;
   for (std::size_t j = 0; j < lines.names.size(); ++j) {
     for (const Eigen::Vector3d& force : start.joints[j]) {
@@ -120,14 +97,6 @@ JointLines lines_after_start(const flexible::ModalModel& model) {
     }
   }
   return lines;
-}
-
-/// The mechanism with all its elements, its links never divided coarser than the case says.
-flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model) {
-  flexible::Mechanism mechanism =
-      modelled(of, {ModelLevel::flexible, 0, 0, model.element, model.axial});
-  for (flexible::Link& link : mechanism.links) link.parts = std::max(link.parts, model.parts);
-  return mechanism;
 }
 
 }  // namespace

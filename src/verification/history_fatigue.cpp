@@ -1,5 +1,7 @@
 #include "boxbeam/verification/history_fatigue.hpp"
 
+#include <numbers>
+
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {
@@ -16,15 +18,23 @@ struct Channel {
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
-  ChannelFatigue result(const HistoryDemand& demand, const SnCurve& curve) const {
+  ChannelFatigue result(const HistoryDemand& demand, const NamedResistance& resistance) const {
+    const SnCurve& curve = resistance.curve;
     ChannelFatigue fatigue;
-    fatigue.curve = curve;
+    fatigue.resistance = resistance;
     fatigue.spectrum = collector.spectrum(demand.repetitions);
     fatigue.binned = collector.binned();
     fatigue.cycles = collector.count() * demand.repetitions;
     fatigue.largest = collector.largest();
     fatigue.damage = collector.damage() * demand.repetitions;
     fatigue.equivalent_range = equivalent_range(fatigue.damage, curve, demand.demand);
+    fatigue.fewest_endured =
+        cycles_to_failure(scaled(curve, 1.0 / demand.demand.gamma_Mf),
+                          demand.demand.gamma_Ff * fatigue.largest, demand.demand.loading);
+    if (demand.yield_strength) {
+      const double share = curve.kind == StressKind::direct ? 1.0 : 1.0 / std::numbers::sqrt3;
+      fatigue.range_limit = 1.5 * share * *demand.yield_strength;
+    }
     return fatigue;
   }
 };
@@ -33,9 +43,9 @@ struct Channel {
 
 HistoryFatigue fatigue_of_history(const HistoryDemand& demand,
                                   const std::function<void(std::uint64_t)>& progress) {
-  Channel direct(demand, demand.direct, demand.compression_reduced);
+  Channel direct(demand, demand.direct.curve, demand.compression_reduced);
   std::optional<Channel> shear;
-  if (demand.shear) shear.emplace(demand, *demand.shear, false);
+  if (demand.shear) shear.emplace(demand, demand.shear->curve, false);
   HistoryFatigue result;
   std::uint64_t read = 0;
   result.history = read_stress_history(demand.source, [&](const StressSamples& samples) {
@@ -56,6 +66,8 @@ HistoryFatigue fatigue_of_history(const HistoryDemand& demand,
     result.shear = shear->result(demand, *demand.shear);
     result.damage += result.shear->damage;
   }
+  result.ranges_pass = result.direct.range_passes(demand.demand.gamma_Ff) &&
+                       (!result.shear || result.shear->range_passes(demand.demand.gamma_Ff));
   if (result.damage > 0.0) result.life = demand.repetitions / result.damage;
   return result;
 }

@@ -14,6 +14,7 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
+#include "boxbeam/verification/sudden_start.hpp"
 
 namespace boxbeam {
 namespace {
@@ -111,6 +112,7 @@ std::vector<Time> breaks_in(const std::vector<DriverUse>& functions, double begi
 
 LoadHistory loads_in(const Project& project, const Situation& situation, const AnyMotion& motion,
                      const ElasticModel& model) {
+  if (situation.sudden_start) return loads_after_start(project, situation, model);
   if (const auto* elastic = std::get_if<FlexibleMotion>(&motion)) {
     // Statics alone hold for any time: a second is looked at.
     constexpr std::size_t instants = 96;

@@ -8,6 +8,7 @@
 #include "boxbeam/verification/critical_instants.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/weld_checks.hpp"
 
 namespace boxbeam {
 namespace {
@@ -217,6 +218,9 @@ Verification verify(const Project& project, Figures figures) {
   result.stations = cut_force_envelopes(project, runs, stations);
   const bool computed = project.given_stresses.empty();
   result.checks = computed ? check_beam(project, runs, stations) : check_given_stresses(project);
+  if (computed) {
+    for (CheckResult& weld : check_welds(project, runs)) result.checks.push_back(std::move(weld));
+  }
   check_neighbours(project, runs, result);
   sort_worst_first(result.checks);
   if (computed) result.gates = gates_of(project, runs, stations, result.checks);

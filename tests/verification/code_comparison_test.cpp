@@ -84,6 +84,42 @@ TEST_CASE("a curve of recalled figures says so: BS 7608 F beside category 71") {
   CHECK(results[1].safety_factor == Approx(std::cbrt(0.63e6) / 50.0).epsilon(1e-9));
 }
 
+TEST_CASE("IIW allows half of the damage sum to ranges of many sizes, the whole to one size") {
+  // FAT 71, above its knee: N S^3 = 2e6 71^3. With D = 0.5 a factor is 2^(-1/3) of that with 1.
+  CheckResult two = check_of(71, 100, 1e6);
+  two.basis->spectrum.push_back({"", StressKind::direct, {si<Stress>(80e6), {}, 1e6}, 0.0});
+  const auto results = compared({"IIW"}, {two});
+  REQUIRE(results.size() == 2);
+  CHECK(results[1].curve == "FAT 71");
+  CHECK(results[1].damage_limit == 0.5);
+  const double sum = 1e6 * (1.0 + 0.8 * 0.8 * 0.8);
+  CHECK(results[1].safety_factor == Approx(0.71 * std::cbrt(2e6 * 0.5 / sum)).epsilon(1e-9));
+  const auto one = compared({"IIW"}, {check_of(71, 100, 1e6)});
+  CHECK(one[1].damage_limit == 1.0);
+  CHECK(one[1].safety_factor == Approx(0.71 * std::cbrt(2.0)).epsilon(1e-9));
+}
+
+TEST_CASE("each code corrects for the thickness of the plate by its own rule") {
+  // 80 mm: DNV F (25/80)^0.25, BS 7608 F likewise, IIW (25/80)^0.3 at a toe and 0.2 at a butt weld.
+  CheckResult thick = check_of(71, 50, 1e6);
+  thick.basis->point.plate = si<Length>(0.08);
+  const auto plain = compared({"DNV-RP-C203 air", "BS 7608", "IIW"}, {check_of(71, 50, 1e6)});
+  const auto at_toe = compared({"DNV-RP-C203 air", "BS 7608", "IIW"}, {thick});
+  REQUIRE(at_toe.size() == 4);
+  const double shares[] = {1.0, std::pow(0.3125, 0.25), std::pow(0.3125, 0.25),
+                           std::pow(0.3125, 0.3)};
+  for (std::size_t i = 1; i < 4; ++i) {
+    CHECK(at_toe[i].size_factor == Approx(shares[i]).epsilon(1e-12));
+    // 1e6 cycles stay on the first slope: the factor falls with the strength.
+    CHECK(at_toe[i].safety_factor == Approx(shares[i] * plain[i].safety_factor).epsilon(1e-9));
+  }
+  BeamDetail splice;
+  splice.detail.curve = en_1993_1_9_direct(71);
+  splice.detail.row = "8.3/13";
+  thick.basis->point.detail = &splice;
+  CHECK(compared({"IIW"}, {thick})[1].size_factor == Approx(std::pow(0.3125, 0.2)).epsilon(1e-12));
+}
+
 TEST_CASE("another place may govern under another code") {
   // Few large ranges on a strong detail beside many small ones below the cut-off of EN: there DNV
   // is weaker.
@@ -113,8 +149,11 @@ TEST_CASE("EN 1993-1-9 beside itself gives the same place and factor, on the who
   CHECK(verification.codes[1].safety_factor == Approx(own.safety_factor).epsilon(1e-12));
   CHECK(verification.codes[1].station == own.station);
   CHECK(verification.codes[1].point == own.point);
-  // One range 1e8 times, category 100: as above, by the ratio of the two strengths.
+  // One range 1e8 times, category 100: as above, by the ratio of the two strengths; DNV's C2 loses
+  // (25/50)^0.15 in the 50 mm plates, category 100 as such has no size effect.
   const double cut_off = 100.0 * std::cbrt(0.4) * std::pow(0.05, 0.2);
+  CHECK(verification.codes[2].thickness.value() == Approx(0.05));
+  CHECK(verification.codes[2].size_factor == Approx(std::pow(0.5, 0.15)).epsilon(1e-12));
   CHECK(verification.codes[2].safety_factor / own.safety_factor ==
-        Approx(std::pow(10.0, 7.835 / 5.0) / cut_off).epsilon(1e-9));
+        Approx(std::pow(0.5, 0.15) * std::pow(10.0, 7.835 / 5.0) / cut_off).epsilon(1e-9));
 }

@@ -18,7 +18,7 @@ namespace {
 HistoryDemand demand_on(const std::string& path, double category = 56) {
   HistoryDemand demand;
   demand.source.path = path;
-  demand.direct = en_1993_1_9_direct(category);
+  demand.direct.curve = en_1993_1_9_direct(category);
   return demand;
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("the damage of a long history is that of the cycles in its spectrum") 
     }
     if (!fatigue.direct.binned) {
       CHECK(fatigue.damage ==
-            Approx(damage_of(cycles, demand.direct, demand.demand)).epsilon(1e-10));
+            Approx(damage_of(cycles, demand.direct.curve, demand.demand)).epsilon(1e-10));
     }
     // The rainflow of any history holds its whole range, 200 MPa here; of it 100 is compression.
     CHECK(fatigue.direct.largest.value() == Approx(reduced ? 160e6 : 200e6).epsilon(1e-12));
@@ -78,7 +78,7 @@ TEST_CASE("normal and shear stress are counted apart and their damages added, 8(
   text += "0, 0\n";
   HistoryDemand demand = demand_on(folder.write("both.csv", text));
   CHECK_THROWS_AS(fatigue_of_history(demand), InputError);
-  demand.shear = en_1993_1_9_shear(80);
+  demand.shear = NamedResistance{en_1993_1_9_shear(80), "", 1.0, "", ""};
   const HistoryFatigue fatigue = fatigue_of_history(demand);
   REQUIRE(fatigue.shear);
   CHECK(fatigue.direct.damage == Approx(5.0 / (2e6 * std::pow(0.56, 3))).epsilon(1e-12));
@@ -89,7 +89,7 @@ TEST_CASE("normal and shear stress are counted apart and their damages added, 8(
 TEST_CASE("a curve for shear and a history without any: the normal stress alone") {
   const test::TemporaryFolder folder;
   HistoryDemand demand = demand_on(folder.write("one.csv", "sigma [MPa]\n0\n100\n0\n"));
-  demand.shear = en_1993_1_9_shear(80);
+  demand.shear = NamedResistance{en_1993_1_9_shear(80), "", 1.0, "", ""};
   const HistoryFatigue fatigue = fatigue_of_history(demand);
   CHECK_FALSE(fatigue.shear);
   CHECK(fatigue.damage == fatigue.direct.damage);

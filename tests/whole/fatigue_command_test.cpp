@@ -116,6 +116,49 @@ TEST_CASE(
   CHECK(relieved["cycles"][0]["range"].get<double>() == Approx(116e6).epsilon(1e-12));
 }
 
+TEST_CASE(
+    "fatigue: the size effect of a row where the thickness is known, a remark where it is not") {
+  // 8.3/5: category 90, (25/40)^0.2 on it at 40 mm; damage rises with the third power.
+  const std::string one = waves({{100, 1}});
+  const Json thick = judged(one, {"--detail", "8.3/5", "--thickness", "40 mm"}, 0);
+  const double k_s = std::pow(25.0 / 40.0, 0.2);
+  CHECK(thick["damage"].get<double>() ==
+        Approx(1.0 / (2e6 * std::pow(0.9 * k_s, 3))).epsilon(1e-12));
+  CHECK(thick["resistance"]["size_factor"].get<double>() == Approx(k_s).epsilon(1e-12));
+  const Json unknown = judged(one, {"--detail", "8.3/5"}, 0);
+  CHECK(unknown["damage"].get<double>() == Approx(1.0 / (2e6 * 0.729)).epsilon(1e-12));
+  CHECK(unknown["resistance"]["not_applied"].get<std::string>().find("--thickness") !=
+        std::string::npos);
+}
+
+TEST_CASE("fatigue: a recalled row is marked") {
+  const Json document = judged(waves({{50, 1}}), {"--detail", "8.1/11"}, 0);
+  CHECK(document["curve"]["unconfirmed"] == true);
+}
+
+TEST_CASE(
+    "fatigue: a range above 1.5 f_y fails, and without f_y that it is not looked at is said") {
+  // One range of 600 MPa damages 8.3e-3 of category 160 (2e6 (160/600)^3 = 37926 cycles), but is
+  // above 1.5 x 355 = 532.5 MPa; S355 of 20 mm has 345 MPa by EN 10025-2.
+  const std::string one = waves({{600, 1}});
+  const Json free = judged(one, {"--detail", "160"}, 0);
+  CHECK(free["resistance"]["range_limit"].is_null());
+  CHECK(free["remarks"].dump().find("1.5 f_y") != std::string::npos);
+  const Json limited = judged(one, {"--detail", "160", "--yield", "355 MPa"}, 1);
+  CHECK(limited["verdict"] == "fail");
+  CHECK(limited["resistance"]["range_limit"].get<double>() == Approx(532.5e6));
+  const Json steel =
+      judged(waves({{500, 1}}), {"--detail", "160", "--steel", "S355", "--thickness", "20 mm"}, 0);
+  CHECK(steel["resistance"]["range_limit"].get<double>() == Approx(1.5 * 345e6));
+}
+
+TEST_CASE("fatigue: ranges that endure fewer than 1e4 cycles are named") {
+  // Category 36 under 250 MPa: 2e6 (36/250)^3 = 5972 cycles.
+  const Json document = judged(waves({{250, 1}}), {"--detail", "36"}, 0);
+  CHECK(document["remarks"].dump().find("endures 5.97e+03 cycles") != std::string::npos);
+  CHECK(document["remarks"].dump().find("fewer than the 1e4") != std::string::npos);
+}
+
 TEST_CASE("fatigue: the history from standard input, the result into a file") {
   const test::TemporaryFolder folder;
   const std::string history = folder.write("history.csv", miner_block);
@@ -150,6 +193,10 @@ TEST_CASE("fatigue: what is wrong is said, with exit code 2", "[bad_input]") {
   check_refused({"fatigue", good, "--detail", "57"}, "no direct curve \"57\"");
   check_refused({"fatigue", good, "--detail", "8.3/99"}, "there is no row \"8.3/99\"");
   check_refused({"fatigue", good, "--detail", "DVN:C"}, "there are no curves \"DVN\"");
+  check_refused({"fatigue", good, "--detail", "56", "--thickness", "20"}, "--thickness");
+  check_refused({"fatigue", good, "--detail", "56", "--steel", "S355"}, "plate's thickness");
+  check_refused({"fatigue", good, "--detail", "56", "--steel", "X1", "--thickness", "9 mm"},
+                "there is no steel");
   check_refused({"fatigue", good}, "--detail");
   check_refused({"fatigue", good, "--detail", "56", "--repetitions", "0"}, "--repetitions");
   check_refused({"fatigue", "-", "--detail", "56"}, "empty");

@@ -149,8 +149,9 @@ struct WeldInput {
   Length s;
   Profile around;  ///< the weld follows its outline
   Length throat;
-  Length thickness;    ///< of the thicker part joined, which decides the tensile strength
-  Detail root, shear;  ///< its root across the throat, and shear along it: EN 1993-1-9, row 8.5/3
+  Length thickness;  ///< of the thicker part joined, which decides the tensile strength
+  BeamDetail root;   ///< across the throat: EN 1993-1-9, row 8.5/3
+  Detail shear;      ///< along it
   double required = 1.0;
 };
 

@@ -30,4 +30,29 @@ std::optional<SnCurve> find_curve(std::string_view family, std::string_view name
 std::optional<SnCurve> curve_of_same_strength(std::string_view family, StressKind kind,
                                               Stress strength);
 
+/// How a code lowers its strengths for thick plates:
+///
+///     (reference/t)^exponent, 1 up to the reference thickness
+///
+struct ThicknessRule {
+  Length reference;
+  double exponent = 0.0;
+  bool unconfirmed = false;
+};
+
+/// The rule of a family for one of its curves; nothing where the family has none (EN 1993-1-9,
+/// whose rows have their own size effects). Where the exponent follows from the detail, `row` of EN
+/// 1993-1-9 says what it is; of an unknown one ("") the largest exponent counts.
+std::optional<ThicknessRule> thickness_rule_of(std::string_view family, const SnCurve& curve,
+                                               std::string_view row);
+
+/// Factor on the strengths of a plate.
+double factor_of(const ThicknessRule& rule, Length thickness);
+
+/// "(25 mm/40 mm)^0.25", "1 up to 25 mm".
+std::string to_text(const ThicknessRule& rule, Length thickness);
+
+/// The damage sum that a code allows for ranges of many sizes.
+double damage_limit_of(std::string_view family);
+
 }  // namespace boxbeam

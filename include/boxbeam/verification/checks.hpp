@@ -48,6 +48,9 @@ struct CheckResult {
   std::optional<CheckBasis> basis;
 };
 
+/// "yield/4.2-/hole-hub-edge+z": no spaces, so that an id is one word on a command line.
+std::string id_of(Criterion criterion, const Station& station, const std::string& point);
+
 /// Elastic verification of a point: the largest equivalent stress in any situation against the
 /// yield strength of its plate. Nothing where the point is never stressed.
 /// Source: EN 1993-1-1:2005, 6.2.1(5).

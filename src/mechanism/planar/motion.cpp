@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/common/rough_times.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
 #include "boxbeam/mechanism/planar/uniqueness.hpp"
@@ -88,9 +89,11 @@ std::vector<const State*> all_of(const Motion& motion) {
 }
 
 /// Every second state against the cubic through the four others around it, by component of
-/// `values`, relative to the component's range.
-Misfit misfit_of(const Motion& motion, Eigen::VectorXd State::*values, const Eigen::VectorXd& scale,
-                 double nothing) {
+/// `values`, relative to the component's range. Where a load has a kink or a jump among the four,
+/// against the parabola or the line through those on its own side; between two such places so close
+/// that only one state lies there, against nothing.
+Misfit misfit_of(const Motion& motion, const RoughTimes& rough, Eigen::VectorXd State::*values,
+                 const Eigen::VectorXd& scale, double nothing) {
   const std::vector<const State*> all = all_of(motion);
   const auto count = static_cast<std::ptrdiff_t>(motion.states.size());
   const Eigen::Index size = (all.front()->*values).size();
@@ -108,15 +111,25 @@ Misfit misfit_of(const Motion& motion, Eigen::VectorXd State::*values, const Eig
     if (motion.closed) i = (i + count) % count;
     return all[static_cast<std::size_t>(i)]->*values;
   };
+  const auto smooth = [&](std::ptrdiff_t from, std::ptrdiff_t until) {
+    if (!motion.closed && (from < 0 || until > count)) return false;
+    const double step = motion.period / static_cast<double>(count);
+    return !rough.between(motion.begin + step * static_cast<double>(from),
+                          motion.begin + step * static_cast<double>(until));
+  };
   Misfit worst;
   Eigen::VectorXd expected(size);
   for (std::ptrdiff_t i = 1; i < count; i += 2) {
-    if (motion.closed || (i >= 3 && i + 3 <= count)) {
+    if (smooth(i - 3, i + 3)) {
       expected = (9.0 * (at(i - 1) + at(i + 1)) - (at(i - 3) + at(i + 3))) / 16.0;
-    } else if (i < 3) {
+    } else if (smooth(i - 1, i + 3)) {
       expected = (3.0 * at(i - 1) + 6.0 * at(i + 1) - at(i + 3)) / 8.0;
-    } else {
+    } else if (smooth(i - 3, i + 1)) {
       expected = (3.0 * at(i + 1) + 6.0 * at(i - 1) - at(i - 3)) / 8.0;
+    } else if (smooth(i - 1, i + 1)) {
+      expected = 0.5 * (at(i - 1) + at(i + 1));
+    } else {
+      continue;
     }
     for (Eigen::Index k = 0; k < size; ++k) {
       if (!(scale[k] * range[k] > floor)) continue;
@@ -275,12 +288,13 @@ Motion solve_motion(const Mechanism& mechanism) {
   }
   const int instants = std::max(fewest, static_cast<int>(std::ceil(4.0 * waves)));
   Motion motion = motion_with(mechanism, solver, instants);
+  const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed);
   while (true) {
     motion = doubled(solver, motion);
     const Misfit accelerations =
-        misfit_of(motion, &State::a, equations.col_scale().cwiseInverse(), rest);
+        misfit_of(motion, rough, &State::a, equations.col_scale().cwiseInverse(), rest);
     const Misfit reactions =
-        misfit_of(motion, &State::lambda, equations.row_scale().cwiseInverse(), 0.0);
+        misfit_of(motion, rough, &State::lambda, equations.row_scale().cwiseInverse(), 0.0);
     const auto count = static_cast<double>(motion.states.size());
     const bool turns_seen = count >= 8.0 * motion.period * fastest_turn(motion) / turn;
     if (accelerations.value < enough && reactions.value < enough && turns_seen) return motion;

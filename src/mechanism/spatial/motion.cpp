@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/common/rough_times.hpp"
 
 namespace boxbeam::spatial {
 namespace {
@@ -44,14 +45,15 @@ Samples samples_of(const Chain& chain, const Motion& motion) {
   return samples;
 }
 
-/// The largest distance of a value at an odd instant from the cubic through its even neighbours,
-/// relative to the value's range; and when.
+/// The largest distance of a value at an odd instant from the cubic through its even neighbours, or
+/// from the line where a load has a kink or jump among them, relative to the value's range; and
+/// when.
 struct Misfit {
   double value = 0.0;
   double time = 0.0;
 };
 
-Misfit misfit_of(const Motion& motion, const Eigen::MatrixXd& values) {
+Misfit misfit_of(const Motion& motion, const RoughTimes& rough, const Eigen::MatrixXd& values) {
   Misfit misfit;
   const auto count = static_cast<Eigen::Index>(motion.instants);
   const Eigen::VectorXd range = values.rowwise().maxCoeff() - values.rowwise().minCoeff();
@@ -61,12 +63,24 @@ Misfit misfit_of(const Motion& motion, const Eigen::MatrixXd& values) {
   const auto column = [&](Eigen::Index k) {
     return values.col(motion.closed ? (k + count) % count : k);
   };
+  const auto smooth = [&](Eigen::Index from, Eigen::Index until) {
+    if (!motion.closed && (from < 0 || until > count)) return false;
+    const double step = motion.period / static_cast<double>(count);
+    return !rough.between(motion.begin + step * static_cast<double>(from),
+                          motion.begin + step * static_cast<double>(until));
+  };
+  Eigen::VectorXd expected(values.rows());
   const Eigen::Index first = motion.closed ? 1 : 3;
   const Eigen::Index last = motion.closed ? count - 1 : count - 3;
   for (Eigen::Index k = first; k <= last; k += 2) {
-    const Eigen::VectorXd cubic =
-        (9.0 * (column(k - 1) + column(k + 1)) - (column(k - 3) + column(k + 3))) / 16.0;
-    const Eigen::VectorXd open = (column(k) - cubic).cwiseAbs();
+    if (smooth(k - 3, k + 3)) {
+      expected = (9.0 * (column(k - 1) + column(k + 1)) - (column(k - 3) + column(k + 3))) / 16.0;
+    } else if (smooth(k - 1, k + 1)) {
+      expected = 0.5 * (column(k - 1) + column(k + 1));
+    } else {
+      continue;
+    }
+    const Eigen::VectorXd open = (column(k) - expected).cwiseAbs();
     for (Eigen::Index i = 0; i < open.size(); ++i) {
       // What hardly changes beside its own size, or beside all others, is round-off.
       if (range[i] <= 1e-9 * std::max(size[i], 1e-3 * largest)) continue;
@@ -88,6 +102,7 @@ Motion motion_of(const Chain& chain) {
   constexpr double enough = 0.01;
   const TimeSpan span = time_span_of(chain.mechanism());
   Motion motion{span.begin, span.length, span.closed, fewest};
+  const RoughTimes rough(functions_of(chain.mechanism()), span.begin, span.length, span.closed);
   const double waves = span.length * span.highest_omega / turn;
   if (8.0 * waves > most) {
     throw AnalysisError(
@@ -102,7 +117,7 @@ Motion motion_of(const Chain& chain) {
   while (static_cast<double>(motion.instants) < 8.0 * waves) motion.instants *= 2;
   while (true) {
     const Samples samples = samples_of(chain, motion);
-    const Misfit misfit = misfit_of(motion, samples.values);
+    const Misfit misfit = misfit_of(motion, rough, samples.values);
     const bool turns_seen =
         static_cast<double>(motion.instants) >= 8.0 * motion.period * samples.fastest / turn;
     if (misfit.value < enough && turns_seen) return motion;

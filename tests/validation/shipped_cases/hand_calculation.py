@@ -60,14 +60,28 @@ def bar_moment(start, end, mass, about):
     return mass * (cross(bar.v, bar.dd) / 12 + cross(centre.v - about, centre.dd - GRAVITY))
 
 
-class PeriodicSpline:
-    """Cubic spline through a table whose ends meet, from its second derivatives."""
+class PeriodicLines:
+    """Straight lines through a table whose ends meet."""
 
     def __init__(self, path, factor):
         with open(path, encoding="utf-8") as file:
             rows = list(csv.reader(line for line in file if not line.startswith("#")))[1:]
         self.t = [float(row[0]) for row in rows]
         self.y = [float(row[1]) * factor for row in rows]
+
+    def __call__(self, time):
+        """Value."""
+        time %= self.t[-1]
+        i = min(max(bisect.bisect_right(self.t, time) - 1, 0), len(self.t) - 2)
+        b = (time - self.t[i]) / (self.t[i + 1] - self.t[i])
+        return (1 - b) * self.y[i] + b * self.y[i + 1]
+
+
+class PeriodicSpline(PeriodicLines):
+    """Cubic spline through a table whose ends meet, from its second derivatives."""
+
+    def __init__(self, path, factor):
+        super().__init__(path, factor)
         n = len(self.t) - 1
         h = [self.t[i + 1] - self.t[i] for i in range(n)]
         rise = [(self.y[i + 1] - self.y[i]) / h[i] for i in range(n)]

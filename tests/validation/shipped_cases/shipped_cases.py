@@ -21,8 +21,8 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 
 import landing_gear  # noqa: E402
-from hand_calculation import (GRAVITY, Beam, PeriodicSpline, bar_moment, circles,  # noqa: E402
-                              cross, direct_damage, fatigue_factor, fixed, moving, rainflow,
+from hand_calculation import (GRAVITY, Beam, PeriodicLines, PeriodicSpline,  # noqa: E402
+                              bar_moment, circles, cross, direct_damage, fatigue_factor, fixed, moving, rainflow,
                               shear_damage, turning_values)
 
 G = 9.81
@@ -40,7 +40,7 @@ class Press:
     category = staticmethod(lambda s: 71 if s in (0.25, 1.35) else 100)
 
     def __init__(self, root):
-        self.force = PeriodicSpline(root / "sections/slider-crank-press/press-force.csv", 1e3)
+        self.force = PeriodicLines(root / "sections/slider-crank-press/press-force.csv", 1e3)
 
     def solve(self, time):
         omega, length = 2 * math.pi / 1.2, 1.6
@@ -51,7 +51,7 @@ class Press:
                        angle, omega)
         u = (slide - a) * (1 / length)
         # The slide gives the force along its guide, the rod's moment about A the one across it.
-        along = -(2500 * (slide.dd.imag + G) - self.force(time)[0])
+        along = -(2500 * (slide.dd.imag + G) - self.force(time))
         mass, first, second, _ = self.beam.beyond(0.0)
         rest = first * cross(u.v, GRAVITY - a.dd) - second * cross(u.v, u.dd)
         across = (length * u.v.real * along + rest) / (length * u.v.imag)
@@ -142,7 +142,7 @@ class PumpJack(FourBar):
 
     @staticmethod
     def category(s):
-        return 71 if 2.2 <= s <= 2.8 else 56 if 3.9 <= s <= 4.0 else 100
+        return 50 if 2.2 <= s <= 2.8 else 56 if 3.9 <= s <= 4.0 else 100
 
     def solve(self, time):
         a, b = self.four_bar(time)
@@ -180,7 +180,7 @@ class Lift:
     def __init__(self, root):
         folder = root / "sections/scissor-lift"
         self.cylinder = PeriodicSpline(folder / "cylinder-length.csv", 1e-3)
-        self.payload = PeriodicSpline(folder / "payload.csv", 1e3)
+        self.payload = PeriodicLines(folder / "payload.csv", 1e3)
 
     def solve(self, time):
         foot, lug = 0.9 - 0.4j, 1.05 - 0.12j
@@ -192,7 +192,7 @@ class Lift:
         q = self.cylinder(time)
         u = moving(lambda length: cmath.rect(1.0, arm_angle(length)), *q, step=0.005)
         e = moving(lambda length: 2.4j * math.sin(arm_angle(length)), *q, step=0.005)
-        cosine, W = u.v.real, self.payload(time)[0]
+        cosine, W = u.v.real, self.payload(time)
         lift = 350 * (e.dd.imag + G)
         roller = (1.2 * lift + 1.5 * W) / (2.4 * cosine)  # of arm C on the platform, upwards
         at_e = 1j * (lift + W - roller)  # of the other arm on the platform

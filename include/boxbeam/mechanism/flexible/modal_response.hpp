@@ -45,4 +45,41 @@ struct SuddenStart {
 };
 SuddenStart sudden_start_of(const ModalModel& model, double length, std::size_t steps);
 
+/// The same at any time, by the parts that add up to it: loads and joint forces are
+///
+///     constant + Im(turn of_loads) + sum of x_j of_modes_j + speed_j of_speeds_j
+///
+struct StartNow {
+  Complex turn;           ///< e^(i omega t) of the drive
+  Eigen::VectorXd x;      ///< -eta''/omega_j^2: of a mode with the inertia of its vibration
+  Eigen::VectorXd speed;  ///< eta'
+};
+
+class SuddenStartModes {
+ public:
+  /// Throws AnalysisError where the structure moves without strain in one of its modes.
+  explicit SuddenStartModes(const ModalModel& model);
+
+  StartNow at(double time) const;
+
+  const Deformation<double>& constant() const { return constant_; }
+  const Deformation<Complex>& of_loads() const { return of_loads_; }
+  const std::vector<Mode>& modes() const { return modes_; }
+  /// Of damping; empty where nothing damps.
+  const std::vector<Deformation<double>>& of_speeds() const { return of_speeds_; }
+
+ private:
+  std::vector<Mode> modes_;
+  Deformation<double> constant_;
+  Deformation<Complex> of_loads_;
+  std::vector<Deformation<double>> of_speeds_;
+  double omega_ = 0.0;
+  Eigen::VectorXd squares_;
+  Eigen::MatrixXd rates_;  ///< eta'' = rates state, state as in sudden_start_of
+  Eigen::VectorXd scale_;
+  double size_ = 1.0;
+  Eigen::VectorXcd exponents_;     ///< eigenvalues of the state's equations
+  Eigen::MatrixXcd eigenvectors_;  ///< each times its part of the state at the start
+};
+
 }  // namespace boxbeam::flexible

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "boxbeam/mechanism/flexible/modal_response.hpp"
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+
+namespace boxbeam {
+
+/// The mechanism with all its elements, its links never divided coarser than the case says.
+flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model);
+
+/// As many modes as reach well beyond the drive; what they leave out is corrected statically.
+flexible::ModalModel modal_model_beyond(const flexible::Structure& structure, double drive);
+
+/// How long a sudden start is looked at.
+struct StartSpan {
+  double length = 0.0;  ///< [s]
+  std::size_t steps = 0;
+};
+
+/// Eight periods of the drive and three of the slowest vibration, in steps that show the drive and
+/// the six slowest; where these are more than 4000 it ends sooner.
+StartSpan start_span_of(const flexible::ModalModel& model);
+
+/// The loads on the beam over that time in a situation of elastic links, all of their elements with
+/// their mass, as in the figures of a vibration. Throws AnalysisError where
+/// the structure moves without strain.
+LoadHistory loads_after_start(const Project& project, const Situation& situation,
+                              const ElasticModel& model);
+
+}  // namespace boxbeam

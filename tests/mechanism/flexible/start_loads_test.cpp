@@ -1,0 +1,42 @@
+// Loads on a beam after a sudden start: in balance, and those of the joints' own histories.
+
+#include "boxbeam/mechanism/flexible/start_loads.hpp"
+
+#include <cmath>
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/sudden_start.hpp"
+#include "catch.hpp"
+#include "support/program.hpp"
+
+using namespace boxbeam;
+
+TEST_CASE(
+    "after a sudden start the loads on the truck's boom are in balance and its joints' forces") {
+  const Project project = read_project(test::project_file("sections/drill-truck/truck.toml"));
+  const flexible::Mechanism& mechanism = flexible_of(project);
+  const flexible::Structure structure = flexible::structure_of(mechanism);
+  const flexible::ModalModel model = modal_model_beyond(structure, mechanism.frequency);
+  const flexible::SuddenStartModes modes(model);
+  constexpr double length = 0.5;
+  constexpr std::size_t steps = 100;
+  // Another way to the same motion: steps by the exponential of the matrix.
+  const flexible::SuddenStart start = flexible::sudden_start_of(model, length, steps);
+  const auto names = flexible::names_of_beam_loads(mechanism, project.beam_body);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{7}, std::size_t{41}, steps}) {
+    CAPTURE(i);
+    const BeamLoads loads = flexible::beam_loads_after_start(structure, project.beam_body,
+                                                             project.beam, modes, start.times[i]);
+    const Imbalance open = imbalance_of(loads);
+    CHECK(open.force.norm() < 1e-6);
+    CHECK(open.moment.norm() < 1e-6);
+    REQUIRE(loads.points.size() == names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+        if (mechanism.joints[j].name != names[k]) continue;
+        const double size = start.joints[j][i].head<2>().norm();
+        CHECK(loads.points[k].force.norm() == Approx(size).epsilon(1e-7));
+      }
+    }
+  }
+}
