@@ -389,7 +389,8 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
       "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
       "for granted), lateral torsional buckling, plate buckling of class 4" +
       std::string(project.pins.empty() ? ", pins" : "") + (project.rods.empty() ? ", rods" : "") +
-      (project.deflection ? "" : ", deflection"));
+      (project.deflection ? "" : ", deflection") +
+      (knows_second_order(verification.model) ? "" : ", second order (bending by N w)"));
   return remarks;
 }
 

@@ -55,6 +55,7 @@ void add_mode(BeamLoads& sum, double factor, const BeamLoads& mode) {
   for (const PointLoad& load : mode.points) {
     auto same = std::find_if(sum.points.begin(), sum.points.end(),
                              [&](const PointLoad& other) { return other.s == load.s; });
+    if (same == sum.points.end() && load.force.isZero(0.0) && load.moment.isZero(0.0)) continue;
     if (same == sum.points.end()) {
       PointLoad empty;
       empty.s = load.s;
@@ -115,6 +116,19 @@ Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns) {
   throw AnalysisError(std::move(failure));
 }
 
+/// Stops where a posture buckles.
+LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elastic,
+                               const planar::State& state, const BeamLoads& loads) {
+  LoadedPosture posture = loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads);
+  if (!stands(posture)) {
+    refuse(
+        "the beam buckles in the plane of motion under its axial force: no elastic loads exist; "
+        "use --model rigid to see those of rigid bodies",
+        state.time);
+  }
+  return posture;
+}
+
 /// The fewest instants, a power of two apart from all, that leave the linear system small.
 Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
   constexpr std::size_t most_unknowns = 1536;
@@ -137,6 +151,18 @@ ElasticBody elastic_body_of(const Project& project, int parts) {
   return elastic;
 }
 
+LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic) {
+  auto finder = std::make_shared<planar::StateFinder>(*rigid.mechanism, *rigid.motion);
+  return [rigid, elastic, finder](Time time) {
+    BeamLoads loads = rigid.loads(time);
+    const BeamLoads bent =
+        second_order_of(standing_posture(rigid, elastic, finder->at(time.value()), loads)).loads;
+    loads.lines = on_stretches_of(loads.lines, bent.lines);
+    add_mode(loads, 1.0, bent);
+    return loads;
+  };
+}
+
 ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes)
     : rigid_(std::move(rigid)),
       finder_(std::make_shared<planar::StateFinder>(*rigid_.mechanism, *rigid_.motion)),
@@ -152,9 +178,9 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   const Eigen::Index stride = stride_of(motion.states.size(), modes);
   const Eigen::Index n = static_cast<Eigen::Index>(motion.states.size()) / stride;
   const auto k = static_cast<Eigen::Index>(modes);
+  const planar::State& first = motion.states.front();
   reference_ =
-      modes_in_posture(*rigid_.mechanism, motion.states.front(), elastic_, *rigid_.beam, count_)
-          .shapes;
+      modes_in_posture(posture_at(first, rigid_.loads(si<Time>(first.time))), count_).shapes;
 
   // Unknowns: instant by instant the modal coordinates.
   const Differentiation d = differentiation(n);
@@ -163,23 +189,21 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   Eigen::MatrixXd p(n, k);
   Eigen::MatrixXd statically(n, k);
   std::vector<Eigen::MatrixXd> viscous;  // K^-1 C at the instants
-  double fastest = 0.0;
   lowest_ = 1e300;
   for (Eigen::Index i = 0; i < n; ++i) {
     const planar::State& state = motion.states[static_cast<std::size_t>(i * stride)];
-    const auto [at, turn] = aligned_at(state);
+    const BeamLoads loads = rigid_.loads(si<Time>(state.time));
+    const auto [at, turn] = aligned_at(posture_at(state, loads), state.time);
     Eigen::VectorXd squares(k);
     for (Eigen::Index j = 0; j < k; ++j) {
       squares[j] = std::pow(two_pi * at.frequencies[static_cast<std::size_t>(j)], 2);
     }
     lowest_ = std::min(lowest_, at.frequencies.front());
-    fastest =
-        std::max(fastest, std::abs(state.v[3 * static_cast<Eigen::Index>(elastic_.body) + 2]));
-    const Eigen::VectorXd force =
-        modal_loads(at, cut_forces_of(rigid_.loads(si<Time>(state.time))));
+    const Eigen::VectorXd force = modal_loads(at, cut_forces_of(loads));
+    const FrameTerms frame = frame_terms(at, state);
     p.row(i) = (turn.transpose() * force).transpose();
     statically.row(i) = (turn.transpose() * force.cwiseQuotient(squares)).transpose();
-    const Eigen::MatrixXd damping = turn.transpose() * at.damping * turn;
+    const Eigen::MatrixXd damping = turn.transpose() * (at.damping + frame.of_rate) * turn;
     viscous.emplace_back(turn.transpose() * squares.cwiseInverse().asDiagonal() * at.damping *
                          turn);
     for (Eigen::Index m = 0; m < n; ++m) {
@@ -188,7 +212,8 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
           rate * d.first[apart] * damping +
           rate * rate * d.second[apart] * Eigen::MatrixXd::Identity(k, k);
     }
-    system.block(i * k, i * k, k, k) += turn.transpose() * squares.asDiagonal() * turn;
+    const Eigen::MatrixXd stiffness = Eigen::MatrixXd(squares.asDiagonal()) + frame.of_size;
+    system.block(i * k, i * k, k, k) += turn.transpose() * stiffness * turn;
   }
   Eigen::VectorXd right(n * k);
   for (Eigen::Index i = 0; i < n; ++i) right.segment(i * k, k) = p.row(i).transpose();
@@ -203,7 +228,6 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
     }
     dynamic_.row(i) += (viscous[static_cast<std::size_t>(i)] * speed).transpose();
   }
-  left_out_ = std::pow(fastest / (two_pi * lowest_), 2);
 
   constexpr double no_limit = 1e3;
   const double size = statically.cwiseAbs().maxCoeff();
@@ -217,8 +241,12 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
   }
 }
 
-ElasticMotion::Aligned ElasticMotion::aligned_at(const planar::State& state) const {
-  PostureModes modes = modes_in_posture(*rigid_.mechanism, state, elastic_, *rigid_.beam, count_);
+LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid) const {
+  return standing_posture(rigid_, elastic_, state, rigid);
+}
+
+ElasticMotion::Aligned ElasticMotion::aligned_at(const LoadedPosture& posture, double time) const {
+  PostureModes modes = modes_in_posture(posture, count_);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(modes.shapes.transpose() * reference_,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
   constexpr double recognised = 0.3;
@@ -226,7 +254,7 @@ ElasticMotion::Aligned ElasticMotion::aligned_at(const planar::State& state) con
     refuse(
         "the modes of the beam change beyond recognition over the motion, so that a few of them "
         "do not describe its vibration; use --model rigid to have the loads of rigid bodies",
-        state.time);
+        time);
   }
   Eigen::MatrixXd turn = svd.matrixU() * svd.matrixV().transpose();
   return {std::move(modes), std::move(turn)};
@@ -237,10 +265,13 @@ Eigen::VectorXd ElasticMotion::dynamic_at(double time) const {
 }
 
 BeamLoads ElasticMotion::loads_at(Time time) const {
-  const auto [at, turn] = aligned_at(finder_->at(time.value()));
-  const Eigen::VectorXd sizes = turn * dynamic_at(time.value());
   BeamLoads loads = rigid_.loads(time);
-  loads.lines = on_stretches_of(loads.lines, at.loads.front().lines);
+  const LoadedPosture posture = posture_at(finder_->at(time.value()), loads);
+  const auto [at, turn] = aligned_at(posture, time.value());
+  const Eigen::VectorXd sizes = turn * dynamic_at(time.value());
+  const BeamLoads bent = second_order_of(posture).loads;
+  loads.lines = on_stretches_of(loads.lines, bent.lines);
+  add_mode(loads, 1.0, bent);
   for (std::size_t j = 0; j < count_; ++j) {
     add_mode(loads, sizes[static_cast<Eigen::Index>(j)], at.loads[j]);
   }
@@ -250,9 +281,12 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
 LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
                          const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
   if (model.level == ModelLevel::rigid) return rigid;
-  auto of = std::make_shared<const ElasticMotion>(
-      RigidMotion{&planar_in(project, situation), &motion, &project.beam, std::move(rigid)},
-      elastic_body_of(project, model.parts), static_cast<std::size_t>(model.modes));
+  const RigidMotion bodies{&planar_in(project, situation), &motion, &project.beam,
+                           std::move(rigid)};
+  const ElasticBody elastic = elastic_body_of(project, model.parts);
+  if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);
+  auto of =
+      std::make_shared<const ElasticMotion>(bodies, elastic, static_cast<std::size_t>(model.modes));
   return [of](Time time) { return of->loads_at(time); };
 }
 

@@ -234,6 +234,65 @@ std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun
   return gates.gates();
 }
 
+namespace {
+
+std::string buckling_text(const Project& project, const BucklingLoad& load, const char* plane) {
+  const std::string& name = project.situations[load.situation].name;
+  return fmt::format(
+      "the beam's compression is {:.4g} of the elastic critical one, N_cr of the tapered beam {} "
+      "with its axial force as it is distributed, {}, at t = {:.6g} s{}",
+      load.part, plane, load.held, load.when.value(),
+      name.empty() ? "" : fmt::format(" of situation \"{}\"", name));
+}
+
+/// Buckling of the beam, and second order where it is not in the cut forces.
+void look_at_second_order(const Project& project, const ModelChoice& model,
+                          std::vector<Gate>& gates) {
+  const SecondOrderEstimate& of = model.second_order;
+  const bool counted = model.counts_second_order;
+  const auto look = [&](const BucklingLoad& load, const char* plane, bool bends) {
+    if (load.part >= 1.0) {
+      gates.push_back({"", "",
+                       buckling_text(project, load, plane) +
+                           ": it buckles, and the stresses of the straight beam mean nothing",
+                       true});
+    } else if (load.part > no_buckling_below &&
+               (load.of_resistance + of.bending) * project.strength.required > 1.0) {
+      gates.push_back(
+          {"", "",
+           buckling_text(project, load, plane) +
+               fmt::format(
+                   ": its flexural buckling counts (above {}, EN 1993-1-1, 6.3.1.2(4)), and "
+                   "N/N_b,Rd = {:.3g} (6.3.1, curve c) with M/(W f_y) = {:.3g} of the bent "
+                   "beam is more than 1/{:.3g}, which is required",
+                   no_buckling_below, load.of_resistance, of.bending, project.strength.required),
+           true});
+    } else if (bends && !counted && load.part > first_order_below) {
+      gates.push_back({"", "",
+                       buckling_text(project, load, plane) +
+                           fmt::format(", above {}: theory of the first order does not hold (EN "
+                                       "1993-1-1, 5.2.1(3)), and that of the second is not in the "
+                                       "cut forces",
+                                       first_order_below),
+                       true});
+    }
+  };
+  look(of.in_plane, "in the plane of motion", true);
+  if (of.across) look(*of.across, "across it", in_space(project));
+  // sin(0.1) is 0.2 % less than 0.1, the work of a turning force 0.4 % less than its square.
+  constexpr double small = 0.1;
+  if (counted && of.turn > small) {
+    gates.push_back({"", "",
+                     fmt::format("sections of the beam turn by {:.3g} rad when it bends: beyond "
+                                 "{} rad theory of the second order, for small turns, does not "
+                                 "hold",
+                                 of.turn, small),
+                     true});
+  }
+}
+
+}  // namespace
+
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
   std::vector<Gate> gates;
   const bool neighbours = !project.pins.empty() || !project.rods.empty();
@@ -244,6 +303,7 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                      "are not proven",
                      true});
   }
+  look_at_second_order(project, model, gates);
   // What was chosen is within the tolerance already.
   if (project.model.demand == ModelDemand::automatic || model.weighed.empty()) return gates;
   const ModelEstimate& demanded = model.weighed.back();

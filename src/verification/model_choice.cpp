@@ -221,23 +221,66 @@ std::string against_frequencies(const VibrationEstimate& estimate) {
   return text;
 }
 
-/// Climbs from rigid bodies to ever more modes.
+/// "second order changes it by 0.3 %, N/N_cr = 0.012 at most in the plane, 0.004 across it".
+std::string second_order_text(const SecondOrderEstimate& of) {
+  if (of.in_plane.part == 0.0 && of.change.value_or(0.0) == 0.0) {
+    return "second order changes nothing, for the beam bears no axial force";
+  }
+  std::string text = of.change ? fmt::format("second order is estimated to change it by {}",
+                                             percent_text(*of.change))
+                               : std::string("the beam buckles");
+  if (of.in_plane.part > 0.0) {
+    text += fmt::format(", N/N_cr = {:.3g} at most in the plane", of.in_plane.part);
+  }
+  if (of.across && of.across->part > 0.0)
+    text += fmt::format(", {:.3g} across it", of.across->part);
+  return text;
+}
+
+/// Bodies that bend statically under their axial force, without vibration.
+constexpr ElasticModel bent{ModelLevel::quasi_static, 0, 16, {}, false};
+
+/// Where vibration is not estimated: rigid bodies, or bent ones where second order asks for them.
+void choose_unvibrated(const Project& project, const std::string& obstacle, ModelChoice& choice) {
+  if (project.model.demand == ModelDemand::flexible) {
+    throw AnalysisError({fmt::format("the model that was demanded cannot be had, for the beam's "
+                                     "vibration is not computed here: {}; use --model auto or "
+                                     "--model rigid",
+                                     obstacle),
+                         "beam",
+                         {},
+                         {},
+                         {}});
+  }
+  const SecondOrderEstimate& second = choice.second_order;
+  const std::string why = fmt::format("what vibration adds is not estimated: {}; {}", obstacle,
+                                      second_order_text(second));
+  if (second.whole && second.change) {
+    choice.weighed.push_back({{}, "second order alone", *second.change, {}});
+    if (*second.change > choice.tolerance && project.model.demand == ModelDemand::automatic) {
+      choice.chosen = bent;
+      choice.counts_second_order = true;
+      choice.weighed.push_back({bent, "second order is in it", 0.0, {}});
+      choice.reason = fmt::format("{}: {}", describe(bent), why);
+      return;
+    }
+  }
+  choice.reason = "rigid bodies; " + why;
+}
+
+/// Climbs from rigid bodies to bent ones and to ever more modes.
 ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>& rigid) {
   ModelChoice choice;
   choice.tolerance = project.model.tolerance;
+  choice.second_order = estimate_second_order(project, rigid);
+  const SecondOrderEstimate& second = choice.second_order;
   const std::string obstacle = not_estimated(project, rigid);
   if (!obstacle.empty()) {
-    if (project.model.demand == ModelDemand::flexible) {
-      throw AnalysisError({fmt::format("the model that was demanded cannot be had, for the beam's "
-                                       "vibration is not computed here: {}; use --model auto or "
-                                       "--model rigid",
-                                       obstacle),
-                           "beam",
-                           {},
-                           {},
-                           {}});
-    }
-    choice.reason = "rigid bodies; what vibration adds is not estimated: " + obstacle;
+    choose_unvibrated(project, obstacle, choice);
+    return choice;
+  }
+  if (second.in_plane.part >= 1.0) {
+    choice.reason = "rigid bodies: " + second_order_text(second);
     return choice;
   }
   const VibrationEstimate estimate = worst_estimate(project, rigid);
@@ -247,14 +290,18 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
   }
   choice.frequencies = estimate.frequencies;
   choice.harmonics = estimate.harmonics;
-  const ModelEstimate by_rigid{{},
-                               "harmonics of the loads against the modes of six postures",
-                               estimate.without_modes.front(),
-                               {}};
+  const double of_bending = second.change.value_or(0.0);
+  const ModelEstimate by_rigid{
+      {},
+      fmt::format("harmonics of the loads against the modes of six postures {}, second order {}",
+                  percent_text(estimate.without_modes.front()), percent_text(of_bending)),
+      estimate.without_modes.front() + of_bending,
+      {}};
   choice.weighed.push_back(by_rigid);
   const std::string missed =
-      fmt::format("vibration is estimated to change the governing stress by {}, tolerance {}",
-                  percent_text(by_rigid.error), percent_text(choice.tolerance));
+      fmt::format("vibration is estimated to change the governing stress by {}, {}; tolerance {}",
+                  percent_text(estimate.without_modes.front()), second_order_text(second),
+                  percent_text(choice.tolerance));
   bool enough = by_rigid.error <= choice.tolerance;
   // An estimate far below the tolerance is not worth the modes of every posture.
   constexpr double verified_above = 0.7;
@@ -272,6 +319,24 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
                                 project.model.demand == ModelDemand::rigid ? ", as demanded" : "",
                                 against_frequencies(estimate), missed, found);
     return choice;
+  }
+  if (project.model.demand == ModelDemand::automatic) {
+    ModelEstimate& by_bending = choice.weighed.emplace_back();
+    by_bending.model = bent;
+    by_bending.error = estimate.without_modes.front();
+    by_bending.basis = "vibration left out";
+    if (by_bending.error <= choice.tolerance) {
+      if (by_bending.error > verified_above * choice.tolerance) {
+        by_bending.found = error_found(project, bent) + estimate.left_out;
+      }
+      if (by_bending.found.value_or(0.0) <= choice.tolerance) {
+        choice.chosen = bent;
+        choice.counts_second_order = true;
+        choice.reason = fmt::format("{}: {}; rigid bodies: {}", describe(bent),
+                                    against_frequencies(estimate), missed);
+        return choice;
+      }
+    }
   }
   // A few modes do not hold what friction that turns round excites, nor how it damps it.
   const std::string rubbing = dry_friction_in(project, rigid);
@@ -293,6 +358,7 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
     by_modes.found = error_found(project, by_modes.model) + estimate.left_out;
     if (*by_modes.found > choice.tolerance) continue;
     choice.chosen = by_modes.model;
+    choice.counts_second_order = true;
     choice.reason = fmt::format(
         "{}: {}; rigid bodies: {}; {} estimated to miss {}, found {} against one mode "
         "more and twice the parts",
@@ -331,10 +397,16 @@ const char* to_text(ModelLevel level) {
   return "";
 }
 
+bool knows_second_order(const ModelChoice& model) {
+  const SecondOrderEstimate& of = model.second_order;
+  return model.counts_second_order || (of.whole && of.change && *of.change <= model.tolerance);
+}
+
 ModelledRuns run_by_chosen_model(const Project& project) {
   if (is_flexible(project)) {
     ModelChoice model = choose_elastic(project);
     std::deque<SituationRun> runs = run_situations(project, model.chosen);
+    model.second_order = estimate_second_order(project, runs);
     return {std::move(model), std::move(runs)};
   }
   std::deque<SituationRun> rigid = run_situations(project);

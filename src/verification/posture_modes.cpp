@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 
 namespace boxbeam {
@@ -11,24 +10,24 @@ namespace {
 /// Places of the beam whose motion tells modes apart.
 constexpr int samples = 9;
 
-Eigen::VectorXd shape_of(const flexible::Structure& structure, const ElasticBody& elastic,
-                         double beam_mass, const flexible::Deformation<double>& deformation) {
+Eigen::VectorXd shape_of(const flexible::Structure& structure, int beam_link, double beam_mass,
+                         const flexible::Deformation<double>& deformation) {
   const std::vector<flexible::Link>& links = structure.mechanism->links;
   Eigen::VectorXd shape(3 * static_cast<Eigen::Index>(links.size() + samples));
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    if (static_cast<int>(i) == elastic.body) continue;
+    if (static_cast<int>(i) == beam_link) continue;
     const flexible::RigidMass& mass = links[i].rigid;
     shape.segment<3>(at) = deformation.motion[i].col(0);
     shape.segment<2>(at) *= std::sqrt(mass.mass);
     shape[at + 2] *= std::sqrt(mass.inertia);
     at += 3;
   }
-  const flexible::Link& beam = links[static_cast<std::size_t>(elastic.body)];
+  const flexible::Link& beam = links[static_cast<std::size_t>(beam_link)];
   const double c = std::cos(beam.angle);
   const double s = std::sin(beam.angle);
   for (int k = 0; k < samples; ++k) {
-    const flexible::Attachment place{elastic.body, {elastic.length * k / (samples - 1.0), 0.0}};
+    const flexible::Attachment place{beam_link, {beam.length * k / (samples - 1.0), 0.0}};
     const Eigen::Vector3d world = flexible::motion_at(structure, place, deformation);
     shape[at++] = std::sqrt(beam_mass / samples) * (c * world.x() + s * world.y());
     shape[at++] = std::sqrt(beam_mass / samples) * (c * world.y() - s * world.x());
@@ -36,70 +35,99 @@ Eigen::VectorXd shape_of(const flexible::Structure& structure, const ElasticBody
   return shape.head(at);
 }
 
-/// The loads on the beam in a free vibration of size one: those of a response that is this mode.
-BeamLoads loads_of_mode(const flexible::Structure& structure, int link, const TaperedBeam& beam,
-                        const flexible::Mode& mode) {
-  flexible::Response response;
-  response.frequency = mode.frequency;
-  response.constant = mode.shape;
-  for (auto& motion : response.constant.motion) motion.setZero();
-  response.constant.joints.setZero();
-  for (const auto& motion : mode.shape.motion) {
-    response.harmonic.motion.emplace_back(motion.cast<flexible::Complex>());
+/// d_i . d_j and d_i x d_j over the masses of a link in two modes.
+void add_products(const flexible::DividedLink& link, const Eigen::Matrix3Xd& of_i,
+                  const Eigen::Matrix3Xd& of_j, double& dot, double& cross) {
+  for (std::size_t k = 0; k < link.elements.size(); ++k) {
+    const flexible::RigidElement& element = link.elements[k];
+    if (element.mass <= 0.0) continue;
+    const auto column = static_cast<Eigen::Index>(k);
+    const Eigen::Vector2d arm = element.first_moment / element.mass;
+    const auto shift = [&](const Eigen::Matrix3Xd& motion) -> Eigen::Vector2d {
+      const Eigen::Vector3d at = motion.col(column);
+      return {at[0] - at[2] * arm.y(), at[1] + at[2] * arm.x()};
+    };
+    const Eigen::Vector2d i = shift(of_i);
+    const Eigen::Vector2d j = shift(of_j);
+    dot += element.mass * i.dot(j);
+    // i . (e_z x j): what turns j to its left.
+    cross += element.mass * (i.y() * j.x() - i.x() * j.y());
   }
-  response.harmonic.joints = mode.shape.joints.cast<flexible::Complex>();
-  return flexible::beam_response_of(structure, link, beam, response, response.harmonic.motion).sine;
 }
 
-/// N, V and couple of a diagram in the axes of a link: y of the beam points into the plane.
-Eigen::Vector3d in_link_axes(const CutForces& cut) {
-  return {cut.N.value(), cut.V_z.value(), -cut.M_y.value()};
-}
-
-/// The mean over a part, for cut forces that are polynomials of third degree in it.
-Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::SpringElement& part) {
-  const auto at = [&](double s, Side side) {
-    return in_link_axes(diagram.at({si<Length>(s), side}));
-  };
-  return (at(part.from, Side::behind) + 4.0 * at(0.5 * (part.from + part.to), Side::both) +
-          at(part.to, Side::before)) /
-         6.0;
+/// How a part of a link is stretched, shifted across and turned in a motion.
+Eigen::Vector3d strain_of(const flexible::DividedLink& link, std::size_t part,
+                          const Eigen::Matrix3Xd& motion) {
+  const auto column = static_cast<Eigen::Index>(part);
+  const double place = link.springs[part].place;
+  const Eigen::Vector3d from = motion.col(column);
+  const Eigen::Vector3d to = motion.col(column + 1);
+  return {to[0] - from[0],
+          to[1] - (link.springs[part].to - place) * to[2] - from[1] -
+              (place - link.springs[part].from) * from[2],
+          to[2] - from[2]};
 }
 
 }  // namespace
 
-PostureModes modes_in_posture(const planar::Mechanism& mechanism, const planar::State& state,
-                              const ElasticBody& elastic, const TaperedBeam& beam,
-                              std::size_t count) {
-  const flexible::Mechanism links = links_of(mechanism, state, elastic);
-  const flexible::Structure structure = flexible::structure_of(links);
+PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
+  const flexible::Structure& structure = posture.structure;
+  const auto beam_index = static_cast<std::size_t>(posture.beam_link);
+  const flexible::Link& beam = posture.links->links[beam_index];
   const flexible::ModalModel model = flexible::modal_model_of(structure, count);
-  const double mass =
-      flexible::rigid_mass_of(links.links[static_cast<std::size_t>(elastic.body)]).mass;
+  const double mass = flexible::rigid_mass_of(beam).mass;
   PostureModes modes;
   modes.damping = model.damping;
   for (const flexible::Mode& mode : model.modes) {
-    const Eigen::VectorXd shape = shape_of(structure, elastic, mass, mode.shape);
+    const Eigen::VectorXd shape = shape_of(structure, posture.beam_link, mass, mode.shape);
     modes.shapes.conservativeResize(shape.size(), modes.shapes.cols() + 1);
     modes.shapes.rightCols<1>() = shape;
     modes.frequencies.push_back(mode.frequency);
-    modes.loads.push_back(loads_of_mode(structure, elastic.body, beam, mode));
+    modes.loads.push_back(loads_in_motion(posture, mode.shape, mode.frequency));
     modes.diagrams.push_back(cut_forces_of(modes.loads.back()));
   }
-  modes.beam = structure.links[static_cast<std::size_t>(elastic.body)];
+  const auto size = static_cast<Eigen::Index>(model.modes.size());
+  for (std::size_t body = 0; body < structure.links.size(); ++body) {
+    Eigen::MatrixXd& shifting = modes.shifting.emplace_back(Eigen::MatrixXd::Zero(size, size));
+    Eigen::MatrixXd& turning = modes.turning.emplace_back(Eigen::MatrixXd::Zero(size, size));
+    for (Eigen::Index i = 0; i < size; ++i) {
+      for (Eigen::Index j = 0; j < size; ++j) {
+        add_products(structure.links[body],
+                     model.modes[static_cast<std::size_t>(i)].shape.motion[body],
+                     model.modes[static_cast<std::size_t>(j)].shape.motion[body], shifting(i, j),
+                     turning(i, j));
+      }
+    }
+  }
+  modes.beam = structure.links[beam_index];
+  for (std::size_t i = 0; i < modes.beam.springs.size(); ++i) {
+    Eigen::Matrix3Xd& strains = modes.strains.emplace_back(3, size);
+    for (Eigen::Index j = 0; j < size; ++j) {
+      strains.col(j) = strain_of(modes.beam, i,
+                                 model.modes[static_cast<std::size_t>(j)].shape.motion[beam_index]);
+    }
+  }
   return modes;
 }
 
+FrameTerms frame_terms(const PostureModes& modes, const planar::State& state) {
+  const auto size = static_cast<Eigen::Index>(modes.frequencies.size());
+  FrameTerms terms{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size)};
+  // Behind the bodies come toothed wheels without mass.
+  const auto bodies = static_cast<std::size_t>(state.v.size() / 3);
+  for (std::size_t body = 0; body < bodies; ++body) {
+    const Eigen::Index angle = 3 * static_cast<Eigen::Index>(body) + 2;
+    const double omega = state.v[angle];
+    terms.of_rate += 2.0 * omega * modes.turning[body];
+    terms.of_size += state.a[angle] * modes.turning[body] - omega * omega * modes.shifting[body];
+  }
+  return terms;
+}
+
 Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid) {
-  const auto count = static_cast<Eigen::Index>(modes.diagrams.size());
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(count);
-  for (const flexible::SpringElement& part : modes.beam.springs) {
-    Eigen::Vector3d strain = mean_over(rigid, part);
-    strain[0] *= part.axial;
-    strain.tail<2>() = part.bending * strain.tail<2>().eval();
-    for (Eigen::Index j = 0; j < count; ++j) {
-      p[j] += strain.dot(mean_over(modes.diagrams[static_cast<std::size_t>(j)], part));
-    }
+  Eigen::VectorXd p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(modes.diagrams.size()));
+  for (std::size_t i = 0; i < modes.strains.size(); ++i) {
+    p += modes.strains[i].transpose() * mean_over(rigid, modes.beam.springs[i]);
   }
   return p;
 }

@@ -99,18 +99,24 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
   }
   const std::size_t step = std::max<std::size_t>(1, motion.states.size() / postures_looked_at);
   for (std::size_t at = 0; at < motion.states.size(); at += step) {
-    const PostureModes modes = modes_in_posture(*rigid.mechanism, motion.states[at], elastic,
-                                                *rigid.beam, modes_looked_at);
+    const planar::State& state = motion.states[at];
+    const PostureModes modes =
+        modes_in_posture(loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam,
+                                        rigid.loads(si<Time>(state.time))),
+                         modes_looked_at);
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
     Eigen::MatrixXd p(stresses.rows(), count);
     for (std::size_t i = 0; i < history.even_instants(); ++i) {
       p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.even_diagram(i)).transpose();
     }
-    const double left_out = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
+    const double turning = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
+    const double beside = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
+    const double left_out = turning * std::clamp(beside, 0.0, 1.0);
     estimate.left_out = std::max(estimate.left_out, left_out);
     const auto raise = [&](std::size_t counted, double error) {
       if (estimate.without_modes.size() <= counted) estimate.without_modes.resize(counted + 1, 0.0);
-      estimate.without_modes[counted] = std::max(estimate.without_modes[counted], error + left_out);
+      estimate.without_modes[counted] =
+          std::max(estimate.without_modes[counted], error + (counted == 0 ? turning : left_out));
     };
     Eigen::MatrixXd missed = Eigen::MatrixXd::Zero(stresses.rows(), stresses.cols());
     raise(static_cast<std::size_t>(count), 0.0);

@@ -21,23 +21,30 @@ struct RigidMotion {
   LoadsAt loads;
 };
 
-/// Elastic vibration of the beam in a large periodic motion of its mechanism.
+/// Loads on the beam at any time by theory of the second order: those of the rigid beam and what
+/// static bending under them adds, posture by posture (`second_order_of`).
+LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic);
+
+/// Elastic vibration of the beam in a large periodic motion of its mechanism, by theory of the
+/// second order.
 ///
-/// In every posture the mechanism has modes; their basis is turned so that it is nearest to the one
-/// at the beginning (orthogonal Procrustes problem), which makes it continuous where frequencies
-/// cross. Relative to the rigid motion the beam follows
+/// In every posture, under the forces of the rigid motion there, the mechanism has modes; their
+/// basis is turned so that it is nearest to the one at the beginning (orthogonal Procrustes
+/// problem), which makes it continuous where frequencies cross. Relative to the rigid motion the
+/// beam follows
 ///
-///     eta'' + C(t) eta' + K(t) eta = p(t),   K = phi^T K phi,   p_j = `modal_loads`
+///     eta'' + (C + F') eta' + (K + F) eta = p(t),   K = phi^T (K + K_g) phi,   p_j = `modal_loads`
 ///
-/// periodic, solved at N instants by Fourier collocation. To the loads of the rigid beam come those
-/// of the modes' own inertia, -K^-1 eta'': what elasticity and viscosity bear together beyond the
-/// static part,
+/// periodic, solved at N instants by Fourier collocation; F', F of the turning bodies
+/// (`frame_terms`). To the loads of the beam that bends statically (`second_order_of`) come those
+/// of the modes' own inertia, -K^-1 (eta'' + F' eta' + F eta): what elasticity and viscosity bear
+/// together beyond the static part,
 ///
 ///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (joint forces and inertia of mode j)
 ///
-/// which are in balance. Left out: Coriolis and centrifugal coupling and the change of the modes
-/// with the posture, of the order of (omega_rotation/omega_1)^2; joints that are elastic
-/// themselves.
+/// which are in balance. Left out: the change of the modes with the posture, of the order of
+/// (omega_rotation/omega_1)^2 times the part of a mode's mass that is not the beam's; joints that
+/// are elastic themselves.
 /// Sources: Shabana, Dynamics of Multibody Systems (2005), chapter 5; Trefethen, Spectral Methods
 /// in MATLAB (2000), chapter 3; Schönemann, Psychometrika 31 (1966).
 class ElasticMotion {
@@ -55,8 +62,6 @@ class ElasticMotion {
   /// Modal coordinates at the instants [sqrt(kg) m].
   const Eigen::MatrixXd& coordinates() const { return eta_; }
   double lowest_frequency() const { return lowest_; }  ///< over the motion [Hz]
-  /// (omega_rotation/omega_1)^2, the order of what is left out.
-  double order_left_out() const { return left_out_; }
 
  private:
   /// Modes of a posture, turned to the basis at the beginning.
@@ -64,7 +69,8 @@ class ElasticMotion {
     PostureModes modes;
     Eigen::MatrixXd turn;
   };
-  Aligned aligned_at(const planar::State& state) const;
+  LoadedPosture posture_at(const planar::State& state, const BeamLoads& rigid) const;
+  Aligned aligned_at(const LoadedPosture& posture, double time) const;
   Eigen::VectorXd dynamic_at(double time) const;
 
   RigidMotion rigid_;
@@ -74,7 +80,6 @@ class ElasticMotion {
   Eigen::MatrixXd reference_;  ///< shapes at the beginning
   Eigen::MatrixXd eta_, dynamic_;
   double lowest_ = 0.0;
-  double left_out_ = 0.0;
 };
 
 /// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.

@@ -7,6 +7,7 @@
 
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/second_order_estimate.hpp"
 
 namespace boxbeam {
 
@@ -53,7 +54,14 @@ struct ModelChoice {
   std::vector<ModelEstimate> weighed;   ///< in the order in which they were
   std::vector<double> frequencies;      ///< of the mechanism with all its masses, lowest first [Hz]
   std::vector<LoadHarmonic> harmonics;  ///< the significant ones
+  SecondOrderEstimate second_order;
+  /// Whether the chosen model has what the beam's axial force does to the bent beam.
+  bool counts_second_order = false;
 };
+
+/// Whether what the beam's axial force does to the bent beam is in the cut forces, or known to be
+/// within the tolerance.
+bool knows_second_order(const ModelChoice& model);
 
 /// The cheapest model whose error of the governing stress is within the tolerance that the case
 /// asks for, or the one that it demands.

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
-#include "boxbeam/mechanism/flexible/structure.hpp"
-#include "boxbeam/verification/planar_links.hpp"
+#include "boxbeam/verification/loaded_posture.hpp"
 
 namespace boxbeam {
 
-/// Free vibrations of a planar mechanism with its elastic beam, stopped in a posture.
+/// Free vibrations of a planar mechanism with its elastic beam, stopped in a posture under the
+/// forces of its rigid motion there.
 struct PostureModes {
   std::vector<double> frequencies;  ///< ascending [Hz]
   /// What acts on the beam in each, joints and inertia, per unit of the mode [per sqrt(kg) m].
@@ -20,20 +20,35 @@ struct PostureModes {
   /// different postures apart.
   Eigen::MatrixXd shapes;
   flexible::DividedLink beam;  ///< the springs of the beam
+  /// Of every part of it, a column per mode: how it is stretched, shifted and turned.
+  std::vector<Eigen::Matrix3Xd> strains;
+  /// Of every body, over its masses: sum of m d_i . d_j and of m d_i x d_j of the modes' shifts,
+  /// whose frame turns with the body.
+  std::vector<Eigen::MatrixXd> shifting, turning;
 };
 
-/// Throws AnalysisError where the stopped mechanism is free to move.
-PostureModes modes_in_posture(const planar::Mechanism& mechanism, const planar::State& state,
-                              const ElasticBody& elastic, const TaperedBeam& beam,
-                              std::size_t count);
+/// Throws AnalysisError where the stopped mechanism is free to move. Precondition: the posture
+/// stands.
+PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count);
+
+/// What the turning of the bodies adds to the equations of modes that are fixed to them, at angular
+/// velocities omega and accelerations alpha,
+///
+///     Coriolis  2 omega x eta',   centrifugal and Euler  (alpha x - omega^2) eta
+///
+/// Source: Shabana, Dynamics of Multibody Systems (2005), chapter 5.
+struct FrameTerms {
+  Eigen::MatrixXd of_rate, of_size;
+};
+FrameTerms frame_terms(const PostureModes& modes, const planar::State& state);
 
 /// The generalised force of a mode under loads on the rigid beam that are in balance: the work of
 /// their cut forces on its strains,
 ///
-///     p_j = integral of N N_j/EA + V V_j/GA + M M_j/EI   over the beam
+///     p_j = integral of N epsilon_j + V gamma_j + M kappa_j   over the beam
 ///
 /// the same as phi_j^T of all forces and inertia of the rigid mechanism, for joints do no work and
-/// rigid bodies are in balance. Per part by Simpson's rule. Source: principle of virtual work.
+/// rigid bodies are in balance. Per part with the mean cut forces. Source: principle of virtual work.
 Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid);
 
 }  // namespace boxbeam

@@ -12,15 +12,17 @@ namespace boxbeam {
 ///     sum over harmonics h of p_jh/omega_j^2 r^2/(1 - r^2 + 2 i zeta r),  r = h Omega/omega_j
 ///
 /// times the stresses of the mode: what elasticity and viscosity bear together, (1 + 2 i zeta r)
-/// over the same, beyond the static 1. Added is the order of what the rotation of the beam couples,
-/// (omega_rotation/omega_1)^2. Valid for motions that repeat: others have no harmonics, and how
+/// over the same, beyond the static 1 of the beam that bends statically. Added is the order of what
+/// the rotation of the beam couples, (omega_rotation/omega_1)^2; where modes are counted, of it the
+/// part of the first mode's mass that is not the beam's. Valid for motions that repeat: others have
+/// no harmonics, and how
 /// they begin decides what vibrates.
 struct VibrationEstimate {
   /// As `difference_between`, of the worst posture, with none, one, ... of the modes counted; of
   /// the last, all that are looked at, what their number leaves out is not known.
   std::vector<double> without_modes;
-  /// (omega_rotation/omega_1)^2, and the coefficient of dry friction times what no mode counted
-  /// misses; contained in these.
+  /// What rotation couples in spite of modes, and the coefficient of dry friction times what no
+  /// mode counted misses; contained in these.
   double left_out = 0.0;
   /// Of the posture whose first frequency is lowest [Hz].
   std::vector<double> frequencies;

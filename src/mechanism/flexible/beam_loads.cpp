@@ -218,6 +218,77 @@ void add(BeamLoads& sum, double factor, const BeamLoads& loads) {
   }
 }
 
+/// What the axial force that is there does to a part that bends, in the axes of the straight beam:
+/// the load across it d/ds (N w'), which gives the shear in the bent section. `N w'` of a part as a
+/// polynomial whose integral is the couple that its two nodes feel, so that all is in balance.
+Polynomial<4> tension_times_slope(const SpringElement& part, const Eigen::Vector3d& q0,
+                                  const Eigen::Vector3d& q1) {
+  const double D = part.to - part.from;
+  const std::array<double, 2> turning = turning_of(part);
+  const double middle = 1.5 * (q1[1] - q0[1]) / D - 0.25 * (q0[2] + q1[2]);
+  const double a = part.tension[0] * q0[2];
+  const double b = part.tension[1] * middle;
+  const double c = part.tension[2] * q1[2];
+  // What the chord that turns more than its nodes' levers feels of the mean tension.
+  const double N = (part.tension[0] + 4.0 * part.tension[1] + part.tension[2]) / 6.0;
+  const double chord =
+      q1[1] - q0[1] -
+      part.reach * ((part.place - part.from) * q0[2] + (part.to - part.place) * q1[2]);
+  const double couple = N * chord + turning[0] * q0[2] + turning[1] * q1[2];
+  const double lack = couple - D / 6.0 * (a + 4.0 * b + c);
+  const double bubble = 30.0 * lack / std::pow(D, 5);
+  Polynomial<4> g;
+  g.c = {a, (4.0 * b - 3.0 * a - c) / D, 2.0 * (a - 2.0 * b + c) / (D * D) + bubble * D * D,
+         -2.0 * bubble * D, bubble};
+  return g;
+}
+
+bool bears_tension(const DividedLink& link) {
+  return std::any_of(link.elements.begin(), link.elements.end(),
+                     [](const RigidElement& of) { return of.turning != 0.0; });
+}
+
+/// Adds the loads of second order in a motion of a link's elements to its loads, whose lines lie
+/// within the link's parts. Points come in the same number and order whatever the motion.
+void add_second_order(const DividedLink& link, const std::vector<Length>& places,
+                      const Eigen::Matrix3Xd& motion, BeamLoads& loads) {
+  std::size_t at = 0;
+  for (LineLoad& line : loads.lines) {
+    const double middle = (line.start + 0.5 * line.length).value();
+    while (at + 1 < link.springs.size() && middle > link.springs[at].to) ++at;
+    const auto i = static_cast<Eigen::Index>(at);
+    const SpringElement& part = link.springs[at];
+    const Polynomial<4> g = tension_times_slope(part, motion.col(i), motion.col(i + 1));
+    line.force[2] = line.force[2] +
+                    shifted(derivative_of(g), line.start.value() - part.from, line.length.value());
+  }
+  double largest = 0.0;
+  for (const SpringElement& part : link.springs) {
+    for (const double N : part.tension) largest = std::max(largest, std::abs(N));
+  }
+  constexpr double nothing = 1e-10;
+  for (std::size_t i = 0; i < link.elements.size(); ++i) {
+    double jump = 0.0;
+    double arms = link.elements[i].turning;
+    if (i > 0) {
+      jump -= link.springs[i - 1].tension[2];
+      arms -= turning_of(link.springs[i - 1])[1];
+    }
+    if (i < link.springs.size()) {
+      jump += link.springs[i].tension[0];
+      arms -= turning_of(link.springs[i])[0];
+    }
+    const double size = largest * (link.elements.back().node - link.elements.front().node);
+    if (std::abs(jump) <= nothing * largest && std::abs(arms) <= nothing * size) continue;
+    const double turn = motion(2, static_cast<Eigen::Index>(i));
+    PointLoad& load = loads.points.emplace_back();
+    load.s = place_near(places, si<Length>(link.elements[i].node));
+    load.force.z() = jump * turn;
+    // Forces beside the axis, whose arms turn; y points into the plane.
+    load.moment.y() = arms * turn;
+  }
+}
+
 double omega_of(double frequency) { return 2.0 * std::numbers::pi * frequency; }
 
 }  // namespace
@@ -267,6 +338,13 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
     result.sine.lines.push_back(inertia.line(interval, real));
     result.cosine.lines.push_back(inertia.line(interval, imaginary));
   }
+  if (!bears_tension(structure.links[index])) return result;
+  const auto add_bent = [&](const Eigen::Matrix3Xd& motion, BeamLoads& loads) {
+    add_second_order(structure.links[index], places, motion, loads);
+  };
+  add_bent(response.constant.motion[index], result.constant);
+  add_bent(response.harmonic.motion[index].real(), result.sine);
+  add_bent(response.harmonic.motion[index].imag(), result.cosine);
   return result;
 }
 

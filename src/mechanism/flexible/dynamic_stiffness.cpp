@@ -20,14 +20,15 @@ constexpr double no_pivot = 1e-14;
 /// Between two neighbouring elements: the spring, and from the nodes of both to its place.
 struct Between {
   const SpringElement* spring;
-  double to_place;    ///< from the node of the element that is gathered
-  double from_other;  ///< from the node of the other
+  double to_place;    ///< lever from the node of the element that is gathered
+  double from_other;  ///< and from the node of the other
 };
 
 /// `i` is gathered towards `next`, its neighbour.
 Between between(const DividedLink& link, std::size_t i, std::size_t next) {
   const SpringElement& spring = link.springs[std::min(i, next)];
-  return {&spring, spring.place - link.elements[i].node, spring.place - link.elements[next].node};
+  return {&spring, spring.reach * (spring.place - link.elements[i].node),
+          spring.reach * (spring.place - link.elements[next].node)};
 }
 
 /// The elements of a link in the order in which they are gathered, with the neighbour each goes to.
@@ -43,7 +44,7 @@ void outward(std::size_t elements, std::size_t retained, const Function& f) {
   for (std::size_t i = retained + 1; i < elements; ++i) f(i, i - 1);
 }
 
-/// -square M of an element on the axis of a link: along it, and across it and turning.
+/// K_g - square M of an element on the axis of a link: along it, and across it and turning.
 template <class Scalar>
 struct AxisStiffness {
   Scalar uu{}, ww{}, wp{}, pp{};
@@ -52,7 +53,7 @@ struct AxisStiffness {
     uu -= square * of.mass;
     ww -= square * of.mass;
     wp -= square * of.first_moment.x();
-    pp -= square * of.inertia;
+    pp += of.turning - square * of.inertia;
   }
 };
 
@@ -89,6 +90,21 @@ struct Pivot {
         det(a11 * a22 - a12 * a21),
         size(std::abs(a11 * a22) + std::abs(a12 * a21)) {}
 };
+
+/// (square M - K_g) q: what inertia and the forces that are there do in a motion.
+template <class Scalar>
+LinkColumns<Scalar> resistance_of(const Structure& structure, double square,
+                                  const LinkColumns<Scalar>& motion) {
+  LinkColumns<Scalar> forces = mass_times(structure, motion);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    forces[k] *= square;
+    for (std::size_t i = 0; i < structure.links[k].elements.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      forces[k](2, column) -= structure.links[k].elements[i].turning * motion[k](2, column);
+    }
+  }
+  return forces;
+}
 
 }  // namespace
 
@@ -443,13 +459,13 @@ void DynamicStiffness<Scalar>::refine(const LinkColumns<Scalar>& loads,
                                       Deformation<Scalar>& result) const {
   const std::size_t links = structure_->links.size();
   LinkColumns<Scalar> borne = with_joint_forces(loads, result);
-  const LinkColumns<Scalar> inertia = mass_times(*structure_, result.motion);
+  const LinkColumns<Scalar> resisted = resistance_of(*structure_, square_, result.motion);
   LinkColumns<Scalar> change(links);
   for (std::size_t k = 0; k < links; ++k) {
     const DividedLink& link = structure_->links[k];
     const Scalar damping = damped(1.0, k);
     Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& force = borne[k];
-    force += square_ * inertia[k];
+    force += resisted[k];
     inward(link.elements.size(), retained_[k], [&](std::size_t i, std::size_t next) {
       const Between at = between(link, i, next);
       auto own = force.col(static_cast<Eigen::Index>(i));
@@ -474,9 +490,8 @@ void DynamicStiffness<Scalar>::refine(const LinkColumns<Scalar>& loads,
     });
     change[k] = motion - change[k];
   }
-  LinkColumns<Scalar> rest = mass_times(*structure_, change);
+  LinkColumns<Scalar> rest = resistance_of(*structure_, square_, change);
   for (std::size_t k = 0; k < links; ++k) {
-    rest[k] *= square_;
     rest[k].col(static_cast<Eigen::Index>(retained_[k])) =
         borne[k].col(static_cast<Eigen::Index>(retained_[k]));
   }
@@ -553,8 +568,11 @@ std::size_t DynamicStiffness<Scalar>::frequencies_below() const {
     if (border_.rows() == 0) return 0;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(border_, Eigen::EigenvaluesOnly);
     const auto negative = static_cast<std::size_t>((eigen.eigenvalues().array() < 0.0).count());
-    // Every force of a joint brings a negative one of its own.
-    return gathered_below_ + negative - rows_.size();
+    // Every force of a joint brings a negative one of its own, but one that pushes its ends apart
+    // across its line.
+    const auto holding = std::count_if(rows_.begin(), rows_.end(),
+                                       [](const Row& row) { return row.flexibility >= 0.0; });
+    return gathered_below_ + negative - static_cast<std::size_t>(holding);
   } else {
     assert(false);
     return 0;

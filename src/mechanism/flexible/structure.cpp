@@ -262,6 +262,52 @@ std::size_t element_at(const DividedLink& link, double s, bool nodes_at_joints) 
 
 }  // namespace
 
+namespace {
+
+/// Of nu: beyond it a part is half-way to buckling by itself.
+constexpr double least_nu = -0.5;
+
+double mean_tension(const SpringElement& part) {
+  return (part.tension[0] + 4.0 * part.tension[1] + part.tension[2]) / 6.0;
+}
+
+}  // namespace
+
+std::array<double, 2> turning_of(const SpringElement& part) {
+  const auto& [N_0, N_m, N_1] = part.tension;
+  const double per = part.reach * (part.to - part.from) / 12.0;
+  return {per * (3.0 * N_0 + 4.0 * N_m - N_1), per * (3.0 * N_1 + 4.0 * N_m - N_0)};
+}
+
+void load_axially(DividedLink& link, const TensionAt& tension) {
+  for (std::size_t i = 0; i < link.springs.size(); ++i) {
+    SpringElement& part = link.springs[i];
+    const double D = part.to - part.from;
+    part.tension = {tension(part.from, Side::behind),
+                    tension(0.5 * (part.from + part.to), Side::both),
+                    tension(part.to, Side::before)};
+    Eigen::Matrix2d& f = part.bending;
+    const double shift = f(1, 1) > 0.0 ? f(0, 1) / f(1, 1) : 0.0;
+    part.place -= shift;
+    f(0, 0) -= shift * f(0, 1);
+    f(0, 1) = f(1, 0) = 0.0;
+    const double N = mean_tension(part);
+    part.reach = 1.0 / (1.0 + std::max(least_nu, N * f(0, 0) / D));
+    f(0, 0) *= part.reach;
+    const double bow = N * f(1, 1) * D / 6.0;
+    f(1, 1) *= bow > 0.0 ? 1.0 + bow : 1.0 / (1.0 - bow);
+    const std::array<double, 2> turning = turning_of(part);
+    link.elements[i].turning += turning[0];
+    link.elements[i + 1].turning += turning[1];
+  }
+}
+
+bool parts_stand(const DividedLink& link) {
+  return std::none_of(link.springs.begin(), link.springs.end(), [](const SpringElement& part) {
+    return part.reach >= 1.0 / (1.0 + least_nu);
+  });
+}
+
 Grip grip_of(const Structure& structure, const Attachment& at) {
   Grip grip;
   grip.link = at.link;

@@ -27,7 +27,9 @@ struct Deformation {
 
 /// Solves the structure under loads that vibrate,
 ///
-///     (K + i omega C - omega^2 M) q = f,   links: C = tau K
+///     (K + K_g + i omega C - omega^2 M) q = f,   links: C = tau K
+///
+/// K_g of the forces that are there before anything moves (`RigidElement::turning`).
 ///
 /// for one frequency. A `double` solves without damping, at any square of omega: below zero (a
 /// shift of eigenvalues), zero (statics) and above.
@@ -50,7 +52,8 @@ class DynamicStiffness {
 
   Deformation<Scalar> solve(const LinkColumns<Scalar>& loads) const;
 
-  /// How many natural frequencies lie below the root of `square`; undamped only. Source: Wittrick,
+  /// How many natural frequencies lie below the root of `square`; undamped only. At zero: in how
+  /// many ways the structure buckles under the forces that are there. Source: Wittrick,
   /// Williams, Quarterly Journal of Mechanics and Applied Mathematics 24 (1971).
   std::size_t frequencies_below() const;
 

@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
+#include "boxbeam/beam/tapered_beam.hpp"
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 
 namespace boxbeam::flexible {
@@ -17,6 +19,9 @@ struct RigidElement {
   /// Static moment of the mass about the node, along the axis and across it [kg m].
   Eigen::Vector2d first_moment = Eigen::Vector2d::Zero();
   double inertia = 0.0;  ///< about the node [kg m^2]
+  /// What forces that keep their direction add to the stiffness against turning [N m/rad]: tension
+  /// stiffens, compression softens.
+  double turning = 0.0;
 };
 
 /// A spring-damping element (SDE) between two neighbouring rigid elements: how they shift and turn
@@ -27,6 +32,11 @@ struct SpringElement {
   double axial = 0.0;           ///< flexibility along the axis [m/N]
   /// Flexibility of (shift across, turn) to (force across, couple) [m/N, 1/N; 1/N, rad/(N m)].
   Eigen::Matrix2d bending = Eigen::Matrix2d::Zero();
+  /// Axial force at the start, in the middle and at the end of the part, that is there before
+  /// anything moves [N].
+  std::array<double, 3> tension{};
+  /// Levers of the force across about the nodes, over the distances from them: 1/(1 + nu).
+  double reach = 1.0;
 };
 
 /// A link divided into rigid elements and the springs between them, one fewer.
@@ -91,6 +101,33 @@ DividedLink divide(const Link& link, std::vector<double> nodes, Element element,
 /// What takes hold of a place: the element whose node is nearest, or, where divisions do not follow
 /// the joints, the one that holds the place.
 Grip grip_of(const Structure& structure, const Attachment& at);
+
+/// Tension of a link along its axis, by the place and, where it jumps, the side of it [N].
+using TensionAt = std::function<double(double, Side)>;
+
+/// Gives a link the axial force N that it bears before anything moves. A part of length D whose
+/// chord turns by theta feels the shear V - N theta. With f_11, f_22 its flexibilities about the
+/// place where they do not couple, and nu = N f_11/D:
+///
+///     f_11' = f_11/(1 + nu),  levers of the force across times 1/(1 + nu),
+///     t_0 phi_0^2 + t_1 phi_1^2 of its nodes' turns, 12 (1 + nu) t_0 = D (3 N_0 + 4 N_m - N_1)
+///
+/// so that a part that turns without strain feels exactly V = N theta. The moment of its spring
+/// then is that of the nodes less N D^2/4EI of it, and the mean of the bowed part's less N D^2/12EI:
+///
+///     f_22' = f_22 (1 + N D f_22/6)   to the first order of N
+///
+/// Of fourth order in D where N is continuous; N may jump at nodes. Where a part itself nearly
+/// buckles (nu < -1/2) it is taken for no less, and the link does not stand. Precondition: the
+/// corrected form; once only. Derived here from the beam-column; Timoshenko, Gere, Theory of
+/// Elastic Stability (1961), section 1.11.
+void load_axially(DividedLink& link, const TensionAt& tension);
+
+/// t_0 and t_1 of a part.
+std::array<double, 2> turning_of(const SpringElement& part);
+
+/// Whether no part of a link buckles between its nodes.
+bool parts_stand(const DividedLink& link);
 
 /// Divides all links and finds what joints and loads take hold of.
 Structure structure_of(const Mechanism& mechanism);

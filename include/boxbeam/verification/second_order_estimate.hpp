@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "boxbeam/core/units.hpp"
+
+namespace boxbeam {
+
+struct Project;
+struct SituationRun;
+
+/// An axial load against the one that buckles, in one plane of bending.
+struct BucklingLoad {
+  double part = 0.0;  ///< largest N/N_cr over the motion; zero: nothing is compressed
+  Time when;          ///< of it
+  std::size_t situation = 0;
+  std::string held;  ///< how the beam is taken to be held, in words
+  /// N/N_b,Rd then, chi from lambda = sqrt(alpha_ult/alpha_cr), alpha_ult of N alone, by curve c.
+  /// Source: EN 1993-1-1, 6.3.1.2 and, for a tapered beam, 6.3.4(2) and (3).
+  double of_resistance = 0.0;
+};
+
+/// What bending under its axial force changes in a beam that was computed as a straight one.
+///
+/// N_cr is the factor on all forces of an instant at which the tapered beam with its axial force as
+/// it is distributed buckles, by the count of negative eigenvalues of K + K_g (`LoadedPosture`).
+/// In a planar mechanism that balance determines the beam is held as the mechanism holds it; else,
+/// and across the plane, by pins at its two outermost joints, which is on the safe side where
+/// joints do not give way. In space it is clamped at the joint that carries its body.
+/// Sources: EN 1993-1-1, 5.2.1; Timoshenko, Gere, Theory of Elastic Stability (1961), chapter 2.
+struct SecondOrderEstimate {
+  BucklingLoad in_plane;
+  std::optional<BucklingLoad> across;  ///< nothing where the section has no such plane
+  /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
+  std::optional<double> change;
+  double turn = 0.0;   ///< largest turn of a section by bending [rad]
+  /// Largest M/(W f_y) of the bent beam over the motion; of the straight one where it buckles.
+  double bending = 0.0;
+  bool whole = false;  ///< the mechanism holds the beam in all of this
+};
+
+/// Of the loads of rigid bodies, or of elastic links, at up to 48 instants of every situation and
+/// those of its largest compressions.
+SecondOrderEstimate estimate_second_order(const Project& project,
+                                          const std::deque<SituationRun>& runs);
+
+/// Compression below which a code lets buckling be ignored: N/N_cr of 0.04 (EN 1993-1-1,
+/// 6.3.1.2(4)), and second order: 0.1 (5.2.1(3)).
+inline constexpr double no_buckling_below = 0.04;
+inline constexpr double first_order_below = 0.1;
+
+}  // namespace boxbeam

@@ -1,0 +1,238 @@
+#include "boxbeam/verification/loaded_posture.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/mechanism/flexible/beam_loads.hpp"
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/mechanism/planar/constraints.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Places that are the same but for round-off.
+constexpr double near = 1e-9;
+
+/// Where the loads on the beam act, so that its links have nodes there: loads of no size.
+void keep_nodes(const BeamLoads& rigid, int link, flexible::Mechanism& links) {
+  for (const PointLoad& load : rigid.points) {
+    flexible::Load& place = links.loads.emplace_back();
+    place.at = {link, {load.s.value(), 0.0}};
+  }
+}
+
+/// Tension of the rigid beam; at a load on the side that is asked for, though places are met but
+/// for round-off.
+flexible::TensionAt tension_in(const CutForceDiagram& diagram, const BeamLoads& rigid,
+                               double factor) {
+  return [&diagram, &rigid, factor](double s, Side side) {
+    const double length = diagram.pieces.back().end().value();
+    Station station{si<Length>(s), side};
+    for (const PointLoad& load : rigid.points) {
+      if (std::abs(load.s.value() - s) < near * length) station.s = load.s;
+    }
+    return factor * diagram.at(station).N.value();
+  };
+}
+
+/// Stiffness across lines without mass between two points, from their tension.
+class LineStiffness {
+ public:
+  LineStiffness(const planar::State& state, double factor, flexible::Mechanism& links)
+      : state_(&state), factor_(factor), links_(&links) {}
+
+  void add(const std::string& name, const planar::Attachment& a, const planar::Attachment& b,
+           double tension) const {
+    const double length =
+        (planar::position_of(a, state_->q) - planar::position_of(b, state_->q)).norm();
+    if (length == 0.0) return;
+    for (flexible::Joint& joint : links_->joints) {
+      const bool line = joint.stiffness[0] > 0.0 && joint.stiffness[1] == 0.0;
+      if (joint.name == name && line) joint.stiffness[1] = factor_ * tension / length;
+    }
+  }
+
+ private:
+  const planar::State* state_;
+  double factor_;
+  flexible::Mechanism* links_;
+};
+
+void stiffen_lines(const planar::Mechanism& mechanism, const planar::State& state, double factor,
+                   flexible::Mechanism& links) {
+  const LineStiffness lines(state, factor, links);
+  Eigen::Index row = 0;
+  for (const planar::Joint& joint : mechanism.joints) {
+    // The multiplier of a length is its tension.
+    if (const auto* rod = std::get_if<planar::Distance>(&joint.kind)) {
+      lines.add(joint.name, rod->a, rod->b, state.lambda[row]);
+    } else if (const auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
+      if (driven->coordinate == planar::Coordinate::length) {
+        lines.add(joint.name, driven->point, driven->other, state.lambda[row]);
+      }
+    }
+    row += planar::equations_of(joint);
+  }
+  const auto loads = planar::applied_loads_of(mechanism, state.time, state.q, state.v);
+  for (std::size_t i = 0; i < mechanism.forces.size(); ++i) {
+    const auto* spring = std::get_if<planar::Spring>(&mechanism.forces[i].kind);
+    if (spring == nullptr) continue;
+    const Eigen::Vector2d line =
+        planar::position_of(spring->b, state.q) - planar::position_of(spring->a, state.q);
+    if (line.norm() == 0.0) continue;
+    for (const planar::AppliedLoad& load : loads) {
+      if (load.force != static_cast<int>(i)) continue;
+      const bool on_a = load.on == spring->a.body && load.point == spring->a.p;
+      const double tension = load.vector.dot(line.normalized()) * (on_a ? 1.0 : -1.0);
+      lines.add(mechanism.forces[i].name, spring->a, spring->b, tension);
+      break;
+    }
+  }
+}
+
+/// Sum of force times arm of every link, by the arms across the axis in the beam's.
+class Arms {
+ public:
+  Arms(const planar::State& state, const ElasticBody& elastic, double factor,
+       flexible::Structure& structure)
+      : state_(&state), elastic_(&elastic), factor_(factor), structure_(&structure) {}
+
+  void add(int on, const Eigen::Vector2d& point, const Eigen::Vector2d& force) const {
+    if (on == planar::ground) return;
+    const auto link = static_cast<std::size_t>(on);
+    const double angle = state_->q[3 * static_cast<Eigen::Index>(on) + 2];
+    const Eigen::Vector2d own = Eigen::Rotation2Dd(-angle) * force;
+    if (on != elastic_->body) {
+      structure_->links[link].elements.front().turning += factor_ * own.dot(point);
+      return;
+    }
+    if (std::abs(point.y()) <= near * elastic_->length) return;
+    const flexible::Attachment at{on, {point.x() + elastic_->centre, point.y()}};
+    structure_->links[link].elements[flexible::grip_of(*structure_, at).element].turning +=
+        factor_ * own.y() * point.y();
+  }
+
+ private:
+  const planar::State* state_;
+  const ElasticBody* elastic_;
+  double factor_;
+  flexible::Structure* structure_;
+};
+
+void add_arms(const planar::Mechanism& mechanism, const planar::State& state, const Arms& arms) {
+  for (const planar::Reaction& reaction : planar::reactions_of(mechanism, state)) {
+    arms.add(reaction.on, reaction.point, reaction.force);
+  }
+  for (const planar::AppliedLoad& load :
+       planar::applied_loads_of(mechanism, state.time, state.q, state.v)) {
+    const auto& kind = mechanism.forces[static_cast<std::size_t>(load.force)].kind;
+    const auto* force = std::get_if<planar::PointForce>(&kind);
+    if (force == nullptr || !force->turns) arms.add(load.on, load.point, load.vector);
+  }
+}
+
+/// Divides the links and loads the beam along its axis.
+void load_beam(const BeamLoads& rigid, double factor, LoadedPosture& posture) {
+  posture.structure = flexible::structure_of(*posture.links);
+  posture.rigid = cut_forces_of(rigid);
+  flexible::load_axially(posture.structure.links[static_cast<std::size_t>(posture.beam_link)],
+                         tension_in(posture.rigid, rigid, factor));
+}
+
+/// N, V and couple of a diagram in the axes of a link: y of the beam points into the plane.
+Eigen::Vector3d in_link_axes(const CutForces& cut) {
+  return {cut.N.value(), cut.V_z.value(), -cut.M_y.value()};
+}
+
+/// Loads in pairs on the two ends of every part that strain it as the rigid beam's cut forces do.
+flexible::LinkColumns<double> straining_loads(const LoadedPosture& posture) {
+  flexible::LinkColumns<double> loads = flexible::no_loads<double>(posture.structure);
+  const auto index = static_cast<std::size_t>(posture.beam_link);
+  const flexible::DividedLink& link = posture.structure.links[index];
+  for (std::size_t i = 0; i < link.springs.size(); ++i) {
+    const flexible::SpringElement& part = link.springs[i];
+    const Eigen::Vector3d mean = mean_over(posture.rigid, part);
+    for (const auto& [element, sign] : {std::pair(i, -1.0), std::pair(i + 1, 1.0)}) {
+      Eigen::Vector3d load = sign * mean;
+      load[2] += (part.place - link.elements[element].node) * load[1];
+      loads[index].col(static_cast<Eigen::Index>(element)) += load;
+    }
+  }
+  return loads;
+}
+
+}  // namespace
+
+Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::SpringElement& part) {
+  const auto at = [&](double s, Side side) {
+    return in_link_axes(diagram.at({si<Length>(s), side}));
+  };
+  const double middle = 0.5 * (part.from + part.to);
+  Eigen::Vector3d mean =
+      (at(part.from, Side::behind) + 4.0 * at(middle, Side::both) + at(part.to, Side::before)) /
+      6.0;
+  // dM/ds = V, M against the sense of a link's couples.
+  mean[2] -= (part.place - middle) * mean[1];
+  return mean;
+}
+
+LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::State& state,
+                             const ElasticBody& elastic, const TaperedBeam& beam,
+                             const BeamLoads& rigid, double factor) {
+  auto links = std::make_unique<flexible::Mechanism>(links_of(mechanism, state, elastic));
+  keep_nodes(rigid, elastic.body, *links);
+  stiffen_lines(mechanism, state, factor, *links);
+  LoadedPosture posture;
+  posture.links = std::move(links);
+  posture.beam_link = elastic.body;
+  posture.beam = &beam;
+  load_beam(rigid, factor, posture);
+  add_arms(mechanism, state, Arms(state, elastic, factor, posture.structure));
+  return posture;
+}
+
+LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, const BeamLoads& rigid,
+                          double factor) {
+  LoadedPosture posture;
+  keep_nodes(rigid, 0, held);
+  posture.links = std::make_unique<const flexible::Mechanism>(std::move(held));
+  posture.beam = &beam;
+  load_beam(rigid, factor, posture);
+  return posture;
+}
+
+bool stands(const LoadedPosture& posture) {
+  const auto index = static_cast<std::size_t>(posture.beam_link);
+  if (!flexible::parts_stand(posture.structure.links[index])) return false;
+  return flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0).frequencies_below() == 0;
+}
+
+SecondOrder second_order_of(const LoadedPosture& posture) {
+  const flexible::Deformation<double> bent =
+      flexible::DynamicStiffness<double>(posture.structure, 0.0, 0.0)
+          .solve(straining_loads(posture));
+  SecondOrder result;
+  result.loads = loads_in_motion(posture, bent, 0.0);
+  result.turn =
+      bent.motion[static_cast<std::size_t>(posture.beam_link)].row(2).cwiseAbs().maxCoeff();
+  return result;
+}
+
+BeamLoads loads_in_motion(const LoadedPosture& posture, const flexible::Deformation<double>& motion,
+                          double frequency) {
+  flexible::Response response;
+  response.frequency = frequency;
+  response.constant = motion;
+  for (auto& link : response.constant.motion) link.setZero();
+  response.constant.joints.setZero();
+  for (const auto& link : motion.motion) {
+    response.harmonic.motion.emplace_back(link.cast<flexible::Complex>());
+  }
+  response.harmonic.joints = motion.joints.cast<flexible::Complex>();
+  return flexible::beam_response_of(posture.structure, posture.beam_link, *posture.beam, response,
+                                    response.harmonic.motion)
+      .sine;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,127 @@
+// Bending under an axial force, in mechanisms: against the closed form of the beam-column, and
+// where a beam buckles.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+#include "support/slider_crank.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Box 60 x 60 x 4, 4 m long.
+constexpr double E = 2.1e11, L = 4.0;
+constexpr double A = 0.06 * 0.06 - 0.052 * 0.052;
+const double I = (std::pow(0.06, 4) - std::pow(0.052, 4)) / 12.0;
+const double W = I / 0.03;
+const double critical = pi * pi * E * I / (L * L);  // 61 kN
+const double weight = 7850.0 * A * 9.81;            // per length
+
+/// Largest stress of a pinned beam-column under its weight, rigid in shear: N/A + M/W with
+///
+///     M = q/k^2 (sec(kL/2) - 1), k^2 = N/EI   (compression)
+///
+/// Source: Timoshenko, Gere, Theory of Elastic Stability (1961), section 1.3.
+double beam_column_stress(double compression) {
+  const double k = std::sqrt(std::abs(compression) / (E * I));
+  const double shape =
+      compression > 0.0 ? 1.0 / std::cos(0.5 * k * L) - 1.0 : 1.0 - 1.0 / std::cosh(0.5 * k * L);
+  return std::abs(compression) / A + weight / (k * k) * shape / W;
+}
+
+/// Of the rod while it lies level, in the middle.
+double stress_of(const Project& project, const ElasticModel& model) {
+  const std::deque<SituationRun> runs = run_situations(project, model);
+  const CutForces cut = runs.front().loads.diagram(0).at({si<Length>(0.5 * L)});
+  return std::abs(cut.N.value()) / A + std::abs(cut.M_y.value()) / W;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool blocked(const Verification& verification, const std::string& words) {
+  for (const Gate& gate : verification.gates) {
+    if (gate.blocks && contains(gate.finding, words)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a connecting rod in compression has the stress of the beam-column", "[second_order]") {
+  for (const double part : {0.08, 0.33, 0.66, 0.82}) {
+    const Project project = test::slow_slider_crank(part * critical);
+    const ModelChoice choice = choose_model(project);
+    INFO("N/N_cr = " << part << ": " << choice.reason);
+    CHECK(choice.chosen.level == ModelLevel::quasi_static);
+    CHECK(choice.second_order.in_plane.part == Approx(part).epsilon(2e-3));
+    CHECK(stress_of(project, choice.chosen) ==
+          Approx(beam_column_stress(part * critical)).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("tension takes bending from a connecting rod", "[second_order]") {
+  for (const double part : {0.3, 3.0}) {
+    const Project project = test::slow_slider_crank(-part * critical);
+    const ModelChoice choice = choose_model(project);
+    INFO(choice.reason);
+    CHECK(choice.chosen.level == ModelLevel::quasi_static);
+    CHECK(stress_of(project, choice.chosen) ==
+          Approx(beam_column_stress(-part * critical)).epsilon(1e-3));
+  }
+}
+
+// Its range is that of its weight as it tilts, a few thousandths of the whole: 10 % will do here.
+TEST_CASE("a rod with little compression stays rigid and says how little it is", "[second_order]") {
+  Project project = test::slow_slider_crank(0.001 * critical);
+  project.model.tolerance = 0.1;
+  const ModelChoice choice = choose_model(project);
+  INFO(choice.reason);
+  CHECK(choice.chosen.level == ModelLevel::rigid);
+  CHECK(choice.second_order.in_plane.part == Approx(0.001).epsilon(3e-3));
+  CHECK(contains(choice.reason, "N/N_cr = 0.001"));
+  CHECK(*choice.second_order.change <= choice.tolerance);
+  // 1/(1 - 0.001) of the bending, which is nearly all of the stress, and more of its small range.
+  CHECK(*choice.second_order.change >= 0.00095);
+}
+
+TEST_CASE("a rod above its critical load never passes, whatever the model", "[second_order]") {
+  Project project = test::slow_slider_crank(3.28 * critical);
+  for (const ModelDemand demand : {ModelDemand::automatic, ModelDemand::rigid}) {
+    project.model.demand = demand;
+    const Verification verification = verify(project);
+    INFO(verification.model.reason);
+    CHECK(verification.verdict != Verdict::pass);
+    CHECK(blocked(verification, "of the elastic critical one"));
+  }
+}
+
+TEST_CASE("rigid bodies that are demanded where second order counts do not pass",
+          "[second_order]") {
+  Project project = test::slow_slider_crank(0.33 * critical);
+  project.model.demand = ModelDemand::rigid;
+  const Verification verification = verify(project);
+  CHECK(verification.model.chosen.level == ModelLevel::rigid);
+  CHECK(verification.verdict == Verdict::not_applicable);
+  CHECK(blocked(verification, "the model that was demanded misses"));
+}
+
+// The same rod on edge: 30 mm wide, so that it buckles across the plane of motion first.
+TEST_CASE("a rod that buckles across the plane of motion does not pass", "[second_order]") {
+  const Project project = test::slow_slider_crank(0.5 * critical, "30 mm");
+  const Verification verification = verify(project);
+  CHECK(verification.model.second_order.in_plane.part < 1.0);
+  CHECK(verification.verdict != Verdict::pass);
+  CHECK(blocked(verification, "across it"));
+}
