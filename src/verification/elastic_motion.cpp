@@ -118,8 +118,10 @@ Eigen::VectorXd trigonometric_at(const Eigen::MatrixXd& values, double turns) {
 
 /// Stops where a posture buckles.
 LoadedPosture standing_posture(const RigidMotion& rigid, const ElasticBody& elastic,
-                               const planar::State& state, const BeamLoads& loads) {
-  LoadedPosture posture = loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads);
+                               const planar::State& state, const BeamLoads& loads,
+                               const BeamLoads* axial = nullptr) {
+  LoadedPosture posture =
+      loaded_posture(*rigid.mechanism, state, elastic, *rigid.beam, loads, 1.0, axial);
   if (!stands(posture)) {
     refuse(
         "the beam buckles in the plane of motion under its axial force: no elastic loads exist; "
@@ -163,11 +165,13 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic) {
   };
 }
 
-ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes)
+ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes,
+                             LoadsAt axial)
     : rigid_(std::move(rigid)),
       finder_(std::make_shared<planar::StateFinder>(*rigid_.mechanism, *rigid_.motion)),
       elastic_(std::move(elastic)),
-      count_(modes) {
+      count_(modes),
+      axial_(std::move(axial)) {
   const planar::Motion& motion = *rigid_.motion;
   if (!motion.closed || motion.freedom.undriven > 0) {
     refuse(
@@ -242,7 +246,9 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
 }
 
 LoadedPosture ElasticMotion::posture_at(const planar::State& state, const BeamLoads& rigid) const {
-  return standing_posture(rigid_, elastic_, state, rigid);
+  if (!axial_) return standing_posture(rigid_, elastic_, state, rigid);
+  const BeamLoads axial = axial_(si<Time>(state.time));
+  return standing_posture(rigid_, elastic_, state, rigid, &axial);
 }
 
 ElasticMotion::Aligned ElasticMotion::aligned_at(const LoadedPosture& posture, double time) const {
@@ -285,8 +291,10 @@ LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
                            std::move(rigid)};
   const ElasticBody elastic = elastic_body_of(project, model.parts);
   if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);
-  auto of =
-      std::make_shared<const ElasticMotion>(bodies, elastic, static_cast<std::size_t>(model.modes));
+  const auto modes = static_cast<std::size_t>(model.modes);
+  auto first = std::make_shared<const ElasticMotion>(bodies, elastic, modes);
+  const LoadsAt vibrating = [first](Time time) { return first->loads_at(time); };
+  auto of = std::make_shared<const ElasticMotion>(bodies, elastic, modes, vibrating);
   return [of](Time time) { return of->loads_at(time); };
 }
 

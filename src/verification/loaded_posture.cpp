@@ -133,11 +133,13 @@ void add_arms(const planar::Mechanism& mechanism, const planar::State& state, co
 }
 
 /// Divides the links and loads the beam along its axis.
-void load_beam(const BeamLoads& rigid, double factor, LoadedPosture& posture) {
+void load_beam(const BeamLoads& rigid, const BeamLoads& axial, double factor,
+               LoadedPosture& posture) {
   posture.structure = flexible::structure_of(*posture.links);
   posture.rigid = cut_forces_of(rigid);
+  const CutForceDiagram borne = cut_forces_of(axial);
   flexible::load_axially(posture.structure.links[static_cast<std::size_t>(posture.beam_link)],
-                         tension_in(posture.rigid, rigid, factor));
+                         tension_in(borne, axial, factor));
 }
 
 /// N, V and couple of a diagram in the axes of a link: y of the beam points into the plane.
@@ -179,7 +181,7 @@ Eigen::Vector3d mean_over(const CutForceDiagram& diagram, const flexible::Spring
 
 LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic, const TaperedBeam& beam,
-                             const BeamLoads& rigid, double factor) {
+                             const BeamLoads& rigid, double factor, const BeamLoads* axial) {
   auto links = std::make_unique<flexible::Mechanism>(links_of(mechanism, state, elastic));
   keep_nodes(rigid, elastic.body, *links);
   stiffen_lines(mechanism, state, factor, *links);
@@ -187,7 +189,7 @@ LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::S
   posture.links = std::move(links);
   posture.beam_link = elastic.body;
   posture.beam = &beam;
-  load_beam(rigid, factor, posture);
+  load_beam(rigid, axial != nullptr ? *axial : rigid, factor, posture);
   add_arms(mechanism, state, Arms(state, elastic, factor, posture.structure));
   return posture;
 }
@@ -198,7 +200,7 @@ LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, con
   keep_nodes(rigid, 0, held);
   posture.links = std::make_unique<const flexible::Mechanism>(std::move(held));
   posture.beam = &beam;
-  load_beam(rigid, factor, posture);
+  load_beam(rigid, rigid, factor, posture);
   return posture;
 }
 

@@ -51,7 +51,9 @@ class ElasticMotion {
  public:
   /// Throws AnalysisError where the motion is not periodic, a harmonic of it meets a natural
   /// frequency of an undamped beam, or modes change beyond recognition over it.
-  ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes);
+  /// `axial`: loads whose axial force the beam bears; nothing: those of the rigid beam. The axial
+  /// force vibrates as well: loads of a first motion here make it known to the second order.
+  ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t modes, LoadsAt axial = {});
 
   /// Loads on the beam at any time.
   BeamLoads loads_at(Time time) const;
@@ -77,6 +79,7 @@ class ElasticMotion {
   std::shared_ptr<planar::StateFinder> finder_;
   ElasticBody elastic_;
   std::size_t count_;
+  LoadsAt axial_;
   Eigen::MatrixXd reference_;  ///< shapes at the beginning
   Eigen::MatrixXd eta_, dynamic_;
   double lowest_ = 0.0;

@@ -29,10 +29,12 @@ struct LoadedPosture {
 };
 
 /// `rigid`: loads on the rigid beam in this state; all forces that are there count `factor` times
-/// in the stiffness. Precondition: no obstacle to links.
+/// in the stiffness. `axial`: loads whose axial force the beam bears, where they are better known
+/// than those of the rigid beam. Precondition: no obstacle to links.
 LoadedPosture loaded_posture(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic, const TaperedBeam& beam,
-                             const BeamLoads& rigid, double factor = 1.0);
+                             const BeamLoads& rigid, double factor = 1.0,
+                             const BeamLoads* axial = nullptr);
 
 /// The beam alone, as a link that joints hold and that bears this axial force.
 LoadedPosture loaded_beam(flexible::Mechanism held, const TaperedBeam& beam, const BeamLoads& rigid,
