@@ -27,8 +27,8 @@ PeakProblem bending_peak_of(const Project& project, const DemandingInstant& dema
   const double sign = demanding.M > 0.0 ? 1.0 : -1.0;
   PeakProblem problem;
   problem.name = project.name;
-  const std::size_t steps = loads.instants() - (loads.closed() ? 0 : 1);
-  problem.span = {loads.begin(), loads.period(), steps, loads.closed()};
+  problem.span = loads.span();
+  const std::size_t steps = problem.span.instants;
   problem.loads = [&loads](Time time) { return loads.loads_at(time); };
   problem.station = demanding.station;
   problem.quantity = [sign, moment = demanding.moment](const CutForces& cut) {

@@ -56,9 +56,9 @@ Peak peak_of(const LoadHistory& loads) {
   Peak best;
   for (std::size_t i = 0; i < n; ++i) {
     if (M[i] < M[(i + 1) % n] || M[i] < M[(i + n - 1) % n]) continue;
-    const double time = loads.time_of(i).value(), step = loads.step().value();
-    const Extremum found =
-        find_maximum([&](double t) { return std::abs(at(t).M); }, time - step, time + step);
+    const LoadHistory::Reach reach = loads.reach_of(i);
+    const Extremum found = find_maximum([&](double t) { return std::abs(at(t).M); },
+                                        reach.from.value(), reach.to.value());
     if (found.value > std::abs(best.M)) best = at(found.at);
   }
   return best;

@@ -247,9 +247,9 @@ std::optional<Check> check_deflection(const Project& project,
     const auto diagram_at = [&](double time) {
       return loads.diagram_at(si<Time>(loads.closed() ? time : std::clamp(time, begin, end)));
     };
-    const Extremum peak =
-        peak_over_time(values, {begin, loads.step().value(), loads.closed()},
-                       [&](double time) { return largest_in(diagram_at(time)).size.value(); });
+    const Extremum peak = peak_over_time(values, sampled_time_of(loads), [&](double time) {
+      return largest_in(diagram_at(time)).size.value();
+    });
     if (factor * peak.value <= worst.value) continue;
     worst = {si<Time>(peak.at), factor * peak.value, index_of(project, *run.situation)};
     place = largest_in(diagram_at(peak.at)).at;

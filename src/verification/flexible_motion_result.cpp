@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
@@ -38,13 +40,16 @@ Solved solve(const flexible::Structure& structure, int beam_link) {
     solved.joint_amplitudes.push_back(sign *
                                       flexible::joint_force(structure, j, response.harmonic));
   }
+  const flexible::FieldAlong<double> weight{mechanism.gravity, 0.0};
+  flexible::FieldAlong<flexible::Complex> inertia;
+  inertia.square = std::pow(2.0 * std::numbers::pi * response.frequency, 2);
   for (std::size_t k = 0; k < mechanism.links.size(); ++k) {
     for (const BodyPoint& point : mechanism.links[k].points) {
       const flexible::Attachment at{static_cast<int>(k), point.p};
       solved.point_constants.push_back(
-          flexible::motion_at(structure, at, response.constant).head<2>());
+          flexible::motion_at(structure, at, response.constant, weight).head<2>());
       solved.point_amplitudes.push_back(
-          flexible::motion_at(structure, at, response.harmonic).head<2>());
+          flexible::motion_at(structure, at, response.harmonic, inertia).head<2>());
     }
   }
   return solved;

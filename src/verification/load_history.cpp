@@ -3,12 +3,23 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace boxbeam {
 namespace {
 
 constexpr std::size_t last_node = LoadHistory::nodes - 1;
+
+/// How far before and behind a break its two instants stand, by the time looked at: more than
+/// rounding can take back, less than a load can change in.
+constexpr double beside_break = 1e-12;
+
+/// Brackets kept for other stations; beyond, they are solved anew.
+constexpr std::size_t most_brackets = 8192;
+
+/// Halvings of a bracket that one polynomial does not describe: a millionth is left of it.
+constexpr int most_halvings = 20;
 
 /// Chebyshev point of the second kind, ascending in [-1, 1]. Every value between instants asks for
 /// all of them: their cosines are taken once.
@@ -20,6 +31,27 @@ double node(std::size_t k) {
     return of;
   }();
   return nodes[k];
+}
+
+/// The place of a node between two times; exactly the ends, and the middle.
+double node_between(double from, double to, std::size_t k) {
+  if (k == 0) return from;
+  if (k == last_node) return to;
+  const double middle = 0.5 * (from + to);
+  return 2 * k == last_node ? middle : middle + 0.5 * (to - from) * node(k);
+}
+
+CutForces sum_of(const CutForces& a, double factor, const CutForces& b) {
+  return {a.N + factor * b.N, a.V_y + factor * b.V_y, a.V_z + factor * b.V_z,
+          a.T + factor * b.T, a.M_y + factor * b.M_y, a.M_z + factor * b.M_z};
+}
+
+double force_in(const CutForces& cut) {
+  return std::max({std::abs(cut.N.value()), std::abs(cut.V_y.value()), std::abs(cut.V_z.value())});
+}
+
+double moment_in(const CutForces& cut) {
+  return std::max({std::abs(cut.T.value()), std::abs(cut.M_y.value()), std::abs(cut.M_z.value())});
 }
 
 /// Value at u of the polynomial through the nodes. Barycentric formula; weights of Chebyshev points
@@ -34,16 +66,44 @@ CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, d
     double weight = (k % 2 == 0 ? 1.0 : -1.0) / distance;
     if (k == 0 || k == last_node) weight *= 0.5;
     sum += weight;
-    result.N += weight * values[k].N;
-    result.V_y += weight * values[k].V_y;
-    result.V_z += weight * values[k].V_z;
-    result.T += weight * values[k].T;
-    result.M_y += weight * values[k].M_y;
-    result.M_z += weight * values[k].M_z;
+    result = sum_of(result, weight, values[k]);
   }
-  const double scale = 1.0 / sum;
-  return {result.N * scale, result.V_y * scale, result.V_z * scale,
-          result.T * scale, result.M_y * scale, result.M_z * scale};
+  return sum_of({}, 1.0 / sum, result);
+}
+
+/// The last coefficients of the Chebyshev series of the polynomial through the nodes: how much of
+/// it the highest waves are.
+CutForces chebyshev_coefficient(const std::array<CutForces, LoadHistory::nodes>& values,
+                                std::size_t degree) {
+  CutForces sum{};
+  for (std::size_t k = 0; k <= last_node; ++k) {
+    // node(k) = cos of the angle pi - pi k/n
+    const double angle = std::numbers::pi *
+                         (1.0 - static_cast<double>(k) / static_cast<double>(last_node)) *
+                         static_cast<double>(degree);
+    const double share = (k == 0 || k == last_node) ? 0.5 : 1.0;
+    sum = sum_of(sum, share * std::cos(angle), values[k]);
+  }
+  const double all = static_cast<double>(last_node) * (degree == last_node ? 2.0 : 1.0);
+  return sum_of({}, 2.0 / all, sum);
+}
+
+/// What the highest waves of the polynomial through the nodes are of what they may be, where it
+/// describes the cut forces between these: forces and moments by their floors.
+///
+/// A wave of which the bracket is a quarter, the shortest that eight instants to a wave let pass,
+/// has 2 J_k(pi/4) of itself in coefficient k: 3e-8 in the last, 6e-7 and 1e-5 in those before it.
+/// Over a bend they fall with the square of their number only.
+double defect_of(const std::array<CutForces, LoadHistory::nodes>& at, double force_floor,
+                 double moment_floor) {
+  double defect = 0.0;
+  for (const auto& [degree, part] :
+       {std::pair{last_node, 1e-7}, {last_node - 1, 1.5e-6}, {last_node - 2, 2e-5}}) {
+    const CutForces last = chebyshev_coefficient(at, degree);
+    if (force_in(last) > 0.0) defect = std::max(defect, force_in(last) / (part * force_floor));
+    if (moment_in(last) > 0.0) defect = std::max(defect, moment_in(last) / (part * moment_floor));
+  }
+  return defect;
 }
 
 /// How many borders of pieces lie before a station, seen from its side: changes where a load slides
@@ -56,48 +116,288 @@ std::size_t borders_before(const CutForceDiagram& diagram, const Station& statio
       }));
 }
 
+/// The two instants of a break, between which nothing is looked at.
+struct Gap {
+  Time before, behind;
+};
+
 }  // namespace
 
 LoadHistory::LoadHistory(const LoadSpan& span, LoadsAt loads_at)
     : span_(span), loads_at_(std::move(loads_at)) {
   assert(span.instants >= 4);
-  diagrams_.resize(span.instants + (span.closed ? 0 : 1));
-  for (std::size_t i = 0; i < diagrams_.size(); ++i) diagrams_[i] = diagram_at(time_of(i));
-}
-
-Time LoadHistory::time_of(std::size_t instant) const {
-  // Rounded as the motion rounds it, so that the motion's own instants are met exactly.
-  return span_.begin +
-         span_.period * static_cast<double>(instant) / static_cast<double>(span_.instants);
-}
-
-std::size_t LoadHistory::middle_near(std::size_t instant) const {
-  return span_.closed ? instant : std::clamp<std::size_t>(instant, 1, diagrams_.size() - 2);
-}
-
-const LoadHistory::Bracket& LoadHistory::bracket(std::size_t middle) const {
-  const auto found = brackets_.find(middle);
-  if (found != brackets_.end()) return found->second;
-  Bracket bracket;
-  const std::size_t n = diagrams_.size();
-  for (std::size_t k = 0; k <= last_node; ++k) {
-    if (k == 0)
-      bracket[k] = diagrams_[(middle + n - 1) % n];
-    else if (k == last_node)
-      bracket[k] = diagrams_[(middle + 1) % n];
-    else if (2 * k == last_node)
-      bracket[k] = diagrams_[middle];
-    else
-      bracket[k] = diagram_at(time_of(middle) + node(k) * step());
+  add_instants();
+  for (Instant& instant : instants_) {
+    instant.diagram = diagram_at(instant.time);
+    for (const CutForcePiece& piece : instant.diagram.pieces) {
+      for (const Side side : {Side::before, Side::behind}) {
+        const Length s = side == Side::behind ? piece.start : piece.end();
+        const CutForces cut = instant.diagram.at({s, side});
+        largest_force_ = std::max(largest_force_, force_in(cut));
+        largest_moment_ = std::max(largest_moment_, moment_in(cut));
+      }
+    }
   }
-  return brackets_.emplace(middle, std::move(bracket)).first->second;
+}
+
+Time LoadHistory::even_time(std::size_t k) const {
+  // Rounded as the motion rounds it, so that the motion's own instants are met exactly.
+  return span_.begin + span_.period * static_cast<double>(k) / static_cast<double>(span_.instants);
+}
+
+void LoadHistory::add_instants() {
+  const Time aside = beside_break * (abs(span_.begin) + span_.period);
+  const Time end = span_.begin + span_.period;
+  const std::size_t even = span_.instants + (span_.closed ? 0 : 1);
+  bool at_begin = !span_.closed;  // whether the loads break there
+  std::vector<Gap> gaps;
+  for (const Time& at : span_.breaks) {
+    const bool at_end = abs(at - end) <= 2.0 * aside;
+    if (abs(at - span_.begin) <= 2.0 * aside || (at_end && span_.closed)) at_begin = true;
+    // Of an open history the end is as it is.
+    if (at <= span_.begin + 2.0 * aside || at >= end - 2.0 * aside) continue;
+    if (gaps.empty() || at - gaps.back().behind > 4.0 * aside)
+      gaps.push_back({at - aside, at + aside});
+  }
+
+  std::size_t k = 0;
+  const auto add_piece = [&](Time from, Time until, bool begins, bool with_end) {
+    std::vector<Time> within;
+    while (k < even && even_time(k) <= from + aside) ++k;
+    for (; k < even && even_time(k) < until - aside; ++k) within.push_back(even_time(k));
+    // Of a short piece some are added: an extremum within it must be seen.
+    constexpr std::size_t fewest = 3;
+    constexpr std::size_t most_filled = 2000;
+    if (within.size() < fewest && gaps.size() < most_filled) {
+      const std::size_t known = within.size();
+      for (const double share : {0.25, 0.5, 0.75}) {
+        const Time at = from + share * (until - from);
+        const bool near_known =
+            std::any_of(within.begin(), within.begin() + static_cast<std::ptrdiff_t>(known),
+                        [&](Time other) { return abs(other - at) < 0.1 * (until - from); });
+        if (!near_known) within.push_back(at);
+      }
+      std::sort(within.begin(), within.end());
+    }
+    instants_.push_back({from, {}, begins});
+    for (const Time& time : within) instants_.push_back({time, {}, false});
+    if (with_end) instants_.push_back({until, {}, false});
+  };
+  Time from = span_.begin;
+  bool begins = at_begin;
+  for (const Gap& gap : gaps) {
+    add_piece(from, gap.before, begins, true);
+    from = gap.behind;
+    begins = true;
+  }
+  const bool breaks_at_end = span_.closed && at_begin;
+  add_piece(from, breaks_at_end ? end - aside : end, begins, breaks_at_end || !span_.closed);
+
+  for (std::size_t i = 0; i < even; ++i) {
+    // The nearest instant: its own, or beside a break the one behind it.
+    const auto behind =
+        std::lower_bound(instants_.begin(), instants_.end(), even_time(i),
+                         [](const Instant& instant, Time time) { return instant.time < time; });
+    auto nearest = behind == instants_.end() ? behind - 1 : behind;
+    if (nearest != instants_.begin() &&
+        even_time(i) - (nearest - 1)->time < abs(nearest->time - even_time(i))) {
+      --nearest;
+    }
+    even_.push_back(static_cast<std::size_t>(nearest - instants_.begin()));
+  }
+}
+
+LoadHistory::Reach LoadHistory::reach_of(std::size_t instant) const {
+  const std::size_t n = instants_.size();
+  Reach reach{instants_[instant].time, instants_[instant].time};
+  if (!instants_[instant].begins) {
+    // The first of a history that repeats and does not break there.
+    reach.from = instant > 0 ? instants_[instant - 1].time : instants_[n - 1].time - span_.period;
+  }
+  if (instant + 1 < n) {
+    if (!instants_[instant + 1].begins) reach.to = instants_[instant + 1].time;
+  } else if (span_.closed && !instants_.front().begins) {
+    reach.to = instants_.front().time + span_.period;
+  }
+  return reach;
+}
+
+const LoadHistory::Bracket& LoadHistory::bracket(const Reach& reach) const {
+  const std::pair key(reach.from.value(), reach.to.value());
+  const auto found = brackets_.find(key);
+  if (found != brackets_.end()) return found->second;
+  if (brackets_.size() >= most_brackets) brackets_.clear();
+  Bracket bracket;
+  for (std::size_t k = 0; k <= last_node; ++k) {
+    const Time time = si<Time>(node_between(key.first, key.second, k));
+    Time within = time;
+    if (span_.closed && time < span_.begin) within = time + span_.period;
+    if (span_.closed && time >= span_.begin + span_.period) within = time - span_.period;
+    const auto known =
+        std::lower_bound(instants_.begin(), instants_.end(), within,
+                         [](const Instant& instant, Time at) { return instant.time < at; });
+    const bool is_instant = known != instants_.end() && known->time == within;
+    bracket[k] = is_instant ? known->diagram : diagram_at(time);
+  }
+  return brackets_.emplace(key, std::move(bracket)).first->second;
 }
 
 StationHistory::StationHistory(const LoadHistory& loads, const Station& station)
     : loads_(&loads), station_(station) {
   samples_.reserve(loads.instants());
-  for (std::size_t i = 0; i < loads.instants(); ++i)
+  double force = 0.0, moment = 0.0;
+  for (std::size_t i = 0; i < loads.instants(); ++i) {
     samples_.push_back(loads.diagram(i).at(station));
+    force = std::max(force, force_in(samples_.back()));
+    moment = std::max(moment, moment_in(samples_.back()));
+  }
+  // What is small beside the loads of the whole beam is the rounding of their sums.
+  constexpr double round_off = 1e-4;
+  force_floor_ = std::max(force, round_off * loads.largest_force());
+  moment_floor_ = std::max(moment, round_off * loads.largest_moment());
+}
+
+bool StationHistory::is_described(const Nodes& at) const {
+  return defect_of(at, force_floor_, moment_floor_) <= 1.0;
+}
+
+StationHistory::Piece StationHistory::piece_between(double from, double to, bool keep) const {
+  Piece piece{from, to, {}, false};
+  if (keep) {
+    const LoadHistory::Bracket& bracket = loads_->bracket({si<Time>(from), si<Time>(to)});
+    for (std::size_t k = 0; k <= last_node; ++k) piece.at[k] = bracket[k].at(station_);
+    return piece;
+  }
+  for (std::size_t k = 0; k <= last_node; ++k) {
+    piece.at[k] = loads_->diagram_at(si<Time>(node_between(from, to, k))).at(station_);
+  }
+  return piece;
+}
+
+void StationHistory::add_smooth(const Piece& piece, int halvings, bool keep,
+                                std::vector<Piece>& pieces) const {
+  const double defect = defect_of(piece.at, force_floor_, moment_floor_);
+  if (defect <= 1.0) {
+    pieces.push_back(piece);
+    return;
+  }
+  if (halvings == 0) {
+    pieces.push_back(piece);
+    pieces.back().jump = true;
+    return;
+  }
+  const double middle = 0.5 * (piece.from + piece.to);
+  const Piece left = piece_between(piece.from, middle, keep);
+  const Piece right = piece_between(middle, piece.to, keep);
+  // A bend or a jump is in one of the halves, and a bend is half as large there; where both halves
+  // are as rough as the whole, halving on would not end. What is small is the rounding of loads
+  // that were solved for: the polynomial passes through its middle. Else only the nodes are known.
+  constexpr double better = 1.5;
+  constexpr double small = 100.0;
+  const double least = std::min(defect_of(left.at, force_floor_, moment_floor_),
+                                defect_of(right.at, force_floor_, moment_floor_));
+  if (least > defect / better) {
+    pieces.push_back(piece);
+    pieces.back().jump = defect > small;
+    return;
+  }
+  add_smooth(left, halvings - 1, keep, pieces);
+  add_smooth(right, halvings - 1, keep, pieces);
+}
+
+void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
+                                        std::vector<Piece>& pieces) const {
+  const LoadHistory::Bracket& bracket = loads_->bracket(reach);
+  const double begin = reach.from.value();
+  const double end = reach.to.value();
+  double from = begin;
+  const auto add = [&](double to) {
+    if (to > from) add_smooth(piece_between(from, to, false), most_halvings / 2, false, pieces);
+  };
+  for (std::size_t k = 1; k <= last_node; ++k) {
+    const std::size_t before = borders_before(bracket[k - 1], station_);
+    if (borders_before(bracket[k], station_) == before) continue;
+    double low = node_between(begin, end, k - 1);
+    double high = node_between(begin, end, k);
+    constexpr int bisections = 40;
+    for (int i = 0; i < bisections; ++i) {
+      const double half = 0.5 * (low + high);
+      (borders_before(loads_->diagram_at(si<Time>(half)), station_) == before ? low : high) = half;
+    }
+    add(low);
+    from = high;
+  }
+  add(end);
+}
+
+const std::vector<StationHistory::Piece>& StationHistory::pieces_of(std::size_t instant) const {
+  const auto found = pieces_.find(instant);
+  if (found != pieces_.end()) return found->second;
+  std::vector<Piece> pieces;
+  const LoadHistory::Reach reach = loads_->reach_of(instant);
+  const LoadHistory::Bracket& bracket = loads_->bracket(reach);
+  const bool passage =
+      std::any_of(bracket.begin(), bracket.end(), [&](const CutForceDiagram& diagram) {
+        return borders_before(diagram, station_) != borders_before(bracket[0], station_);
+      });
+  if (passage) {
+    divide_at_passages(reach, pieces);
+  } else if (reach.to > reach.from) {
+    add_smooth(piece_between(reach.from.value(), reach.to.value(), true), most_halvings, true,
+               pieces);
+  }
+  return pieces_.emplace(instant, std::move(pieces)).first->second;
+}
+
+Extremum StationHistory::extremum_near(std::size_t instant, double sign,
+                                       const CutForceFunction& f) const {
+  Extremum best{loads_->time_of(instant).value(), sign * f(samples_[instant])};
+  for (const Piece& piece : pieces_of(instant)) {
+    std::array<double, LoadHistory::nodes> values{};
+    for (std::size_t k = 0; k <= last_node; ++k) values[k] = sign * f(piece.at[k]);
+    const auto k =
+        static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+    if (values[k] > best.value) best = {node_between(piece.from, piece.to, k), values[k]};
+    if (piece.jump) continue;
+    const Extremum found =
+        find_maximum([&](double u) { return sign * f(interpolate(piece.at, u)); },
+                     node(k > 0 ? k - 1 : 0), node(std::min(k + 1, last_node)));
+    if (found.value <= best.value) continue;
+    const double middle = 0.5 * (piece.from + piece.to);
+    best = {middle + 0.5 * (piece.to - piece.from) * found.at, found.value};
+    // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
+    const double own = loads_->time_of(instant).value();
+    if (std::abs(best.at - own) < 1e-6 * (piece.to - piece.from)) best.at = own;
+  }
+  return best;
+}
+
+TurningPoint StationHistory::refine(std::size_t instant, bool maximum, const CutForceFunction& f,
+                                    double noise) const {
+  const double sign = maximum ? 1.0 : -1.0;
+  Extremum found = extremum_near(instant, sign, f);
+  // Where the loads bend and do not jump, the two instants of a break are one, and the extremum may
+  // lie on either side of it.
+  const std::size_t n = samples_.size();
+  const double own = f(samples_[instant]);
+  const auto look_at = [&](std::size_t other) {
+    if (std::abs(f(samples_[other]) - own) > noise) return;
+    const Extremum across = extremum_near(other, sign, f);
+    if (across.value > found.value) found = across;
+  };
+  if (loads_->begins_piece(instant) && (instant > 0 || loads_->closed())) {
+    look_at((instant + n - 1) % n);
+  }
+  const bool last = instant + 1 == n;
+  if ((!last || loads_->closed()) && loads_->begins_piece((instant + 1) % n)) {
+    look_at((instant + 1) % n);
+  }
+  Time time = si<Time>(found.at);
+  if (loads_->closed()) {
+    if (time < loads_->begin()) time += loads_->period();
+    if (time >= loads_->begin() + loads_->period()) time -= loads_->period();
+  }
+  return {time, sign * found.value, maximum};
 }
 
 std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction& f) const {
@@ -131,84 +431,51 @@ std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction&
   brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
 
   turns.reserve(brackets.size());
-  for (const auto& [middle, maximum] : brackets) turns.push_back(refine(middle, maximum, f));
+  for (const auto& [middle, maximum] : brackets) turns.push_back(refine(middle, maximum, f, noise));
   std::sort(turns.begin(), turns.end(),
             [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });
   return turns;
 }
 
-Extremum StationHistory::extremum_at_passage(std::size_t middle, const Nodes& nodes, double sign,
-                                             const CutForceFunction& f) const {
-  Extremum best{node(0), sign * f(nodes[0])};
-  const auto consider = [&](double u, double value) {
-    if (value > best.value) best = {u, value};
-  };
-  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
-  const auto diagram_at = [&](double u) {
-    return loads_->diagram_at(loads_->time_of(middle) + u * loads_->step());
-  };
-  for (std::size_t k = 1; k <= last_node; ++k) {
-    consider(node(k), sign * f(nodes[k]));
-    const std::size_t before = borders_before(bracket[k - 1], station_);
-    if (borders_before(bracket[k], station_) == before) continue;
-    double low = node(k - 1);
-    double high = node(k);
-    constexpr int halvings = 40;
-    for (int i = 0; i < halvings; ++i) {
-      const double half = 0.5 * (low + high);
-      (borders_before(diagram_at(half), station_) == before ? low : high) = half;
-    }
-    for (const double u : {low, high}) consider(u, sign * f(diagram_at(u).at(station_)));
-  }
-  return best;
-}
-
-TurningPoint StationHistory::refine(std::size_t instant, bool maximum,
-                                    const CutForceFunction& f) const {
-  const std::size_t middle = loads_->middle_near(instant);
-  const Nodes at_nodes = nodes_of(middle);
-  const double sign = maximum ? 1.0 : -1.0;
-  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
-  const bool passage =
-      std::any_of(bracket.begin(), bracket.end(), [&](const CutForceDiagram& diagram) {
-        return borders_before(diagram, station_) != borders_before(bracket[0], station_);
-      });
-  Extremum found =
-      passage
-          ? extremum_at_passage(middle, at_nodes, sign, f)
-          : find_maximum([&](double u) { return sign * f(interpolate(at_nodes, u)); }, -1.0, 1.0);
-  // The instant itself may be as high: at the very end of an open history, at a corner, or where
-  // nothing changes.
-  const double at_instant = sign * f(samples_[instant]);
-  if (at_instant >= found.value) {
-    const double u = instant == middle ? 0.0 : (instant < middle ? -1.0 : 1.0);
-    found = {u, at_instant};
-  }
-  // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
-  const double offset = std::abs(found.at) < 1e-6 ? 0.0 : found.at;
-  Time time = loads_->time_of(middle) + offset * loads_->step();
-  if (loads_->closed()) {
-    if (time < loads_->begin()) time += loads_->period();
-    if (time >= loads_->begin() + loads_->period()) time -= loads_->period();
-  }
-  return {time, sign * found.value, maximum};
-}
-
 CutForces StationHistory::at(Time time) const {
-  const double position = (time - loads_->begin()) / loads_->step();
-  const double nearest = std::round(position);
-  const std::size_t instant = static_cast<std::size_t>(nearest) % samples_.size();
-  if (position == nearest) return samples_[instant];
-  const std::size_t middle = loads_->middle_near(instant);
-  return interpolate(nodes_of(middle), position - nearest + static_cast<double>(instant) -
-                                           static_cast<double>(middle));
-}
-
-StationHistory::Nodes StationHistory::nodes_of(std::size_t middle) const {
-  const LoadHistory::Bracket& bracket = loads_->bracket(middle);
-  Nodes nodes;
-  for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = bracket[k].at(station_);
-  return nodes;
+  const auto& instants = *loads_;
+  Time within = time;
+  if (closed()) {
+    within -= period() * std::floor((time - instants.begin()) / period());
+  }
+  // The nearest instant; of two of a break, the one on whose side the time is.
+  std::size_t low = 0;
+  std::size_t high = samples_.size();
+  while (high - low > 1) {
+    const std::size_t half = (low + high) / 2;
+    (instants.time_of(half) <= within ? low : high) = half;
+  }
+  const auto is_in = [&](std::size_t instant) {
+    const LoadHistory::Reach reach = instants.reach_of(instant);
+    return within >= reach.from && within <= reach.to;
+  };
+  std::size_t instant = low;
+  if (instants.time_of(low) != within && low + 1 < samples_.size()) {
+    const bool nearer = instants.time_of(low + 1) - within < within - instants.time_of(low);
+    if ((nearer && is_in(low + 1)) || !is_in(low)) instant = low + 1;
+  }
+  if (instants.time_of(instant) == within) return samples_[instant];
+  const double at = within.value();
+  const std::vector<Piece>& pieces = pieces_of(instant);
+  for (const Piece& piece : pieces) {
+    if (at > piece.to) continue;
+    if (at <= piece.from) return piece.at.front();
+    if (piece.jump) {
+      std::size_t nearest = 0;
+      for (std::size_t k = 1; k <= last_node; ++k) {
+        const double here = std::abs(node_between(piece.from, piece.to, k) - at);
+        if (here < std::abs(node_between(piece.from, piece.to, nearest) - at)) nearest = k;
+      }
+      return piece.at[nearest];
+    }
+    return interpolate(piece.at, (2.0 * at - piece.from - piece.to) / (piece.to - piece.from));
+  }
+  return pieces.empty() ? samples_[instant] : pieces.back().at.back();
 }
 
 TurningPoint StationHistory::largest(const CutForceFunction& f) const {
@@ -217,13 +484,16 @@ TurningPoint StationHistory::largest(const CutForceFunction& f) const {
   std::transform(samples_.begin(), samples_.end(), values.begin(), f);
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const auto highest = static_cast<std::size_t>(high - values.begin());
+  const double noise = 1e-9 * std::max(std::abs(*low), std::abs(*high));
   TurningPoint best{loads_->time_of(highest), values[highest], true};
   // Peaks a little lower at the instants may be higher between them.
   const double enough = *high - 0.05 * (*high - *low);
+  constexpr double outside = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n; ++i) {
-    const bool peak = values[i] >= values[(i + n - 1) % n] && values[i] > values[(i + 1) % n];
-    if (!peak || values[i] < enough) continue;
-    const TurningPoint found = refine(i, true, f);
+    const double before = i > 0 ? values[i - 1] : (closed() ? values[n - 1] : outside);
+    const double behind = i + 1 < n ? values[i + 1] : (closed() ? values[0] : outside);
+    if (!(values[i] >= before && values[i] > behind) || values[i] < enough) continue;
+    const TurningPoint found = refine(i, true, f, noise);
     if (found.value > best.value) best = found;
   }
   return best;

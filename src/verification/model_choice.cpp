@@ -117,10 +117,12 @@ ModelChoice choose_elastic(const Project& project) {
   return for_all(project, choices, of);
 }
 
-/// A joint that slides with Coulomb friction, by name; "" where there is none.
-std::string dry_friction_in(const planar::Mechanism& mechanism) {
-  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
-    if (contact.law.coulomb > 0.0) {
+/// A joint that slides with dry friction, by name; "" where there is none.
+std::string dry_friction_in(const Project& project, const std::deque<SituationRun>& rigid) {
+  for (const SituationRun& run : rigid) {
+    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
+    for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
+      if (contact.law.coulomb == 0.0) continue;
       return mechanism.joints[static_cast<std::size_t>(contact.joint)].name;
     }
   }
@@ -139,16 +141,7 @@ std::string not_estimated(const Project& project, const std::deque<SituationRun>
     const std::string obstacle = obstacle_to_links(mechanism);
     if (!obstacle.empty()) {
       return fmt::format(
-          "joint {} couples two motions by a ratio, which no joint of elastic links "
-          "does",
-          obstacle);
-    }
-    const std::string rubbing = dry_friction_in(mechanism);
-    if (!rubbing.empty()) {
-      return fmt::format(
-          "dry friction in joint {} turns round with the elastic motion as well, which "
-          "small vibrations about a posture do not describe",
-          rubbing);
+          "joint {} couples two turns by a ratio, which no joint of elastic links does", obstacle);
     }
     const planar::DegreesOfFreedom& freedom = planar_motion_of(run).freedom;
     if (freedom.undriven > 0) {
@@ -366,6 +359,15 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
         return choice;
       }
     }
+  }
+  // A few modes do not hold what friction that turns round excites, nor how it damps it.
+  const std::string rubbing = dry_friction_in(project, rigid);
+  if (!rubbing.empty() && project.model.demand == ModelDemand::automatic) {
+    choice.reason = fmt::format(
+        "rigid bodies; what vibration adds is not known: dry friction in joint {} turns round "
+        "with the motion, and without damping {}; {}",
+        rubbing, missed, against_frequencies(estimate));
+    return choice;
   }
   for (std::size_t k = 1; k < estimate.without_modes.size(); ++k) {
     ModelEstimate& by_modes = choice.weighed.emplace_back();

@@ -1,10 +1,17 @@
 #include "boxbeam/verification/motion_result.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/chain_moments.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
+#include "boxbeam/mechanism/planar/uniqueness.hpp"
 
 namespace boxbeam {
 namespace {
@@ -64,9 +71,47 @@ InstantResult instant_of(const Project& project, const planar::State& state,
   return result;
 }
 
+/// What forces decide, at asked times only: integrated up to the last of them, and looked at in
+/// between by nobody.
+MotionResult integrated_motion(const Project& project, planar::StateSolver& solver,
+                               const std::vector<double>& times) {
+  const planar::Mechanism& mechanism = planar_of(project);
+  const TimeSpan span = planar::time_span_of(mechanism);
+  std::vector<double> ascending = times;
+  std::sort(ascending.begin(), ascending.end());
+  std::map<double, planar::State> states;
+  planar::State state = solver.start();
+  for (const double time : ascending) {
+    if (time < span.begin || time > (span.begin + span.length) * (1.0 + 1e-12)) {
+      throw AnalysisError({fmt::format("the motion lasts from {:.6g} s to {:.6g} s", span.begin,
+                                       span.begin + span.length),
+                           "mechanism",
+                           time,
+                           {},
+                           {}});
+    }
+    if (time > state.time) state = solver.near(time, state);
+    states.emplace(time, state);
+  }
+  MotionResult result;
+  result.freedom = solver.freedom();
+  for (const auto& [time, at] : states) {
+    planar::judge_uniqueness(mechanism, at.q, result.freedom);
+  }
+  result.redundant = planar::names_of_joints(mechanism, result.freedom.repeating);
+  for (const double time : times) {
+    result.states.push_back(instant_of(project, states.at(time), result.freedom));
+  }
+  return result;
+}
+
 }  // namespace
 
 MotionResult motion_of(const Project& project, std::vector<double> times) {
+  if (!times.empty()) {
+    planar::StateSolver solver(planar_of(project));
+    if (solver.integrates()) return integrated_motion(project, solver, times);
+  }
   const planar::Motion motion = planar::solve_motion(planar_of(project));
   if (times.empty()) {
     for (int i = 0; i < 12; ++i) times.push_back(motion.begin + motion.period * i / 12.0);

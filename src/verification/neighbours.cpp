@@ -25,16 +25,16 @@ constexpr Stress youngs_modulus = 210e9 * pascal;
 Extreme largest_over(const Project& project, const SituationRun& run,
                      const std::function<double(const planar::State&)>& f) {
   const planar::Motion& motion = planar_motion_of(run);
-  const SampledTime span{motion.begin, motion.period / static_cast<double>(motion.states.size()),
-                         motion.closed};
-  std::vector<double> values;
-  for (const planar::State& state : motion.states) values.push_back(f(state));
-  if (!motion.closed) values.push_back(f(motion.end));
   planar::StateFinder finder(planar_in(project, *run.situation), motion);
   const double end = motion.begin + motion.period;
-  const Extremum peak = peak_over_time(values, span, [&](double time) {
+  const auto value_at = [&](double time) {
     return f(finder.at(motion.closed ? time : std::clamp(time, motion.begin, end)));
-  });
+  };
+  // At the instants of the loads: they know where drivers and forces jump or bend.
+  const SampledTime span = sampled_time_of(run.loads);
+  std::vector<double> values;
+  for (const SampledInstant& instant : span.instants) values.push_back(value_at(instant.at));
+  const Extremum peak = peak_over_time(values, span, value_at);
   return {si<Time>(peak.at), peak.value, index_of(project, *run.situation)};
 }
 

@@ -6,33 +6,46 @@
 
 namespace boxbeam {
 
+SampledTime equal_instants(double begin, double step, std::size_t count, bool closed) {
+  SampledTime span{{}, begin, step * static_cast<double>(closed ? count : count - 1)};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = begin + step * static_cast<double>(i);
+    const bool first = i == 0 && !closed, last = i + 1 == count && !closed;
+    span.instants.push_back({at, first ? at : at - step, last ? at : at + step});
+  }
+  return span;
+}
+
+SampledTime sampled_time_of(const LoadHistory& loads) {
+  SampledTime span{{}, loads.begin().value(), loads.period().value()};
+  for (std::size_t i = 0; i < loads.instants(); ++i) {
+    const LoadHistory::Reach reach = loads.reach_of(i);
+    span.instants.push_back({loads.time_of(i).value(), reach.from.value(), reach.to.value()});
+  }
+  return span;
+}
+
 Extremum peak_over_time(const std::vector<double>& values, const SampledTime& span,
                         const std::function<double(double)>& f) {
-  assert(!values.empty());
+  assert(!values.empty() && values.size() == span.instants.size());
   const std::size_t n = values.size();
-  const auto time_of = [&](std::size_t i) {
-    return span.begin + span.step * static_cast<double>(i);
-  };
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  Extremum peak{time_of(static_cast<std::size_t>(highest - values.begin())), *highest};
+  Extremum peak{span.instants[static_cast<std::size_t>(highest - values.begin())].at, *highest};
   // Waves of round-off have no peaks.
   const double nothing = 1e-9 * std::max(std::abs(*lowest), std::abs(*highest));
   if (n < 3 || *highest - *lowest <= nothing) return peak;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool first = i == 0 && !span.closed, last = i + 1 == n && !span.closed;
-    const double before = first ? values[i] : values[(i + n - 1) % n];
-    const double behind = last ? values[i] : values[(i + 1) % n];
+    const SampledInstant& at = span.instants[i];
+    const double before = at.from < at.at ? values[(i + n - 1) % n] : values[i];
+    const double behind = at.to > at.at ? values[(i + 1) % n] : values[i];
     if (values[i] < before || values[i] < behind) continue;
     const double bend = 2.0 * values[i] - before - behind;
     if (bend <= nothing || values[i] + bend < peak.value) continue;
-    const double low = time_of(i) - (first ? 0.0 : span.step);
-    const double high = time_of(i) + (last ? 0.0 : span.step);
-    const Extremum found = find_maximum(f, low, high);
+    const Extremum found = find_maximum(f, at.from, at.to);
     if (found.value > peak.value) peak = found;
   }
-  const double period = span.step * static_cast<double>(n);
-  if (span.closed && peak.at < span.begin) peak.at += period;
-  if (span.closed && peak.at >= span.begin + period) peak.at -= period;
+  if (peak.at < span.begin) peak.at += span.period;
+  if (peak.at > span.begin + span.period) peak.at -= span.period;
   return peak;
 }
 

@@ -15,6 +15,7 @@ struct StoppedMechanism {
   const planar::Mechanism& mechanism;
   const planar::State& state;
   const ElasticBody& elastic;
+  flexible::Mechanism* wheels;  ///< of the elastic link, with their hubs
 
   double angle_of(int body) const {
     return body == planar::ground ? 0.0 : state.q[3 * static_cast<Eigen::Index>(body) + 2];
@@ -68,6 +69,38 @@ struct StoppedMechanism {
     return joint;
   }
 
+  /// Where a toothed wheel has its pitch point. On the elastic link it is a rigid body without mass
+  /// on the section at its hub, for what lies under its teeth bends freely.
+  flexible::Attachment on_wheel(const planar::Attachment& hub,
+                                const Eigen::Vector2d& pitch_point) const {
+    if (hub.body != elastic.body) return on_link_at(hub.body, pitch_point);
+    flexible::Link wheel;
+    wheel.name = "wheel";
+    wheel.kind = flexible::LinkKind::rigid;
+    wheel.origin = place_of(hub);
+    const auto index = static_cast<int>(mechanism.bodies.size() + wheels->links.size());
+    flexible::Joint fixed;
+    fixed.name = "hub";
+    fixed.a = on_link(hub);
+    fixed.b = {index, Eigen::Vector2d::Zero()};
+    fixed.stiffness = {infinite, infinite, infinite};
+    const Eigen::Vector2d arm = pitch_point - wheel.origin;
+    wheels->links.push_back(std::move(wheel));
+    wheels->joints.push_back(std::move(fixed));
+    return {index, arm};
+  }
+
+  /// Teeth in mesh at a place move alike along the pitch line.
+  static flexible::Joint meshed(const flexible::Attachment& a, const flexible::Attachment& b,
+                                double line) {
+    flexible::Joint joint;
+    joint.a = a;
+    joint.b = b;
+    joint.angle = line;
+    joint.stiffness = {infinite, 0.0, 0.0};
+    return joint;
+  }
+
   flexible::Joint of(const planar::Pin& pin) const {
     return held(pin.a, pin.b, 0.0, {infinite, infinite, 0.0});
   }
@@ -86,9 +119,19 @@ struct StoppedMechanism {
   flexible::Joint of(const planar::AngleCoupling& coupling) const {
     return held(coupling.a, coupling.b, 0.0, {0.0, 0.0, infinite});
   }
-  // Obstacles: `links_of` is not asked for them.
-  flexible::Joint of(const planar::Gear&) const { return {}; }
-  flexible::Joint of(const planar::Rack&) const { return {}; }
+  flexible::Joint of(const planar::Gear& gear) const {
+    const Eigen::Vector2d a = place_of(gear.a);
+    const Eigen::Vector2d apart = place_of(gear.b) - a;
+    const Eigen::Vector2d pitch = a + gear.radius_a / (gear.radius_a + gear.radius_b) * apart;
+    return meshed(on_wheel(gear.a, pitch), on_wheel(gear.b, pitch),
+                  std::atan2(apart.x(), -apart.y()));
+  }
+  flexible::Joint of(const planar::Rack& rack) const {
+    const double direction = angle_of(rack.rack.body) + rack.direction;
+    const Eigen::Vector2d left(-std::sin(direction), std::cos(direction));
+    const Eigen::Vector2d pitch = place_of(rack.pinion) - rack.radius * left;
+    return meshed(on_wheel(rack.pinion, pitch), on_link_at(rack.rack.body, pitch), direction);
+  }
 
   flexible::Joint of(const planar::Driven& driven) const {
     const planar::Attachment& a = driven.point;
@@ -143,18 +186,15 @@ flexible::Link link_of(const StoppedMechanism& posture, std::size_t index) {
 std::string obstacle_to_links(const planar::Mechanism& mechanism) {
   for (const planar::Joint& joint : mechanism.joints) {
     const auto* coupling = std::get_if<planar::AngleCoupling>(&joint.kind);
-    if (std::holds_alternative<planar::Gear>(joint.kind) ||
-        std::holds_alternative<planar::Rack>(joint.kind) ||
-        (coupling != nullptr && coupling->ratio != 1.0)) {
-      return joint.name;
-    }
+    if (coupling != nullptr && coupling->ratio != 1.0) return joint.name;
   }
   return "";
 }
 
 flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic) {
-  const StoppedMechanism posture{mechanism, state, elastic};
+  flexible::Mechanism wheels;
+  const StoppedMechanism posture{mechanism, state, elastic, &wheels};
   flexible::Mechanism links;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     links.links.push_back(link_of(posture, i));
@@ -174,6 +214,8 @@ flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::S
       add(posture.of(*torsion), force.name);
     }
   }
+  links.links.insert(links.links.end(), wheels.links.begin(), wheels.links.end());
+  links.joints.insert(links.joints.end(), wheels.joints.begin(), wheels.joints.end());
   return links;
 }
 

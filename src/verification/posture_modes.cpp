@@ -113,7 +113,9 @@ PostureModes modes_in_posture(const LoadedPosture& posture, std::size_t count) {
 FrameTerms frame_terms(const PostureModes& modes, const planar::State& state) {
   const auto size = static_cast<Eigen::Index>(modes.frequencies.size());
   FrameTerms terms{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size)};
-  for (std::size_t body = 0; body < modes.shifting.size(); ++body) {
+  // Behind the bodies come toothed wheels without mass.
+  const auto bodies = static_cast<std::size_t>(state.v.size() / 3);
+  for (std::size_t body = 0; body < bodies; ++body) {
     const Eigen::Index angle = 3 * static_cast<Eigen::Index>(body) + 2;
     const double omega = state.v[angle];
     terms.of_rate += 2.0 * omega * modes.turning[body];

@@ -101,6 +101,15 @@ AnyMotion motion_in(const Project& project, const Situation& situation, const El
   return motion;
 }
 
+/// When drivers and forces are not smooth, within a time that is looked at.
+std::vector<Time> breaks_in(const std::vector<DriverUse>& functions, double begin, double length) {
+  std::vector<Time> times;
+  for (const Break& at : breaks_of(functions, begin, begin + length)) {
+    times.push_back(si<Time>(at.at));
+  }
+  return times;
+}
+
 LoadHistory loads_in(const Project& project, const Situation& situation, const AnyMotion& motion,
                      const ElasticModel& model) {
   if (situation.sudden_start) return loads_after_start(project, situation, model);
@@ -115,15 +124,19 @@ LoadHistory loads_in(const Project& project, const Situation& situation, const A
     return {span, [of](Time time) { return flexible::beam_loads_at(*of, time.value()); }};
   }
   if (const auto* space = std::get_if<spatial::Motion>(&motion)) {
+    const spatial::Mechanism& mechanism = spatial_in(project, situation);
     const LoadSpan span{si<Time>(space->begin), si<Time>(space->period), space->instants,
-                        space->closed};
-    return {span, loads_of(project, spatial_in(project, situation))};
+                        space->closed,
+                        breaks_in(spatial::functions_of(mechanism), space->begin, space->period)};
+    return {span, loads_of(project, mechanism)};
   }
   const auto& plane = std::get<planar::Motion>(motion);
+  const planar::Mechanism& mechanism = planar_in(project, situation);
   const LoadSpan span{si<Time>(plane.begin), si<Time>(plane.period), plane.states.size(),
-                      plane.closed};
-  return {span, elastic_loads_of(project, situation, plane, model,
-                                 loads_of(project, planar_in(project, situation), plane))};
+                      plane.closed,
+                      breaks_in(planar::functions_of(mechanism), plane.begin, plane.period)};
+  return {span,
+          elastic_loads_of(project, situation, plane, model, loads_of(project, mechanism, plane))};
 }
 
 double gravity_of(const Project& project, const Situation& situation) {
@@ -150,12 +163,13 @@ double imbalance_over(const Project& project, const Situation& situation,
     const Imbalance open = imbalance_of(at);
     const double left = open.force.norm() + open.moment.norm() / project.beam.length().value();
     if (!std::isfinite(left)) {
-      throw AnalysisError({"the loads on the beam are no numbers: masses, stiffnesses or times of "
-                           "the case are too far apart for the arithmetic",
-                           "beam",
-                           time.value(),
-                           {},
-                           {}});
+      throw AnalysisError(
+          {"the loads on the beam are no numbers: masses, stiffnesses or times of "
+           "the case are too far apart for the arithmetic",
+           "beam",
+           time.value(),
+           {},
+           {}});
     }
     if (left <= worst) continue;
     worst = left;

@@ -115,7 +115,7 @@ MotionSummary summary_of(const Project& project, const SituationRun& run) {
   MotionSummary summary;
   summary.situation = index_of(project, *run.situation);
   // Of a history that stays open, its end is an instant of its own.
-  summary.instants = run.loads.instants() - (run.loads.closed() ? 0 : 1);
+  summary.instants = run.loads.even_instants() - (run.loads.closed() ? 0 : 1);
   summary.begin = run.loads.begin();
   summary.period = run.loads.period();
   summary.closed = run.loads.closed();

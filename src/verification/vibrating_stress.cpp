@@ -47,11 +47,11 @@ Eigen::ArrayXd fibre_stresses(const CutForceDiagram& diagram,
 
 Eigen::MatrixXd stress_history(const LoadHistory& history,
                                const std::vector<ComparedPlace>& places) {
-  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.instants()),
+  Eigen::MatrixXd stresses(static_cast<Eigen::Index>(history.even_instants()),
                            2 * static_cast<Eigen::Index>(places.size()));
-  for (std::size_t i = 0; i < history.instants(); ++i) {
+  for (std::size_t i = 0; i < history.even_instants(); ++i) {
     stresses.row(static_cast<Eigen::Index>(i)) =
-        fibre_stresses(history.diagram(i), places).transpose();
+        fibre_stresses(history.even_diagram(i), places).transpose();
   }
   return stresses;
 }

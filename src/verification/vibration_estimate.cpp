@@ -9,6 +9,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
 namespace boxbeam {
@@ -66,9 +67,9 @@ Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double 
 
 std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station& station,
                                        double base) {
-  Eigen::VectorXd moment(static_cast<Eigen::Index>(history.instants()));
-  for (std::size_t i = 0; i < history.instants(); ++i) {
-    moment[static_cast<Eigen::Index>(i)] = history.diagram(i).at(station).M_y.value();
+  Eigen::VectorXd moment(static_cast<Eigen::Index>(history.even_instants()));
+  for (std::size_t i = 0; i < history.even_instants(); ++i) {
+    moment[static_cast<Eigen::Index>(i)] = history.even_diagram(i).at(station).M_y.value();
   }
   const Spectrum spectrum = spectrum_of(moment);
   const double largest = moment.cwiseAbs().maxCoeff();
@@ -79,6 +80,15 @@ std::vector<LoadHarmonic> harmonics_of(const LoadHistory& history, const Station
     if (share > significant) harmonics.push_back({static_cast<double>(h) * base, share});
   }
   return harmonics;
+}
+
+/// The largest coefficient of dry friction in a mechanism.
+double largest_friction(const planar::Mechanism& mechanism) {
+  double largest = 0.0;
+  for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
+    largest = std::max(largest, contact.law.coulomb);
+  }
+  return largest;
 }
 
 }  // namespace
@@ -113,8 +123,8 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     }
     const auto count = static_cast<Eigen::Index>(modes.frequencies.size());
     Eigen::MatrixXd p(stresses.rows(), count);
-    for (std::size_t i = 0; i < history.instants(); ++i) {
-      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.diagram(i)).transpose();
+    for (std::size_t i = 0; i < history.even_instants(); ++i) {
+      p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.even_diagram(i)).transpose();
     }
     const double turning = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
     const double beside = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
@@ -139,6 +149,10 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
       estimate.frequencies = modes.frequencies;
     }
   }
+  // Dry friction follows the pressure on its guide, whose elastic part is in no mode.
+  const double rubbed = largest_friction(*rigid.mechanism) * estimate.without_modes.front();
+  for (double& error : estimate.without_modes) error += rubbed;
+  estimate.left_out += rubbed;
   Eigen::Index governing = 0;
   (stresses.colwise().maxCoeff() - stresses.colwise().minCoeff()).maxCoeff(&governing);
   estimate.harmonics =

@@ -37,8 +37,8 @@ LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic);
 ///
 /// periodic, solved at N instants by Fourier collocation; F', F of the turning bodies
 /// (`frame_terms`). To the loads of the beam that bends statically (`second_order_of`) come those
-/// of the modes' own inertia, -K^-1 eta'': what elasticity and viscosity bear together beyond the
-/// static part,
+/// of the modes' own inertia, -K^-1 (eta'' + F' eta' + F eta): what elasticity and viscosity bear
+/// together beyond the static part,
 ///
 ///     sum over modes of (eta + K^-1 C eta' - K^-1 p)_j times (joint forces and inertia of mode j)
 ///

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
@@ -21,43 +22,74 @@ struct LoadSpan {
   Time period;
   std::size_t instants = 0;  ///< equal steps of it
   bool closed = true;        ///< it repeats; else its end is an instant of its own
+  /// Times in it at which the loads may jump or bend, ascending: points of tables, ends of smooth
+  /// steps.
+  std::vector<Time> breaks = {};
 };
 
-/// The cut forces over one period: at equally spaced instants, and between three neighbours of
-/// them at Chebyshev points where an extremum is looked for.
+/// The cut forces over one period: at the ends of equal steps and on both sides of every break, and
+/// between neighbours of these at Chebyshev points where an extremum is looked for.
 class LoadHistory {
  public:
-  /// Nodes of one bracket, Chebyshev points of the second kind over two steps; three of them are
-  /// the instants themselves.
+  /// Nodes of one bracket, Chebyshev points of the second kind.
   static constexpr std::size_t nodes = 9;
   using Bracket = std::array<CutForceDiagram, nodes>;
 
   LoadHistory(const LoadSpan& span, LoadsAt loads_at);
 
+  const LoadSpan& span() const { return span_; }
   Time period() const { return span_.period; }
   Time begin() const { return span_.begin; }
   bool closed() const { return span_.closed; }
-  Time step() const { return span_.period / static_cast<double>(span_.instants); }
-  std::size_t instants() const { return diagrams_.size(); }
-  Time time_of(std::size_t instant) const;
-  const CutForceDiagram& diagram(std::size_t instant) const { return diagrams_[instant]; }
 
-  /// The instant itself, or where an open history ends its neighbour, so that it has two
-  /// neighbours.
-  std::size_t middle_near(std::size_t instant) const;
+  /// All instants that are looked at, ascending. Between two with a break they are not evenly
+  /// spaced, and two stand at every break, one just before it, one just behind.
+  std::size_t instants() const { return instants_.size(); }
+  Time time_of(std::size_t instant) const { return instants_[instant].time; }
+  const CutForceDiagram& diagram(std::size_t instant) const { return instants_[instant].diagram; }
 
-  /// Diagrams from the instant before `middle` to the one behind it; solved when first asked for.
-  const Bracket& bracket(std::size_t middle) const;
+  /// Those at the ends of equal steps (for Fourier series, and to compare two histories), of an
+  /// open history with its end; where a break is, the one behind it.
+  std::size_t even_instants() const { return even_.size(); }
+  const CutForceDiagram& even_diagram(std::size_t k) const { return diagram(even_[k]); }
+
+  /// Whether loads may jump or bend between an instant and the one before it; at the begin of an
+  /// open history they do.
+  bool begins_piece(std::size_t instant) const { return instants_[instant].begins; }
+
+  /// From the instant before to the one behind, as far as nothing jumps or bends: what an extremum
+  /// near an instant lies in. Of a history that repeats it may reach beyond its begin or end.
+  struct Reach {
+    Time from, to;
+  };
+  Reach reach_of(std::size_t instant) const;
+
+  /// Diagrams at the Chebyshev points between two times; solved when first asked for.
+  const Bracket& bracket(const Reach& reach) const;
 
   /// Exact diagram at a time, solved anew.
   CutForceDiagram diagram_at(Time time) const { return cut_forces_of(loads_at_(time)); }
   BeamLoads loads_at(Time time) const { return loads_at_(time); }
 
+  /// Largest force and moment anywhere at the instants, below a part of which all is round-off.
+  double largest_force() const { return largest_force_; }
+  double largest_moment() const { return largest_moment_; }
+
  private:
+  struct Instant {
+    Time time;
+    CutForceDiagram diagram;
+    bool begins = false;
+  };
+  Time even_time(std::size_t k) const;
+  void add_instants();
+
   LoadSpan span_;
   LoadsAt loads_at_;
-  std::vector<CutForceDiagram> diagrams_;
-  mutable std::map<std::size_t, Bracket> brackets_;
+  std::vector<Instant> instants_;
+  std::vector<std::size_t> even_;
+  double largest_force_ = 0.0, largest_moment_ = 0.0;
+  mutable std::map<std::pair<double, double>, Bracket> brackets_;
 };
 
 /// A scalar of the cut forces: one of them, or a stress they cause.
@@ -81,11 +113,13 @@ class StationHistory {
   Time time_of(std::size_t instant) const { return loads_->time_of(instant); }
   const std::vector<CutForces>& samples() const { return samples_; }
 
-  /// The turning points of `f` in order of time. Each is bracketed by three instants and found by
-  /// Brent's method on the cut forces interpolated through the Chebyshev points of the bracket
-  /// (degree 8: for a smooth motion the interpolation is at round-off). Waves smaller than 1e-9 of
-  /// the whole are round-off and left out; a constant has one turning point. A load that slides
-  /// over the station in a bracket divides it.
+  /// The turning points of `f` in order of time. Each is bracketed by instants between which
+  /// nothing is known to jump or bend and found by Brent's method on the cut forces interpolated
+  /// through the Chebyshev points of the bracket (degree 8: for a smooth motion the interpolation
+  /// is at round-off). A load that slides over the station divides a bracket; one that the
+  /// polynomial does not describe, for what happens in it is known to nobody before, is halved
+  /// until it does. Waves smaller than 1e-9 of the whole are round-off and left out; a constant has
+  /// one turning point.
   std::vector<TurningPoint> turning_points(const CutForceFunction& f) const;
 
   /// The largest value of `f` over the period, found the same way.
@@ -96,16 +130,27 @@ class StationHistory {
 
  private:
   using Nodes = std::array<CutForces, LoadHistory::nodes>;
-  Nodes nodes_of(std::size_t middle) const;
-  TurningPoint refine(std::size_t instant, bool maximum, const CutForceFunction& f) const;
-  /// The same where a load slides over the station in the bracket: cut forces jump or bend there,
-  /// and the extremum is at a node or just before or behind the passage.
-  Extremum extremum_at_passage(std::size_t middle, const Nodes& nodes, double sign,
-                               const CutForceFunction& f) const;
+  /// Cut forces between two times as one polynomial; of a `jump`, narrower than matters or beyond
+  /// description, only what they are at the nodes.
+  struct Piece {
+    double from = 0.0, to = 0.0;  ///< [s]
+    Nodes at;
+    bool jump = false;
+  };
+  const std::vector<Piece>& pieces_of(std::size_t instant) const;
+  void divide_at_passages(const LoadHistory::Reach& reach, std::vector<Piece>& pieces) const;
+  void add_smooth(const Piece& piece, int halvings, bool keep, std::vector<Piece>& pieces) const;
+  Piece piece_between(double from, double to, bool keep) const;
+  bool is_described(const Nodes& at) const;
+  Extremum extremum_near(std::size_t instant, double sign, const CutForceFunction& f) const;
+  TurningPoint refine(std::size_t instant, bool maximum, const CutForceFunction& f,
+                      double noise) const;
 
   const LoadHistory* loads_;
   Station station_;
   std::vector<CutForces> samples_;
+  double force_floor_ = 0.0, moment_floor_ = 0.0;  ///< of what the polynomials leave out
+  mutable std::map<std::size_t, std::vector<Piece>> pieces_;
 };
 
 }  // namespace boxbeam

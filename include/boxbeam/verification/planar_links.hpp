@@ -20,16 +20,18 @@ struct ElasticBody {
 };
 
 /// Why small elastic motions of a mechanism about its postures cannot be described by elastic
-/// links: the joint that couples two motions by a ratio, by name; "" where they can.
+/// links: the gearbox that couples two turns by a ratio, by name; "" where they can.
 std::string obstacle_to_links(const planar::Mechanism& mechanism);
 
 /// A planar mechanism stopped in a posture: every body a rigid link of the same index with its
-/// mass, the elastic one a full link; joints without play and drivers held. Springs and dampers
-/// between points count along their line, with the length that they have. No loads and no weight:
-/// what the rigid motion asks for is not part of it.
-/// Left out: Coulomb friction, and what forces that are there add to the stiffness across their
-/// line (of the order of the force over the one that buckles).
-/// Precondition: no obstacle.
+/// mass, the elastic one a full link; toothed wheels on it come behind them; joints without play
+/// and drivers held. Springs and dampers between points count along their line, with the length
+/// that they have. No loads and no weight: what the rigid motion asks for is not part of it.
+/// Toothed wheels and racks are joints without play along the pitch line, at the pitch point.
+/// Left out: dry friction, whose size does not change with the speed of sliding (beyond the creep
+/// velocity, within which it damps; what its change with the pressure makes is of the order of its
+/// coefficient times the vibration), and what forces that are there add to the stiffness across
+/// their line (of the order of the force over the one that buckles). Precondition: no obstacle.
 flexible::Mechanism links_of(const planar::Mechanism& mechanism, const planar::State& state,
                              const ElasticBody& elastic);
 

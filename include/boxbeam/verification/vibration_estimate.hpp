@@ -21,7 +21,9 @@ struct VibrationEstimate {
   /// As `difference_between`, of the worst posture, with none, one, ... of the modes counted; of
   /// the last, all that are looked at, what their number leaves out is not known.
   std::vector<double> without_modes;
-  double left_out = 0.0;  ///< what rotation couples in spite of modes, contained in these
+  /// What rotation couples in spite of modes, and the coefficient of dry friction times what no
+  /// mode counted misses; contained in these.
+  double left_out = 0.0;
   /// Of the posture whose first frequency is lowest [Hz].
   std::vector<double> frequencies;
   /// Harmonics of the bending moment where the stress range is largest, above a hundredth of it.

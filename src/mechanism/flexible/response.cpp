@@ -219,15 +219,6 @@ Eigen::Matrix<Scalar, 3, 1> joint_force(const Structure& structure, std::size_t 
   return structure.joints[joint].axes.transpose() * of.joints.col(static_cast<Eigen::Index>(joint));
 }
 
-template <class Scalar>
-Eigen::Matrix<Scalar, 3, 1> motion_at(const Structure& structure, const Attachment& place,
-                                      const Deformation<Scalar>& of) {
-  if (place.link == ground) return Eigen::Matrix<Scalar, 3, 1>::Zero();
-  const Grip grip = grip_of(structure, place);
-  return grip.motion * of.motion[static_cast<std::size_t>(place.link)].col(
-                           static_cast<Eigen::Index>(grip.element));
-}
-
 template LinkColumns<double> no_loads<double>(const Structure&);
 template LinkColumns<Complex> no_loads<Complex>(const Structure&);
 template LinkColumns<double> mass_times<double>(const Structure&, const LinkColumns<double>&);
@@ -236,9 +227,5 @@ template Eigen::Vector3d joint_force<double>(const Structure&, std::size_t,
                                              const Deformation<double>&);
 template Eigen::Vector3cd joint_force<Complex>(const Structure&, std::size_t,
                                                const Deformation<Complex>&);
-template Eigen::Vector3d motion_at<double>(const Structure&, const Attachment&,
-                                           const Deformation<double>&);
-template Eigen::Vector3cd motion_at<Complex>(const Structure&, const Attachment&,
-                                             const Deformation<Complex>&);
 
 }  // namespace boxbeam::flexible

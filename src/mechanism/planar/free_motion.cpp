@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/branch.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
 
 namespace boxbeam::planar {
@@ -28,6 +30,52 @@ constexpr double error_of_passage = 1e-6;
 
 /// Solutions of the equations of motion times coordinates, at most: some ten seconds.
 constexpr double most_work = 5e7;
+
+/// Where steps end because drivers or forces bend or jump there: just before and just behind each
+/// such time between two, in their direction.
+std::vector<double> stops_between(const Mechanism& mechanism, double from, double to) {
+  const double low = std::min(from, to);
+  const double high = std::max(from, to);
+  const double aside = 1e-12 * std::max({std::abs(low), std::abs(high), high - low});
+  std::vector<double> stops;
+  for (const Break& at : breaks_of(functions_of(mechanism), low, high)) {
+    for (const double stop : {at.at - aside, at.at + aside}) {
+      if (stop > low && stop < high) stops.push_back(stop);
+    }
+  }
+  if (to < from) std::reverse(stops.begin(), stops.end());
+  return stops;
+}
+
+/// The longest step in which dry friction cannot turn round unseen: half of the time in which a
+/// sliding velocity comes to rest, and within the creep velocity half of the time that this takes.
+double longest_with_friction(const Mechanism& mechanism, const State& state) {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const FrictionContact& contact : friction_contacts_of(mechanism)) {
+    if (contact.law.coulomb == 0.0) continue;
+    const double speed = std::abs(sliding_velocity_of(contact, state.q, state.v));
+    const double change = std::abs(sliding_velocity_of(contact, state.q, state.a));
+    if (change > 0.0) longest = std::min(longest, 0.5 * (speed + contact.law.creep) / change);
+  }
+  return longest;
+}
+
+/// On which side of every guide that rubs it is pressed, and whether by a force or a moment:
+/// friction bends where one of them changes.
+std::vector<int> pressed_sides_of(const Mechanism& mechanism, const Eigen::VectorXd& lambda) {
+  std::vector<int> sides;
+  for (const FrictionContact& contact : friction_contacts_of(mechanism)) {
+    if (contact.law.coulomb == 0.0) continue;
+    const double force = lambda[contact.row];
+    const double moment = contact.moment && contact.law.guide > 0.0
+                              ? 2.0 * lambda[contact.row + 1] / contact.law.guide
+                              : 0.0;
+    const bool by_moment = std::abs(moment) > std::abs(force);
+    const bool positive = (by_moment ? moment : force) > 0.0;
+    sides.push_back((by_moment ? 2 : 0) + (positive ? 1 : 0));
+  }
+  return sides;
+}
 
 }  // namespace
 
@@ -217,8 +265,11 @@ State FreeSolver::advance(double time, const State& known) {
   const double smallest = 1e-13 * std::max(std::abs(time), std::abs(state.time)) + 1e-300;
   double dt = time - state.time;
   bool inside = false;  // close to a singular position already
+  const State begin = state;
+  int attempt = 0;
+  const std::vector<double> stops = stops_between(*mechanism_, state.time, time);
+  auto stop = stops.begin();
   while (direction * (time - state.time) > smallest) {
-    dt = direction * std::min(std::abs(dt), std::abs(time - state.time));
     if (static_cast<double>(equations_.evaluations()) * static_cast<double>(state.q.size()) >
         most_work) {
       throw AnalysisError(
@@ -232,6 +283,11 @@ State FreeSolver::advance(double time, const State& known) {
            {},
            {}});
     }
+    while (stop != stops.end() && direction * (*stop - state.time) <= smallest) ++stop;
+    const double until = stop != stops.end() ? *stop : time;
+    const double wanted = std::abs(dt);
+    dt = direction * std::min({std::abs(dt), std::abs(until - state.time),
+                               std::max(smallest, longest_with_friction(*mechanism_, state))});
     Step step = step_from(state, dt);
     regular_ = std::max(regular_, step.end_pivot);
     const double bound =
@@ -243,6 +299,17 @@ State FreeSolver::advance(double time, const State& known) {
           step.solved && !lost ? 0.9 * std::pow(bound / step.error, 1.0 / 8.0) : 0.25;
       dt *= std::max(0.2, shrink);
       if (std::abs(dt) > smallest) continue;
+      // Whether a step passes over a singular position depends on where the last one before it
+      // ended: begun otherwise they end elsewhere.
+      constexpr int other_ways = 6;
+      if (attempt < other_ways) {
+        ++attempt;
+        state = begin;
+        stop = stops.begin();
+        inside = false;
+        dt = (time - begin.time) * std::pow(0.6, attempt);
+        continue;
+      }
       throw AnalysisError(
           {"the motion under the applied forces cannot be integrated further: it "
            "changes faster than the arithmetic can follow (a singular position, or "
@@ -265,12 +332,34 @@ State FreeSolver::advance(double time, const State& known) {
       }
       step = std::move(*over);
     }
+    const double longer = 0.9 * std::pow(bound / std::max(step.error, 1e-9 * bound), 1.0 / 8.0);
+    natural_ = std::max(natural_, std::abs(dt) * longer);
+    const double next =
+        std::max(std::abs(dt) * std::min(5.0, longer), std::abs(dt) < wanted ? wanted : 0.0);
+    // No step goes on beyond a bend of friction, which its error does not show.
+    const std::vector<int> sides = pressed_sides_of(*mechanism_, state.lambda);
+    const auto keeps_sides = [&](const State& end) {
+      return sides.empty() || pressed_sides_of(*mechanism_, end.lambda) == sides;
+    };
+    if (!is_near_singular(step.pivot) && !keeps_sides(step.end)) {
+      double low = 0.0;
+      double high = dt;
+      while (std::abs(high - low) > smallest + 1e-12 * std::abs(dt)) {
+        const double half = 0.5 * (low + high);
+        Step shorter = step_from(state, half);
+        if (!shorter.solved) break;
+        if (keeps_sides(shorter.end)) {
+          low = half;
+        } else {
+          high = half;
+          step = std::move(shorter);
+        }
+      }
+    }
     inside = is_near_singular(step.end_pivot);
     ++steps_;
     state = std::move(step.end);
-    const double longer = 0.9 * std::pow(bound / std::max(step.error, 1e-9 * bound), 1.0 / 8.0);
-    natural_ = std::max(natural_, std::abs(dt) * longer);
-    dt *= std::min(5.0, longer);
+    dt = direction * next;
   }
   state.time = time;
   return state;

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/common/rough_times.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
 #include "boxbeam/mechanism/planar/reach.hpp"
+#include "boxbeam/mechanism/planar/uniqueness.hpp"
 
 namespace boxbeam::planar {
 namespace {
@@ -49,23 +49,12 @@ std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
        {}});
 }
 
-/// Multipliers that are unique now may be shared elsewhere: unique is what is so all along.
+/// The same at 16 of the states of a motion.
 void judge_uniqueness(const Mechanism& mechanism, Motion& motion) {
-  if (motion.freedom.redundant == 0) return;
   constexpr std::size_t looks = 16;
   const std::size_t count = motion.states.size();
   for (std::size_t i = 0; i < looks; ++i) {
-    const DegreesOfFreedom here =
-        degrees_of_freedom_of(mechanism, motion.states[i * count / looks].q);
-    // A position that is singular itself says nothing of the others.
-    if (here.redundant != motion.freedom.redundant) continue;
-    for (std::size_t row = 0; row < here.unique.size(); ++row) {
-      if (here.unique[row] == 0) motion.freedom.unique[row] = 0;
-    }
-    std::vector<int> both;
-    std::set_union(here.repeating.begin(), here.repeating.end(), motion.freedom.repeating.begin(),
-                   motion.freedom.repeating.end(), std::back_inserter(both));
-    motion.freedom.repeating = both;
+    judge_uniqueness(mechanism, motion.states[i * count / looks].q, motion.freedom);
   }
 }
 

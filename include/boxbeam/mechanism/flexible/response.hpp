@@ -158,9 +158,25 @@ template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> joint_force(const Structure& structure, std::size_t joint,
                                         const Deformation<Scalar>& of);
 
-/// The motion (x, y, phi) of a place, world axes.
+/// What lies along the links while they have a motion, by their mass: weight, and the inertia
+/// -`square` times the motion's acceleration of one, m (g + square q).
+template <class Scalar>
+struct FieldAlong {
+  Eigen::Matrix<Scalar, 2, 1> gravity = Eigen::Matrix<Scalar, 2, 1>::Zero();  ///< world [m/s^2]
+  double square = 0.0;  ///< omega^2 of a motion that vibrates [1/s^2]
+};
+
+/// The motion (x, y, phi) of a place, world axes. Between the nodes of the corrected form that of
+/// the bent axis: the part's forces from its nodes' motion, and from them and the field
+///
+///     phi' = m/EI,  w' = phi + Q/GA,  u' = n/EA,  m' = -Q,  Q' = -q,  n' = -p
+///
+/// exact in statics, of tapered links to the rounding of Gauss's rule with 7 points, as far as the
+/// nodes are; inertia and weight as parabolas between two nodes. In the classical form that of the
+/// rigid element that holds the place. Source: Timoshenko's beam, by virtual work.
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> motion_at(const Structure& structure, const Attachment& place,
-                                      const Deformation<Scalar>& of);
+                                      const Deformation<Scalar>& of,
+                                      const FieldAlong<Scalar>& field = {});
 
 }  // namespace boxbeam::flexible
