@@ -89,12 +89,11 @@ CutForces CutForceDiagram::at(const Station& station) const {
   constexpr double round_off = 1e-14;
   if (station.s > end * (1.0 + round_off)) return {};
   if (station.side == Side::behind && station.s >= end * (1.0 - round_off)) return {};
-  std::size_t i = 0;
-  while (i + 1 < pieces.size() &&
-         (station.s > pieces[i + 1].start || (station.s == pieces[i + 1].start && !before))) {
-    ++i;
-  }
-  const CutForcePiece& piece = pieces[i];
+  const auto next =
+      std::partition_point(pieces.begin() + 1, pieces.end(), [&](const CutForcePiece& piece) {
+        return before ? piece.start < station.s : piece.start <= station.s;
+      });
+  const CutForcePiece& piece = *(next - 1);
   const double x = (station.s - piece.start).value();
   return {si<Force>(piece.N(x)),  si<Force>(piece.V_y(x)),  si<Force>(piece.V_z(x)),
           si<Moment>(piece.T(x)), si<Moment>(piece.M_y(x)), si<Moment>(piece.M_z(x))};

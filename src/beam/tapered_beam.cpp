@@ -52,12 +52,31 @@ const char* to_text(Side side) {
 
 std::size_t segment_at(const TaperedBeam& beam, const Station& station) {
   assert(!beam.segments.empty());
-  const std::size_t last = beam.segments.size() - 1;
-  for (std::size_t i = 0; i < last; ++i) {
-    const Length end = beam.segments[i].end();
-    if (station.s < end || (station.s == end && station.side == Side::before)) return i;
+  const bool before = station.side == Side::before;
+  const auto found = std::partition_point(
+      beam.segments.begin(), beam.segments.end() - 1, [&](const Segment& segment) {
+        return before ? segment.end() < station.s : segment.end() <= station.s;
+      });
+  return static_cast<std::size_t>(found - beam.segments.begin());
+}
+
+bool kinks_behind(const TaperedBeam& beam, std::size_t segment) {
+  const Segment& one = beam.segments[segment];
+  const Segment& other = beam.segments[segment + 1];
+  if (!(one.to == other.from)) return true;
+  // Slopes are ratios of lengths; this far apart they are round-off.
+  constexpr double same = 1e-9;
+  const auto slopes_of = [](const Segment& of) {
+    const std::vector<Length> from = dimensions_of(of.from), to = dimensions_of(of.to);
+    std::vector<double> slopes;
+    for (std::size_t i = 0; i < from.size(); ++i) slopes.push_back((to[i] - from[i]) / of.length);
+    return slopes;
+  };
+  const std::vector<double> before = slopes_of(one), behind = slopes_of(other);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (std::abs(before[i] - behind[i]) > same) return true;
   }
-  return last;
+  return false;
 }
 
 Section section_at(const TaperedBeam& beam, const Station& station) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "boxbeam/project/detail_catalogue.hpp"
+#include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/project/sn_catalogue.hpp"
 
 namespace boxbeam {
@@ -94,7 +95,7 @@ void check_sizes(TableReader& table, std::string_view key, const DetailAssessmen
 
 /// By a row, by facts, or by both.
 void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
-                      std::optional<Length> plate_thickness, Detail& detail) {
+                      const std::vector<Length>& plates, Detail& detail) {
   const bool by_row = table.has("row");
   const char* key = by_row ? "row" : "facts";
   const std::size_t before = table.problems().size();
@@ -119,9 +120,21 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
     add_implied(facts, rows, kind);
   }
   facts.emplace("stress", "nominal");
-  if (plate_thickness) facts.emplace("thickness", plate_thickness->value());
   if (table.problems().size() != before) return;
-  const DetailAssessment assessment = assess(rows, kind, facts);
+  DetailInPlates known{facts, assess(rows, kind, facts).candidates, raise_asterisk,
+                       detail.compression_reduced, !detail.name.empty()};
+  const bool by_plate = !plates.empty() && !facts.contains("thickness");
+  DetailAssessment assessment{known.rows, {}};
+  // The thickest of the plates that a row is for: what stands for all where none is asked for.
+  if (by_plate) {
+    for (const Length& plate : plates) {
+      facts.insert_or_assign("thickness", plate.value());
+      assessment = assess(known.rows, kind, facts);
+      if (!assessment.candidates.empty()) break;
+    }
+  } else if (!known.rows.empty()) {
+    assessment = assess(known.rows, kind, facts);
+  }
   if (assessment.candidates.empty()) {
     const std::vector<std::string> names = contradicting(rows, kind, facts);
     table.problem(
@@ -140,20 +153,8 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
         fmt::format("category {} of row {} has no asterisk", category_name_of(row), row.id),
         "take it away");
   }
-  detail.row = row.id;
-  if (detail.name.empty()) detail.name = row.what;
-  detail.curve = curve_of(row, raise_asterisk);
-  detail.where = row.where;
-  detail.size_effect = row.size_effect;
-  detail.size_factor = size_factor_of(row, facts).value_or(1.0);
-  // Where one of the rows that it can be is welded, the detail may be.
-  detail.compression_reduced =
-      detail.compression_reduced ||
-      std::none_of(assessment.candidates.begin(), assessment.candidates.end(),
-                   [](const DetailRow& candidate) { return candidate.welded; });
-  detail.unconfirmed = row.unconfirmed || detail.curve.unconfirmed;
-  detail.candidates = assessment.candidates;
-  detail.deciding = assessment.deciding;
+  take_governing(detail, assessment, facts, known);
+  if (by_plate) detail.in_plates = std::move(known);
   detail.raises = raises_of(detail_rows(), assessment.candidates, facts, fixed_facts());
 }
 
@@ -175,7 +176,7 @@ void read_category(TableReader& table, StressKind kind, bool raise_asterisk, Det
 
 }  // namespace
 
-Detail read_detail(TableReader& table, std::optional<Length> plate_thickness) {
+Detail read_detail(TableReader& table, const std::vector<Length>& plates) {
   Detail detail;
   detail.name = table.text("name", "");
   detail.compression_reduced = table.boolean("stress_relieved", false);
@@ -194,7 +195,7 @@ Detail read_detail(TableReader& table, std::optional<Length> plate_thickness) {
   if (as_such) {
     read_category(table, kind, raise_asterisk, detail);
   } else {
-    read_from_tables(table, kind, raise_asterisk, plate_thickness, detail);
+    read_from_tables(table, kind, raise_asterisk, plates, detail);
   }
   return detail;
 }

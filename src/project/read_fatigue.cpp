@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/project/detail_reader.hpp"
@@ -10,20 +11,21 @@
 namespace boxbeam::readers {
 namespace {
 
-/// The thickest plate of the outer profiles on a stretch, for size effects.
-std::optional<Length> thickest_plate(const TaperedBeam& beam, Length from, Length to,
-                                     ProblemList& problems) {
-  if (beam.segments.empty() || !problems.empty()) return std::nullopt;
-  Length thickest;
+/// The plates of the sections on a stretch, the thickest first, for size effects.
+std::vector<Length> plates_on(const TaperedBeam& beam, Length from, Length to,
+                              ProblemList& problems) {
+  std::vector<Length> plates;
+  if (!problems.empty()) return plates;
   for (const Segment& segment : beam.segments) {
     if (segment.end() < from || segment.start > to) continue;
     for (const Section* section : {&segment.from, &segment.to}) {
-      const Length half = 0.5 * height_of(section->outer);
-      thickest =
-          std::max({thickest, wall_at(section->outer, half), wall_at(section->outer, -half)});
+      const std::vector<Length> of = thicknesses_of(*section);
+      plates.insert(plates.end(), of.begin(), of.end());
     }
   }
-  return thickest;
+  std::sort(plates.begin(), plates.end(), std::greater<>());
+  plates.erase(std::unique(plates.begin(), plates.end()), plates.end());
+  return plates;
 }
 
 /// The partial factor as a number, or by table 3.1.
@@ -101,8 +103,7 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
   on_beam.to = station_of(table, "to", beam);
   constexpr DetailPlace places[] = {DetailPlace::section, DetailPlace::fibres, DetailPlace::seams};
   on_beam.on = places[table.choice("on", {"section", "fibres", "seams"}, 0)];
-  on_beam.detail =
-      read_detail(table, thickest_plate(beam, on_beam.from, on_beam.to, table.problems()));
+  on_beam.detail = read_detail(table, plates_on(beam, on_beam.from, on_beam.to, table.problems()));
   if (!table.has("name")) {
     table.problem("name", "a detail of the beam wants a name", "write name = \"hub weld\"");
   }
@@ -125,7 +126,7 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   FatigueInput input;
   input.beam.to = beam.segments.empty() ? Length{} : beam.length();
   input.beam.detail =
-      read_detail(table, thickest_plate(beam, Length{}, input.beam.to, table.problems()));
+      read_detail(table, plates_on(beam, Length{}, input.beam.to, table.problems()));
   if (table.problems().empty() && input.beam.detail.curve.kind == StressKind::shear) {
     table.problem("kind", "the detail of the beam is for direct stress",
                   "write shear = { kind = \"shear\", category = 80 } beside it");

@@ -117,6 +117,12 @@ Json sn_json(const Project& project, const Verification& verification) {
   return fatigue;
 }
 
+Json search_json(const SearchSummary& search) {
+  return {{"evaluations", search.evaluations},
+          {"pieces", search.pieces},
+          {"tolerance", finite(search.tolerance)}};
+}
+
 }  // namespace
 
 std::string results_json(const Project& project, const Verification& verification) {
@@ -150,7 +156,8 @@ std::string results_json(const Project& project, const Verification& verificatio
                          {"loads", loads_json(project, verification)},
                          {"sections", sections_json(project, verification)},
                          {"concentrations", concentrations_json(verification)},
-                         {"sn", sn_json(project, verification)}};
+                         {"sn", sn_json(project, verification)},
+                         {"search", search_json(verification.search)}};
   return document.dump(2) + "\n";
 }
 

@@ -150,6 +150,13 @@ Chapter checks_chapter(const Source& source) {
   chapter.blocks.emplace_back(
       Paragraph{"Worst first. The factor is the largest multiple of the whole load history that "
                 "the beam endures; use is the required factor over it, and above 100 % fails."});
+  const SearchSummary& search = source.verification.search;
+  if (search.evaluations > 0) {
+    chapter.blocks.emplace_back(Paragraph{fmt::format(
+        "Searched at {} stations in the {} pieces between which something jumps or kinks: nowhere "
+        "on the beam is a criterion used more than {:.2g} % above its worst check.",
+        search.evaluations, search.pieces, 100.0 * search.tolerance)});
+  }
   Table table = checks_table(source, "", checks);
   if (source.level == ReportLevel::full) {
     std::set<std::string> derived;

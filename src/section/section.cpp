@@ -137,6 +137,46 @@ bool is_symmetric_about_z(const Profile& profile) {
   return !std::holds_alternative<Polygon>(profile) && !std::holds_alternative<ThinWalled>(profile);
 }
 
+void add_places(const std::vector<SectionPlace>& places, std::vector<Length>& lengths) {
+  for (const SectionPlace& place : places) lengths.insert(lengths.end(), {place.y, place.z});
+}
+
+void add_dimensions(const Profile& profile, std::vector<Length>& lengths) {
+  if (const auto* box = std::get_if<Box>(&profile)) {
+    lengths.insert(lengths.end(), {box->width, box->height, box->top_flange, box->bottom_flange,
+                                   box->left_web, box->right_web, box->seam_throat});
+    for (const Stiffener& bar : box->stiffeners)
+      lengths.insert(lengths.end(), {bar.place, bar.depth, bar.thickness});
+  } else if (const auto* rectangular = std::get_if<RectangularTube>(&profile)) {
+    lengths.insert(lengths.end(), {rectangular->width, rectangular->height, rectangular->wall,
+                                   rectangular->outer_radius, rectangular->inner_radius});
+  } else if (const auto* round = std::get_if<RoundTube>(&profile)) {
+    lengths.insert(lengths.end(), {round->diameter, round->wall});
+  } else if (const auto* plate = std::get_if<Plate>(&profile)) {
+    lengths.insert(lengths.end(), {plate->width, plate->height});
+  } else if (const auto* polygon = std::get_if<Polygon>(&profile)) {
+    add_places(polygon->outer, lengths);
+    for (const auto& hollow : polygon->hollows) add_places(hollow, lengths);
+  } else {
+    const auto& path = std::get<ThinWalled>(profile);
+    add_places(path.nodes, lengths);
+    for (const ThinWall& wall : path.walls)
+      lengths.insert(lengths.end(), {wall.thickness, wall.trim_from, wall.trim_to});
+  }
+}
+
+void add_plates(const Profile& profile, std::vector<Length>& plates) {
+  if (const auto* box = std::get_if<Box>(&profile)) {
+    plates.insert(plates.end(),
+                  {box->top_flange, box->bottom_flange, box->left_web, box->right_web});
+    for (const Stiffener& bar : box->stiffeners) plates.push_back(bar.thickness);
+  } else if (const auto* path = std::get_if<ThinWalled>(&profile)) {
+    for (const ThinWall& wall : path->walls) plates.push_back(wall.thickness);
+  } else {
+    plates.push_back(wall_at(profile, Length{}));
+  }
+}
+
 Extent around(Length width, Length height) {
   return {-0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height};
 }
@@ -198,6 +238,20 @@ bool is_symmetric_about_z(const Section& section) {
          (!section.inner || is_symmetric_about_z(*section.inner));
 }
 
+std::vector<Length> dimensions_of(const Section& section) {
+  std::vector<Length> lengths;
+  add_dimensions(section.outer, lengths);
+  if (section.inner) add_dimensions(*section.inner, lengths);
+  return lengths;
+}
+
+std::vector<Length> thicknesses_of(const Section& section) {
+  std::vector<Length> plates;
+  add_plates(section.outer, plates);
+  if (section.inner) add_plates(*section.inner, plates);
+  return plates;
+}
+
 Extent extent_of(const Profile& profile) {
   if (const auto* tube = std::get_if<RoundTube>(&profile)) {
     return around(tube->diameter, tube->diameter);
@@ -251,7 +305,10 @@ Length wall_at(const Profile& profile, Length z) {
 }
 
 Length wall_at(const Section& section, Length z) {
-  const Length wall = wall_at(section.outer, z);
+  return beside_inner(section, wall_at(section.outer, z), z);
+}
+
+Length beside_inner(const Section& section, Length wall, Length z) {
   if (!section.inner || abs(z) > 0.5 * height_of(*section.inner)) return wall;
   return std::max(wall, wall_at(*section.inner, z));
 }

@@ -44,8 +44,8 @@ SectionPoint web_point(const StressField& field, const std::string& name, WallPa
   const WallPlace place = nearest(field.flow->at.graph, web, false, z);
   const Wall& wall = field.flow->at.graph.walls[place.wall];
   const double y = set == PointSet::in_space ? outer_face_of(wall) : wall.start.x();
-  SectionPoint point =
-      wall_point(field, name, place, y, z, 0.0, wall_at(field.section, si<Length>(z)));
+  const Length plate = beside_inner(field.section, si<Length>(wall.thickness), si<Length>(z));
+  SectionPoint point = wall_point(field, name, place, y, z, 0.0, plate);
   if (const auto* box = std::get_if<Box>(&field.section.outer); box != nullptr && seam) {
     const double throat =
         box->seam_throat.value() > 0.0 ? box->seam_throat.value() : wall.thickness;
@@ -121,12 +121,13 @@ void add_box_points(const StressField& field, bool inner, PointSet set,
     const WallPlace half = nearest(graph, web, inner, 0.0);
     if (!space || graph.walls[half.wall].solid) {
       points.push_back(wall_point(field, fmt::format("{}fibre {}", before, y_name), half, face, 0.0,
-                                  0.0, wall_at(profile, Length{})));
+                                  0.0, si<Length>(graph.walls[half.wall].thickness)));
     }
     if (!space && (inner || !in_hole(field, middle))) {
-      points.push_back(wall_point(field, fmt::format("{}neutral axis {}", before, y_name),
-                                  nearest(graph, web, inner, middle.value()), face, middle.value(),
-                                  0.0, wall_at(profile, middle)));
+      const WallPlace neutral = nearest(graph, web, inner, middle.value());
+      points.push_back(wall_point(field, fmt::format("{}neutral axis {}", before, y_name), neutral,
+                                  face, middle.value(), 0.0,
+                                  si<Length>(graph.walls[neutral.wall].thickness)));
     }
   }
 }
@@ -191,14 +192,18 @@ SectionPoint plate_point(const StressField& field, const std::string& name, doub
   return point;
 }
 
+SectionPoint polygon_point(const StressField& field, const std::string& name, double y, double z) {
+  SectionPoint point = level_point(field, name, y, z);
+  for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
+    influence->shear[cut_force::V_y] = influence->shear[cut_force::T] =
+        std::numeric_limits<double>::quiet_NaN();
+  }
+  return point;
+}
+
 void add_polygon_points(const StressField& field, std::vector<SectionPoint>& points) {
   const auto add = [&](const std::string& name, double y, double z) {
-    SectionPoint point = level_point(field, name, y, z);
-    for (StressInfluence* influence : {&point.influence, &point.prismatic}) {
-      influence->shear[cut_force::V_y] = influence->shear[cut_force::T] =
-          std::numeric_limits<double>::quiet_NaN();
-    }
-    points.push_back(point);
+    points.push_back(polygon_point(field, name, y, z));
   };
   const auto& polygon = std::get<Polygon>(field.section.outer);
   int number = 0;
@@ -432,6 +437,11 @@ SectionPoint point_on_flange(const StressField& field, const std::string& name, 
   const Length z = up > 0.0 ? extent.z_high : extent.z_low;
   return wall_point(field, name, nearest(graph, flange, false, between), y.value(), z.value(), 0.0,
                     wall_at(field.section, z));
+}
+
+SectionPoint point_in_solid(const StressField& field, const std::string& name, double y, double z) {
+  return std::holds_alternative<Plate>(field.section.outer) ? plate_point(field, name, y, z)
+                                                            : polygon_point(field, name, y, z);
 }
 
 std::optional<std::string> unknown_shear_of(const Section& section) {

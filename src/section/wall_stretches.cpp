@@ -49,9 +49,38 @@ std::optional<std::pair<double, double>> clear_part_of(const WallGraph& graph, c
 
 }  // namespace
 
+namespace {
+
+std::vector<WallStretch> solid_stretches_of(const StressField& field) {
+  std::vector<WallStretch> stretches;
+  const auto add = [&](const char* name, double y_from, double z_from, double y_to, double z_to) {
+    WallStretch& stretch = stretches.emplace_back();
+    stretch.name = name;
+    stretch.solid = true;
+    stretch.low = {si<Length>(y_from), si<Length>(z_from)};
+    stretch.high = {si<Length>(y_to), si<Length>(z_to)};
+    stretch.plate = wall_at(field.section, Length{});
+  };
+  const Extent extent = extent_of(field.section.outer);
+  const double left = extent.y_high.value(), right = extent.y_low.value();
+  const double top = extent.z_high.value(), bottom = extent.z_low.value();
+  if (std::holds_alternative<Plate>(field.section.outer)) {
+    add("side +y", left, bottom, left, top);
+    add("side -y", right, bottom, right, top);
+    add("top", right, top, left, top);
+    add("bottom", right, bottom, left, bottom);
+  } else if (std::holds_alternative<Polygon>(field.section.outer)) {
+    const double y = field.sums.y / field.sums.area;
+    add("height", y, bottom, y, top);
+  }
+  return stretches;
+}
+
+}  // namespace
+
 std::vector<WallStretch> wall_stretches_of(const StressField& field) {
   std::vector<WallStretch> stretches;
-  if (!field.flow) return stretches;
+  if (!field.flow) return solid_stretches_of(field);
   const WallGraph& graph = field.flow->at.graph;
   for (const bool inner : {false, true}) {
     if (inner && !field.section.inner) continue;
@@ -97,7 +126,8 @@ std::vector<WallStretch> wall_stretches_of(const StressField& field) {
       stretch.name = before + name_of(wall.part) + (number > 1 ? fmt::format(" {}", number) : "");
       const Length z =
           si<Length>(is_web(wall) ? 0.5 * (wall.start.y() + wall.end.y()) : outer_face_of(wall));
-      stretch.plate = inner ? wall_at(profile, z) : wall_at(field.section, z);
+      const Length thickness = si<Length>(wall.thickness);
+      stretch.plate = inner ? thickness : beside_inner(field.section, thickness, z);
       stretches.push_back(stretch);
     }
   }
@@ -105,6 +135,12 @@ std::vector<WallStretch> wall_stretches_of(const StressField& field) {
 }
 
 SectionPoint point_on_stretch(const StressField& field, const WallStretch& stretch, double part) {
+  if (stretch.solid) {
+    const auto mix = [&](Length SectionPlace::*of) {
+      return (stretch.low.*of + part * (stretch.high.*of - stretch.low.*of)).value();
+    };
+    return point_in_solid(field, stretch.name, mix(&SectionPlace::y), mix(&SectionPlace::z));
+  }
   const WallGraph& graph = field.flow->at.graph;
   if (stretch.round) {
     const Profile& profile = stretch.inner ? *field.section.inner : field.section.outer;

@@ -161,7 +161,7 @@ std::vector<HoleInWall> holes_in_walls_of(const Section& section, const std::vec
     around.gradient[cut_force::N] = gross_plane(along, 0);
     around.gradient[cut_force::M_y] = net_plane(along, 1);
     around.gradient[cut_force::M_z] = net_plane(along, 2);
-    walls.push_back({side, edges_around(around, [&](HoleEdge& edge, double offset) {
+    walls.push_back({side, centre.plate, edges_around(around, [&](HoleEdge& edge, double offset) {
                        edge.y = centre.y;
                        edge.z = centre.z;
                        (webs ? edge.z : edge.y) += si<Length>(offset);

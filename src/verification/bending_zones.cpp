@@ -173,9 +173,11 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
 }
 
 std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, const Section& section,
-                                     Length s, BendingAxis axis) {
+                                     const Station& station, BendingAxis axis) {
+  const Length s = station.s;
   const auto zone = std::find_if(zones.begin(), zones.end(), [&](const BendingZone& z) {
-    return z.axis == axis && s >= z.from && s <= z.to;
+    if (z.axis != axis || s < z.from || s > z.to) return false;
+    return station.side == Side::before ? s > z.from : station.side == Side::both || s < z.to;
   });
   if (zone == zones.end()) return std::nullopt;
   const auto plates = wide_plates_of(section.outer, axis);
@@ -192,9 +194,10 @@ std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, cons
   return lag;
 }
 
-ShearLags shear_lags_at(const std::vector<BendingZone>& zones, const Section& section, Length s) {
-  return {shear_lag_at(zones, section, s, BendingAxis::y),
-          shear_lag_at(zones, section, s, BendingAxis::z)};
+ShearLags shear_lags_at(const std::vector<BendingZone>& zones, const Section& section,
+                        const Station& station) {
+  return {shear_lag_at(zones, section, station, BendingAxis::y),
+          shear_lag_at(zones, section, station, BendingAxis::z)};
 }
 
 SectionProperties effective_properties_of(const Section& section, const std::vector<Hole>& holes,

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
@@ -87,76 +90,13 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
   return result;
 }
 
-/// The turning points of a stress in a situation, and with what it begins and ends.
-struct SituationTurns {
-  std::vector<TurningPoint> turns;
-  double begin = 0.0, end = 0.0;
-};
-
-/// Of every situation that runs, by its index.
-using Turns = std::vector<SituationTurns>;
-
-Turns turns_of(const Project& project, const std::vector<SituationHistory>& histories,
-               const CutForceFunction& stress) {
-  Turns turns(project.situations.size());
-  for (const SituationHistory& at : histories) {
-    const std::vector<CutForces>& samples = at.history.samples();
-    turns[index_of(project, *at.situation)] = {
-        at.history.turning_points(stress), stress(samples.front()),
-        stress(at.history.closed() ? samples.front() : samples.back())};
-  }
-  return turns;
-}
-
-/// The highest and the lowest stress in a situation, or in those between which it changes.
-std::pair<Extreme, Extreme> extremes_in(const Project& project, std::size_t situation,
-                                        const Turns& turns) {
-  std::vector<std::size_t> among = project.situations[situation].between;
-  if (among.empty()) among = {situation};
-  const TurningPoint& first = turns[among.front()].turns.front();
-  Extreme highest{first.time, first.value, among.front()};
-  Extreme lowest = highest;
-  for (const std::size_t i : among) {
-    for (const TurningPoint& turn : turns[i].turns) {
-      if (turn.value > highest.value) highest = {turn.time, turn.value, i};
-      if (turn.value < lowest.value) lowest = {turn.time, turn.value, i};
-    }
-  }
-  return {highest, lowest};
-}
-
 /// All cycles of the wanted life of one stress.
 std::vector<SpectrumRow> spectrum_of(const Project& project, const Turns& turns, StressKind kind,
                                      bool compression_reduced) {
   std::vector<SpectrumRow> spectrum;
-  const auto add = [&](const Situation& situation, std::vector<Cycle> cycles) {
-    if (compression_reduced) cycles = boxbeam::compression_reduced(std::move(cycles));
-    for (Cycle& cycle : cycles) {
-      cycle.count *= situation.cycles;
-      spectrum.push_back({situation.name, kind, cycle});
-    }
-  };
-  for (std::size_t i = 0; i < project.situations.size(); ++i) {
-    const Situation& situation = project.situations[i];
-    if (situation.cycles == 0.0) continue;
-    if (!situation.between.empty() && !situation.in_order) {
-      const auto [highest, lowest] = extremes_in(project, i, turns);
-      add(situation, {{si<Stress>(highest.value - lowest.value),
-                       si<Stress>(0.5 * (highest.value + lowest.value)), 1.0}});
-      continue;
-    }
-    std::vector<Stress> stresses;
-    const auto take = [&](double value) { stresses.push_back(si<Stress>(value)); };
-    if (!situation.in_order) {
-      for (const TurningPoint& turn : turns[i].turns) take(turn.value);
-    }
-    for (const std::size_t part : situation.between) {
-      // Where one situation follows another, an end may be a turning point as well.
-      take(turns[part].begin);
-      for (const TurningPoint& turn : turns[part].turns) take(turn.value);
-      take(turns[part].end);
-    }
-    add(situation, count_periodic_cycles(stresses));
+  for (const SituationCycles& of : life_cycles_of(project, turns, compression_reduced)) {
+    for (const Cycle& cycle : of.cycles)
+      spectrum.push_back({project.situations[of.situation].name, kind, cycle});
   }
   return spectrum;
 }
@@ -204,17 +144,19 @@ std::vector<Channel> channels_of(const Project& project,
 }
 
 /// The situation whose cycles take the largest part of the life, or have the largest range where
-/// none does damage.
+/// none does damage; of equal ones the first.
 std::size_t governing_situation(const Project& project, const std::vector<SpectrumRow>& spectrum) {
+  std::unordered_map<std::string_view, std::pair<double, double>> shares;
+  for (const SpectrumRow& row : spectrum) {
+    auto& [life, range] = shares[row.situation];
+    life += row.cycle.count / row.endured;
+    range = std::max(range, row.cycle.range.value());
+  }
   std::size_t worst = 0;
   std::pair<double, double> most{-1.0, -1.0};
   for (std::size_t i = 0; i < project.situations.size(); ++i) {
-    std::pair<double, double> of{0.0, 0.0};
-    for (const SpectrumRow& row : spectrum) {
-      if (row.situation != project.situations[i].name) continue;
-      of.first += row.cycle.count / row.endured;
-      of.second = std::max(of.second, row.cycle.range.value());
-    }
+    const auto share = shares.find(project.situations[i].name);
+    const auto of = share == shares.end() ? std::pair{0.0, 0.0} : share->second;
     if (of <= most) continue;
     most = of;
     worst = i;
@@ -408,41 +350,92 @@ std::optional<CheckResult> check_throat(const Project& project,
   return result;
 }
 
+namespace {
+
+/// The checks of one station as they are gathered.
+class StationChecks {
+ public:
+  StationChecks(const Project& project, const std::deque<SituationRun>& runs,
+                const Station& station)
+      : project_(&project),
+        histories_(histories_at(runs, station)),
+        samples_(project, histories_) {}
+
+  /// Every criterion at every point; along walls where each is worst. In the plane, where most of
+  /// a section is level or has its maximum at a named point, only where it is worse there.
+  void look_at(const std::vector<StressPoint>& points) {
+    Utilisations named;
+    for (const StressPoint& point : points) {
+      if (point.stretch) continue;
+      const std::size_t before = results.size();
+      look_at_point(point);
+      for (std::size_t i = before; i < results.size(); ++i) {
+        double& most = named.of(results[i].check.criterion);
+        most = std::max(most, results[i].check.utilisation());
+      }
+    }
+    if (in_space(*project_)) {
+      for (const StressPoint& point : points) {
+        if (!point.stretch) continue;
+        for (const Criterion criterion : stress_criteria) {
+          if (criterion != Criterion::weld)
+            add(criterion, at_worst_on_stretch(samples_, point, criterion));
+        }
+      }
+      return;
+    }
+    const WallSearch walls(samples_, points, named);
+    for (const Criterion criterion : stress_criteria) {
+      const WorstOnWall& worst = walls.worst(criterion);
+      if (worst.point == nullptr || worst.utilisation < 1.0001 * named.of(criterion)) continue;
+      add(criterion, worst.point->stretch->only_end
+                         ? moved_along(*worst.point, worst.part)
+                         : at_worst_on_stretch(samples_, *worst.point, criterion));
+    }
+  }
+
+  std::vector<CheckResult> results;
+
+ private:
+  void look_at_point(const StressPoint& point) {
+    const StressPoint worst = at_worst_edge(samples_, point, Criterion::fatigue);
+    for (const Criterion criterion : {Criterion::fatigue, Criterion::shear_fatigue,
+                                      Criterion::combined_fatigue, Criterion::stress_range})
+      add(criterion, worst);
+    if (point.on_throat)
+      add(Criterion::weld, point);
+    else if (point.yield)
+      add(Criterion::yield, at_worst_edge(samples_, point, Criterion::yield));
+  }
+
+  void add(Criterion criterion, const StressPoint& point) {
+    std::optional<CheckResult> result;
+    if (criterion == Criterion::yield)
+      result = check_yield(*project_, histories_, point);
+    else if (criterion == Criterion::weld)
+      result = check_throat(*project_, histories_, point);
+    else if (criterion == Criterion::stress_range)
+      result = check_range(*project_, histories_, point);
+    else
+      result = check_fatigue(*project_, histories_, point, criterion);
+    if (result) results.push_back(std::move(*result));
+  }
+
+  const Project* project_;
+  std::vector<SituationHistory> histories_;
+  StationSamples samples_;
+};
+
+}  // namespace
+
 std::vector<CheckResult> check_beam(const Project& project, const std::deque<SituationRun>& runs,
                                     const std::vector<Station>& stations) {
   std::vector<CheckResult> results;
   const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   for (const Station& station : stations) {
-    const std::vector<SituationHistory> histories = histories_at(runs, station);
-    for (const StressPoint& point : stress_points_at(project, zones, station)) {
-      const auto add = [&](std::optional<CheckResult> result) {
-        if (result) results.push_back(std::move(*result));
-      };
-      if (point.stretch) {
-        // Each criterion has a worst place of its own.
-        const auto worst_for = [&](Criterion criterion) {
-          return at_worst_on_stretch(project, point, histories, criterion);
-        };
-        for (const Criterion criterion :
-             {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {
-          add(check_fatigue(project, histories, worst_for(criterion), criterion));
-        }
-        add(check_range(project, histories, worst_for(Criterion::stress_range)));
-        add(check_yield(project, histories, worst_for(Criterion::yield)));
-        continue;
-      }
-      const StressPoint worst = at_worst_edge(project, point, histories, Criterion::fatigue);
-      for (const Criterion criterion :
-           {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue}) {
-        add(check_fatigue(project, histories, worst, criterion));
-      }
-      add(check_range(project, histories, worst));
-      if (point.on_throat)
-        add(check_throat(project, histories, point));
-      else if (point.yield)
-        add(check_yield(project, histories,
-                        at_worst_edge(project, point, histories, Criterion::yield)));
-    }
+    StationChecks checks(project, runs, station);
+    checks.look_at(stress_points_at(project, zones, station));
+    std::move(checks.results.begin(), checks.results.end(), std::back_inserter(results));
   }
   if (results.empty()) {
     throw AnalysisError(
@@ -476,12 +469,14 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
         yield_source(project.material));
     if (!given.opposite) continue;
     const FatigueInput& fatigue = project.fatigue;
-    Stress strength =
-        strength_at(curve_of(fatigue.beam.detail), most_cycles_of(project), fatigue.demand.loading);
+    const ResistingDetail resisting =
+        detail_at(fatigue, station, DetailPlace::fibres, given.thickness);
+    const SnCurve curve = curve_of(resisting.detail->detail);
+    Stress strength = strength_at(curve, most_cycles_of(project), fatigue.demand.loading);
     if (fatigue.round_strength_to) strength = rounded(strength, *fatigue.round_strength_to);
     add(Criterion::fatigue, given.peak + *given.opposite,
         strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,
-        fatigue_source(fatigue, {fatigue.beam.detail.curve}));
+        fatigue_source(fatigue, {curve}));
   }
   return results;
 }

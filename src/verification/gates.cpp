@@ -12,6 +12,7 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 
 namespace boxbeam {
@@ -34,19 +35,22 @@ Web upright(const std::string& name, double y, Length low, Length high, Length t
   return {name, {si<Length>(y), low}, {si<Length>(y), high}, thickness};
 }
 
-std::vector<Web> webs_of(const Profile& profile) {
+/// One web where both are stressed alike, which they are in a section that mirrors itself.
+std::vector<Web> webs_of(const Profile& profile, bool alike) {
   const Length low = clear_bottom_of(profile);
   const Length high = clear_top_of(profile);
   if (const auto* box = std::get_if<Box>(&profile)) {
     const double left = (0.5 * box->width - 0.5 * box->left_web).value();
     const double right = (0.5 * box->right_web - 0.5 * box->width).value();
-    if (box->left_web == box->right_web) return {upright("web", left, low, high, box->left_web)};
+    if (alike) return {upright("web", left, low, high, box->left_web)};
     return {upright("left web", left, low, high, box->left_web),
             upright("right web", right, low, high, box->right_web)};
   }
   if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
     const double left = 0.5 * (tube->width - tube->wall).value();
-    return {upright("web", left, low, high, tube->wall)};
+    if (alike) return {upright("web", left, low, high, tube->wall)};
+    return {upright("left web", left, low, high, tube->wall),
+            upright("right web", -left, low, high, tube->wall)};
   }
   return {};
 }
@@ -135,9 +139,9 @@ std::string class_4_text(double ratio, double limit, const std::string& effectiv
 }
 
 void look_at_class(const Project& project, const std::string& segment, const Profile& profile,
-                   const AreaSums& sums, const std::vector<SituationHistory>& histories,
+                   bool alike, const AreaSums& sums, const std::vector<SituationHistory>& histories,
                    GateList& gates) {
-  const std::vector<Web> webs = in_space(project) ? plates_of(profile) : webs_of(profile);
+  const std::vector<Web> webs = in_space(project) ? plates_of(profile) : webs_of(profile, alike);
   for (const SlenderPlate& plate : slender_plates_of(profile, project.material)) {
     gates.add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
               plate.ratio / plate.limit);
@@ -220,13 +224,15 @@ std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun
   GateList gates;
   const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   for (const Station& station : stations) {
-    const Section section = section_at(project.beam, station);
+    const Section section = judged_section_at(project, station);
     const std::string& segment = project.beam.segments[segment_at(project.beam, station)].name;
     const std::vector<SituationHistory> histories = histories_at(runs, station);
     const AreaSums sums = sums_of(outline_of(section, {}));
-    look_at_class(project, segment, section.outer, sums, histories, gates);
-    if (section.inner) look_at_class(project, segment, *section.inner, sums, histories, gates);
-    const ShearLags lags = shear_lags_at(zones, section, station.s);
+    const bool alike = is_symmetric_about_z(section);
+    look_at_class(project, segment, section.outer, alike, sums, histories, gates);
+    if (section.inner)
+      look_at_class(project, segment, *section.inner, alike, sums, histories, gates);
+    const ShearLags lags = shear_lags_at(zones, section, station);
     look_at_shear_lag(segment, "flange", lags.flanges, gates);
     look_at_shear_lag(segment, "web as flange of M_z", lags.webs, gates);
   }

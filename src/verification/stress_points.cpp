@@ -1,37 +1,50 @@
 #include "boxbeam/verification/stress_points.hpp"
 
-#include <algorithm>
+#include <deque>
+#include <span>
 #include <utility>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/verification/judged_section.hpp"
 
 namespace boxbeam {
 namespace {
 
-/// What resists at a place.
-struct ResistingDetail {
-  const BeamDetail* detail = nullptr;
-  bool compression_reduced = false;
-};
-
-/// The weakest detail of the stretches that a place lies in, or that of the whole beam. Compression
-/// counts 60 % only where none of them is welded as it is.
-ResistingDetail detail_at(const FatigueInput& fatigue, Length s, DetailPlace on) {
-  const BeamDetail* weakest = nullptr;
-  bool reduced = true;
-  const auto strength = [](const BeamDetail& of) {
-    return strength_at(curve_of(of.detail), 2e6, Loading::spectrum) / of.stress_factor;
-  };
-  for (const BeamDetail& stretch : fatigue.details) {
-    if (s < stretch.from || s > stretch.to) continue;
-    if (stretch.on != DetailPlace::section && stretch.on != on) continue;
-    reduced = reduced && stretch.detail.compression_reduced;
-    if (weakest == nullptr || strength(stretch) < strength(*weakest)) weakest = &stretch;
-  }
-  if (weakest == nullptr) return {&fatigue.beam, fatigue.beam.detail.compression_reduced};
-  return {weakest, reduced};
+bool lies_in(const BeamDetail& stretch, const Station& station) {
+  if (station.s < stretch.from || station.s > stretch.to) return false;
+  // A stretch without length is on both sides of its place.
+  if (stretch.from == stretch.to) return true;
+  return station.side == Side::before   ? station.s > stretch.from
+         : station.side == Side::behind ? station.s < stretch.to
+                                        : true;
 }
+
+/// Details of one station, each looked up once per plate.
+class DetailsAtStation {
+ public:
+  DetailsAtStation(const FatigueInput& fatigue, const Station& station)
+      : fatigue_(&fatigue), station_(station) {}
+
+  const ResistingDetail& at(DetailPlace on, Length plate) {
+    for (const Found& found : found_) {
+      if (found.on == on && found.plate == plate) return found.detail;
+    }
+    found_.push_back({on, plate, detail_at(*fatigue_, station_, on, plate)});
+    return found_.back().detail;
+  }
+
+ private:
+  struct Found {
+    DetailPlace on;
+    Length plate;
+    ResistingDetail detail;
+  };
+  const FatigueInput* fatigue_;
+  Station station_;
+  std::deque<Found> found_;  // references to its members stay
+};
 
 /// The points of one station as they are gathered.
 class StressPoints {
@@ -40,21 +53,20 @@ class StressPoints {
                const Station& station)
       : project_(&project),
         station_(station),
+        details_(project.fatigue, station),
         taper_(taper_at(project.beam, station)),
         set_(in_space(project) ? PointSet::in_space : PointSet::in_plane),
-        field_(stress_field_of(section_at(project.beam, station), holes_at(project.beam, station.s),
-                               taper_)),
+        field_(stress_field_of(judged_section_at(project, station),
+                               holes_at(project.beam, station.s), taper_)),
         gross_(properties_of(field_.section)),
         net_(properties_of(field_.section, field_.holes)),
-        lags_(shear_lags_at(zones, field_.section, station.s)) {
+        lags_(shear_lags_at(zones, section_inside(project.beam, station), station)) {
     if (lags_.count()) net_ = effective_properties_of(field_.section, field_.holes, lags_);
     if (set_ == PointSet::in_space) stop_where(unknown_shear_of(field_.section));
   }
 
   void add_section() {
     const FatigueInput& fatigue = project_->fatigue;
-    const ResistingDetail fibres = detail_at(fatigue, station_.s, DetailPlace::fibres);
-    const ResistingDetail seams = detail_at(fatigue, station_.s, DetailPlace::seams);
     const bool walls = std::holds_alternative<ThinWalled>(field_.section.outer);
     const bool space = set_ == PointSet::in_space;
     for (const SectionPoint& place : points_of(field_, set_)) {
@@ -62,7 +74,7 @@ class StressPoints {
       // In space nothing is neutral.
       const bool neutral = !space && !walls && place.name.starts_with("neutral axis");
       StressPoint& point = add(place);
-      resist(point, neutral ? ResistingDetail{} : (seam ? seams : fibres));
+      if (!neutral) resist(point, seam ? DetailPlace::seams : DetailPlace::fibres);
       point.shear_detail = &fatigue.shear;
       if (!place.on_throat) continue;
       SectionPoint throat = place;
@@ -74,19 +86,35 @@ class StressPoints {
       on_throat.on_throat = true;
       on_throat.yield = false;
     }
-    if (!space) return;
+    add_stretches();
+  }
+
+  void add_stretches() {
+    const FatigueInput& fatigue = project_->fatigue;
+    // Beside a hole in a solid its edge and the points beside it are looked at.
+    if (!field_.flow && !field_.holes.empty()) return;
+    const bool mirrored = set_ == PointSet::in_plane && is_symmetric_about_z(field_.section);
     const auto field = std::make_shared<const StressField>(field_);
     for (const WallStretch& stretch : wall_stretches_of(field_)) {
+      bool only_end = false;
+      if (mirrored && !stretch.round) {
+        if (stretch.solid && stretch.name != "side +y") continue;
+        if (!stretch.solid) {
+          const Wall& wall = field_.flow->at.graph.walls[stretch.wall];
+          const bool right = wall.part == WallPart::right_web ||
+                             (wall.part == WallPart::corner && wall.centre.x() < 0.0);
+          if (right) continue;
+          only_end = wall.part == WallPart::top_flange || wall.part == WallPart::bottom_flange;
+        }
+      }
       StressPoint& point = add(point_on_stretch(field_, stretch, 0.0));
-      resist(point, fibres);
+      resist(point, DetailPlace::fibres);
       point.shear_detail = &fatigue.shear;
-      point.stretch = StressStretch{field, stretch};
+      point.stretch = StressStretch{field, stretch, only_end};
     }
   }
 
   void add_hole(const Hole& hole, const HoleInput& input) {
-    ResistingDetail detail = detail_at(project_->fatigue, station_.s, DetailPlace::fibres);
-    if (input.detail) detail = {&*input.detail, input.detail->detail.compression_reduced};
     if (input.concentration) {
       const HoleCase hole_case = *input.concentration;
       const double a =
@@ -95,7 +123,11 @@ class StressPoints {
                                 ? published_concentration(a)
                                 : membrane_concentration(a) / (1.0 - a);
       const EdgeConcentration concentration{hole.name, hole_case, a, factor, 0.0};
-      if (set_ == PointSet::in_space) {
+      // The webs of a box that is no mirror image of itself are stressed unlike in the plane too.
+      const bool unlike = !is_symmetric_about_z(field_.section) &&
+                          hole_case != HoleCase::published_exponential &&
+                          !unknown_hole_stress_of(field_.section, hole_case);
+      if (set_ == PointSet::in_space || unlike) {
         stop_where(unknown_hole_stress_of(field_.section, hole_case));
         std::vector<HoleInWall> walls =
             holes_in_walls_of(field_.section, field_.holes, taper_, hole);
@@ -105,8 +137,8 @@ class StressPoints {
           for (std::size_t i = 0; i < walls.size(); ++i) append(walls[i].edges, prismatic[i].edges);
         }
         for (HoleInWall& wall : walls) {
-          add_edge("hole " + hole.name + " edge " + wall.side, std::move(wall.edges), detail,
-                   concentration);
+          add_edge("hole " + hole.name + " edge " + wall.side, std::move(wall.edges), wall.plate,
+                   input, concentration);
         }
       } else {
         std::vector<HoleEdge> edges =
@@ -115,7 +147,8 @@ class StressPoints {
         // taper and under a force, is not certain: the worse of both shears counts.
         if (!taper_.empty())
           append(edges, hole_edges_of(field_.section, field_.holes, {}, hole, hole_case));
-        add_edge("hole " + hole.name + " edge", std::move(edges), detail, concentration);
+        const Length plate = wall_at(field_.section, edges.front().z);
+        add_edge("hole " + hole.name + " edge", std::move(edges), plate, input, concentration);
       }
     }
     // Where a hole has taken the neutral fibre, the shear is largest just beside the hole; a
@@ -126,32 +159,47 @@ class StressPoints {
                             : (sign > 0.0 ? gross_.z_top : gross_.z_bottom);
       if (!webs && input.concentration) continue;
       const std::string name = "beside hole " + hole.name + (sign > 0.0 ? " +z" : " -z");
-      add_level(name, z, input.concentration ? ResistingDetail{} : detail);
+      for (StressPoint& point : add_level(name, z)) {
+        if (!input.concentration) resist_hole(point, input);
+      }
     }
   }
 
-  void add_level(const std::string& name, Length z, const ResistingDetail& detail) {
-    for (const SectionPoint& place : points_at_level(field_, name, z, set_)) {
-      StressPoint& point = add(place);
-      resist(point, detail);
-      point.shear_detail = &project_->fatigue.shear;
-    }
+  /// The points at a level, whose direct stress is not judged yet.
+  std::span<StressPoint> add_level(const std::string& name, Length z) {
+    const std::size_t before = points.size();
+    for (const SectionPoint& place : points_at_level(field_, name, z, set_))
+      add(place).shear_detail = &project_->fatigue.shear;
+    return std::span(points).subspan(before);
+  }
+
+  void add_named(const NamedPoint& named) {
+    for (StressPoint& point : add_level(named.name, named.z)) resist(point, DetailPlace::fibres);
   }
 
   std::vector<StressPoint> points;
 
  private:
-  static void resist(StressPoint& point, const ResistingDetail& detail) {
+  void resist(StressPoint& point, DetailPlace on) {
+    const ResistingDetail& detail = details_.at(on, point.plate);
     point.detail = detail.detail;
+    point.in_plate = detail.in_plate;
     point.compression_reduced = detail.compression_reduced;
+  }
+
+  /// A hole may have a detail of its own.
+  void resist_hole(StressPoint& point, const HoleInput& input) {
+    if (!input.detail) return resist(point, DetailPlace::fibres);
+    point.detail = &*input.detail;
+    point.compression_reduced = input.detail->detail.compression_reduced;
   }
 
   static void append(std::vector<HoleEdge>& edges, const std::vector<HoleEdge>& others) {
     edges.insert(edges.end(), others.begin(), others.end());
   }
 
-  void add_edge(const std::string& name, std::vector<HoleEdge> edges, const ResistingDetail& detail,
-                const EdgeConcentration& concentration) {
+  void add_edge(const std::string& name, std::vector<HoleEdge> edges, Length plate,
+                const HoleInput& input, const EdgeConcentration& concentration) {
     // Shear lag leaves less to bend, and raises every stress of bending alike.
     const SectionProperties whole = properties_of(field_.section, field_.holes);
     for (HoleEdge& edge : edges) {
@@ -159,11 +207,11 @@ class StressPoints {
       edge.influence.normal[cut_force::M_z] *= whole.I_z / net_.I_z;
     }
     SectionPoint edge{name, edges.front().y, edges.front().z, {}, {}, {}, {}};
-    edge.plate = wall_at(field_.section, edge.z);
+    edge.plate = plate;
     edge.influence = edge.prismatic = edges.front().influence;
     StressPoint& point = add(edge);
     point.influence = edges.front().influence;  // of the gross section, as its source has it
-    resist(point, detail);
+    resist_hole(point, input);
     point.concentration = concentration;
     point.edges = std::move(edges);
   }
@@ -196,6 +244,7 @@ class StressPoints {
 
   const Project* project_;
   Station station_;
+  DetailsAtStation details_;
   Taper taper_;
   PointSet set_;
   StressField field_;
@@ -204,6 +253,35 @@ class StressPoints {
 };
 
 }  // namespace
+
+ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
+                          Length plate) {
+  ResistingDetail weakest;
+  bool reduced = true;
+  double least = 0.0;
+  const auto look_at = [&](const BeamDetail& stretch) {
+    ResistingDetail here{&stretch, {}, false};
+    if (auto detail = in_plate(stretch.detail, plate)) {
+      auto own = std::make_shared<BeamDetail>(stretch);
+      own->detail = std::move(*detail);
+      here = {own.get(), own, false};
+    }
+    reduced = reduced && here.detail->detail.compression_reduced;
+    const double strength =
+        strength_at(curve_of(here.detail->detail), 2e6, Loading::spectrum).value() /
+        stretch.stress_factor;
+    if (weakest.detail != nullptr && strength >= least) return;
+    weakest = std::move(here);
+    least = strength;
+  };
+  for (const BeamDetail& stretch : fatigue.details) {
+    const bool there = stretch.on == DetailPlace::section || stretch.on == on;
+    if (there && lies_in(stretch, station)) look_at(stretch);
+  }
+  if (weakest.detail == nullptr) look_at(fatigue.beam);
+  weakest.compression_reduced = reduced;
+  return weakest;
+}
 
 StressInfluence influence_in(const StressPoint& point, const SectionPoint& place) {
   StressInfluence influence = place.influence;
@@ -225,8 +303,7 @@ std::vector<StressPoint> stress_points_at(const Project& project,
   }
   for (const NamedPoint& named : project.points) {
     if (named.s != station.s) continue;
-    gathered.add_level(named.name, named.z,
-                       detail_at(project.fatigue, station.s, DetailPlace::fibres));
+    gathered.add_named(named);
   }
   return std::move(gathered.points);
 }

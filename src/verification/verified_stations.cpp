@@ -1,239 +1,320 @@
 #include "boxbeam/verification/verified_stations.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <map>
+#include <string>
+#include <utility>
 
-#include "boxbeam/numerics/extremum.hpp"
-#include "boxbeam/section/normal_stress.hpp"
-#include "boxbeam/verification/bending_zones.hpp"
-#include "boxbeam/verification/span.hpp"
+#include "boxbeam/numerics/largest_on_pieces.hpp"
+#include "boxbeam/verification/beam_cuts.hpp"
+#include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
 namespace {
 
-/// Grid points inside a segment on which maxima along the beam are bracketed.
-constexpr int grid = 24;
-
-/// Whether section or loads jump at a place.
-bool jumps_at(const TaperedBeam& beam, const LoadHistory& loads, Length s) {
-  if (s.value() == 0.0 || s == beam.length()) return true;
-  for (std::size_t i = 0; i + 1 < beam.segments.size(); ++i) {
-    if (beam.segments[i].end() == s && !(beam.segments[i].to == beam.segments[i + 1].from))
-      return true;
+/// How much larger the largest size of a section's plates and outlines gets from one section to
+/// another, or smaller.
+double largest_change(const Section& from, const Section& to) {
+  const auto sizes_of = [](const Section& section) {
+    std::vector<Length> sizes = thicknesses_of(section);
+    const auto add = [&](const Profile& profile) {
+      const Extent extent = extent_of(profile);
+      sizes.push_back(extent.y_high - extent.y_low);
+      sizes.push_back(extent.z_high - extent.z_low);
+    };
+    add(section.outer);
+    if (section.inner) add(*section.inner);
+    return sizes;
+  };
+  const std::vector<Length> a = sizes_of(from), b = sizes_of(to);
+  double change = 1.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double ratio = a[i] / b[i];
+    change = std::max({change, ratio, 1.0 / ratio});
   }
-  for (const PointLoad& load : loads.loads_at(loads.begin()).points) {
-    if (load.s == s) return true;
-  }
-  return false;
+  return change;
 }
 
-/// What may peak inside a segment, over the instants.
-using Peaks = std::vector<double>;
-
-/// Where maxima are looked for.
-struct Along {
-  const TaperedBeam& beam;
-  const std::vector<BendingZone>& zones;
-  const LoadHistory& loads;
-  bool space;
-};
-
-AreaSums working_sums_of(const Along& along, const Section& section, Length s) {
-  const ShearLags lags = shear_lags_at(along.zones, section, s);
-  return lags.count() ? sums_of(effective_properties_of(section, {}, lags))
-                      : sums_of(outline_of(section, {}));
-}
-
-/// Stress range and largest stress of both outer fibres (without holes), the largest bending moment
-/// and the largest shear force.
-Peaks peaks_in_plane(const Along& along, Length s) {
-  const LoadHistory& loads = along.loads;
-  const Section section = section_at(along.beam, {s});
-  const AreaSums sums = working_sums_of(along, section, s);
-  const Extent extent = extent_of(section.outer);
-  const StressInfluence high = normal_influence(sums, 0.0, extent.z_high.value());
-  const StressInfluence low = normal_influence(sums, 0.0, extent.z_low.value());
-  Span top, bottom, M, V;
-  for (std::size_t i = 0; i < loads.instants(); ++i) {
-    const CutForces cut = loads.diagram(i).at({s});
-    top.add(stress_at(high, cut).normal.value());
-    bottom.add(stress_at(low, cut).normal.value());
-    M.add(cut.M_y.value());
-    V.add(cut.V_z.value());
-  }
-  return {top.range(), bottom.range(), top.largest(), bottom.largest(), M.largest(), V.largest()};
-}
-
-/// The angle of the bending moment's main direction over the instants, from M_y towards M_z: of
-/// largest variance, which turns with the loads.
-double main_direction_of(const std::vector<CutForces>& cuts) {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const CutForces& cut : cuts) mean += Eigen::Vector2d(cut.M_y.value(), cut.M_z.value());
-  mean /= static_cast<double>(cuts.size());
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-  for (const CutForces& cut : cuts) {
-    const Eigen::Vector2d from = Eigen::Vector2d(cut.M_y.value(), cut.M_z.value()) - mean;
-    spread += from * from.transpose();
-  }
-  return 0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
-}
-
-/// Stress range and largest stress of any fibre, the resultants of M and V, the torque.
-Peaks peaks_of_tube(const RoundTube& tube, const AreaSums& sums,
-                    const std::vector<CutForces>& cuts) {
-  const double radius = 0.5 * tube.diameter.value();
-  const double main = main_direction_of(cuts);
-  constexpr int fibres = 16;
-  std::vector<StressInfluence> influences;
-  for (int k = 0; k < fibres; ++k) {
-    // M at an angle puts the fibre at that angle from +z towards -y in tension.
-    const double angle = main + 2.0 * std::numbers::pi * k / fibres;
-    influences.push_back(
-        normal_influence(sums, -radius * std::sin(angle), radius * std::cos(angle)));
-  }
-  double range = 0.0, stress = 0.0;
-  for (const StressInfluence& influence : influences) {
-    Span span;
-    for (const CutForces& cut : cuts) span.add(stress_at(influence, cut).normal.value());
-    range = std::max(range, span.range());
-  }
-  Span M, V, T;
-  for (const CutForces& cut : cuts) {
-    const double moment = std::hypot(cut.M_y.value(), cut.M_z.value());
-    // An inner profile may be stiffer about one axis: the softer one counts.
-    const double bent = moment * radius / std::min(sums.yy, sums.zz);
-    stress = std::max(stress, std::abs(cut.N.value()) / sums.area + bent);
-    M.add(moment);
-    V.add(std::hypot(cut.V_y.value(), cut.V_z.value()));
-    T.add(cut.T.value());
-  }
-  return {range, stress, M.largest(), V.largest(), T.largest()};
-}
-
-/// The corners of a profile: no place in it has more normal stress than the worst of them.
-std::vector<SectionPlace> corners_of(const Profile& profile) {
-  if (const auto* polygon = std::get_if<Polygon>(&profile)) return polygon->outer;
-  std::vector<SectionPlace> corners;
-  if (std::holds_alternative<ThinWalled>(profile)) {
-    for (const BorderPiece& piece : outline_of(profile))
-      corners.push_back({si<Length>(piece.from.x()), si<Length>(piece.from.y())});
-    return corners;
-  }
-  const Extent extent = extent_of(profile);
-  for (const Length& y : {extent.y_high, extent.y_low}) {
-    for (const Length& z : {extent.z_high, extent.z_low}) corners.push_back({y, z});
-  }
-  return corners;
-}
-
-/// Stress range and largest stress of every corner, and the largest of V_y, V_z, T, M_y and M_z.
-Peaks peaks_in_space(const Along& along, Length s) {
-  const Section section = section_at(along.beam, {s});
-  const AreaSums sums = working_sums_of(along, section, s);
-  std::vector<CutForces> cuts;
-  cuts.reserve(along.loads.instants());
-  for (std::size_t i = 0; i < along.loads.instants(); ++i)
-    cuts.push_back(along.loads.diagram(i).at({s}));
-  if (const auto* tube = std::get_if<RoundTube>(&section.outer))
-    return peaks_of_tube(*tube, sums, cuts);
-
-  Peaks peaks;
-  for (const SectionPlace& corner : corners_of(section.outer)) {
-    const StressInfluence influence = normal_influence(sums, corner.y.value(), corner.z.value());
-    Span span;
-    for (const CutForces& cut : cuts) span.add(stress_at(influence, cut).normal.value());
-    peaks.push_back(span.range());
-    peaks.push_back(span.largest());
-  }
-  for (const auto which :
-       {cut_force::M_y, cut_force::M_z, cut_force::V_y, cut_force::V_z, cut_force::T}) {
-    Span span;
-    for (const CutForces& cut : cuts) span.add(value_of(cut, which));
-    peaks.push_back(span.largest());
-  }
-  return peaks;
-}
-
-Peaks peaks_at(const Along& along, Length s) {
-  return along.space ? peaks_in_space(along, s) : peaks_in_plane(along, s);
-}
-
-/// Brackets every inner maximum of each quantity on a grid in each piece and finds it by Brent.
-void add_inner_maxima(const Along& along, std::vector<Length>& stations) {
-  for (const CutForcePiece& piece : along.loads.diagram(0).pieces) {
-    const auto at = [&](double j) { return piece.start + piece.length * (j / grid); };
-    std::array<Peaks, grid + 1> values;
-    for (std::size_t j = 0; j < values.size(); ++j) {
-      // The very ends belong to the neighbours as well: look just inside.
-      values[j] = peaks_at(along, at(std::clamp(static_cast<double>(j), 1e-6, grid - 1e-6)));
+/// The borders of the parts of a piece: shorter where the section is smaller, so that within a part
+/// no size changes by more than half.
+std::vector<double> parts_of(const TaperedBeam& beam, const BeamCut& from, const BeamCut& to) {
+  const double start = from.s.value(), end = to.s.value();
+  const Section first = section_at(beam, {from.s, Side::behind});
+  const Section last = section_at(beam, {to.s, Side::before});
+  constexpr double most = 1.5;
+  constexpr double most_parts = 64.0;
+  const double change = largest_change(first, last);
+  const double needed = std::ceil(std::log(change) / std::log(most) - 1e-9);
+  const bool is_long = end - start > 0.02 * beam.length().value();
+  const int parts = static_cast<int>(std::clamp(needed, is_long ? 2.0 : 1.0, most_parts));
+  const bool grows = height_of(last.outer) > height_of(first.outer) ||
+                     (height_of(last.outer) == height_of(first.outer) &&
+                      extent_of(last.outer).y_high > extent_of(first.outer).y_high);
+  std::vector<double> borders{start};
+  for (int k = 1; k < parts; ++k) {
+    const double share = static_cast<double>(k) / parts;
+    // A size that grows by the factor `change` along the piece has grown by a part's factor to the
+    // k-th power at the k-th border.
+    double fraction = share;
+    if (needed > 1.0) {
+      const double along = grows ? share : 1.0 - share;
+      const double grown = (std::pow(change, along) - 1.0) / (change - 1.0);
+      fraction = grows ? grown : 1.0 - grown;
     }
-    for (std::size_t q = 0; q < values[0].size(); ++q) {
-      for (std::size_t j = 1; j < grid; ++j) {
-        const double before = values[j][q] - values[j - 1][q];
-        const double behind = values[j][q] - values[j + 1][q];
-        // A difference within round-off is a level stretch, no maximum.
-        const bool maximum =
-            before >= 0.0 && behind > 0.0 && std::max(before, behind) > 1e-9 * values[j][q];
-        if (!maximum) continue;
-        const auto quantity = [&](double s) { return peaks_at(along, si<Length>(s))[q]; };
-        const auto middle = static_cast<double>(j);
-        stations.push_back(si<Length>(
-            find_maximum(quantity, at(middle - 1.0).value(), at(middle + 1.0).value()).at));
+    borders.push_back(start + fraction * (end - start));
+  }
+  borders.push_back(end);
+  return borders;
+}
+
+/// The largest force on the beam, moments over its length.
+double largest_force_of(const std::deque<SituationRun>& runs) {
+  double largest = 0.0;
+  for (const SituationRun& run : runs) {
+    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+      const std::vector<CutForcePiece>& pieces = run.loads.diagram(i).pieces;
+      const double length = pieces.back().end().value();
+      for (const CutForcePiece& of : pieces) {
+        largest = std::max({largest, std::abs(of.N(0.0)), std::abs(of.V_y(0.0)),
+                            std::abs(of.V_z(0.0)), std::abs(of.T(0.0)) / length,
+                            std::abs(of.M_y(0.0)) / length, std::abs(of.M_z(0.0)) / length});
       }
     }
   }
+  return largest;
+}
+
+/// Along the beam as functions: the utilisations, each of a point of the section and a criterion,
+/// and the largest and smallest cut forces, whose own places the results show. Each criterion is a
+/// group, and each extreme of a cut force.
+class AlongBeam {
+ public:
+  AlongBeam(const Project& project, const std::deque<SituationRun>& runs,
+            const std::vector<BendingZone>& zones)
+      : project_(&project), runs_(&runs), zones_(&zones) {
+    // What is so small beside the largest force is the rounding of sums.
+    constexpr double part = 1e-5;
+    nothing_ = part * largest_force_of(runs);
+    for (std::size_t k = 0; k < 2 * cut_force::count; ++k)
+      group_of_.push_back(stress_criteria.size() + k);
+  }
+
+  FunctionValues at(const Station& station) {
+    ++evaluations_;
+    const StationSamples samples(*project_, histories_at(*runs_, station));
+    const std::vector<StressPoint> points = stress_points_at(*project_, *zones_, station);
+    FunctionValues values(group_of_.size());
+    add_cut_forces(samples, values);
+    const auto add = [&](const std::string& name, const Utilisations& found) {
+      const std::vector<std::size_t>& functions = functions_of(name);
+      if (values.size() < group_of_.size()) values.resize(group_of_.size());
+      for (std::size_t k = 0; k < stress_criteria.size(); ++k)
+        values[functions[k]] = std::max(values[functions[k]], found.of(stress_criteria[k]));
+    };
+    Utilisations named;
+    for (const StressPoint& point : points) {
+      if (point.stretch) continue;
+      const Utilisations found = judge(samples, point);
+      add(point.name, found);
+      for (const Criterion criterion : stress_criteria)
+        named.of(criterion) = std::max(named.of(criterion), found.of(criterion));
+    }
+    const WallSearch walls(samples, points, named);
+    Utilisations on_walls;
+    for (const Criterion criterion : stress_criteria)
+      on_walls.of(criterion) = walls.worst(criterion).utilisation;
+    add("walls", on_walls);
+    return values;
+  }
+
+  std::size_t group_of(std::size_t function) const { return group_of_[function]; }
+  std::size_t evaluations() const { return evaluations_; }
+
+ private:
+  void add_cut_forces(const StationSamples& samples, FunctionValues& values) const {
+    for (std::size_t k = 0; k < cut_force::count; ++k) {
+      const auto which = static_cast<cut_force::Index>(k);
+      const bool moment = which >= cut_force::T;
+      const double nothing = nothing_ * (moment ? project_->beam.length().value() : 1.0);
+      for (const std::size_t negative : {0, 1}) {
+        const double value = samples.largest_cut_force(which, negative == 0 ? 1.0 : -1.0);
+        values[2 * k + negative] = value > nothing ? value : 0.0;
+      }
+    }
+  }
+
+  static Utilisations judge(const StationSamples& samples, const StressPoint& point) {
+    if (point.edges.empty()) return samples.judge(point);
+    Utilisations found = samples.judge(at_worst_edge(samples, point, Criterion::fatigue));
+    found.of(Criterion::yield) =
+        samples.judge(at_worst_edge(samples, point, Criterion::yield), {Criterion::yield})
+            .of(Criterion::yield);
+    return found;
+  }
+
+  const std::vector<std::size_t>& functions_of(const std::string& name) {
+    const auto found = functions_.find(name);
+    if (found != functions_.end()) return found->second;
+    std::vector<std::size_t>& functions = functions_[name];
+    for (std::size_t k = 0; k < stress_criteria.size(); ++k) {
+      functions.push_back(group_of_.size());
+      group_of_.push_back(k);
+    }
+    return functions;
+  }
+
+  const Project* project_;
+  const std::deque<SituationRun>* runs_;
+  const std::vector<BendingZone>* zones_;
+  std::map<std::string, std::vector<std::size_t>> functions_;
+  std::size_t evaluations_ = 0;
+  double nothing_ = 0.0;               ///< below it a force is none [N]
+  std::vector<std::size_t> group_of_;  ///< of each function
+};
+
+double value_of(const SearchedPlace& place, std::size_t function) {
+  return function < place.values.size() ? place.values[function] : 0.0;
+}
+
+/// Inside a piece a function has a local maximum that may be the largest of its criterion.
+struct LocalMaximum {
+  std::size_t place = 0, function = 0;  ///< place as index among those of the piece
+  double share = 0.0;                   ///< of the largest of the criterion
+};
+
+/// The largest first.
+std::vector<LocalMaximum> local_maxima_of(const std::vector<SearchedPlace>& places,
+                                          const std::vector<double>& largest,
+                                          const AlongBeam& along) {
+  constexpr double near = 0.98;
+  std::vector<LocalMaximum> maxima;
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+    for (std::size_t f = 0; f < places[i].values.size(); ++f) {
+      const double at = places[i].values[f];
+      const double share = at / largest[along.group_of(f)];
+      if (at <= 0.0 || share < near) continue;
+      const double rise = at - value_of(places[i - 1], f), fall = at - value_of(places[i + 1], f);
+      // A difference within round-off is a level stretch, no maximum.
+      if (rise >= 0.0 && fall > 0.0 && std::max(rise, fall) > 1e-9 * at)
+        maxima.push_back({i, f, share});
+    }
+  }
+  std::stable_sort(maxima.begin(), maxima.end(),
+                   [](const LocalMaximum& a, const LocalMaximum& b) { return a.share > b.share; });
+  return maxima;
+}
+
+/// Where the parabola through a place and its neighbours has its top.
+double top_near(const std::vector<SearchedPlace>& places, const LocalMaximum& maximum) {
+  const SearchedPlace& at = places[maximum.place];
+  const auto difference = [&](const SearchedPlace& other) {
+    return std::pair{other.at - at.at,
+                     value_of(other, maximum.function) - value_of(at, maximum.function)};
+  };
+  const auto [h, before] = difference(places[maximum.place - 1]);
+  const auto [k, behind] = difference(places[maximum.place + 1]);
+  // v = slope x + bend x^2 through (h, before), (0, 0), (k, behind).
+  const double bend = (before / h - behind / k) / (h - k);
+  const double slope = before / h - bend * h;
+  return bend < 0.0 ? at.at + std::clamp(-0.5 * slope / bend, h, k) : at.at;
+}
+
+/// The places inside a piece that the exact checks decide among, ascending. Maxima of several
+/// functions close together are one place, where none of them is lower than half the tolerance.
+std::vector<Length> chosen_in(std::vector<SearchedPlace> places, const std::vector<double>& largest,
+                              double tolerance, AlongBeam& along) {
+  std::vector<SearchedPlace> chosen;
+  for (const LocalMaximum& maximum : local_maxima_of(places, largest, along)) {
+    const double value = value_of(places[maximum.place], maximum.function);
+    const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const SearchedPlace& other) {
+      return value_of(other, maximum.function) >= (1.0 - 0.5 * tolerance) * value;
+    });
+    if (there) continue;
+    const double top = top_near(places, maximum);
+    SearchedPlace polished{top, along.at({si<Length>(top), Side::both})};
+    chosen.push_back(value_of(polished, maximum.function) >= value ? std::move(polished)
+                                                                   : places[maximum.place]);
+  }
+  std::vector<Length> stations;
+  for (const SearchedPlace& place : chosen) stations.push_back(si<Length>(place.at));
+  std::sort(stations.begin(), stations.end());
+  return stations;
+}
+
+/// The stations of a cut.
+std::vector<Station> stations_of(const BeamCut& cut, const TaperedBeam& beam) {
+  if (!cut.sides) return {{cut.s, Side::both}};
+  std::vector<Station> stations;
+  if (cut.s.value() > 0.0) stations.push_back({cut.s, Side::before});
+  if (cut.s < beam.length()) stations.push_back({cut.s, Side::behind});
+  return stations;
 }
 
 }  // namespace
 
-std::vector<Station> stations_to_verify(const Project& project,
-                                        const std::deque<SituationRun>& runs) {
+VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs) {
   const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   const TaperedBeam& beam = project.beam;
-  std::vector<Length> places = places_of(beam);
-  for (const NamedPoint& point : project.points) places.push_back(point.s);
-  // The category changes at the ends of a detail's stretch; inside it is constant.
-  for (const BeamDetail& stretch : project.fatigue.details) {
-    places.push_back(stretch.from);
-    places.push_back(stretch.to);
+  const std::vector<BeamCut> cuts = beam_cuts_of(project, runs, zones);
+  if (!project.given_stresses.empty()) {
+    // No stress is computed: there is nothing to search.
+    VerifiedStations verified;
+    for (const BeamCut& cut : cuts) {
+      for (const Station& station : stations_of(cut, beam)) verified.stations.push_back(station);
+    }
+    return verified;
   }
-  std::vector<Length> inner;
-  for (const SituationRun& run : runs)
-    add_inner_maxima({beam, zones, run.loads, in_space(project)}, inner);
-  // Maxima of different quantities close together are one station, the one of the stress range
-  // first: near its maximum a quantity is level, so that what the others lose is of second order.
-  std::vector<Length> chosen;
-  for (const Length& s : inner) {
-    const auto nearer_than = [&](double part) {
-      return
-          [&beam, &s, part](const Length& other) { return abs(other - s) < part * beam.length(); };
+  AlongBeam along(project, runs, zones);
+  PieceSearch search;
+  search.known.resize(stress_criteria.size() + 2 * cut_force::count);
+  for (const BeamCut& cut : cuts) {
+    if (!cut.alone) continue;
+    for (const Station& station : stations_of(cut, beam)) {
+      const FunctionValues values = along.at(station);
+      for (std::size_t f = 0; f < values.size(); ++f) {
+        double& known = search.known[along.group_of(f)];
+        known = std::max(known, values[f]);
+      }
+    }
+  }
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    search.pieces.push_back(parts_of(beam, cuts[i], cuts[i + 1]));
+  search.group_of = [&](std::size_t function) { return along.group_of(function); };
+  FunctionValues last;  // behind a cut without sides it is as before
+  search.at = [&](std::size_t piece, double at) {
+    const BeamCut& from = cuts[piece];
+    const BeamCut& to = cuts[piece + 1];
+    const auto limit_at = [&](const BeamCut& cut, Side side) {
+      if (!cut.alone) return along.at({cut.s, cut.sides ? side : Side::both});
+      // What is judged there alone does not belong to the piece.
+      const double inwards = side == Side::before ? -1e-9 : 1e-9;
+      return along.at({cut.s + inwards * (to.s - from.s), Side::both});
     };
-    if (std::any_of(places.begin(), places.end(), nearer_than(1e-4)) ||
-        std::any_of(chosen.begin(), chosen.end(), nearer_than(0.01))) {
-      continue;
+    if (at == from.s.value()) {
+      const bool known = piece > 0 && !from.sides && !from.alone;
+      return known ? last : limit_at(from, Side::behind);
     }
-    chosen.push_back(s);
-  }
-  places.insert(places.end(), chosen.begin(), chosen.end());
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+    if (at == to.s.value()) return last = limit_at(to, Side::before);
+    return along.at({si<Length>(at), Side::both});
+  };
+  const PieceSearchResult found = largest_on_pieces(search);
 
-  std::vector<Station> stations;
-  for (const Length& s : places) {
-    const bool jump = std::any_of(runs.begin(), runs.end(), [&](const SituationRun& run) {
-      return jumps_at(beam, run.loads, s);
-    });
-    if (!jump) {
-      stations.push_back({s, Side::both});
-      continue;
-    }
-    if (s.value() > 0.0) stations.push_back({s, Side::before});
-    if (s < beam.length()) stations.push_back({s, Side::behind});
+  VerifiedStations verified;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    for (const Station& station : stations_of(cuts[i], beam)) verified.stations.push_back(station);
+    if (i + 1 == cuts.size()) break;
+    for (const Length& s : chosen_in(found.pieces[i], found.largest, search.tolerance, along))
+      verified.stations.push_back({s, Side::both});
   }
-  return stations;
+  verified.search = {along.evaluations(), search.pieces.size(),
+                     std::max(search.tolerance, found.left_open)};
+  return verified;
+}
+
+std::vector<Station> stations_to_verify(const Project& project,
+                                        const std::deque<SituationRun>& runs) {
+  return search_stations(project, runs).stations;
 }
 
 }  // namespace boxbeam

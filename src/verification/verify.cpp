@@ -209,10 +209,11 @@ const CheckResult* Verification::governing(Criterion criterion) const {
 
 Verification verify(const Project& project, Figures figures) {
   const auto [model, runs] = run_by_chosen_model(project);
-  const std::vector<Station> stations = stations_to_verify(project, runs);
+  const auto [stations, search] = search_stations(project, runs);
 
   Verification result;
   result.model = model;
+  result.search = search;
   describe_mechanism(project, runs, result);
   result.stations = cut_force_envelopes(project, runs, stations);
   const bool computed = project.given_stresses.empty();

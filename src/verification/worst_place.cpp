@@ -4,215 +4,271 @@
 #include <cmath>
 #include <numbers>
 
-#include "boxbeam/fatigue/damage.hpp"
 #include "boxbeam/numerics/extremum.hpp"
-#include "boxbeam/verification/span.hpp"
 
 namespace boxbeam {
 namespace {
 
-/// The normal stress on a hole's edge over the instants of each situation that runs, by index.
-std::vector<Span> spans_at(const Project& project, const std::vector<SituationHistory>& histories,
-                           const HoleEdge& edge) {
-  std::vector<Span> spans(project.situations.size());
-  for (const SituationHistory& at : histories) {
-    for (const CutForces& cut : at.history.samples()) {
-      spans[index_of(project, *at.situation)].add(stress_at(edge.influence, cut).normal.value());
-    }
+constexpr std::initializer_list<Criterion> of_plates{
+    Criterion::yield, Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue,
+    Criterion::stress_range};
+
+/// Of three influences at -1, 0 and 1, the one of the parabola through them at u.
+StressInfluence between(const std::array<StressInfluence, 3>& of, double u) {
+  const double a = 0.5 * u * (u - 1.0), b = (1.0 - u) * (1.0 + u), c = 0.5 * u * (u + 1.0);
+  StressInfluence influence;
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    influence.normal[k] = a * of[0].normal[k] + b * of[1].normal[k] + c * of[2].normal[k];
+    influence.shear[k] = a * of[0].shear[k] + b * of[1].shear[k] + c * of[2].shear[k];
   }
-  return spans;
+  return influence;
 }
 
-double largest_stress_of(const Project& project, const std::vector<Span>& spans) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    const Situation& situation = project.situations[i];
-    if (situation.between.empty())
-      largest = std::max(largest, situation.load_factor * spans[i].largest());
+/// The influences along a stretch. On a straight wall of a cell or a path the normal stress is
+/// linear and the shear flow a parabola: three places tell all.
+class AlongStretch {
+ public:
+  explicit AlongStretch(const StressPoint& point) : point_(&point) {
+    const WallStretch& wall = point.stretch->wall;
+    straight_ = !wall.round && !wall.solid &&
+                point.stretch->field->flow->at.graph.walls[wall.wall].radius == 0.0;
+    if (!straight_) return;
+    for (std::size_t k = 0; k < 3; ++k) three_[k] = exact_at(0.5 * static_cast<double>(k));
   }
-  return largest;
-}
 
-/// One cycle in each situation, and in each change between some.
-std::vector<Cycle> cycles_of(const Project& project, const std::vector<Span>& spans, bool reduced) {
-  std::vector<Cycle> cycles;
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    const Situation& situation = project.situations[i];
-    if (situation.cycles == 0.0) continue;
-    Span span = spans[i];
-    for (const std::size_t other : situation.between) {
-      span.add(spans[other].low);
-      span.add(spans[other].high);
-    }
-    cycles.push_back(
-        {si<Stress>(span.range()), si<Stress>(0.5 * (span.high + span.low)), situation.cycles});
+  bool straight() const { return straight_; }
+  bool round() const { return point_->stretch->wall.round; }
+
+  StressInfluence at(double part) const {
+    return straight_ ? between(three_, 2.0 * part - 1.0) : exact_at(part);
   }
-  if (reduced) cycles = compression_reduced(std::move(cycles));
-  return cycles;
-}
 
-/// How badly these cycles use up a detail: the reciprocal of the factor that the cycles of the life
-/// leave.
-double fatigue_severity_of(const Project& project, const std::vector<Span>& spans,
-                           const Detail& detail, bool reduced) {
-  return 1.0 / largest_factor(cycles_of(project, spans, reduced), curve_of(detail),
-                              project.fatigue.demand);
-}
+ private:
+  StressInfluence exact_at(double part) const {
+    return influence_in(*point_,
+                        point_on_stretch(*point_->stretch->field, point_->stretch->wall, part));
+  }
 
-double largest_range_of(const std::vector<Cycle>& cycles) {
-  double largest = 0.0;
-  for (const Cycle& cycle : cycles) largest = std::max(largest, cycle.range.value());
-  return largest;
-}
-
-/// The stresses of a place that a criterion looks at, over the instants of each situation that
-/// runs, by index.
-struct PlaceSpans {
-  std::vector<Span> direct;  ///< as the detail counts it
-  std::vector<Span> shear;
-  double equivalent = 0.0;  ///< largest, load factors applied
+  const StressPoint* point_;
+  bool straight_ = false;
+  std::array<StressInfluence, 3> three_;
 };
 
-/// The largest value near the instants: of the parabola through each peak and its neighbours.
-/// Without it the largest sample would change from place to place, and what varies smoothly along a
-/// wall would have many small maxima.
-double peak_of(const std::vector<double>& values, bool closed) {
-  const std::size_t n = values.size();
-  double largest = values.front();
-  for (std::size_t i = 0; i < n; ++i) {
-    largest = std::max(largest, values[i]);
-    if (!closed && (i == 0 || i + 1 == n)) continue;
-    const double rise = values[i] - values[(i + n - 1) % n];
-    const double fall = values[i] - values[(i + 1) % n];
-    if (rise < 0.0 || fall < 0.0 || rise + fall == 0.0) continue;
-    const double step = rise - fall;
-    largest = std::max(largest, values[i] + step * step / (8.0 * (rise + fall)));
+/// The local maxima of values on a grid, by their indices; of a ring the first and the last place
+/// are one.
+std::vector<std::size_t> local_maxima_of(const std::vector<double>& values, bool ring) {
+  std::vector<std::size_t> maxima;
+  const std::size_t last = values.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double before = k > 0 ? values[k - 1] : (ring ? values[last - 1] : -1.0);
+    const double behind = k < last ? values[k + 1] : (ring ? values[1] : -1.0);
+    if (values[k] >= before && values[k] >= behind) maxima.push_back(k);
   }
-  return largest;
+  return maxima;
 }
 
-Span span_of(std::vector<double> values, bool closed) {
-  Span span;
-  span.high = peak_of(values, closed);
-  for (double& value : values) value = -value;
-  span.low = -peak_of(values, closed);
-  return span;
+/// The top of the parabola through a place of a grid and its neighbours, as far as they are there.
+double parabola_over(const std::vector<double>& values, std::size_t k) {
+  if (k == 0 || k + 1 == values.size()) {
+    if (values.size() < 3) return values[k];
+    k = k == 0 ? 1 : k - 1;
+  }
+  const double slope = 0.5 * (values[k + 1] - values[k - 1]);
+  const double bend = values[k + 1] - 2.0 * values[k] + values[k - 1];
+  const double largest = std::max({values[k - 1], values[k], values[k + 1]});
+  if (bend >= 0.0 || std::abs(slope) > -bend) return largest;
+  return std::max(largest, values[k] - 0.5 * slope * slope / bend);
 }
 
-PlaceSpans place_spans_at(const Project& project, const StressPoint& point,
-                          const std::vector<SituationHistory>& histories,
-                          const StressInfluence& influence, Criterion criterion) {
-  const bool yield = criterion == Criterion::yield;
-  const bool normal = !yield && criterion != Criterion::shear_fatigue;
-  const bool along = !yield && criterion != Criterion::fatigue;
-  const double factor = point.detail != nullptr ? point.detail->stress_factor : 1.0;
-  PlaceSpans spans{std::vector<Span>(project.situations.size()),
-                   std::vector<Span>(project.situations.size()), 0.0};
-  for (const SituationHistory& at : histories) {
-    std::vector<double> direct, shear, equivalent;
-    for (const CutForces& cut : at.history.samples()) {
-      const PointStress stress = stress_at(influence, cut);
-      if (normal) direct.push_back(factor * stress.normal.value());
-      if (along) shear.push_back(stress.shear.value());
-      if (yield) equivalent.push_back(stress.von_mises().value());
+/// Once round a hole in equal steps: what its edge has at any angle. Stresses there are waves of at
+/// most three periods in a turn (hole_edges_of), places of one, so that their sums over the list
+/// give them exactly.
+class AroundEdge {
+ public:
+  /// Places of the list in a turn.
+  static constexpr std::size_t places = 120;
+
+  explicit AroundEdge(std::vector<HoleEdge>::const_iterator turn) : first_(*turn) {
+    for (std::size_t k = 0; k < places; ++k) {
+      const HoleEdge& edge = turn[static_cast<long>(k)];
+      const double angle = angle_of(k);
+      for (std::size_t n = 0; n < periods; ++n) {
+        const double weight = (n == 0 ? 1.0 : 2.0) / static_cast<double>(places);
+        add(waves_[n].cosine, edge, weight * std::cos(static_cast<double>(n) * angle));
+        add(waves_[n].sine, edge, weight * std::sin(static_cast<double>(n) * angle));
+      }
     }
-    const bool closed = at.history.closed();
-    const std::size_t i = index_of(project, *at.situation);
-    if (normal) spans.direct[i] = span_of(std::move(direct), closed);
-    if (along) spans.shear[i] = span_of(std::move(shear), closed);
-    if (!yield) continue;
-    spans.equivalent =
-        std::max(spans.equivalent, at.situation->load_factor * peak_of(equivalent, closed));
   }
-  return spans;
-}
 
-/// How near a place comes to the limit of a criterion; larger is worse.
-double severity_of(const Project& project, const StressPoint& point, const PlaceSpans& spans,
-                   Criterion criterion) {
-  if (criterion == Criterion::yield) return spans.equivalent;
-  std::vector<FatigueChannel> channels;
-  double range = 0.0;
-  if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
-    auto cycles = cycles_of(project, spans.direct, point.compression_reduced);
-    range = largest_range_of(cycles);
-    if (range > 0.0) channels.push_back({std::move(cycles), curve_of(point.detail->detail)});
+  static double angle_of(std::size_t place) {
+    return 2.0 * std::numbers::pi * static_cast<double>(place) / static_cast<double>(places);
   }
-  if (point.shear_detail != nullptr && criterion != Criterion::fatigue) {
-    auto cycles = cycles_of(project, spans.shear, false);
-    const double shear = largest_range_of(cycles);
-    range = std::max(range, std::numbers::sqrt3 * shear);
-    if (shear > 0.0) channels.push_back({std::move(cycles), curve_of(*point.shear_detail)});
+
+  HoleEdge at(double angle) const {
+    Values sum{};
+    for (std::size_t n = 0; n < periods; ++n) {
+      const double c = std::cos(static_cast<double>(n) * angle);
+      const double s = std::sin(static_cast<double>(n) * angle);
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += c * waves_[n].cosine[i] + s * waves_[n].sine[i];
+    }
+    HoleEdge edge = first_;
+    std::copy_n(sum.begin(), cut_force::count, edge.influence.normal.begin());
+    edge.y = si<Length>(sum[cut_force::count]);
+    edge.z = si<Length>(sum[cut_force::count + 1]);
+    const double turn = 2.0 * std::numbers::pi;
+    edge.angle = angle - turn * std::floor(angle / turn);
+    return edge;
   }
-  if (criterion == Criterion::stress_range) return range;
-  return channels.empty() ? 0.0 : 1.0 / largest_factor(channels, project.fatigue.demand);
-}
+
+ private:
+  static constexpr std::size_t periods = 4;
+  using Values = std::array<double, cut_force::count + 2>;  ///< stress per cut force, y and z
+  struct Wave {
+    Values cosine{}, sine{};
+  };
+
+  static void add(Values& sum, const HoleEdge& edge, double weight) {
+    for (std::size_t i = 0; i < cut_force::count; ++i) sum[i] += weight * edge.influence.normal[i];
+    sum[cut_force::count] += weight * edge.y.value();
+    sum[cut_force::count + 1] += weight * edge.z.value();
+  }
+
+  HoleEdge first_;
+  std::array<Wave, periods> waves_;
+};
 
 }  // namespace
 
-StressPoint at_worst_edge(const Project& project, const StressPoint& point,
-                          const std::vector<SituationHistory>& histories, Criterion criterion) {
-  StressPoint moved = point;
-  moved.edges.clear();
-  double worst = -1.0;
-  for (const HoleEdge& edge : point.edges) {
-    const std::vector<Span> spans = spans_at(project, histories, edge);
-    const double value =
-        criterion == Criterion::fatigue && point.detail != nullptr
-            ? fatigue_severity_of(project, spans, point.detail->detail, point.compression_reduced)
-            : largest_stress_of(project, spans);
-    if (value <= worst) continue;
-    worst = value;
-    moved.y = edge.y;
-    moved.z = edge.z;
-    moved.influence = edge.influence;
-    moved.concentration->angle = edge.angle;
-  }
-  return moved;
-}
-
-StressPoint at_worst_on_stretch(const Project& project, const StressPoint& point,
-                                const std::vector<SituationHistory>& histories,
-                                Criterion criterion) {
-  const StressField& field = *point.stretch->field;
-  const WallStretch& wall = point.stretch->wall;
-  const auto severity = [&](double part) {
-    const StressInfluence influence = influence_in(point, point_on_stretch(field, wall, part));
-    return severity_of(project, point,
-                       place_spans_at(project, point, histories, influence, criterion), criterion);
-  };
-  // Between two places of the grid of a round tube a fibre has at most 0.4 % more.
-  constexpr double enough = 0.98;
-  const int steps = wall.round ? 36 : 12;
-  const auto part_of = [&](int k) { return static_cast<double>(k) / steps; };
-  std::vector<double> values;
-  for (int k = 0; k <= steps; ++k) values.push_back(severity(part_of(k)));
-  const auto largest = std::max_element(values.begin(), values.end());
-  Extremum worst{part_of(static_cast<int>(largest - values.begin())), *largest};
-  const double at_least = enough * worst.value;
-  // The first and the last place of a round tube are neighbours; beside the end of a straight wall
-  // there may be a maximum.
-  for (int k = 0; k <= steps; ++k) {
-    const auto index = static_cast<std::size_t>(k);
-    const bool first = k == 0, last = k == steps;
-    const double before =
-        first ? (wall.round ? values[values.size() - 2] : -1.0) : values[index - 1];
-    const double behind = last ? (wall.round ? values[1] : -1.0) : values[index + 1];
-    if (values[index] < at_least || values[index] < before || values[index] < behind) continue;
-    const double low = first && !wall.round ? 0.0 : part_of(k - 1);
-    const double high = last && !wall.round ? 1.0 : part_of(k + 1);
-    const Extremum found = find_maximum(severity, low, high);
-    if (found.value > worst.value) worst = found;
-  }
+StressPoint moved_along(const StressPoint& point, double part) {
   StressPoint moved = point;
   moved.stretch.reset();
-  const SectionPoint place = point_on_stretch(field, wall, worst.at);
+  const SectionPoint place = point_on_stretch(*point.stretch->field, point.stretch->wall, part);
   moved.y = place.y;
   moved.z = place.z;
   moved.prismatic = place.prismatic;
   moved.torsion = place.torsion;
   moved.influence = influence_in(point, place);
   return moved;
+}
+
+StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& point,
+                          Criterion criterion) {
+  StressPoint moved = point;
+  moved.edges.clear();
+  if (point.edges.empty()) return moved;
+  const bool fatigue = criterion == Criterion::fatigue && point.detail != nullptr;
+  const Criterion by = fatigue ? Criterion::fatigue : Criterion::yield;
+  const auto judge = [&](const StressInfluence& influence) {
+    return samples.judge(point, influence, {by}).of(by);
+  };
+  double worst = -1.0;
+  const auto take = [&](const HoleEdge& edge, double value) {
+    if (value <= worst) return;
+    worst = value;
+    moved.y = edge.y;
+    moved.z = edge.z;
+    moved.influence = edge.influence;
+    moved.concentration->angle = edge.angle;
+  };
+  // Once round the hole; a second turn is for shear as if the beam did not taper.
+  if (point.edges.size() % AroundEdge::places != 0) {
+    for (const HoleEdge& edge : point.edges) take(edge, judge(edge.influence));
+    return moved;
+  }
+  // Every 12 degrees: waves of three periods in a turn have at most 6 % more between two of them.
+  constexpr std::size_t step = 4;
+  const double width = AroundEdge::angle_of(step);
+  for (auto turn = point.edges.begin(); turn != point.edges.end(); turn += AroundEdge::places) {
+    const AroundEdge around(turn);
+    std::vector<double> values;
+    for (std::size_t k = 0; k < AroundEdge::places; k += step)
+      values.push_back(judge(turn[static_cast<long>(k)].influence));
+    values.push_back(values.front());
+    const double largest = *std::max_element(values.begin(), values.end());
+    for (const std::size_t k : local_maxima_of(values, true)) {
+      if (k + 1 == values.size() || values[k] < 0.9 * largest) continue;
+      const double middle = AroundEdge::angle_of(k * step);
+      const Extremum found =
+          find_maximum([&](double angle) { return judge(around.at(angle).influence); },
+                       middle - width, middle + width, 16);
+      take(turn[static_cast<long>(k * step)], values[k]);
+      take(around.at(found.at), found.value);
+    }
+  }
+  return moved;
+}
+
+StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint& point,
+                                Criterion criterion) {
+  const AlongStretch along(point);
+  const auto judge = [&](double part) {
+    return samples.judge(point, along.at(part), {criterion}).of(criterion);
+  };
+  const int steps = along.round() ? 36 : 12;
+  const auto part_of = [&](std::size_t k) { return static_cast<double>(k) / steps; };
+  std::vector<double> values;
+  for (int k = 0; k <= steps; ++k) values.push_back(judge(part_of(static_cast<std::size_t>(k))));
+  const auto largest = std::max_element(values.begin(), values.end());
+  Extremum worst{part_of(static_cast<std::size_t>(largest - values.begin())), *largest};
+  // Between two places of the grid of a round tube a fibre has at most 0.4 % more.
+  const double at_least = 0.98 * worst.value;
+  for (const std::size_t k : local_maxima_of(values, along.round())) {
+    if (values[k] < at_least || worst.value == 0.0) continue;
+    // Beside the end of a straight wall there may be a maximum; a ring goes on.
+    const double low = k == 0 && !along.round() ? 0.0 : part_of(k) - 1.0 / steps;
+    const double high = k + 1 == values.size() && !along.round() ? 1.0 : part_of(k) + 1.0 / steps;
+    const Extremum found = find_maximum(judge, low, high);
+    if (found.value > worst.value) worst = found;
+  }
+  return moved_along(point, worst.at);
+}
+
+WallSearch::WallSearch(const StationSamples& samples, std::span<const StressPoint> points,
+                       const Utilisations& named) {
+  for (const Criterion criterion : of_plates)
+    worst_[static_cast<std::size_t>(criterion)].utilisation = named.of(criterion);
+  for (const StressPoint& point : points) {
+    if (point.stretch) look_along(samples, point);
+  }
+}
+
+void WallSearch::look_along(const StationSamples& samples, const StressPoint& point) {
+  const AlongStretch along(point);
+  std::vector<double> parts;
+  // In the plane the flange of a section that mirrors itself is stressed evenly, and its shear
+  // grows in proportion to the distance from its middle.
+  if (point.stretch->only_end)
+    parts = {1.0};
+  else if (along.round())
+    for (int k = 0; k <= 36; ++k) parts.push_back(k / 36.0);
+  else
+    for (int k = 0; k <= 4; ++k) parts.push_back(k / 4.0);
+  std::vector<Utilisations> judged;
+  for (const double part : parts) judged.push_back(samples.judge(point, along.at(part), of_plates));
+  for (const Criterion criterion : of_plates) {
+    WorstOnWall& worst = worst_[static_cast<std::size_t>(criterion)];
+    const auto take = [&](double part, double utilisation) {
+      // What is not worse than round-off is not worth a place of its own.
+      if (utilisation > worst.utilisation * (1.0 + 1e-9)) worst = {utilisation, &point, part};
+    };
+    std::vector<double> values;
+    for (const Utilisations& at : judged) values.push_back(at.of(criterion));
+    for (std::size_t k = 0; k < parts.size(); ++k) take(parts[k], values[k]);
+    if (parts.size() == 1) continue;
+    for (const std::size_t k : local_maxima_of(values, along.round())) {
+      if (values[k] == 0.0 || 1.02 * parabola_over(values, k) < worst.utilisation) continue;
+      const double step = parts[1] - parts[0];
+      const double low = k == 0 && !along.round() ? 0.0 : parts[k] - step;
+      const double high = k + 1 == parts.size() && !along.round() ? 1.0 : parts[k] + step;
+      const Extremum found = find_maximum(
+          [&](double part) {
+            return samples.judge(point, along.at(part), {criterion}).of(criterion);
+          },
+          low, high, 10);
+      take(found.at, found.value);
+    }
+  }
 }
 
 }  // namespace boxbeam

@@ -9,11 +9,11 @@ namespace {
 
 /// A detail read from text, with the problems that were noted.
 struct Reading {
-  explicit Reading(const std::string& text, std::optional<Length> plate_thickness = {}) {
+  explicit Reading(const std::string& text, const std::vector<Length>& plates = {}) {
     const CaseDocument document = parse_document("case.toml", text, {});
     ProblemList list(document);
     TableReader table(list, document.root, "");
-    detail = read_detail(table, plate_thickness);
+    detail = read_detail(table, plates);
     table.finish();
     try {
       list.raise();
@@ -106,11 +106,11 @@ TEST_CASE("root of a fillet weld: 36 strict, 36* raised, 80 in shear", "[detail_
 
 TEST_CASE("a size effect takes the thickness of the facts, else of the plate", "[detail_reader]") {
   const Reading from_facts("row = \"8.3/13\"\nfacts = { thickness = \"60 mm\" }\n",
-                           si<Length>(0.040));
+                           {si<Length>(0.040)});
   CHECK(from_facts.problems.empty());
   CHECK(from_facts.detail.size_factor == Approx(0.8394).margin(5e-5));
   CHECK(from_facts.detail.curve.name == "36");
-  const Reading from_plate("row = \"8.3/13\"\n", si<Length>(0.040));
+  const Reading from_plate("row = \"8.3/13\"\n", {si<Length>(0.040)});
   CHECK(from_plate.problems.empty());
   CHECK(from_plate.detail.size_factor == Approx(0.9103).margin(5e-5));
   CHECK(contains(complaint("row = \"8.3/13\"\n"), "depends on \"thickness\""));

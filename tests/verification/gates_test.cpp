@@ -69,7 +69,7 @@ TEST_CASE("shear lag of the rig: kappa = 0.175/6.2, beta_2 by EN 1993-1-5 table 
   CHECK(zones[0].to.value() == Approx(6.2).epsilon(1e-4));
   CHECK(zones[0].region == BendingRegion::hogging);
   const Length hub = si<Length>(3.2);
-  const auto lag = shear_lag_at(zones, section_at(project.beam, {hub}), hub);
+  const auto lag = shear_lag_at(zones, section_at(project.beam, {hub}), {hub});
   REQUIRE(lag);
   const double kappa = 0.175 / 6.2;
   const double beta = 1.0 / (1.0 + 6.0 * (kappa - 1.0 / (2500.0 * kappa)) + 1.6 * kappa * kappa);
@@ -101,7 +101,7 @@ TEST_CASE("shear lag of a simply supported beam: beta_1 under its weight, beta_2
     REQUIRE(zones.size() == 1);
     CHECK(zones[0].region == region);
     CHECK(zones[0].effective_length.value() == Approx(2.0).epsilon(1e-6));
-    const auto lag = shear_lag_at(zones, section_at(project.beam, {middle}), middle);
+    const auto lag = shear_lag_at(zones, section_at(project.beam, {middle}), {middle});
     REQUIRE(lag);
     CHECK(lag->kappa == Approx(kappa).epsilon(1e-6));
     return lag->beta;

@@ -226,8 +226,11 @@ TEST_CASE("on a hole's edge the place with the largest range of the change is fo
       for (const HoleEdge& edge : point.edges) {
         largest = std::max(largest, range_at(edge.influence));
       }
-      const StressPoint worst = at_worst_edge(project, point, histories, Criterion::fatigue);
-      CHECK(range_at(worst.influence) == Approx(largest).epsilon(1e-12));
+      const StressPoint worst =
+          at_worst_edge(StationSamples(project, histories), point, Criterion::fatigue);
+      // Between two places of the list, 3 degrees apart, a peak has at most 0.4 % more.
+      CHECK(range_at(worst.influence) >= largest * (1.0 - 1e-9));
+      CHECK(range_at(worst.influence) <= largest * 1.004);
       ++edges;
     }
   }

@@ -142,10 +142,10 @@ TEST_CASE("no place between the named ones is worse than the worst on its wall")
   for (const StressPoint& point : stress_points_at(project, zones, clamp)) {
     if (!point.stretch) continue;
     ++walls;
-    const double worst =
-        check_yield(project, histories,
-                    at_worst_on_stretch(project, point, histories, Criterion::yield))
-            ->check.acting.value();
+    const double worst = check_yield(project, histories,
+                                     at_worst_on_stretch(StationSamples(project, histories), point,
+                                                         Criterion::yield))
+                             ->check.acting.value();
     StressPoint at = point;
     double largest = 0.0;
     for (int k = 0; k <= 500; ++k) {
@@ -243,7 +243,7 @@ TEST_CASE("shear lag of bending about z works in the webs, EN 1993-1-5 table 3.1
     CHECK(zone.region == BendingRegion::cantilever);
   }
   const Section section = section_at(project.beam, {si<Length>(1.0)});
-  const ShearLags lags = shear_lags_at(zones, section, si<Length>(1.0));
+  const ShearLags lags = shear_lags_at(zones, section, {si<Length>(1.0)});
   CHECK_FALSE(lags.flanges);
   REQUIRE(lags.webs);
   const double kappa = 0.116 / 4.0;

@@ -64,6 +64,10 @@ struct TaperedBeam {
 /// one behind).
 std::size_t segment_at(const TaperedBeam& beam, const Station& station);
 
+/// Whether the section, or how it changes along the beam, differs on the two sides of the end of a
+/// segment that is not the last.
+bool kinks_behind(const TaperedBeam& beam, std::size_t segment);
+
 /// The section at a station.
 Section section_at(const TaperedBeam& beam, const Station& station);
 

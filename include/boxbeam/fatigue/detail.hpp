@@ -100,6 +100,15 @@ std::vector<Raise> raises_of(const std::vector<DetailRow>& rows,
                              const std::vector<DetailRow>& candidates, const Facts& facts,
                              const std::vector<std::string>& fixed);
 
+/// What is known of a detail whose plate is not: the rows that it can be in one plate or another.
+struct DetailInPlates {
+  Facts facts;                  ///< all but the thickness
+  std::vector<DetailRow> rows;  ///< that these facts do not exclude
+  bool raise_asterisk = false;
+  bool stress_relieved = false;
+  bool named = false;  ///< in the case, else called after its row
+};
+
 /// A detail of a beam, ready for the verification.
 struct Detail {
   std::string name;
@@ -113,6 +122,9 @@ struct Detail {
   std::vector<DetailRow> candidates;
   std::vector<std::string> deciding;
   std::vector<Raise> raises;
+  /// Where the plate that a point lies in gives the thickness; what stands above is then that of
+  /// the thickest plate.
+  std::optional<DetailInPlates> in_plates;
 };
 
 }  // namespace boxbeam

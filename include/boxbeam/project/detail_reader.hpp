@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "boxbeam/fatigue/detail.hpp"
 #include "boxbeam/project/table_reader.hpp"
@@ -14,10 +14,11 @@ namespace boxbeam {
 ///     governs category = 100                               as such
 ///
 /// with `kind` ("direct" or "shear"; direct where not said), `name`, `stress_relieved` (compression
-/// then counts 60 %, 7.2.1) and `raise_asterisk` (7.1, note 3). `plate_thickness` is taken where
-/// the facts do not give a thickness. Keys beside these are the caller's, who finishes the table.
+/// then counts 60 %, 7.2.1) and `raise_asterisk` (7.1, note 3). Where the facts do not give a
+/// thickness, that of the plate decides in which a point lies, see in_plate; `plates` are those
+/// that it can be, the thickest first. Keys beside these are the caller's, who finishes the table.
 /// Notes problems: none or several of the ways, an unknown row, category, fact or word, facts that
 /// fit no row, a size effect whose size is not known.
-Detail read_detail(TableReader& table, std::optional<Length> plate_thickness = {});
+Detail read_detail(TableReader& table, const std::vector<Length>& plates = {});
 
 }  // namespace boxbeam

@@ -147,6 +147,12 @@ struct Extent {
 
 Extent extent_of(const Profile& profile);
 
+/// Every length that shapes a section, in an order of its own kind: sizes, thicknesses, places.
+std::vector<Length> dimensions_of(const Section& section);
+
+/// The thicknesses of a section's plates and walls, stiffeners and inner profile included.
+std::vector<Length> thicknesses_of(const Section& section);
+
 /// Outside height (along z) of a profile.
 Length height_of(const Profile& profile);
 
@@ -158,6 +164,10 @@ Length wall_at(const Profile& profile, Length z);
 /// The same of a section: where an inner profile stands beside the walls of the outer one, the
 /// thicker of both, which is the weaker.
 Length wall_at(const Section& section, Length z);
+
+/// The thickness that decides at level z in a wall of the outer profile: its own, or that of an
+/// inner profile that stands beside it, whichever is thicker.
+Length beside_inner(const Section& section, Length wall, Length z);
 
 /// Levels of the inner faces of the flanges, where the webs end; of other profiles of the outermost
 /// fibres, of a round tube less its wall.

@@ -75,6 +75,10 @@ std::vector<SectionPoint> points_at_level(const StressField& field, const std::s
 SectionPoint point_on_flange(const StressField& field, const std::string& name, Length y,
                              double up);
 
+/// A place in or on a plate or polygon: shear of the mean over its level, of plates on their faces
+/// V_y and T as well.
+SectionPoint point_in_solid(const StressField& field, const std::string& name, double y, double z);
+
 /// Why the shear of V_y or T is not known in a section, or nothing.
 std::optional<std::string> unknown_shear_of(const Section& section);
 

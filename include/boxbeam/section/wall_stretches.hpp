@@ -17,11 +17,13 @@ struct WallStretch {
   double from = 0.0, to = 1.0;  ///< fractions of the wall between which it is clear of others
   double face = 0.0;            ///< 1 the right face, -1 the left one; 0 the outer one of a cell
   Length plate;                 ///< thickness that decides the yield strength
+  bool solid = false;           ///< on a face of a solid, or across it: between `low` and `high`
+  SectionPlace low, high;
 };
 
 /// The walls between the corners of boxes and tubes, on their outer faces, the rounded corners of
-/// rolled tubes, round tubes all around, every wall of a path on both faces; nothing of solids.
-/// Holes are left out.
+/// rolled tubes, round tubes all around, every wall of a path on both faces; the four faces of a
+/// plate, and the height of a polygon at its centroid. Holes in walls are left out.
 std::vector<WallStretch> wall_stretches_of(const StressField& field);
 
 /// The place at a part of a stretch, 0 to 1.

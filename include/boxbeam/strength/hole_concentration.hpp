@@ -59,6 +59,7 @@ std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Ho
 /// A hole in one of the walls that it goes through.
 struct HoleInWall {
   std::string side;  ///< "+y", "-z", of two holes in a flange "+z +y"
+  Length plate;      ///< thickness of the wall, as it decides the yield strength
   std::vector<HoleEdge> edges;
 };
 

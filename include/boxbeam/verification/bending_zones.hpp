@@ -43,11 +43,11 @@ struct ShearLag {
   double flange_part = 1.0;  ///< of the clear width, see properties_of
 };
 
-/// Shear lag of a box or rectangular tube at a place, of its flanges (bending about y) or its webs
-/// (about z); nothing where it does not count (b_0 below L_e/50, other profiles, no bending).
+/// Shear lag of a box or rectangular tube at a station, of its flanges (bending about y) or its
+/// webs (about z); nothing where it does not count (b_0 below L_e/50, other profiles, no bending).
 /// Source: EN 1993-1-5:2006, 3.1, 3.2.1.
 std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, const Section& section,
-                                     Length s, BendingAxis axis = BendingAxis::y);
+                                     const Station& station, BendingAxis axis = BendingAxis::y);
 
 /// Shear lag of both bendings at a place. One effective section serves both: what is idle in the
 /// flanges under M_y and what is idle in the webs under M_z is left out of it together. Each plate
@@ -60,7 +60,8 @@ struct ShearLags {
   bool count() const { return flanges || webs; }
 };
 
-ShearLags shear_lags_at(const std::vector<BendingZone>& zones, const Section& section, Length s);
+ShearLags shear_lags_at(const std::vector<BendingZone>& zones, const Section& section,
+                        const Station& station);
 
 /// The section that shear lag and holes leave for normal stress.
 SectionProperties effective_properties_of(const Section& section, const std::vector<Hole>& holes,

@@ -35,7 +35,6 @@ struct CheckBasis {
   std::vector<double> times, history;
   // Fatigue only:
   std::vector<SpectrumRow> spectrum;
-  std::vector<const BeamDetail*> details;  ///< for direct stress: one; for shear stress: none
   std::vector<SnCurve> curves;             ///< that resist, in the order direct, shear
   double constant_amplitude_factor = 0.0;  ///< EN 1993-1-9 7.1(2)
   double damage = 0.0;                     ///< in the wanted life, partial factors applied

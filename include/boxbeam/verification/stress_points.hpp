@@ -24,10 +24,13 @@ struct EdgeConcentration {
   double angle = 0.0;   ///< of the place on the edge, from +x towards +z [rad]
 };
 
-/// A stretch of wall in its section, for loads in space.
+/// A stretch of wall in its section.
 struct StressStretch {
   std::shared_ptr<const StressField> field;
   WallStretch wall;
+  /// Whether no place on it is worse than its end: the flange of a section that mirrors itself,
+  /// in the plane, where its normal stress is even and its shear grows from the middle.
+  bool only_end = false;
 };
 
 /// A point of the beam whose stress is verified: all that its stress takes beside the cut forces.
@@ -45,9 +48,10 @@ struct StressPoint {
   Stress yield_strength;
   std::optional<EdgeConcentration> concentration;
   std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found
-  std::optional<StressStretch> stretch;  ///< of a wall: the places along it, in space
+  std::optional<StressStretch> stretch;  ///< of a wall: the places along it
   /// What resists ranges of direct and of shear stress; none where that is not looked at.
   const BeamDetail* detail = nullptr;
+  std::shared_ptr<const BeamDetail> in_plate;  ///< keeps `detail` where it is that of one plate
   bool compression_reduced = false;  ///< whether compression counts 60 % of direct stress, 7.2.1
   const Detail* shear_detail = nullptr;
   bool yield = true;                ///< whether the equivalent stress is looked at
@@ -56,12 +60,27 @@ struct StressPoint {
   std::optional<ShearLag> web_lag;  ///< of the webs as flanges of M_z, in space
 };
 
+/// What resists ranges of direct stress at a place.
+struct ResistingDetail {
+  const BeamDetail* detail = nullptr;
+  std::shared_ptr<const BeamDetail> in_plate;  ///< keeps it where it is that of one plate
+  bool compression_reduced = false;
+};
+
+/// The weakest detail of the stretches that a station lies in, each with the strength that it has
+/// in a plate of this thickness, or that of the whole beam. At the end of a stretch the station's
+/// side decides; `both` lies in all that meet there. Compression counts 60 % only where none of
+/// them is welded as it is.
+ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
+                          Length plate);
+
 /// The stress of a place in a point's section, its normal stress with what shear lag leaves.
 StressInfluence influence_in(const StressPoint& point, const SectionPoint& place);
 
 /// Extreme fibres, ends of the webs, neutral axis, fibres of an inner profile, hole edges and the
 /// web beside them, throats of seams, and the user's own points in the section at a station. In
-/// space corners, faces, seams on both webs, and the stretches of wall between.
+/// space corners, faces, seams on both webs. The stretches of wall and of solids between them; in
+/// the plane of a section that mirrors itself those of its left half.
 /// Throws AnalysisError where in space the stress of a shape or of a hole is not known.
 std::vector<StressPoint> stress_points_at(const Project& project,
                                           const std::vector<BendingZone>& zones,

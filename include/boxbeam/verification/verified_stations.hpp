@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <vector>
 
@@ -7,14 +8,32 @@
 
 namespace boxbeam {
 
-/// The stations to verify: both sides of every jump of load or section, other places once, and the
-/// ends of the details' stretches, and places inside segments where a stress, stress range or cut
-/// force has a maximum along the beam.
+/// How the governing places were searched.
+struct SearchSummary {
+  std::size_t evaluations = 0;  ///< stations at which every criterion was judged
+  std::size_t pieces = 0;       ///< between the cuts of the beam
+  /// By how much the largest utilisation of a criterion may exceed what was found, relative.
+  double tolerance = 0.0;
+};
+
+/// The stations to verify, and how they were found.
+struct VerifiedStations {
+  std::vector<Station> stations;
+  SearchSummary search;
+};
+
+/// All cuts of the beam, both sides where something differs on them (beam_cuts_of), and the places
+/// between them where the utilisation of a criterion is largest.
 ///
-/// In the plane the stress of both outer fibres, M and V. In space that of every corner of the
-/// outer profile (a range is a convex function of the place in the section, so that none inside is
-/// larger), M_y, M_z, V_y, V_z and T; of round tubes that of sixteen fibres turned to the main
-/// direction of bending, the resultants of M and V, and T, which do not depend on how y and z lie.
+/// Each piece between two cuts is searched for the largest utilisation of every criterion, at every
+/// point of the section and along its walls, as largest_on_pieces does, to 1e-4 of the utilisation.
+/// A piece is first divided so that no size of the section changes by more than half within a part,
+/// and long pieces in two: nine places, more than the polynomials of the cut forces can hide from.
+/// Utilisations are those of StationSamples; local maxima within 2 % of the largest are all given
+/// back, so that the exact checks decide among them.
+VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs);
+
+/// The stations alone.
 std::vector<Station> stations_to_verify(const Project& project,
                                         const std::deque<SituationRun>& runs);
 

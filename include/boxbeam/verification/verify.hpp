@@ -119,6 +119,7 @@ struct MotionSummary {
 struct Verification {
   Verdict verdict = Verdict::fail;
   ModelChoice model;
+  SearchSummary search;             ///< of the governing places along the beam
   std::vector<CheckResult> checks;  ///< worst utilisation first
   std::vector<CriticalInstant> critical_instants;
   std::vector<StationEnvelope> stations;

@@ -1,25 +1,49 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
-#include "boxbeam/verification/stress_points.hpp"
+#include "boxbeam/verification/station_samples.hpp"
 
 namespace boxbeam {
 
-/// A point on a hole's edge moved to the place with the largest stress (yield), or where the cycles
-/// of all situations and changes leave the smallest factor (fatigue), at the instants of all
-/// motions; any other point as it is.
-StressPoint at_worst_edge(const Project& project, const StressPoint& point,
-                          const std::vector<SituationHistory>& histories, Criterion criterion);
+/// A point on a hole's edge moved to the place where a criterion is worst: equivalent stress, or
+/// the cycles of the whole life, at whatever angle; any other point as it is.
+StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& point,
+                          Criterion criterion);
 
-/// A point on a stretch of wall moved to the place where a criterion is worst: equivalent stress,
-/// direct, shear or combined fatigue, range over its limit, at the instants of all motions. Each
-/// local maximum on a grid (10 degrees of a round tube, a twelfth of a straight wall) that may be
-/// the largest is found by Brent's method, so that a round tube has no favoured direction.
-/// Fatigue counts one cycle per situation and change, from its smallest to its largest stress: with
-/// cycles inside that do more damage elsewhere on the wall, the place is only near the worst one.
-StressPoint at_worst_on_stretch(const Project& project, const StressPoint& point,
-                                const std::vector<SituationHistory>& histories,
+/// A point on a stretch of wall moved to the place where a criterion is worst. Each local maximum
+/// on a grid (10 degrees of a round tube, a twelfth of a straight wall) that may be the largest is
+/// found by Brent's method, so that a round tube has no favoured direction.
+StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint& point,
                                 Criterion criterion);
+
+/// A place on a stretch of wall, and how far a criterion is used up there.
+struct WorstOnWall {
+  double utilisation = 0.0;
+  const StressPoint* point = nullptr;  ///< with the stretch; nothing where no place is worse
+  double part = 0.0;                   ///< of the stretch
+};
+
+/// By each criterion the worst place on the stretches among the points of a station, as far as it
+/// is worse than `named`, what is known already. On straight walls a coarse grid, whose local
+/// maxima are followed where the parabola through them comes within 2 % of what is known: normal
+/// stress is linear along such a wall and shear flow a parabola.
+class WallSearch {
+ public:
+  WallSearch(const StationSamples& samples, std::span<const StressPoint> points,
+             const Utilisations& named);
+
+  const WorstOnWall& worst(Criterion criterion) const {
+    return worst_[static_cast<std::size_t>(criterion)];
+  }
+
+ private:
+  void look_along(const StationSamples& samples, const StressPoint& point);
+
+  std::array<WorstOnWall, criteria.size()> worst_;
+};
+
+/// The point at a part of its stretch.
+StressPoint moved_along(const StressPoint& point, double part);
 
 }  // namespace boxbeam

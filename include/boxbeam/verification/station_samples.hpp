@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <vector>
+
+#include "boxbeam/verification/check.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/stress_points.hpp"
+
+namespace boxbeam {
+
+/// Utilisation by criterion; 0 where it does not look at a place.
+class Utilisations {
+ public:
+  double& of(Criterion criterion) { return values_[static_cast<std::size_t>(criterion)]; }
+  double of(Criterion criterion) const { return values_[static_cast<std::size_t>(criterion)]; }
+
+ private:
+  std::array<double, criteria.size()> values_{};
+};
+
+/// The criteria of the beam's stresses, which every place along it and around it is judged by.
+inline constexpr std::array stress_criteria{Criterion::yield,         Criterion::fatigue,
+                                            Criterion::shear_fatigue, Criterion::combined_fatigue,
+                                            Criterion::stress_range,  Criterion::weld};
+
+/// The cut forces of one station at the instants of every motion, against which many places of its
+/// section are judged.
+///
+/// It is the same judgement as that of the checks: the cycles of the whole life by rainflow
+/// counting, their curves and partial factors, load factors. Only the extremes over time are not
+/// solved for but those of the parabola through each extreme instant and its neighbours, so that a
+/// place costs little; what lies between instants belongs to the loads and hardly changes from one
+/// place to the next. Places that come near the largest are then checked exactly.
+class StationSamples {
+ public:
+  StationSamples(const Project& project, const std::vector<SituationHistory>& histories);
+
+  /// Utilisations of a point by the criteria asked for.
+  Utilisations judge(const StressPoint& point,
+                     std::initializer_list<Criterion> by = {
+                         Criterion::yield, Criterion::fatigue, Criterion::shear_fatigue,
+                         Criterion::combined_fatigue, Criterion::stress_range,
+                         Criterion::weld}) const;
+
+  /// The same where the point's stress is that of another influence.
+  Utilisations judge(const StressPoint& point, const StressInfluence& influence,
+                     std::initializer_list<Criterion> by) const;
+
+  /// The largest value of a cut force, or with sign -1 of its negative [N or N m].
+  double largest_cut_force(cut_force::Index which, double sign) const;
+
+ private:
+  struct Run {
+    std::size_t situation = 0;
+    double load_factor = 1.0;
+    bool closed = true;
+    std::vector<double> cuts;  ///< of each instant the cut forces that act
+  };
+
+  std::vector<double> stresses_in(const Run& run,
+                                  const std::array<double, cut_force::count>& factors) const;
+
+  const Project* project_;
+  std::vector<Run> runs_;
+  std::vector<std::size_t> acting_;  ///< the cut forces that are not always zero
+};
+
+}  // namespace boxbeam

@@ -1,0 +1,218 @@
+#include "boxbeam/verification/beam_cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "boxbeam/verification/judged_section.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Cuts as they are gathered. Those within round-off of each other (a billionth of the beam) are
+/// one, and stand where the first of them was added.
+class Gathered {
+ public:
+  explicit Gathered(const TaperedBeam& beam) : length_(beam.length()) {}
+
+  void add(Length s, bool sides, bool alone = false) {
+    if (s.value() >= 0.0 && s <= length_) cuts_.push_back({{s, sides, alone}, cuts_.size()});
+  }
+
+  std::vector<BeamCut> cuts() && {
+    std::sort(cuts_.begin(), cuts_.end(), [](const Numbered& a, const Numbered& b) {
+      return std::pair(a.cut.s, a.number) < std::pair(b.cut.s, b.number);
+    });
+    std::vector<BeamCut> cuts;
+    std::size_t first = 0;
+    for (const auto& [cut, number] : cuts_) {
+      if (cuts.empty() || cut.s - cuts.back().s > 1e-9 * length_) {
+        cuts.push_back(cut);
+        first = number;
+        continue;
+      }
+      cuts.back().sides = cuts.back().sides || cut.sides;
+      cuts.back().alone = cuts.back().alone || cut.alone;
+      if (number > first) continue;
+      cuts.back().s = cut.s;
+      first = number;
+    }
+    return cuts;
+  }
+
+ private:
+  struct Numbered {
+    BeamCut cut;
+    std::size_t number;
+  };
+  Length length_;
+  std::vector<Numbered> cuts_;
+};
+
+/// The places where the cut forces of an instant jump or change their law, ascending.
+std::vector<Length> borders_of(const CutForceDiagram& diagram) {
+  std::vector<Length> borders;
+  borders.reserve(diagram.pieces.size());
+  for (const CutForcePiece& piece : diagram.pieces) borders.push_back(piece.start);
+  return borders;
+}
+
+/// Whether cut forces jump at a place, at any instant, by more than round-off.
+bool jumps_at(const LoadHistory& loads, Length s) {
+  constexpr double round_off = 1e-9;
+  const auto differ = [round_off](auto a, auto b, auto scale) {
+    return abs(a - b) > round_off * scale;
+  };
+  for (std::size_t i = 0; i < loads.instants(); ++i) {
+    const CutForceDiagram& diagram = loads.diagram(i);
+    const CutForces a = diagram.at({s, Side::before}), b = diagram.at({s, Side::behind});
+    const Length length = diagram.pieces.back().end();
+    const Force scale =
+        std::max({abs(a.N), abs(b.N), abs(a.V_y), abs(b.V_y), abs(a.V_z), abs(b.V_z),
+                  abs(a.T) / length, abs(b.T) / length, abs(a.M_y) / length, abs(b.M_y) / length,
+                  abs(a.M_z) / length, abs(b.M_z) / length},
+                 std::less<>());
+    if (differ(a.N, b.N, scale) || differ(a.V_y, b.V_y, scale) || differ(a.V_z, b.V_z, scale))
+      return true;
+    const Moment moment = scale * length;
+    if (differ(a.T, b.T, moment) || differ(a.M_y, b.M_y, moment) || differ(a.M_z, b.M_z, moment))
+      return true;
+  }
+  return false;
+}
+
+/// Of a motion: places where loads stand still, and the ends of the ways of those that slide.
+void add_loads(const SituationRun& run, Gathered& cuts) {
+  const LoadHistory& loads = run.loads;
+  const std::vector<Length> first = borders_of(loads.diagram(0));
+  bool still = true;
+  for (std::size_t i = 1; i < loads.instants() && still; ++i) {
+    const std::vector<CutForcePiece>& pieces = loads.diagram(i).pieces;
+    still =
+        std::equal(pieces.begin(), pieces.end(), first.begin(), first.end(),
+                   [](const CutForcePiece& piece, const Length& s) { return piece.start == s; });
+  }
+  if (still) {
+    for (const Length& s : first) cuts.add(s, jumps_at(loads, s));
+    return;
+  }
+  // What is there at every instant stands still; of the rest, in order along the beam, each has a
+  // way, whose ends are those of some load.
+  std::map<double, std::size_t> visits;
+  for (std::size_t i = 0; i < loads.instants(); ++i) {
+    for (const CutForcePiece& piece : loads.diagram(i).pieces) ++visits[piece.start.value()];
+  }
+  struct Way {
+    Length low, high;
+  };
+  std::vector<Way> ways;
+  for (std::size_t i = 0; i < loads.instants(); ++i) {
+    std::size_t rank = 0;
+    for (const CutForcePiece& piece : loads.diagram(i).pieces) {
+      if (visits[piece.start.value()] == loads.instants()) continue;
+      if (rank == ways.size()) ways.push_back({piece.start, piece.start});
+      Way& way = ways[rank++];
+      way = {std::min(way.low, piece.start), std::max(way.high, piece.start)};
+    }
+  }
+  for (const auto& [s, count] : visits) {
+    if (count == loads.instants()) cuts.add(si<Length>(s), jumps_at(loads, si<Length>(s)));
+  }
+  for (const Way& way : ways) {
+    cuts.add(way.low, true);
+    cuts.add(way.high, true);
+  }
+}
+
+/// Which of several laws holds at a place; where two places differ, something jumps between them.
+using Choices = std::vector<int>;
+
+/// Where the checks choose among laws by sizes that vary along a segment.
+class ChoicesInSegment {
+ public:
+  ChoicesInSegment(const Project& project, const std::vector<BendingZone>& zones,
+                   const Segment& segment)
+      : limits_(thickness_limits_of(project)), zones_(&zones), segment_(&segment) {}
+
+  Choices at(double fraction) const {
+    const Section section = interpolate(segment_->from, segment_->to, fraction);
+    Choices choices;
+    for (const Length& thickness : thicknesses_of(section)) {
+      choices.push_back(static_cast<int>(
+          std::lower_bound(limits_.begin(), limits_.end(), thickness) - limits_.begin()));
+    }
+    const Length s = segment_->start + fraction * segment_->length;
+    for (const BendingAxis axis : {BendingAxis::y, BendingAxis::z}) {
+      const auto lag = shear_lag_at(*zones_, section, {s}, axis);
+      // The laws of EN 1993-1-5, table 3.1.
+      choices.push_back(!lag ? 0 : (lag->kappa <= 0.02 ? 1 : (lag->kappa <= 0.7 ? 2 : 3)));
+    }
+    return choices;
+  }
+
+  /// A place between two where the choices of the first end.
+  double end_of(const Choices& choices, double from, double to) const {
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (from + to);
+      if (middle <= from || middle >= to) break;
+      (at(middle) == choices ? from : to) = middle;
+    }
+    return to;
+  }
+
+ private:
+  std::vector<Length> limits_;
+  const std::vector<BendingZone>* zones_;
+  const Segment* segment_;
+};
+
+/// Sizes vary linearly, so that a plate crosses a limit once; shear lag's kappa may turn.
+void add_choices(const Project& project, const std::vector<BendingZone>& zones,
+                 const Segment& segment, Gathered& cuts) {
+  if (segment.from == segment.to) return;
+  const ChoicesInSegment choices(project, zones, segment);
+  constexpr int parts = 8;
+  double from = 0.0;
+  Choices before = choices.at(from);
+  for (int k = 1; k <= parts; ++k) {
+    const double to = static_cast<double>(k) / parts;
+    const Choices behind = choices.at(to);
+    while (before != behind) {
+      from = choices.end_of(before, from, to);
+      cuts.add(segment.start + from * segment.length, true);
+      before = choices.at(from);
+    }
+    from = to;
+  }
+}
+
+}  // namespace
+
+std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<SituationRun>& runs,
+                                  const std::vector<BendingZone>& zones) {
+  const TaperedBeam& beam = project.beam;
+  Gathered cuts(beam);
+  cuts.add(Length{}, true);
+  for (std::size_t i = 0; i < beam.segments.size(); ++i) {
+    const bool last = i + 1 == beam.segments.size();
+    cuts.add(beam.segments[i].end(), last || kinks_behind(beam, i));
+  }
+  for (const BeamHole& hole : beam.holes) cuts.add(hole.s, false, true);
+  for (const BeamPoint& point : beam.points) cuts.add(point.s, false);
+  for (const NamedPoint& point : project.points) cuts.add(point.s, false, true);
+  for (const BeamDetail& stretch : project.fatigue.details) {
+    const bool alone = stretch.from == stretch.to;
+    cuts.add(stretch.from, true, alone);
+    cuts.add(stretch.to, true, alone);
+  }
+  for (const SituationRun& run : runs) add_loads(run, cuts);
+  for (const BendingZone& zone : zones) {
+    cuts.add(zone.from, true);
+    cuts.add(zone.to, true);
+  }
+  for (const Segment& segment : beam.segments) add_choices(project, zones, segment, cuts);
+  return std::move(cuts).cuts();
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,251 @@
+#include "boxbeam/verification/station_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "boxbeam/fatigue/damage.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/verification/life_cycles.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// The largest value near an instant that is as high as its neighbours: of the parabola through the
+/// three. Without it the largest sample would change from place to place, and what varies smoothly
+/// along the beam or a wall would have many small maxima.
+double peak_near(const std::vector<double>& values, std::size_t i, double sign, bool closed) {
+  const std::size_t n = values.size();
+  const double at = sign * values[i];
+  if (!closed && (i == 0 || i + 1 == n)) return at;
+  const double rise = at - sign * values[(i + n - 1) % n];
+  const double fall = at - sign * values[(i + 1) % n];
+  if (rise < 0.0 || fall < 0.0 || rise + fall <= 0.0) return at;
+  const double step = rise - fall;
+  return at + step * step / (8.0 * (rise + fall));
+}
+
+double largest_of(const std::vector<double>& values, bool closed) {
+  double largest = 0.0;
+  const std::size_t n = values.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool peak = values[i] >= values[(i + n - 1) % n] && values[i] >= values[(i + 1) % n];
+    if (peak || !closed) largest = std::max(largest, peak_near(values, i, 1.0, closed));
+  }
+  return largest;
+}
+
+/// The turning points of a stress in order of time, without their instants.
+SituationTurns turns_among(const std::vector<double>& values, bool closed) {
+  SituationTurns of;
+  const std::size_t n = values.size();
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double noise = 1e-9 * std::max(std::abs(*low), std::abs(*high));
+  of.begin = values.front();
+  of.end = closed ? values.front() : values.back();
+  if (!(*high - *low > noise)) {
+    of.turns.push_back({Time{}, *high, true});
+    return of;
+  }
+  // From the highest sample once round; a turn counts when the history has come back from it by
+  // more than the noise.
+  const auto highest = static_cast<std::size_t>(high - values.begin());
+  std::vector<std::pair<std::size_t, bool>> brackets{{highest, true}};
+  std::size_t candidate = highest;
+  bool falling = true;
+  for (std::size_t k = 1; k <= n; ++k) {
+    const std::size_t i = highest + k < n ? highest + k : highest + k - n;
+    const double towards = falling ? values[candidate] - values[i] : values[i] - values[candidate];
+    if (towards > 0.0) {
+      candidate = i;
+    } else if (towards < -noise) {
+      brackets.emplace_back(candidate, !falling);
+      falling = !falling;
+      candidate = i;
+    }
+  }
+  std::sort(brackets.begin(), brackets.end());
+  brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
+  for (const auto& [i, maximum] : brackets) {
+    const double sign = maximum ? 1.0 : -1.0;
+    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, closed), maximum});
+  }
+  return of;
+}
+
+std::vector<Cycle> cycles_of(const Project& project, const Turns& turns, bool reduced) {
+  std::vector<Cycle> cycles;
+  for (SituationCycles& of : life_cycles_of(project, turns, reduced))
+    cycles.insert(cycles.end(), of.cycles.begin(), of.cycles.end());
+  return cycles;
+}
+
+double largest_range_of(const std::vector<Cycle>& cycles) {
+  double largest = 0.0;
+  for (const Cycle& cycle : cycles) largest = std::max(largest, cycle.range.value());
+  return largest;
+}
+
+/// The largest range in any situation that is repeated.
+double largest_range_of(const Project& project, const Turns& turns) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < project.situations.size(); ++i) {
+    if (project.situations[i].cycles == 0.0) continue;
+    const auto [highest, lowest] = extremes_in(project, i, turns);
+    largest = std::max(largest, highest.value - lowest.value);
+  }
+  return largest;
+}
+
+bool contains(std::initializer_list<Criterion> criteria, Criterion criterion) {
+  return std::find(criteria.begin(), criteria.end(), criterion) != criteria.end();
+}
+
+}  // namespace
+
+StationSamples::StationSamples(const Project& project,
+                               const std::vector<SituationHistory>& histories)
+    : project_(&project) {
+  std::array<bool, cut_force::count> acts{};
+  const auto each = [](const CutForces& cut) {
+    return std::array<double, cut_force::count>{cut.N.value(), cut.V_y.value(), cut.V_z.value(),
+                                                cut.T.value(), cut.M_y.value(), cut.M_z.value()};
+  };
+  for (const SituationHistory& at : histories) {
+    for (const CutForces& cut : at.history.samples()) {
+      const auto values = each(cut);
+      for (std::size_t k = 0; k < values.size(); ++k) acts[k] = acts[k] || values[k] != 0.0;
+    }
+  }
+  for (std::size_t k = 0; k < acts.size(); ++k) {
+    if (acts[k]) acting_.push_back(k);
+  }
+  for (const SituationHistory& at : histories) {
+    Run run{index_of(project, *at.situation), at.situation->load_factor, at.history.closed(), {}};
+    run.cuts.reserve(at.history.samples().size() * acting_.size());
+    for (const CutForces& cut : at.history.samples()) {
+      const auto values = each(cut);
+      for (const std::size_t k : acting_) run.cuts.push_back(values[k]);
+    }
+    runs_.push_back(std::move(run));
+  }
+}
+
+std::vector<double> StationSamples::stresses_in(
+    const Run& run, const std::array<double, cut_force::count>& factors) const {
+  const std::size_t forces = acting_.size();
+  if (forces == 0) return {0.0};
+  std::array<double, cut_force::count> of{};
+  for (std::size_t j = 0; j < forces; ++j) of[j] = factors[acting_[j]];
+  std::vector<double> stresses(run.cuts.size() / forces);
+  const double* cut = run.cuts.data();
+  for (double& stress : stresses) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < forces; ++j) sum += of[j] * cut[j];
+    stress = sum;
+    cut += forces;
+  }
+  return stresses;
+}
+
+double StationSamples::largest_cut_force(cut_force::Index which, double sign) const {
+  std::array<double, cut_force::count> factors{};
+  factors[which] = sign;
+  double largest = 0.0;
+  for (const Run& run : runs_)
+    largest = std::max(largest, largest_of(stresses_in(run, factors), run.closed));
+  return largest;
+}
+
+Utilisations StationSamples::judge(const StressPoint& point,
+                                   std::initializer_list<Criterion> by) const {
+  return judge(point, point.influence, by);
+}
+
+Utilisations StationSamples::judge(const StressPoint& point, const StressInfluence& influence,
+                                   std::initializer_list<Criterion> by) const {
+  const auto asked = [&](Criterion criterion) { return contains(by, criterion); };
+  const bool combined = asked(Criterion::combined_fatigue);
+  const bool range = asked(Criterion::stress_range);
+  const bool yield = asked(Criterion::yield) && point.yield && !point.on_throat;
+  const bool weld = asked(Criterion::weld) && point.on_throat;
+  const bool direct = point.detail != nullptr && (asked(Criterion::fatigue) || combined || range);
+  const bool along =
+      point.shear_detail != nullptr && (asked(Criterion::shear_fatigue) || combined || range);
+  const double stress_factor = point.detail != nullptr ? point.detail->stress_factor : 1.0;
+
+  Turns direct_turns(direct ? project_->situations.size() : 0);
+  Turns shear_turns(along ? project_->situations.size() : 0);
+  double equivalent = 0.0, throat = 0.0;
+  for (const Run& run : runs_) {
+    std::vector<double> normal, shear;
+    if (direct || yield) normal = stresses_in(run, influence.normal);
+    if (along || yield || weld) shear = stresses_in(run, influence.shear);
+    if (yield) {
+      std::vector<double> of(normal.size());
+      for (std::size_t i = 0; i < of.size(); ++i)
+        of[i] = std::sqrt(normal[i] * normal[i] + 3.0 * shear[i] * shear[i]);
+      equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.closed));
+    }
+    if (weld) {
+      std::vector<double> of(shear.size());
+      for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::abs(shear[i]);
+      throat = std::max(throat, run.load_factor * largest_of(of, run.closed));
+    }
+    if (direct) {
+      for (double& stress : normal) stress *= stress_factor;
+      direct_turns[run.situation] = turns_among(normal, run.closed);
+    }
+    if (along) shear_turns[run.situation] = turns_among(shear, run.closed);
+  }
+
+  Utilisations found;
+  const double nothing = 1e-9 * point.yield_strength.value();
+  const StrengthDemand& strength = project_->strength;
+  if (yield && equivalent >= nothing) {
+    found.of(Criterion::yield) =
+        strength.required * equivalent * strength.gamma_M0 / point.yield_strength.value();
+  }
+  const auto tensile =
+      weld ? tensile_strength_of(project_->material, point.plate) : std::optional<Stress>{};
+  if (tensile) {
+    ThroatStress stress;
+    stress.shear_along = si<Stress>(throat);
+    const WeldStrength of{*tensile, project_->material.beta_w, strength.gamma_M2};
+    found.of(Criterion::weld) = strength.required * directional_utilisation(stress, of).largest();
+  }
+  const FatigueDemand& demand = project_->fatigue.demand;
+  if (range) {
+    constexpr double most = 1.5;
+    double largest = 0.0;
+    if (direct) largest = largest_range_of(*project_, direct_turns);
+    if (along) {
+      largest = std::max(largest, std::numbers::sqrt3 * largest_range_of(*project_, shear_turns));
+    }
+    found.of(Criterion::stress_range) =
+        demand.gamma_Ff * largest / (most * point.yield_strength.value());
+  }
+  std::vector<FatigueChannel> channels;
+  const double required = project_->fatigue.required;
+  const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
+                        bool reduced) {
+    FatigueChannel channel{cycles_of(*project_, turns, reduced), {}};
+    if (largest_range_of(channel.cycles) < nothing) return;
+    channel.curve = curve_of(detail);
+    if (asked(criterion)) {
+      found.of(criterion) = required / largest_factor(channel.cycles, channel.curve, demand);
+    }
+    channels.push_back(std::move(channel));
+  };
+  if (direct && (asked(Criterion::fatigue) || combined)) {
+    look(Criterion::fatigue, direct_turns, point.detail->detail, point.compression_reduced);
+  }
+  if (along && (asked(Criterion::shear_fatigue) || combined))
+    look(Criterion::shear_fatigue, shear_turns, *point.shear_detail, false);
+  if (combined && channels.size() == 2)
+    found.of(Criterion::combined_fatigue) = required / largest_factor(channels, demand);
+  return found;
+}
+
+}  // namespace boxbeam
