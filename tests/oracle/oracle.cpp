@@ -111,7 +111,11 @@ class Search {
       places.insert(segment.start.value());
       places.insert(segment.end().value());
     }
-    for (const BeamHole& hole : beam.holes) places.insert(hole.s.value());
+    for (const BeamHole& hole : beam.holes) {
+      const double radius = 0.5 * hole.hole.diameter.value();
+      for (const double s : {hole.s.value() - radius, hole.s.value(), hole.s.value() + radius})
+        if (s >= 0.0 && s <= beam.length().value()) places.insert(s);
+    }
     for (const BeamDetail& detail : project_.fatigue.details) {
       places.insert(detail.from.value());
       places.insert(detail.to.value());
@@ -203,7 +207,18 @@ class Search {
     return local;
   }
 
+  /// Whether a station cuts a hole beside its centre: holes are judged in the section through it,
+  /// and nothing is whole here.
+  bool cuts_a_hole(const Station& station) const {
+    return std::any_of(project_.beam.holes.begin(), project_.beam.holes.end(),
+                       [&](const BeamHole& hole) {
+                         const double off = std::abs((station.s - hole.s).value());
+                         return off > 0.0 && off < 0.5 * hole.hole.diameter.value() - 1e-9;
+                       });
+  }
+
   void look_at(const Station& station) {
+    if (cuts_a_hole(station)) return;
     const LocalSection section = section_at(station);
     cuts_.clear();
     Bounds bounds;
@@ -345,7 +360,7 @@ class Search {
   void look_at_weld(const Place& place, const Bounds& bounds) {
     // sqrt(3) tau_par against f_u/(beta_w gamma_M2), of the weaker part joined.
     const double per = project_.strength.required * std::numbers::sqrt3 * project_.material.beta_w *
-                       project_.strength.gamma_M2 / rules_.tensile_strength(place.plate);
+                       project_.strength.gamma_M2 / rules_.tensile_strength(place.joined);
     if (!beats(Criterion::weld, per * bounds.size_of(place.shear))) return;
     double most = 0.0;
     for (std::size_t r = 0; r < sampled_.size(); ++r) {

@@ -685,7 +685,7 @@ class Gathering {
  private:
   Place& add(const std::string& name, PlaceKind kind, double y, double z, double plate,
              const Factors& shear) {
-    places.push_back({name, kind, y, z, plate, normal_at(normal_, y, z), shear, ""});
+    places.push_back({name, kind, y, z, plate, normal_at(normal_, y, z), shear, "", 0.0});
     return places.back();
   }
 
@@ -745,8 +745,9 @@ class Gathering {
         for (double& each : tau) each /= a;
         const double flange = (k == 0) == (piece.name == "left") ? s.top : s.bottom;
         Place& throat = add(fmt::format("{}{} throat {:.3f} m", before, piece.name, z),
-                            PlaceKind::throat, y, z, std::max(piece.thickness, flange), tau);
+                            PlaceKind::throat, y, z, piece.thickness, tau);
         throat.normal.fill(0.0);
+        throat.joined = std::max(piece.thickness, flange);
       }
     }
     add_branches(inner, before);
