@@ -29,6 +29,7 @@
 #include "program/terminal.hpp"
 #include "program/validate_command.hpp"
 #include "program/verify_command.hpp"
+#include "report/text_layout.hpp"
 #include "version.hpp"
 
 /// The command line as CLI11 parses it; what the commands do stands in src/program.
@@ -455,5 +456,6 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, kept);
   // A file that grows beyond its limit is an error of writing, not the end without a word.
   std::signal(SIGXFSZ, SIG_IGN);
+  layout::set_width(columns());
   return exit_code_of([&] { return run(argc, argv); });
 }

@@ -7,20 +7,22 @@
 #include <sstream>
 
 #include "boxbeam/project/quantity_text.hpp"
+#include "program/terminal.hpp"
 
 namespace boxbeam::program {
 namespace {
 
-constexpr std::size_t width = 100;
+/// Longer lines are hard to read.
+std::size_t width() { return std::min<std::size_t>(columns(), 100); }
 
-/// Words in lines of at most `width`, those behind the first after a margin.
+/// Words in lines of at most width(), those behind the first after a margin.
 std::string wrapped(const std::string& text, std::size_t margin) {
   std::istringstream words(text);
   std::string result;
   std::size_t column = margin;
   for (std::string word; words >> word;) {
     const bool first = result.empty();
-    if (!first && column + 1 + word.size() > width) {
+    if (!first && column + 1 + word.size() > width()) {
       result += "\n" + std::string(margin, ' ');
       column = margin;
     } else if (!first) {

@@ -86,7 +86,7 @@ int run_explain(const ExplainOptions& options) {
   }
   const CheckResult* result = find_check(verification, options.check);
   if (result == nullptr) throw unknown(verification, options.check);
-  put_text(report::text_of(sheet_of(project, verification, *result)));
+  put_text(report::text_of(sheet_of(project, verification, *result), columns()));
   return all_pass;
 }
 

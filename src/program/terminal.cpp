@@ -1,11 +1,13 @@
 #include "program/terminal.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -31,9 +33,18 @@ struct Word {
   std::string_view colour;
 };
 
-/// With the space behind them, so that no longer word is meant.
-constexpr std::array words{Word{"FAIL ", red}, Word{"FAILS ", red}, Word{"PASS ", green},
-                           Word{"passes ", green}, Word{"NOT APPLICABLE ", yellow}};
+/// With the sign behind them, so that no longer word is meant.
+constexpr std::array words{
+    Word{"FAIL ", red},
+    Word{"FAIL;", red},
+    Word{"FAILS ", red},
+    Word{"PASS ", green},
+    Word{"PASS;", green},
+    Word{"passes ", green},
+    Word{"NOT APPLICABLE ", yellow},
+    Word{"NOT APPLICABLE:", yellow},
+    Word{"NOT APPLICABLE;", yellow},
+};
 
 /// The end of "165 % !" in a line, 0 where its first words are not that.
 std::size_t end_of_marked_utilisation(std::string_view line, std::size_t begin) {
@@ -84,6 +95,21 @@ void put_result(const std::string& json_file, const std::string& json, const std
 }
 
 void put_error(const std::string& text) { std::cerr << "boxbeam: " << visible(text, "\n") << "\n"; }
+
+std::size_t columns() {
+  constexpr std::size_t usual = 110;
+  constexpr std::size_t fewest = 60, most = 200;
+  winsize size{};
+  std::size_t found = 0;
+  if (isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) {
+    found = size.ws_col;
+  }
+  if (found == 0) {
+    const std::string_view given = environment("COLUMNS");
+    std::from_chars(given.data(), given.data() + given.size(), found);
+  }
+  return found == 0 ? usual : std::clamp(found, fewest, most);
+}
 
 bool shows_colours() {
   if (!environment("NO_COLOR").empty()) return false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 /// Standard output and what a terminal can show.
@@ -18,6 +19,9 @@ void put_result(const std::string& json_file, const std::string& json, const std
 
 /// Writes a line about what went wrong to standard error.
 void put_error(const std::string& text);
+
+/// Columns of the terminal that standard output is, from 60 to 200; else what COLUMNS says, or 110.
+std::size_t columns();
 
 /// Whether standard output shows colours: on a terminal that is not dumb, unless NO_COLOR is set or
 /// CLICOLOR is 0; by CLICOLOR_FORCE also elsewhere.

@@ -6,6 +6,7 @@
 #include "boxbeam/project/project.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
+#include "report/text_layout.hpp"
 
 namespace boxbeam::program {
 namespace {
@@ -27,7 +28,7 @@ std::vector<std::string> names_of(const Items& items) {
 class Parts {
  public:
   void add(const char* name, const std::string& says) {
-    if (!says.empty()) text_ += fmt::format("  {:<11} {}\n", name, visible(says));
+    if (!says.empty()) text_ += layout::entry(name, says);
   }
   const std::string& text() const { return text_; }
 
@@ -97,7 +98,8 @@ std::string text_of(const Project& project) {
   for (const BeamHole& hole : project.beam.holes) holes.push_back(hole.hole.name);
   parts.add("holes", listed(holes));
   parts.add("steel", project.material.name);
-  parts.add("fatigue", project.fatigue.beam.detail.name);
+  parts.add("fatigue", project.fatigue.asked ? project.fatigue.beam.detail.name
+                                             : "not asked for: strength only");
   std::vector<std::string> details;
   for (const BeamDetail& detail : project.fatigue.details) details.push_back(detail.detail.name);
   parts.add("details", listed(details));

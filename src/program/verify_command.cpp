@@ -14,12 +14,14 @@
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
+#include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
 #include "report/process.hpp"
+#include "report/text_layout.hpp"
 
 namespace boxbeam::program {
 namespace {
@@ -119,19 +121,16 @@ Outputs write_outputs(const Project& project, const Verification& verification,
 
 std::string written_line(const std::string& folder, const Outputs& outputs) {
   if (outputs.written.empty()) return "";
-  std::string line = fmt::format("\nWritten to {}: {}", folder, fmt::join(outputs.written, ", "));
+  std::string line = fmt::format("Written to {}: {}", folder, fmt::join(outputs.written, ", "));
   if (!outputs.figures.empty()) line += fmt::format(", {} figures", outputs.figures.size());
-  return line + "\n";
+  return "\n" + layout::line(line);
 }
 
 /// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".
 std::string verdict_line(const Project& project, const Verification& verification) {
-  const char* verdict = verification.verdict == Verdict::pass   ? "PASS"
-                        : verification.verdict == Verdict::fail ? "FAIL"
-                                                                : "NOT APPLICABLE";
   const Check& worst = verification.checks.front().check;
-  return fmt::format("{}  {}: {}, utilisation {}\n", verdict, project.name, worst.id,
-                     text::percent(worst.utilisation()));
+  return fmt::format("{}  {}: {}, utilisation {}\n", verdict_text_of(project, verification).whole(),
+                     project.name, worst.id, text::percent(worst.utilisation()));
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ void add_points_of_body(const Node& root, ProblemList& problems, Project& projec
 /// A strength must not be rounded to nothing.
 void check_rounding(TableReader& root, const Project& project) {
   const FatigueInput& fatigue = project.fatigue;
-  if (!fatigue.round_strength_to || !root.problems().empty()) return;
+  if (!fatigue.asked || !fatigue.round_strength_to || !root.problems().empty()) return;
   const Stress strength =
       strength_at(curve_of(fatigue.beam.detail), most_cycles_of(project), fatigue.demand.loading);
   if (*fatigue.round_strength_to <= strength) return;

@@ -193,6 +193,7 @@ std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text) 
 
 std::string name_of(const DimensionExponents& exponents) {
   static constexpr WantedDimension named[] = {wanted::length,
+                                              wanted::area,
                                               wanted::mass,
                                               wanted::angle,
                                               wanted::frequency,
@@ -212,7 +213,6 @@ std::string name_of(const DimensionExponents& exponents) {
                                               wanted::inertia,
                                               wanted::time,
                                               {{0, 0, 0, 0}, "a number without unit", ""},
-                                              {{2, 0, 0, 0}, "an area", ""},
                                               {{3, 0, 0, 0}, "a volume", ""}};
   for (const WantedDimension& known : named) {
     if (known.exponents == exponents) return known.name;
@@ -237,6 +237,9 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   if (word.size() > 100) return best;
   const std::string small = small_letters(word);
   for (const std::string& candidate : known) {
+    // So many edits the lengths alone take.
+    const auto [shorter, longer] = std::minmax(word.size(), candidate.size());
+    if (longer - shorter >= best_distance.first) continue;
     const std::pair distance(edit_distance(small, small_letters(candidate)),
                              edit_distance(word, candidate));
     if (distance < best_distance) {

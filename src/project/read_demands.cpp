@@ -138,7 +138,12 @@ Material named_steel(TableReader& table, std::string_view key, std::optional<Ste
 void read_demands(TableReader& root, Project& project) {
   project.material = read_material(root.table("material"));
   project.strength = read_strength(root.table("strength"));
-  project.fatigue = read_fatigue(root.table("fatigue"), project.beam);
+  project.fatigue.asked = root.has("fatigue");
+  if (project.fatigue.asked) {
+    project.fatigue = read_fatigue(root.table("fatigue"), project.beam);
+  } else if (!project.beam.segments.empty()) {
+    project.fatigue.beam.to = project.beam.length();
+  }
   read_points(root, project);
   if (root.problems().empty()) check_thicknesses(root, project);
   read_given_stresses(root, project);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/project/limits.hpp"
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/section/section_defect.hpp"
 #include "readers.hpp"
@@ -296,8 +297,8 @@ LinkDraft read_draft(const std::string& name, const TableReader& table,
   read_profile(draft, defaults);
   read_length(draft);
   link.parts = reader.whole_number("parts", link.parts);
-  if (link.parts < 1 || link.parts > most_parts) {
-    reader.problem("parts", fmt::format("a link has 1 to {} parts", most_parts),
+  if (link.parts < 1 || link.parts > limits::most_parts) {
+    reader.problem("parts", fmt::format("a link has 1 to {} parts", limits::most_parts),
                    "write for example parts = 16");
   }
   link.retardation = read_retardation(reader, defaults.model->retardation);
@@ -437,6 +438,14 @@ std::vector<Link> read_links(TableReader& root, const LinkDefaults& defaults) {
   }
   if (root.problems().size() == before && drafts.empty()) {
     root.problem("links", "the mechanism has no link", "write at least one [links.<name>]");
+  }
+  int parts = 0;
+  for (const LinkDraft& draft : drafts) parts += draft.link.parts;
+  if (root.problems().size() == before && parts > limits::most_parts_of_all) {
+    root.problem("links", fmt::format("the links have {} parts in all", parts),
+                 fmt::format("at most {} are possible; 16 a link leave below a thousandth of the "
+                             "first frequencies",
+                             limits::most_parts_of_all));
   }
   if (root.problems().size() == before && !drafts.empty()) place_all(drafts);
   std::vector<Link> links;

@@ -45,6 +45,15 @@ ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input) {
     form.element = elements[table.choice("element", {"corrected", "classical"}, 0)];
     form.nodes_at_joints = table.choice("division", {"nodes at joints", "equal"}, 0) == 0;
   }
+  if (kind == Kind::planar) {
+    input.measured_loads = table.choice("loads", {"computed", "measured"}, 0) == 1;
+    if (input.measured_loads && input.demand == ModelDemand::flexible) {
+      table.problem("demand",
+                    "measured loads contain the vibration of the machine, which an elastic model "
+                    "would count twice",
+                    "write demand = \"rigid\" or leave it out");
+    }
+  }
   table.finish();
   return form;
 }

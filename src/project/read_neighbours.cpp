@@ -9,10 +9,6 @@
 namespace boxbeam::readers {
 namespace {
 
-/// E and G of structural steel. Source: EN 1993-1-1:2005, 3.2.6.
-constexpr double youngs_modulus = 210e9;
-constexpr double shear_modulus = 81e9;
-
 /// The strength of a steel at a thickness, a problem where it has none.
 Stress strength_at(TableReader& table, std::string_view key, const Material& material,
                    std::optional<Stress> (*strength_of)(const Material&, Length),
@@ -91,6 +87,19 @@ void check_rod_ends(TableReader& table, const RodInput& rod, const Project& proj
   }
 }
 
+/// The thickest wall of a section, whose strength is the lowest.
+Length thickest_wall_of(const Section& section) {
+  Length thickest;
+  const auto look = [&](const Profile& profile) {
+    const Length half = 0.5 * height_of(profile);
+    thickest = std::max(
+        {thickest, wall_at(profile, Length{}), wall_at(profile, half), wall_at(profile, -half)});
+  };
+  look(section.outer);
+  if (section.inner) look(*section.inner);
+  return thickest;
+}
+
 RodInput read_rod(TableReader table, const Sections& sections, const Project& project) {
   RodInput rod;
   rod.name = table.text("name");
@@ -108,36 +117,27 @@ RodInput read_rod(TableReader table, const Sections& sections, const Project& pr
   constexpr std::array curves{BucklingCurve::a0, BucklingCurve::a, BucklingCurve::b,
                               BucklingCurve::c, BucklingCurve::d};
   rod.curve = curves[table.choice("curve", {"a0", "a", "b", "c", "d"})];
+  rod.gamma_M0 = table.number("gamma_M0", project.strength.gamma_M0);
   rod.gamma_M1 = table.number("gamma_M1", 1.0);
+  rod.gamma_M2 = table.number("gamma_M2", project.strength.gamma_M2);
   rod.required = table.number("required", project.strength.required);
+  if (table.has("net_area")) rod.net_area = si<Area>(table.positive("net_area", wanted::area));
   const Material steel = steel_of(table, "steel", project);
   if (table.problems().size() == before && table.problems().empty()) {
-    const Length half = 0.5 * height_of(rod.section.outer);
-    const Length wall =
-        std::max({wall_at(rod.section.outer, Length{}), wall_at(rod.section.outer, half),
-                  wall_at(rod.section.outer, -half)});
+    const Length wall = thickest_wall_of(rod.section);
     check_rod_ends(table, rod, project);
     rod.yield_strength = strength_at(table, "section", steel, yield_strength_of, wall);
+    rod.tensile_strength = strength_at(table, "section", steel, tensile_strength_of, wall);
+    const Area whole = properties_of(rod.section).area;
+    if (rod.net_area && *rod.net_area > whole * (1.0 + 1e-12)) {
+      table.problem("net_area",
+                    fmt::format("the net area is larger than the whole section, {:.6g} mm^2",
+                                whole.value() * 1e6),
+                    "write the section's area less the holes for fasteners");
+    }
   }
   table.finish();
   return rod;
-}
-
-DeflectionInput read_deflection(TableReader table, const TaperedBeam& beam) {
-  DeflectionInput deflection;
-  deflection.limit = si<Length>(table.positive("limit", wanted::length));
-  deflection.from = station_of(table, "from", beam);
-  deflection.to = station_of(table, "to", beam);
-  if (table.problems().empty() && !(deflection.from < deflection.to)) {
-    table.problem("to", "the line from which the deflection is measured has no length",
-                  "write two stations, \"from\" before \"to\"");
-  }
-  deflection.youngs_modulus =
-      si<Stress>(table.positive("youngs_modulus", wanted::stress, youngs_modulus));
-  deflection.shear_modulus =
-      si<Stress>(table.positive("shear_modulus", wanted::stress, shear_modulus));
-  table.finish();
-  return deflection;
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
     project.rods.push_back(std::move(rod));
   }
   if (root.has("deflection")) {
-    project.deflection = read_deflection(root.table("deflection"), project.beam);
+    project.deflection = read_deflection(root.table("deflection"), project);
   }
 }
 

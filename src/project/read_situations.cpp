@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "boxbeam/project/limits.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -145,7 +146,12 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
                            : Changeable{changeable, "drivers.exciter.frequency", beam_body};
   std::vector<Change> changes;
   collect(set.members(), {}, changes);
-  Node changed = root;
+  // The case without its situations: each would copy all of them.
+  Node changed;
+  changed.place = root.place;
+  for (const Node::Member& member : root.members) {
+    if (member.key != "situations") changed.members.push_back(member);
+  }
   for (const Change& change : changes) {
     // Of forces, "from" and "to" are places; their functions of time stand in "law".
     if (change.parts[0] == "drivers" || change.parts.size() > 3) drop_old_kind(changed, change);
@@ -229,14 +235,26 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
   }
 }
 
+/// "cycles": repetitions in the wanted life.
+double read_cycles(TableReader& table) {
+  const double cycles = table.number("cycles", {}, "1e7");
+  if (cycles > limits::most_cycles) {
+    table.problem("cycles", fmt::format("{:g} cycles are too many to be meant", cycles),
+                  fmt::format("at most {:g}: a thousand in every second of thirty thousand years",
+                              limits::most_cycles));
+  }
+  return cycles;
+}
+
 }  // namespace
 
 void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
                      const LinkDefaults& links, TimeTables& tables, Project& project) {
   std::vector<TableReader> listed = root.tables("situations");
+  const bool asked = root.has("fatigue");
   TableReader fatigue = root.table("fatigue", false);
   if (listed.empty()) {
-    project.situations.push_back({"", fatigue.number("cycles", {}, "1e7"), 1.0, {}, {}, {}, false});
+    project.situations.push_back({"", asked ? read_cycles(fatigue) : 0.0, 1.0, {}, {}, {}, false});
     return;
   }
   if (fatigue.has("cycles")) {
@@ -251,7 +269,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
       table.problem("name", fmt::format("there is already a situation \"{}\"", situation.name),
                     "give every situation a name of its own");
     }
-    situation.cycles = table.has("cycles") ? table.number("cycles", {}, "1e7") : 0.0;
+    situation.cycles = table.has("cycles") ? read_cycles(table) : 0.0;
     if (table.has("between") || table.has("sequence")) {
       read_made_of(table, project.situations, situation);
     } else {
@@ -270,6 +288,11 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
   if (project.dynamics == Dynamics::newton_chain && project.situations.size() > 1) {
     root.problem("situations", "the published Newton chain knows one situation only",
                  "use rigorous dynamics, or remove [[situations]]");
+  }
+  // Without [fatigue] nothing is counted; what only counts falls away.
+  if (!asked) {
+    for (Situation& situation : project.situations) situation.cycles = 0.0;
+    return;
   }
   if (std::none_of(project.situations.begin(), project.situations.end(),
                    [](const Situation& situation) { return situation.cycles > 0.0; })) {

@@ -131,9 +131,6 @@ struct LinkDefaults {
   ElasticForm form;
 };
 
-/// At most so many parts of a link.
-inline constexpr int most_parts = 1'000'000;
-
 /// [links], in the order of the file, placed in the world.
 std::vector<flexible::Link> read_links(TableReader& root, const LinkDefaults& defaults);
 
@@ -220,6 +217,10 @@ void check_net_sections(TableReader& root, const Project& project);
 
 /// [[pins]], [[rods]] and [deflection], what the loads decide beside the beam.
 void read_neighbours(TableReader& root, const Sections& sections, Project& project);
+
+/// [deflection]: its limit, and the line that it is measured from, which the beam's supports say
+/// where the case does not.
+DeflectionInput read_deflection(TableReader table, const Project& project);
 
 /// A steel of the catalogue named by the value of a key.
 Material named_steel(TableReader& table, std::string_view key,

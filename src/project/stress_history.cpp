@@ -107,24 +107,25 @@ class HistoryTableReader {
 
   StressHistory read() {
     // One more for the end of the last line.
-    std::vector<char> block(block_bytes + 1);
+    // Not filled: of a short history most of it is never touched.
+    const auto block = std::make_unique_for_overwrite<char[]>(block_bytes + 1);
     std::size_t filled = 0;
     bool last = false;
     while (!last) {
       const std::size_t wanted = block_bytes - filled;
-      const std::size_t got = bytes_->read(block.data() + filled, wanted);
-      unify_line_ends(block.data() + filled, got);
+      const std::size_t got = bytes_->read(block.get() + filled, wanted);
+      unify_line_ends(block.get() + filled, got);
       filled += got;
       last = got < wanted;
       if (last) block[filled++] = '\n';
-      const std::string_view text(block.data(), filled);
+      const std::string_view text(block.get(), filled);
       const std::size_t whole_lines = text.rfind('\n') + 1;
       if (whole_lines == 0) {
         bytes_->fail("a line is over 1 MB", "give a table of numbers, a line for each instant");
       }
       take_lines(text.substr(0, whole_lines));
       filled -= whole_lines;
-      std::memmove(block.data(), block.data() + whole_lines, filled);
+      std::memmove(block.get(), block.get() + whole_lines, filled);
     }
     if (columns_.empty() && !head_.columns().empty()) take_columns();
     chunk_.deliver();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "boxbeam/project/limits.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -32,9 +34,8 @@ std::string number_in_quotes(const Node& node) {
   return std::holds_alternative<ParsedQuantity>(parsed) ? number : "";
 }
 
-/// Beyond these no dimension, load or factor is meant; within them no formula overflows.
-constexpr double largest_magnitude = 1e20;
-constexpr double smallest_positive = 1e-20;
+/// Of bare numbers above zero: below it none is meant.
+constexpr double smallest_number = 1e-20;
 
 const Node& empty_table() {
   static const Node node;
@@ -103,9 +104,11 @@ double TableReader::quantity_in(const Node& node, const std::string& what,
                    hint);
     return std::nan("");
   }
-  if (std::abs(quantity.value) > largest_magnitude) {
-    problems_->add(node.place, fmt::format("{}: {} is too large to be meant", what, node.text),
-                   fmt::format("write for example {}", wanted.example));
+  if (const limits::Range range = limits::range_of(wanted);
+      std::abs(quantity.value) > range.largest) {
+    problems_->add(
+        node.place, fmt::format("{}: {} is too large to be meant", what, node.text),
+        fmt::format("at most {}; write for example {}", range.largest_text, wanted.example));
     return std::nan("");
   }
   return quantity.value;
@@ -121,7 +124,7 @@ double TableReader::quantity(std::string_view key, const WantedDimension& wanted
 double TableReader::positive(std::string_view key, const WantedDimension& wanted,
                              std::optional<double> fallback) {
   const double value = quantity(key, wanted, fallback);
-  if (value < smallest_positive) {
+  if (value < limits::range_of(wanted).smallest) {
     problem(key,
             value <= 0.0 ? fmt::format("\"{}\" must be above zero", key)
                          : fmt::format("\"{}\" is too small to be meant", key),
@@ -215,10 +218,10 @@ Eigen::Vector3d TableReader::direction_in(const Node& node, const std::string& w
   bool numbers = node.kind == Node::Kind::array && node.items.size() == 3;
   for (int k = 0; k < 3 && numbers; ++k) {
     const Node& item = node.items[static_cast<std::size_t>(k)];
-    numbers = item.kind == Node::Kind::number && std::abs(item.number) < largest_magnitude;
+    numbers = item.kind == Node::Kind::number && std::abs(item.number) < limits::largest_number;
     vector[k] = item.number;
   }
-  if (!numbers || !(vector.norm() > smallest_positive)) {
+  if (!numbers || !(vector.norm() > smallest_number)) {
     problems_->add(node.place, fmt::format("{} is no direction", what), hint);
     return Eigen::Vector3d::UnitX();
   }
@@ -276,7 +279,7 @@ std::vector<std::pair<Eigen::Vector3d, double>> TableReader::turns(std::string_v
 
 double TableReader::not_zero(std::string_view key, const WantedDimension& wanted) {
   const double value = quantity(key, wanted);
-  if (std::abs(value) < smallest_positive) {
+  if (std::abs(value) < limits::range_of(wanted).smallest) {
     problem(key,
             value == 0.0 ? fmt::format("\"{}\" must not be zero", key)
                          : fmt::format("\"{}\" is too small to be meant", key),
@@ -286,9 +289,20 @@ double TableReader::not_zero(std::string_view key, const WantedDimension& wanted
   return value;
 }
 
+bool TableReader::is_too_long(const std::string& name, const Place& place, std::size_t count) {
+  const std::size_t most = limits::most_entries(name);
+  if (count <= most) return false;
+  problems_->add(place, fmt::format("{} has {} entries", name, count),
+                 fmt::format("at most {} are possible; split the case", most));
+  return true;
+}
+
 const std::vector<Node>* TableReader::list_of(std::string_view key, const char* example) {
   const Node* node = take(key, true, "a list of values with units");
-  if (node == nullptr || node->kind == Node::Kind::array) return node ? &node->items : nullptr;
+  if (node == nullptr) return nullptr;
+  if (node->kind == Node::Kind::array) {
+    return is_too_long(name_below(key), node->place, node->items.size()) ? nullptr : &node->items;
+  }
   problem(key, fmt::format("\"{}\" wants a list", key),
           fmt::format("write {} = [{}]", key, example));
   return nullptr;
@@ -325,6 +339,7 @@ std::vector<std::vector<Eigen::Vector2d>> TableReader::lists_of_pairs(
   for (const Node& list : *items) {
     const std::string what = fmt::format("\"{}\", item {},", key, lists.size() + 1);
     lists.emplace_back();
+    if (is_too_long(name_below(key), list.place, list.items.size())) return lists;
     for (const Node& item : list.items) lists.back().push_back(pair_in(item, what, wanted));
   }
   return lists;
@@ -417,7 +432,7 @@ double TableReader::bare_number(std::string_view key, std::optional<double> fall
     problem(key, fmt::format("\"{}\" is {:g}, but must be above zero", key, value), hint);
     return std::nan("");
   }
-  if (size > largest_magnitude || (size > 0.0 && size < smallest_positive)) {
+  if (size > limits::largest_number || (size > 0.0 && size < smallest_number)) {
     problem(key, fmt::format("\"{}\" is too {} to be meant", key, size > 1.0 ? "large" : "small"),
             hint);
     return std::nan("");
@@ -484,6 +499,7 @@ std::vector<std::string> TableReader::texts(std::string_view key, bool required)
             fmt::format("write {} = [\"...\", \"...\"]", key));
     return result;
   }
+  if (is_too_long(name_below(key), node->place, node->items.size())) return result;
   for (const Node& item : node->items) result.push_back(item.text);
   return result;
 }
@@ -525,6 +541,7 @@ std::vector<TableReader> TableReader::tables(std::string_view key, bool required
     problem(key, fmt::format("\"{}\" is a list of tables", key), fmt::format("write [[{}]]", name));
     return result;
   }
+  if (is_too_long(name, node->place, node->items.size())) return result;
   for (std::size_t i = 0; i < node->items.size(); ++i) {
     result.emplace_back(*problems_, node->items[i], fmt::format("{}.{}", name, i));
   }
@@ -533,6 +550,10 @@ std::vector<TableReader> TableReader::tables(std::string_view key, bool required
 
 std::vector<std::pair<std::string, TableReader>> TableReader::named_tables() {
   std::vector<std::pair<std::string, TableReader>> result;
+  if (is_too_long(name_, table_->place, table_->members.size())) {
+    accept_all();
+    return result;
+  }
   for (const Node::Member& member : table_->members) {
     asked_.push_back(member.key);
     result.emplace_back(member.key, TableReader(*problems_, member.value, name_below(member.key)));
@@ -541,6 +562,7 @@ std::vector<std::pair<std::string, TableReader>> TableReader::named_tables() {
 }
 
 void TableReader::accept_all() {
+  static_cast<void>(is_too_long(name_, table_->place, table_->members.size()));
   for (const Node::Member& member : table_->members) asked_.push_back(member.key);
 }
 

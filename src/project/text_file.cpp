@@ -51,6 +51,16 @@ FileText read_text_file(const std::string& path) {
   return file;
 }
 
+FileText read_regular_file(const std::string& path) {
+  FileText absent = look_for_file(path);
+  if (absent.trouble != FileText::Trouble::none) return absent;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    return {{}, FileText::Trouble::unreadable, "this is a pipe or a device, no file"};
+  }
+  return read_text_file(path);
+}
+
 void unify_line_ends(std::string& text) {
   if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
 }

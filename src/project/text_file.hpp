@@ -22,6 +22,10 @@ FileText look_for_file(const std::string& path);
 /// Reads a file, a device or a pipe of at most 8 MB.
 FileText read_text_file(const std::string& path);
 
+/// The same where only a file will do: who opens a pipe that is named in another file may wait for
+/// ever.
+FileText read_regular_file(const std::string& path);
+
 /// Ends lines with LF where they end with CR alone.
 void unify_line_ends(std::string& text);
 

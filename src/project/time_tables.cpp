@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "boxbeam/project/limits.hpp"
 #include "csv_text.hpp"
 #include "text_file.hpp"
 
@@ -125,6 +126,10 @@ class TimeTableParser {
           fmt::format("the time {} does not come after that of the row before", fields[0].text),
           "write the rows in the order of time, each instant once, at least 1 ns apart");
     }
+    if (table_.time.size() == limits::most_rows) {
+      return fail(fields[0], fmt::format("the table has more than {} rows", limits::most_rows),
+                  "give one period, or fewer points on it");
+    }
     table_.time.push_back(seconds);
     table_.value.push_back(*value * value_factor_);
     return true;
@@ -152,7 +157,7 @@ const std::vector<std::string>* TimeTables::lines_of(TableReader& table, std::st
   if (std::any_of(document_->files.begin(), document_->files.end(), same)) {
     return &document_->lines.find(resolved)->second;
   }
-  const FileText file = read_text_file(resolved);
+  const FileText file = read_regular_file(resolved);
   if (file.trouble != FileText::Trouble::none) {
     table.problem(key, fmt::format("{}: {}", resolved, file.why),
                   "give the path of a table (.csv) from the folder of the case file");

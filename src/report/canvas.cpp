@@ -253,6 +253,11 @@ void place(Script& gp, const Panel& panel) {
   }
 }
 
+const char* note_of_beginning(const Panel& panel) {
+  const bool zero = panel.log_y || (panel.y_low <= 0.0 && panel.y_high >= 0.0);
+  return zero ? "" : "  (axis not from 0)";
+}
+
 void put_heading(Script& gp, const Panel& panel, const std::string& text) {
   gp << "set label " << quoted(text) << " at "
      << screen(gp, {panel.frame.left - 44.0, panel.frame.top + 15.0})

@@ -88,6 +88,10 @@ void put_arrow(Script& gp, const Pixel& from, const Pixel& to, const std::string
 /// Places the next plot, with steps that suit its size.
 void place(Script& gp, const Panel& panel);
 
+/// What the name of an ordinate has behind it where its axis does not begin at zero, so that
+/// heights are no measure; "" elsewhere. Logarithmic axes show it themselves.
+const char* note_of_beginning(const Panel& panel);
+
 /// The name of a panel's ordinate, above its upper left corner, and that of its abscissa below.
 void put_heading(Script& gp, const Panel& panel, const std::string& text);
 void put_footing(Script& gp, const Panel& panel, const std::string& text);

@@ -66,6 +66,7 @@ class ResultBook {
   void add(std::vector<ResultValue> values) {
     for (ResultValue& value : values) {
       places_.emplace(value.key, values_.size());
+      keys_.push_back(value.key);
       values_.push_back(std::move(value));
     }
   }
@@ -80,9 +81,7 @@ class ResultBook {
 
   /// What to write instead of a key that is none.
   std::string hint_for(const std::string& key) const {
-    std::vector<std::string> keys;
-    for (const ResultValue& value : values_) keys.push_back(value.key);
-    const std::string near = nearest_word(key, keys);
+    const std::string near = nearest_word(key, keys_);
     std::string hint = near.empty() ? "" : fmt::format("did you mean {}?", near);
     const std::size_t last = key.find_last_of(".[");
     for (const std::size_t end : {key.size(), last}) {
@@ -118,6 +117,7 @@ class ResultBook {
   }
 
   std::vector<ResultValue> values_;
+  std::vector<std::string> keys_;  ///< of the values
   std::unordered_map<std::string, std::size_t> places_;
 };
 
@@ -210,9 +210,12 @@ Comparison compare(const Project& project, const Verification& verification,
   for (const PublishedValue& row : published.rows) {
     const ResultValue* const ours = book.find(row.key);
     if (ours == nullptr) {
-      problems.push_back(problem_of(published, row, row.key_column,
-                                    fmt::format("there is no result \"{}\"", row.key),
-                                    book.hint_for(row.key)));
+      // Each hint looks through all results; who has very many wrong names has one mistake.
+      constexpr std::size_t most_hints = 20;
+      problems.push_back(problem_of(
+          published, row, row.key_column, fmt::format("there is no result \"{}\"", row.key),
+          problems.size() < most_hints ? book.hint_for(row.key)
+                                       : "as those before: keys are paths into the JSON results"));
     } else if (dimension_of(ours->unit) != row.value.exponents) {
       problems.push_back(problem_of(
           published, row, row.value_column,

@@ -10,6 +10,7 @@
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "json_number.hpp"
+#include "text_layout.hpp"
 #include "version.hpp"
 
 namespace boxbeam {
@@ -186,7 +187,7 @@ report::Document comparison_document(const Project& project, const Comparison& c
 }
 
 std::string comparison_text(const Project& project, const Comparison& comparison) {
-  return report::text_of(comparison_document(project, comparison));
+  return report::text_of(comparison_document(project, comparison), layout::width());
 }
 
 std::string comparison_json(const Project& project, const Comparison& comparison) {

@@ -160,16 +160,20 @@ Json mechanism_of(const CycleFigure& cycle, bool in_space) {
           {"frames", std::move(frames)}};
 }
 
-/// Of every load its name, place and force, world axes; numbered where it has no name.
+/// Of every load its name, place, force and couple, world axes; numbered where it has no name. In
+/// the plane a couple has one component.
 Json loads_of(const CycleFigure& cycle, bool in_space) {
   const Places places(in_space, largest_coordinate(cycle));
   double largest = 0.0;
+  double largest_couple = 0.0;
   for (const CycleFrame& frame : cycle.frames) {
     for (const BeamLoadRow& load : frame.posture.loads) {
       largest = std::max(largest, 1e-3 * load.world.cwiseAbs().maxCoeff());
+      largest_couple = std::max(largest_couple, 1e-3 * load.couple.cwiseAbs().maxCoeff());
     }
   }
   const Digits digits(largest);
+  const Digits couple_digits(largest_couple);
   std::vector<std::string> names;
   Json frames = Json::array();
   for (const CycleFrame& frame : cycle.frames) {
@@ -183,10 +187,18 @@ Json loads_of(const CycleFigure& cycle, bool in_space) {
       if (known == names.end()) names.push_back(name);
       places.add(load.place, row);
       places.add(1e-3 * load.world, digits, row);
+      if (in_space) {
+        places.add(1e-3 * load.couple, couple_digits, row);
+      } else {
+        row.push_back(couple_digits.of(1e-3 * load.couple.z()));
+      }
       of_frame.push_back(std::move(row));
     }
   }
-  return {{"digit", digits.unit()}, {"names", names}, {"frames", std::move(frames)}};
+  return {{"digit", digits.unit()},
+          {"coupleDigit", couple_digits.unit()},
+          {"names", names},
+          {"frames", std::move(frames)}};
 }
 
 /// The frame and station of the largest bending moment, or where there is none of the normal force.
@@ -222,8 +234,8 @@ std::string harmless(const std::string& json) {
   return out;
 }
 
-std::string data_of(const MovingPicture& picture, std::size_t frame, std::size_t station) {
-  const CycleFigure& cycle = picture.cycle;
+Json data_of(const CycleFigure& cycle) {
+  const auto [frame, station] = critical_place(cycle);
   const bool in_space = is_in_space(cycle);
   Json times = Json::array();
   for (const CycleFrame& of : cycle.frames) {
@@ -235,35 +247,41 @@ std::string data_of(const MovingPicture& picture, std::size_t frame, std::size_t
     stations.push_back(Json::parse(fmt::format("{:.6g}", finite(at.s.value()))));
     sides += to_text(at.side);
   }
-  const Json data = {{"repeats", picture.repeats},
-                     {"frame", frame},
-                     {"station", station},
-                     {"situation", visible(cycle.situation)},
-                     {"times", std::move(times)},
-                     {"stations", std::move(stations)},
-                     {"sides", sides},
-                     {"mechanism", mechanism_of(cycle, in_space)},
-                     {"loads", loads_of(cycle, in_space)},
-                     {"cut", cut_forces_of(cycle, in_space)}};
+  return {{"repeats", cycle.repeats},
+          {"frame", frame},
+          {"station", station},
+          {"situation", visible(cycle.situation)},
+          {"times", std::move(times)},
+          {"stations", std::move(stations)},
+          {"sides", sides},
+          {"mechanism", mechanism_of(cycle, in_space)},
+          {"loads", loads_of(cycle, in_space)},
+          {"cut", cut_forces_of(cycle, in_space)}};
+}
+
+std::string data_of(const MovingPicture& picture) {
+  Json situations = Json::array();
+  for (const CycleFigure& cycle : picture.cycles) situations.push_back(data_of(cycle));
+  const Json data = {{"first", picture.first}, {"situations", std::move(situations)}};
   return harmless(data.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
 }  // namespace
 
-std::string cycle_figure(const MovingPicture& picture, std::size_t number) {
-  const CycleFigure& cycle = picture.cycle;
+std::string cycle_figure(const MovingPicture& picture) {
+  const CycleFigure& cycle = picture.cycles[picture.first];
   assert(!cycle.frames.empty());
   const auto [frame, station] = critical_place(cycle);
   const std::string time = text::seconds(cycle.frames[frame].time.value());
   return fmt::format(
-      "<figure class=\"cycle\" id=\"figure-{0}\">\n<div class=\"pane\">\n{1}</div>\n"
-      "<noscript><p>Shown at t = {2}, where the bending moment is largest; with scripts allowed "
+      "<figure class=\"cycle\" id=\"moving-figure\">\n<div class=\"pane\">\n{0}</div>\n"
+      "<noscript><p>Shown at t = {1}, where the bending moment is largest; with scripts allowed "
       "the "
       "drawing moves over the cycle.</p></noscript>\n"
-      "<script type=\"application/json\">{3}</script>\n"
-      "<figcaption><b>Figure {0}.</b> {4}</figcaption>\n</figure>\n",
-      number, posture_svg(cycle, frame, "Mechanism at t = " + time), time,
-      data_of(picture, frame, station), escaped(picture.caption));
+      "<script type=\"application/json\">{2}</script>\n"
+      "<figcaption><b>Moving figure.</b> {3}</figcaption>\n</figure>\n",
+      posture_svg(cycle, frame, "Mechanism at t = " + time), time, data_of(picture),
+      escaped(picture.caption));
 }
 
 }  // namespace boxbeam::report::html

@@ -123,6 +123,7 @@ class Writer {
         "<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
         "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong></h2>\n",
         words_of(document_.mark).style, escaped(document_.verdict));
+    if (!document_.reasons.empty()) write(Bullets{document_.reasons});
     if (!document_.governing.rows.empty()) write(document_.governing, true);
     out_ += "</section>\n";
   }
@@ -247,9 +248,8 @@ class Writer {
   }
 
   void write(const MovingPicture& picture) {
-    if (picture.cycle.frames.empty()) return;
-    ++figures_;
-    out_ += html::cycle_figure(picture, figures_);
+    if (picture.cycles.empty()) return;
+    out_ += html::cycle_figure(picture);
   }
 
   void write(const Sheet& sheet) {

@@ -2,6 +2,7 @@
 
 #include "beam_json.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/verification/verdict_text.hpp"
 #include "load_model_json.hpp"
 #include "version.hpp"
 
@@ -137,6 +138,10 @@ std::string results_json(const Project& project, const Verification& verificatio
   }
   Json checks = Json::array();
   for (const CheckResult& result : verification.checks) checks.push_back(check_json(result));
+  Json not_judged = Json::array();
+  for (const NotJudged& of : verification.not_judged) {
+    not_judged.push_back({{"what", of.what}, {"reason", of.reason}});
+  }
   const Json document = {{"schema", "boxbeam.results/1"},
                          {"case", project.name},
                          {"version", version},
@@ -157,6 +162,8 @@ std::string results_json(const Project& project, const Verification& verificatio
                          {"sections", sections_json(project, verification)},
                          {"concentrations", concentrations_json(verification)},
                          {"sn", sn_json(project, verification)},
+                         {"verdict_text", verdict_text_of(project, verification).whole()},
+                         {"not_judged", std::move(not_judged)},
                          {"search", search_json(verification.search)}};
   return document.dump(2) + "\n";
 }

@@ -116,9 +116,11 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \makeatother
 \newcommand{\captionlines}[1]{{\leftskip=0pt plus 1fil\rightskip=0pt plus 1fil\parfillskip=0pt\noindent
   \sffamily\footnotesize\color{quiet}#1\par}}
-\newcommand{\showfigure}{\waitingfalse
+\newcount\figurenumber
+\newcommand{\numbered}[1]{\textbf{Figure #1.} }
+\newcommand{\showfigure}{\waitingfalse\advance\figurenumber by 1
   \vskip6pt\hbox to\linewidth{\hfil\box\figurebox\hfil}\nopagebreak\vskip4pt
-  \hbox to\linewidth{\hfil\vtop{\hsize=\dimexpr\linewidth-4em\relax\captionlines{\figurecaption}}\hfil}\vskip8pt}
+  \hbox to\linewidth{\hfil\vtop{\hsize=\dimexpr\linewidth-4em\relax\captionlines{\numbered{\the\figurenumber}\figurecaption}}\hfil}\vskip8pt}
 % Two figures abreast, somewhat lower where that fits the page: \figurepair{file}{caption}{file}{caption}
 \newdimen\halfheight
 \newcommand{\halffigure}[1]{\setbox0\hbox{\includegraphics{#1}}%
@@ -126,8 +128,9 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \ifdim\ht0>\halfheight\setbox0\hbox{\resizebox{!}{\halfheight}{\box0}}\fi
   \hbox to.485\linewidth{\hfil\box0\hfil}}
 \newcommand{\halfcaption}[1]{\vtop{\hsize=.485\linewidth\captionlines{#1}}}
-\newcommand{\figurepair}[4]{\findroom
-  \setbox4\hbox to\linewidth{\halfcaption{#2}\hfil\halfcaption{#4}}%
+\newcommand{\figurepair}[4]{\findroom\advance\figurenumber by 2
+  \setbox4\hbox to\linewidth{\halfcaption{\numbered{\number\numexpr\figurenumber-1\relax}#2}%
+    \hfil\halfcaption{\numbered{\the\figurenumber}#4}}%
   \halfheight=\dimexpr\dimen0-\ht4-\dp4-22pt\relax
   \ifdim\halfheight<.19\textheight\halfheight=\maxdimen\fi
   \ifdim\halfheight>.26\textheight\halfheight=.26\textheight\fi
@@ -201,8 +204,8 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \vtop{\hsize=\dimexpr\linewidth-#1-1em\relax\raggedright\noindent\hskip0pt#3\par}\hss}\vskip2pt}
 
 % The verdict, and the fields to sign.
-\newcommand{\verdict}[2]{\vskip8pt\hbox{\fboxsep=7pt\colorbox{#1}{\hbox to\dimexpr\textwidth-14pt\relax{%
-  \sffamily\bfseries\LARGE\color{white}#2\hfil}}}\vskip6pt}
+\newcommand{\verdict}[2]{\vskip8pt\hbox{\fboxsep=7pt\colorbox{#1}{\vbox{\hsize=\dimexpr\textwidth-14pt\relax
+  \raggedright\sffamily\bfseries\LARGE\color{white}\noindent\hskip0pt#2\par}}}\vskip6pt}
 \newcommand{\signfield}[1]{\vtop{\hsize=.31\textwidth\noindent\sffamily\footnotesize\color{quiet}\strut#1\par\vskip20pt
   {\color{plain}\hrule height.4pt}\vskip3pt name, date, signature\par}}
 

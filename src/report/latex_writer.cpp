@@ -161,7 +161,10 @@ std::string title_page(const Document& document) {
     out += fmt::format("{{\\raggedright\\large\\hskip0pt {}\\par}}\n", running(document.subtitle));
   if (is_judged(document)) {
     out += fmt::format("\\verdict{{{}}}{{{}}}\n", colour_of(document.mark),
-                       latex_shortened(document.verdict, 20));
+                       latex_breakable(document.verdict, 20));
+    for (const std::string& reason : document.reasons) {
+      out += fmt::format("\\bulletitem{{{}}}\n", running(reason));
+    }
     out += latex_table(document.governing);
   }
   Facts all{{{"program", document.program}, {"date", document.date}}};

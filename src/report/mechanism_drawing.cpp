@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "boxbeam/report/format.hpp"
 
@@ -62,9 +65,9 @@ std::vector<std::string> draw_bodies(Script& gp, const PostureFigure& posture, c
 std::vector<std::string> draw_traces(Script& gp, const Verification& verification, const View& view,
                                      const std::string& prefix) {
   std::vector<std::string> plots;
-  if (!verification.cycle) return plots;
-  const std::vector<CycleFrame>& frames = verification.cycle->frames;
-  const bool closed = verification.motions.front().closed;
+  if (verification.cycles.empty()) return plots;
+  const std::vector<CycleFrame>& frames = verification.cycles.front().frames;
+  const bool closed = verification.cycles.front().repeats;
   for (std::size_t b = 0; b < frames.front().posture.bodies.size(); ++b) {
     for (std::size_t k = 0; k < frames.front().posture.bodies[b].points.size(); ++k) {
       std::vector<Row2> rows;
@@ -103,41 +106,90 @@ void keep_off_bodies(Labels& labels, const Panel& panel, const PostureFigure& po
     for (std::size_t k = 1; k < body.points.size(); ++k) line(body.points[k - 1], body.points[k]);
   }
   for (const PostureFigure::Stroke& rod : posture.rods) line(rod.from, rod.to);
+  const auto keep_free = [&](const Eigen::Vector3d& place) {
+    const Pixel at = pixel_of(panel, place, view);
+    labels.keep_free({at.x() - 7.0, at.y() - 7.0, at.x() + 7.0, at.y() + 7.0});
+  };
   for (const auto& body : posture.bodies) {
-    if (body.points.size() != 1) continue;
-    const Pixel at = pixel_of(panel, body.points.front(), view);
-    labels.keep_free({at.x() - 6.0, at.y() - 6.0, at.x() + 6.0, at.y() + 6.0});
+    if (body.points.size() == 1) keep_free(body.points.front());
   }
+  for (const Eigen::Vector3d& place : posture.grounds) keep_free(place);
 }
 
+double least_couple_of(const Verification& verification) {
+  double force = 0.0;
+  double couple = 0.0;
+  for (const PostureFigure& posture : verification.postures) {
+    for (const BeamLoadRow& row : posture.loads) {
+      force = std::max(force, row.world.norm());
+      couple = std::max(couple, row.couple.norm());
+    }
+  }
+  return std::max(0.02 * couple, 1e-6 * force * extents_of(verification).size().maxCoeff());
+}
+
+namespace {
+
+constexpr double ring = 12.0;  ///< radius of a couple's arrow [px]
+
+/// Three quarters of a circle about a place with a head at its end, open below.
+void put_couple(Script& gp, const Pixel& at, bool counter_clockwise, const std::string& style) {
+  constexpr int parts = 12;
+  constexpr double quarter = 0.5 * std::numbers::pi;
+  const double side = counter_clockwise ? 1.0 : -1.0;
+  const auto on_ring = [&](int k) -> Pixel {
+    const double angle = -quarter + side * quarter * (0.5 + 3.0 * k / parts);
+    return at + ring * Pixel(std::cos(angle), std::sin(angle));
+  };
+  for (int k = 1; k < parts; ++k) put_line(gp, on_ring(k - 1), on_ring(k), style);
+  put_arrow(gp, on_ring(parts - 1), on_ring(parts), style + " front size screen 0.012,20 filled");
+}
+
+/// The component of a couple about the line of sight, counter-clockwise.
+double turning(const Eigen::Vector3d& couple, const View& view) {
+  return Eigen::Vector3d::Unit(view.across).cross(Eigen::Vector3d::Unit(view.up)).dot(couple);
+}
+
+}  // namespace
+
 void draw_loads(Script& gp, Labels& labels, const Panel& panel, const PostureFigure& posture,
-                const View& view, double pixels_per_newton, bool with_size) {
+                const View& view, const LoadInk& look) {
   constexpr const char* ink = "#202020";
+  const std::string style = fmt::format("lw 1.6 lc rgb '{}'", ink);
   double longest = 0.0;
   for (const BeamLoadRow& row : posture.loads) longest = std::max(longest, row.world.norm());
-  struct Arrow {
-    const BeamLoadRow* load;
-    Pixel tail;
+  struct Words {
+    std::string text;
+    Pixel at;
+    double gap;
   };
-  std::vector<Arrow> arrows;
+  std::vector<Words> words;
   for (const BeamLoadRow& row : posture.loads) {
     const Eigen::Vector2d force = seen(row.world, view);
-    if (force.norm() < 0.05 * longest && force.norm() < 0.3 * row.world.norm()) continue;
+    const double couple = turning(row.couple, view);
+    const bool pushes = force.norm() >= 0.05 * longest ||
+                        (row.world.norm() > 0.0 && force.norm() >= 0.3 * row.world.norm());
+    const bool turns = std::abs(couple) > look.least_couple;
+    if (!pushes && !turns) continue;
     const Pixel tip = pixel_of(panel, row.place, view);
-    const Pixel tail = tip - pixels_per_newton * force;
-    arrows.push_back({&row, tail});
-    labels.keep_off(tail, tip);
-    put_arrow(gp, tail, tip,
-              fmt::format("lw 1.6 lc rgb '{}' front size screen 0.012,20 filled", ink));
+    const Pixel tail = tip - look.pixels_per_newton * force;
+    if (pushes) {
+      labels.keep_off(tail, tip);
+      put_arrow(gp, tail, tip, style + " front size screen 0.012,20 filled");
+    }
+    if (turns) {
+      labels.keep_free({tip.x() - ring, tip.y() - ring, tip.x() + ring, tip.y() + ring});
+      put_couple(gp, tip, couple > 0.0, style);
+    }
+    std::string text = fitted(
+        row.name.empty() ? fmt::format("s = {} m", text::significant(row.s.value(), 3)) : row.name,
+        longest_load_name);
+    if (look.with_size && pushes) text += "  " + text::kN(row.world.norm());
+    if (look.with_size && turns) text += (pushes ? ", " : "  ") + text::kNm(std::abs(couple));
+    words.push_back({std::move(text), pushes ? tail : tip, pushes ? 4.0 : ring + 3.0});
   }
-  for (const auto& [row, tail] : arrows) {
-    const std::string name =
-        fitted(row->name.empty() ? fmt::format("s = {} m", text::significant(row->s.value(), 3))
-                                 : row->name,
-               90.0);
-    const std::string label = with_size ? name + "  " + text::kN(row->world.norm()) : name;
-    labels.put(gp, label, tail, panel.frame, ink, 4.0);
-  }
+  // When all that must not be hit is known.
+  for (const Words& of : words) labels.put(gp, of.text, of.at, panel.frame, ink, of.gap);
 }
 
 void Extents::take(const Eigen::Vector3d& point) {
@@ -159,8 +211,8 @@ void Extents::take(const PostureFigure& posture) {
 Extents extents_of(const Verification& verification) {
   Extents extents;
   for (const PostureFigure& posture : verification.postures) extents.take(posture);
-  if (verification.cycle) {
-    for (const CycleFrame& frame : verification.cycle->frames) extents.take(frame.posture);
+  if (!verification.cycles.empty()) {
+    for (const CycleFrame& frame : verification.cycles.front().frames) extents.take(frame.posture);
   }
   return extents;
 }

@@ -31,10 +31,24 @@ std::vector<std::string> draw_traces(Script& gp, const Verification& verificatio
 void keep_off_bodies(Labels& labels, const Panel& panel, const PostureFigure& posture,
                      const View& view);
 
-/// The loads of a posture as arrows that end where they act, with their names, and with their sizes
-/// where asked for; those that the view sees from their tip are left out.
+/// How loads are drawn.
+struct LoadInk {
+  double pixels_per_newton = 1.0;
+  double least_couple = 0.0;  ///< that is drawn [N m]
+  bool with_size = false;     ///< behind the name
+};
+
+/// The room that the name of a load takes at most [px].
+inline constexpr double longest_load_name = 90.0;
+
+/// What is no couple beside the others, or the rounding of lever arms [N m].
+double least_couple_of(const Verification& verification);
+
+/// The loads of a posture with their names: forces as arrows that end where they act, those that
+/// the view sees from their tip left out; couples as arrows around that place, with the component
+/// about the line of sight.
 void draw_loads(Script& gp, Labels& labels, const Panel& panel, const PostureFigure& posture,
-                const View& view, double pixels_per_newton, bool with_size);
+                const View& view, const LoadInk& look);
 
 /// The corners of postures [m].
 struct Extents {

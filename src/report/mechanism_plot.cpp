@@ -56,7 +56,7 @@ Frame drawn_extent(const Verification& verification, const Extents& extents, dou
 
 /// The layout in which the mechanism is largest, in a figure no higher than a page.
 Layout layout_of(const Verification& verification, const Extents& extents, double largest_force) {
-  constexpr double highest = 760.0;
+  constexpr double highest = 650.0;  // on paper a higher one would be shrunk
   const std::vector<PostureFigure>& postures = verification.postures;
   const auto count = static_cast<int>(postures.size()) - 1;
   const auto drawn = [&](double scale) {
@@ -98,8 +98,9 @@ std::string foot_text(const Verification& verification) {
                          ? "grey: " + time_label(first.time)
                          : fmt::format("displacements {:g} times as large; grey: without load",
                                        verification.postures.back().magnified);
-  if (verification.cycle && first.magnified == 0.0) text += ";  thin lines: paths over the cycle";
-  return text + ";  arrows: forces on the beam";
+  if (!verification.cycles.empty() && first.magnified == 0.0)
+    text += ";  thin lines: paths over the cycle";
+  return text + ";  arrows: loads on the beam";
 }
 
 }  // namespace
@@ -116,6 +117,7 @@ void mechanism(Script& gp, const Project&, const Verification& verification) {
   const double step = layout.height + layout.above + below_frame;
   gp.begin("mechanism", foot + layout.rows * step);
   put_text(gp, foot_text(verification), {0.5 * gp.width(), 0.5 * foot}, "center", "#505050");
+  const double least_couple = least_couple_of(verification);
   const double guide = 0.5 * arrow * layout.metres_per_pixel;
   for (int k = 0; k < count; ++k) {
     const PostureFigure& posture = verification.postures[static_cast<std::size_t>(k) + 1];
@@ -148,7 +150,7 @@ void mechanism(Script& gp, const Project&, const Verification& verification) {
     };
     add(verification.postures.front(), fmt::format("rest{}", k), "#c4c4c4");
     add(posture, fmt::format("at{}", k), colour(static_cast<std::size_t>(k)));
-    draw_loads(gp, labels, panel, posture, View{}, arrow / largest_force, true);
+    draw_loads(gp, labels, panel, posture, View{}, {arrow / largest_force, least_couple, true});
     gp.plot(curves);
   }
 }

@@ -38,7 +38,7 @@ std::vector<std::pair<std::size_t, double>> instants_of(const Verification& veri
   std::vector<std::pair<std::size_t, double>> instants;
   for (std::size_t k = 0; k < verification.lines.size(); ++k) {
     const PostureFigure& posture = verification.postures[k + 1];
-    if (posture.situation == verification.cycle->situation)
+    if (posture.situation == verification.cycles.front().situation)
       instants.emplace_back(k + 1, posture.time.value());
   }
   return instants;
@@ -66,7 +66,7 @@ void draw_panel(Script& gp, const DriverLine& line, const Quantity& quantity,
                     middle - 0.75 * span, middle + 0.75 * span};
   gp.block(data, rows);
   place(gp, panel);
-  put_heading(gp, panel, quantity.heading);
+  put_heading(gp, panel, quantity.heading + note_of_beginning(panel));
   if (last) put_footing(gp, panel, "t [s]");
   Labels labels;
   labels.keep_off(panel, rows);

@@ -13,31 +13,31 @@ namespace boxbeam {
 using layout::Table;
 
 std::string motion_text(const Project& project, const MotionResult& motion) {
-  std::string out = fmt::format(
-      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}\n", visible(project.title),
+  std::string out = layout::line(fmt::format(
+      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}", project.title,
       motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s", motion.freedom.gruebler,
-      motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s");
+      motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s"));
   if (!motion.redundant.empty()) {
-    out += fmt::format(
-        "redundant: {} repeat each other; how they share their load is not determined "
-        "by rigid bodies\n",
-        fmt::join(motion.redundant, ", "));
+    out += layout::line(
+        fmt::format("redundant: {} repeat each other; how they share their load is not determined "
+                    "by rigid bodies",
+                    fmt::join(motion.redundant, ", ")));
   }
   for (const double time : motion.change_points) {
-    out += fmt::format(
-        "change point at t = {:.6g} s: two branches cross, the smooth one is followed\n", time);
+    out += layout::line(fmt::format(
+        "change point at t = {:.6g} s: two branches cross, the smooth one is followed", time));
   }
   const auto f = [](double x) { return fmt::format("{:.6g}", x == 0.0 ? 0.0 : x); };  // no "-0"
   for (const InstantResult& state : motion.states) {
-    out += fmt::format("\nt = {:.6g} s   branch", state.time);
+    std::string about = fmt::format("t = {:.6g} s: branch", state.time);
     for (const auto& [loop, sign] : state.branch)
-      out += fmt::format(" {} {}", loop, sign > 0 ? "+" : "-");
-    out += fmt::format("   joints closed to {:.1e}", state.residual);
+      about += fmt::format(" {} {}", loop, sign > 0 ? "+" : "-");
+    about += fmt::format("; joints closed to {:.1e}", state.residual);
     if (state.condition > 0.0) {
-      out += fmt::format(", condition {:.3g}, {:.0f} digits of velocities left", state.condition,
-                         std::floor(state.digits));
+      about += fmt::format(", condition {:.3g}, {:.0f} digits of velocities left", state.condition,
+                           std::floor(state.digits));
     }
-    out += "\n";
+    out += "\n" + layout::line(about);
     Table bodies({"body", "x [m]", "y [m]", "angle [rad]", "vx [m/s]", "vy [m/s]", "omega [rad/s]",
                   "ax [m/s^2]", "ay [m/s^2]", "alpha [rad/s^2]"});
     for (const BodyMotion& body : state.bodies) {
@@ -61,8 +61,8 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
 std::string assemblies_text(const Project& project, const std::vector<AssemblyResult>& assemblies,
                             double time) {
   std::string out =
-      fmt::format("{}: {} {} found at t = {:.6g} s\n", visible(project.title), assemblies.size(),
-                  assemblies.size() == 1 ? "assembly" : "assemblies", time);
+      layout::line(fmt::format("{}: {} {} found at t = {:.6g} s", project.title, assemblies.size(),
+                               assemblies.size() == 1 ? "assembly" : "assemblies", time));
   for (std::size_t i = 0; i < assemblies.size(); ++i) {
     out += fmt::format("\nassembly {}", i + 1);
     bool wanted = !assemblies[i].branch.empty();

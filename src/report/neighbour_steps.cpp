@@ -8,6 +8,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/strength/section_class.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -104,7 +105,90 @@ Steps pin_steps(const Project& project, const NeighbourResult& result) {
   return steps;
 }
 
-Steps rod_steps(const Project& project, const NeighbourResult& result) {
+Steps pulled_rod_steps(const Project& project, const NeighbourResult& result) {
+  const Check& check = result.check;
+  const RodInput& rod = named(project.rods, check.point);
+  const Area whole = properties_of(rod.section).area;
+  const std::string A = mm2(whole.value()), A_net = mm2(rod.net_area.value_or(whole).value()),
+                    f_y = text::MPa(rod.yield_strength.value()),
+                    f_u = text::MPa(rod.tensile_strength.value()),
+                    plastic = text::kN(result.plastic.value()), net = text::kN(result.net.value());
+  return {{"N", {text::kN(check.acting.value())}, {at_time(check, "the largest tension")}},
+          {"A", {A}, {}},
+          {"A_net",
+           {A_net},
+           {rod.net_area ? "given by the case" : "the case names no holes for fasteners"}},
+          {"N_pl,Rd",
+           {"A f_y/gamma_M0", fmt::format("{} x {}/{}", A, f_y, number(rod.gamma_M0)), plastic},
+           {}},
+          {"N_u,Rd",
+           {"0.9 A_net f_u/gamma_M2",
+            fmt::format("0.9 x {} x {}/{}", A_net, f_u, number(rod.gamma_M2)), net},
+           {}},
+          {"N_t,Rd",
+           {fmt::format("min({}, {})", plastic, net), text::kN(check.resisting.value())},
+           {"limit"}},
+          {"factor",
+           {"N_t,Rd/N",
+            fmt::format("{}/{}", text::kN(check.resisting.value()), text::kN(check.acting.value())),
+            text::significant(check.safety_factor, 4)},
+           {}}};
+}
+
+namespace {
+
+/// What an internal plate in class 4 leaves effective of itself.
+Steps effective_plate_steps(const CompressedPlate& plate, const std::string& epsilon) {
+  const std::string c = text::mm((plate.ratio * plate.thickness).value()),
+                    t = text::mm(plate.thickness.value()),
+                    lambda = text::significant(plate.lambda_p), rho = text::significant(plate.rho);
+  return {{"c", {c}, {plate.name}},
+          {"t", {t}, {}},
+          {"lambda_p",
+           {"c/(t 28.4 epsilon sqrt(4))",
+            fmt::format("{}/({} x 28.4 x {} x sqrt(4))", c, t, epsilon), lambda},
+           {"k_sigma = 4: even compression (EN 1993-1-5, 4.4)"}},
+          {"rho",
+           {"(lambda_p - 0.22)/lambda_p^2", fmt::format("({0} - 0.22)/{0}^2", lambda), rho},
+           {"psi = 1"}},
+          {"A_c",
+           {"2 (1 - rho) c t", fmt::format("2 x (1 - {}) x {} x {}", rho, c, t),
+            mm2(plate.idle.value())},
+           {fmt::format("not effective of both plates, {}", plate.name)}}};
+}
+
+/// The class of the rod's section by its own plates, and its effective area in class 4.
+Steps class_steps(const RodInput& rod, const CompressedSection& section) {
+  if (section.plates.empty()) return {};
+  const CompressedPlate& worst = *std::max_element(
+      section.plates.begin(), section.plates.end(),
+      [](const auto& a, const auto& b) { return a.ratio / a.limit < b.ratio / b.limit; });
+  const bool round = std::holds_alternative<RoundTube>(rod.section.outer);
+  const double eps = epsilon_of(rod.yield_strength);
+  const std::string epsilon = text::significant(eps);
+  Steps steps{
+      {"epsilon",
+       {"sqrt(235 MPa/f_y)",
+        fmt::format("sqrt(235 MPa/({}))", text::MPa(rod.yield_strength.value())), epsilon},
+       {}},
+      {round ? "d/t" : "c/t",
+       {text::significant(worst.ratio)},
+       {fmt::format("{}, of class 3 or better up to {} (EN 1993-1-1, table 5.2){}", worst.name,
+                    text::significant(worst.limit), section.class_4 ? ": class 4" : "")}}};
+  if (!section.class_4) return steps;
+  std::string sum = mm2(section.area.value());
+  for (const CompressedPlate& plate : section.plates) {
+    if (plate.rho == 1.0) continue;
+    append(steps, effective_plate_steps(plate, epsilon));
+    sum += " - " + mm2(plate.idle.value());
+  }
+  steps.push_back({"A_eff", {sum, mm2(section.effective.value())}, {"A less what is idle"}});
+  return steps;
+}
+
+}  // namespace
+
+Steps pressed_rod_steps(const Project& project, const NeighbourResult& result) {
   const Check& check = result.check;
   const RodInput& rod = named(project.rods, check.point);
   const SectionProperties properties = properties_of(rod.section);
@@ -114,20 +198,25 @@ Steps rod_steps(const Project& project, const NeighbourResult& result) {
   const double lambda = result.slenderness;
   const double chi = result.reduction;
   const double alpha = imperfection_factor(rod.curve);
-  const double N_cr = (properties.area * rod.yield_strength).value() / (lambda * lambda);
+  const std::string area = result.section.class_4 ? "A_eff" : "A";
+  const std::string A_eff = mm2(result.section.effective.value());
+  const double N_cr = (result.section.effective * rod.yield_strength).value() / (lambda * lambda);
   const double phi = 0.5 * (1.0 + alpha * (lambda - 0.2) + lambda * lambda);
   const std::string l = text::significant(lambda), p = text::significant(phi);
-  Steps steps{
-      {"N", {text::kN(check.acting.value())}, {at_time(check, "the largest compression")}},
-      {"A", {A}, {}},
-      {"I", {I}, {fmt::format("about the {} axis, the weaker one", result.weak_axis ? "z" : "y")}},
-      {"L_cr", {L}, {"buckling length"}},
-      {"N_cr",
-       {"pi^2 E I/L_cr^2", fmt::format("pi^2 x 210000 MPa x {}/({})^2", I, L), text::kN(N_cr)},
-       {}},
-      {"lambda",
-       {"sqrt(A f_y/N_cr)", fmt::format("sqrt({} x {}/{})", A, f_y, text::kN(N_cr)), l},
-       {}}};
+  Steps steps{{"N", {text::kN(check.acting.value())}, {at_time(check, "the largest compression")}},
+              {"A", {A}, {}}};
+  append(steps, class_steps(rod, result.section));
+  append(
+      steps,
+      {{"I", {I}, {fmt::format("about the {} axis, the weaker one", result.weak_axis ? "z" : "y")}},
+       {"L_cr", {L}, {"buckling length"}},
+       {"N_cr",
+        {"pi^2 E I/L_cr^2", fmt::format("pi^2 x 210000 MPa x {}/({})^2", I, L), text::kN(N_cr)},
+        {}},
+       {"lambda",
+        {fmt::format("sqrt({} f_y/N_cr)", area),
+         fmt::format("sqrt({} x {}/{})", A_eff, f_y, text::kN(N_cr)), l},
+        {}}});
   const char* const curve =
       std::array{"a0", "a", "b", "c", "d"}[static_cast<std::size_t>(rod.curve)];
   if (lambda <= 0.2) {
@@ -144,8 +233,8 @@ Steps rod_steps(const Project& project, const NeighbourResult& result) {
   }
   const std::string chi_text = lambda <= 0.2 ? number(chi) : text::significant(chi);
   steps.push_back({"N_b,Rd",
-                   {"chi A f_y/gamma_M1",
-                    fmt::format("{} x {} x {}/{}", chi_text, A, f_y, number(rod.gamma_M1)),
+                   {fmt::format("chi {} f_y/gamma_M1", area),
+                    fmt::format("{} x {} x {}/{}", chi_text, A_eff, f_y, number(rod.gamma_M1)),
                     text::kN(check.resisting.value())},
                    {"limit"}});
   steps.push_back(

@@ -17,7 +17,7 @@ bool in_plane(const Project& project, const Verification&) { return !in_space(pr
 bool in_three_dimensions(const Project& project, const Verification&) { return in_space(project); }
 
 bool is_driven(const Project&, const Verification& verification) {
-  return verification.cycle && !verification.drivers.empty();
+  return !verification.cycles.empty() && !verification.drivers.empty();
 }
 
 bool over_time(const Project&, const Verification& verification) {

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "boxbeam/verification/plausibility.hpp"
+#include "boxbeam/verification/verdict_text.hpp"
 
 namespace boxbeam {
 namespace {
@@ -259,13 +261,35 @@ void add_sudden_start(const Project& project, const Verification& verification,
                   text::kN(largest(steady, worst))));
 }
 
-void add_missing_fatigue(const Verification& verification, std::vector<std::string>& remarks) {
-  if (verification.governing(Criterion::fatigue) != nullptr) return;
-  remarks.push_back("no point of the beam has a stress range: there is no fatigue check");
+void add_missing(const Project& project, const Verification& verification,
+                 std::vector<std::string>& remarks) {
+  if (!project.fatigue.asked) {
+    remarks.push_back("the case has no [fatigue]: strength only is checked");
+  } else if (verification.governing(Criterion::fatigue) == nullptr) {
+    remarks.push_back("no point of the beam has a stress range: there is no fatigue check");
+  }
+  for (const RodInput& rod : project.rods) {
+    const auto has = [&](Criterion criterion) {
+      return std::any_of(verification.neighbours.begin(), verification.neighbours.end(),
+                         [&](const NeighbourResult& of) {
+                           return of.check.criterion == criterion && of.check.point == rod.name;
+                         });
+    };
+    const bool pulled = has(Criterion::rod), pressed = has(Criterion::buckling);
+    if (pulled && !pressed) {
+      remarks.push_back(
+          fmt::format("rod {} is never compressed, or its compression could not be "
+                      "judged: it has no check of buckling",
+                      rod.name));
+    } else if (pressed && !pulled) {
+      remarks.push_back(
+          fmt::format("rod {} is never in tension: it has no check of tension", rod.name));
+    }
+  }
 }
 
 void add_short_lives(const Project& project, std::vector<std::string>& remarks) {
-  if (most_cycles_of(project) >= 1e4) return;
+  if (!project.fatigue.asked || most_cycles_of(project) >= 1e4) return;
   remarks.push_back(
       "fewer than 1e4 cycles: the S-N lines of EN 1993-1-9 begin at 1e4, the strength shown is "
       "extrapolated and the yield check decides");
@@ -275,23 +299,22 @@ void add_short_lives(const Project& project, std::vector<std::string>& remarks) 
 
 namespace {
 
-/// Plates of which the same is to be said are named together.
-void add_gates(const Verification& verification, std::vector<std::string>& remarks) {
-  std::vector<std::pair<const Gate*, std::string>> groups;
-  for (const Gate& gate : verification.gates) {
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-      return group.first->finding == gate.finding && group.first->plate == gate.plate;
-    });
-    if (same == groups.end())
-      groups.emplace_back(&gate, gate.segment);
-    else
-      same->second += ", " + gate.segment;
+/// ", rods" where there are no checks of any, or none of some; else what their checks leave out.
+std::string rods_not_checked(const Project& project, const Verification& verification) {
+  if (project.rods.empty()) return ", rods";
+  std::vector<std::string> missing;
+  for (const RodInput& rod : project.rods) {
+    const bool checked =
+        std::any_of(verification.neighbours.begin(), verification.neighbours.end(),
+                    [&](const NeighbourResult& of) {
+                      return of.check.criterion != Criterion::pin && of.check.point == rod.name;
+                    });
+    if (!checked) missing.push_back(rod.name);
   }
-  for (const auto& [gate, segments] : groups) {
-    const std::string where =
-        gate->plate.empty() ? "" : fmt::format("{} of segment {}: ", gate->plate, segments);
-    remarks.push_back((gate->blocks ? "not applicable: " : "") + where + gate->finding);
-  }
+  if (missing.size() == project.rods.size()) return ", rods";
+  if (missing.empty()) return ", bending of rods by their own weight and inertia";
+  return fmt::format(", rods ({}; of the others bending by their own weight and inertia)",
+                     fmt::join(missing, ", "));
 }
 
 }  // namespace
@@ -300,7 +323,10 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   std::vector<std::string> remarks;
   for (const std::string& assumption : project.assumptions)
     remarks.push_back("assumed: " + assumption);
-  add_gates(verification, remarks);
+  for (std::string& odd : odd_things(project, verification)) remarks.push_back(std::move(odd));
+  for (const GateText& gate : gate_texts_of(verification)) {
+    remarks.push_back((gate.blocks ? "not applicable: " : "") + gate.text);
+  }
   add_details(project, remarks);
   add_branches(project, remarks);
   for (const MotionSummary& motion : verification.motions) {
@@ -312,7 +338,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
     }
   }
   add_sudden_start(project, verification, remarks);
-  add_missing_fatigue(verification, remarks);
+  add_missing(project, verification, remarks);
   add_short_lives(project, remarks);
   add_beside(project, verification, remarks);
   if (project.given_stresses.empty()) add_tapers(verification, remarks);
@@ -326,7 +352,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   remarks.push_back(
       "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
       "for granted), lateral torsional buckling, plate buckling of class 4" +
-      std::string(project.pins.empty() ? ", pins" : "") + (project.rods.empty() ? ", rods" : "") +
+      std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +
       (knows_second_order(verification.model) ? "" : ", second order (bending by N w)"));
   return remarks;

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-
 #include "blocks.hpp"
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/verification/verdict_text.hpp"
 #include "report_parts.hpp"
 #include "version.hpp"
 
@@ -87,12 +86,6 @@ void fold_long_tables(Chapter& chapter) {
 
 }  // namespace
 
-std::string report::verdict_text(Verdict verdict) {
-  std::string text = to_text(verdict);
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level) {
   const Source source{project, verification, level, figures_of(project, verification)};
@@ -102,7 +95,9 @@ report::Document report_of(const Project& project, const Verification& verificat
   document.date = report_date();
   document.program = fmt::format("boxbeam {}", version);
   document.input_sha256 = project.sha256;
-  document.verdict = verdict_text(verification.verdict);
+  VerdictText verdict = verdict_text_of(project, verification);
+  document.verdict = std::move(verdict.line);
+  document.reasons = std::move(verdict.reasons);
   document.mark = mark_of(verification.verdict);
   document.facts = title_facts(project, verification);
   document.governing = governing_table(source);

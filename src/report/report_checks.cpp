@@ -56,13 +56,33 @@ Table checks_table(const Source& source, std::string caption,
   return table;
 }
 
-/// How many checks, worst first, are above a utilisation, and at least `fewest`.
-std::size_t checks_above(const Verification& verification, double utilisation, std::size_t fewest) {
+/// How many checks, worst first, are not below a utilisation; at least the worst.
+std::size_t checks_above(const Verification& verification, double utilisation) {
   const auto below = std::find_if(
       verification.checks.begin(), verification.checks.end(),
       [&](const CheckResult& result) { return result.check.utilisation() < utilisation; });
-  return std::max(static_cast<std::size_t>(below - verification.checks.begin()),
-                  std::min(fewest, verification.checks.size()));
+  return std::max<std::size_t>(1, static_cast<std::size_t>(below - verification.checks.begin()));
+}
+
+/// One row per criterion for the checks from a place on in the list, worst first.
+Table rest_table(const Verification& verification, std::size_t from) {
+  Table table =
+      table_of("Checks used less than 50 %, by criterion",
+               {"criterion", "checks", "highest use [%]", "least factor", "s [m]", "point"});
+  std::vector<Criterion> seen;
+  for (std::size_t i = from; i < verification.checks.size(); ++i) {
+    const Check& worst = verification.checks[i].check;
+    if (std::find(seen.begin(), seen.end(), worst.criterion) != seen.end()) continue;
+    seen.push_back(worst.criterion);
+    const auto count = std::count_if(
+        verification.checks.begin() + static_cast<std::ptrdiff_t>(from), verification.checks.end(),
+        [&](const CheckResult& of) { return of.check.criterion == worst.criterion; });
+    add_row(table,
+            row_of(to_text(worst.criterion), std::to_string(count),
+                   cell(Quantity::utilisation, worst.utilisation()),
+                   cell(Quantity::factor, worst.safety_factor), station_cell(worst), worst.point));
+  }
+  return table;
 }
 
 /// The worst check of every criterion at every station, and of every neighbour of the beam; worst
@@ -136,15 +156,13 @@ Chapter sheets_chapter(const Source& source) {
 }
 
 Chapter checks_chapter(const Source& source) {
-  constexpr double shown_above = 0.10;
-  constexpr std::size_t fewest_shown = 24;
+  constexpr double shown_above = 0.50;
   const std::vector<CheckResult>& all = source.verification.checks;
   Chapter chapter{"Checks", {}};
   if (source.level == ReportLevel::summary) return chapter;
   add_pictures(source, {"utilisation"}, chapter.blocks);
-  const std::size_t shown = source.level == ReportLevel::full
-                                ? all.size()
-                                : checks_above(source.verification, shown_above, fewest_shown);
+  const std::size_t much_used = checks_above(source.verification, shown_above);
+  const std::size_t shown = source.level == ReportLevel::full ? all.size() : much_used;
   std::vector<const Check*> checks;
   for (std::size_t i = 0; i < shown; ++i) checks.push_back(&all[i].check);
   chapter.blocks.emplace_back(
@@ -168,9 +186,12 @@ Chapter checks_chapter(const Source& source) {
     }
   }
   chapter.blocks.emplace_back(std::move(table));
+  if (much_used < all.size()) {
+    chapter.blocks.emplace_back(rest_table(source.verification, much_used));
+  }
   if (shown < all.size()) {
-    chapter.blocks.emplace_back(Paragraph{fmt::format(
-        "{} more checks are used less; all stand in results.json.", all.size() - shown)});
+    chapter.blocks.emplace_back(
+        Paragraph{"All checks stand in results.json, and with --level full in this report."});
   }
   return chapter;
 }

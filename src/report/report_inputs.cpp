@@ -134,13 +134,8 @@ void add_mechanism(const Project& project, Entries& entries) {
          entries);
 }
 
-void add_demands(const Project& project, Entries& entries) {
+void add_fatigue(const Project& project, Entries& entries) {
   const FatigueInput& fatigue = project.fatigue;
-  entries.emplace_back("steel",
-                       fmt::format("{} ({})", project.material.name, project.material.source));
-  entries.emplace_back("strength", fmt::format("gamma_M0 = {}, required factor {}",
-                                               text::factor(project.strength.gamma_M0),
-                                               text::factor(project.strength.required)));
   entries.emplace_back(
       "fatigue",
       fmt::format("{}, gamma_Ff = {}, gamma_Mf = {}{}, required factor {}",
@@ -156,7 +151,22 @@ void add_demands(const Project& project, Entries& entries) {
     entries.emplace_back("detail", detail_text(*project.hole_inputs[i].detail,
                                                "hole " + project.beam.holes[i].hole.name));
   }
+}
+
+void add_demands(const Project& project, Entries& entries) {
+  const FatigueInput& fatigue = project.fatigue;
+  entries.emplace_back("steel",
+                       fmt::format("{} ({})", project.material.name, project.material.source));
+  entries.emplace_back("strength", fmt::format("gamma_M0 = {}, required factor {}",
+                                               text::factor(project.strength.gamma_M0),
+                                               text::factor(project.strength.required)));
+  if (fatigue.asked) {
+    add_fatigue(project, entries);
+  } else {
+    entries.emplace_back("fatigue", "not asked for: strength only");
+  }
   for (const Situation& situation : project.situations) {
+    if (situation.name.empty() && !fatigue.asked) continue;
     entries.emplace_back(situation.name.empty() ? "cycles" : "situation",
                          situation_text(project, situation));
   }

@@ -14,10 +14,11 @@ using text::Quantity;
 /// One table of all critical instants.
 void add_planar(const Source& source, std::vector<Block>& blocks) {
   const bool several = source.project.situations.size() > 1;
-  blocks.emplace_back(Paragraph{
-      "Forces of the joints on the beam; world axes x right, y up; beam axes x along the axis, z "
-      "its left normal. Weight and inertia act per length in between."});
-  Table table = table_of("", {"t [s]", "at", "s [m]", "world F_x", "F_y [kN]", "beam F_x",
+  blocks.emplace_back(
+      Paragraph{"What joints and forces do to the beam; world axes x right, y up; beam axes x "
+                "along the axis, z "
+                "its left normal. Weight and inertia act per length in between."});
+  Table table = table_of("", {"t [s]", "by", "s [m]", "world F_x", "F_y [kN]", "beam F_x",
                               "F_z [kN]", "couple M_y [kN m]"});
   if (several) table.header.emplace_back("situation");
   constexpr double nothing = 1e-6;  // N m: the lever arms' rounding

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "blocks.hpp"
@@ -65,6 +66,27 @@ Table critical_table(const Source& source) {
   return table;
 }
 
+MovingPicture moving_picture(const Source& source) {
+  const std::vector<CycleFigure>& cycles = source.verification.cycles;
+  const std::string& governing =
+      source.project.situations[governing_situation_of(source.verification)].name;
+  const auto first = std::find_if(cycles.begin(), cycles.end(), [&](const CycleFigure& cycle) {
+    return cycle.situation == governing;
+  });
+  std::string caption =
+      fmt::format("The mechanism, the loads on the beam and its cut forces over {}",
+                  cycles.front().repeats ? "one cycle" : "the time looked at");
+  if (cycles.size() > 1) {
+    caption +=
+        fmt::format(" of each situation; it begins with the one that governs, {}", governing);
+  }
+  const std::size_t all = source.verification.motions.size();
+  if (all > cycles.size()) {
+    caption += fmt::format(" ({} of {} situations are offered)", cycles.size(), all);
+  }
+  return {cycles, static_cast<std::size_t>(first - cycles.begin()) % cycles.size(), caption + "."};
+}
+
 }  // namespace
 
 Chapter motion_chapter(const Source& source) {
@@ -78,15 +100,7 @@ Chapter motion_chapter(const Source& source) {
                                period_text(project, motion));
   }
   chapter.blocks.emplace_back(std::move(facts));
-  if (verification.cycle) {
-    const bool repeats = verification.motions.front().closed;
-    chapter.blocks.emplace_back(MovingPicture{
-        *verification.cycle,
-        fmt::format("The mechanism, the forces on the beam and its cut forces over {}{}.",
-                    repeats ? "one cycle" : "the time looked at",
-                    in_brackets(verification.cycle->situation)),
-        repeats});
-  }
+  if (!verification.cycles.empty()) chapter.blocks.emplace_back(moving_picture(source));
   add_pictures(source, {"motion"}, chapter.blocks);
   chapter.blocks.emplace_back(critical_table(source));
   if (verification.elastic) {

@@ -21,9 +21,6 @@ struct Source {
   std::vector<std::string> figures;  ///< names of those that are drawn
 };
 
-/// "PASS"; report.cpp.
-std::string verdict_text(Verdict verdict);
-
 // report_inputs.cpp
 Chapter inputs_chapter(const Source& source);
 /// How the mechanism of a case is joined, driven and loaded.

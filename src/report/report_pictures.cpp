@@ -34,7 +34,7 @@ const CriticalInstant* largest_of(const Source& source, const std::string& first
 std::string mechanism_caption(const Source& source) {
   const double begin = source.verification.postures.front().time.value();
   const std::string what = fmt::format(
-      "The mechanism {} and at the critical instants, with the forces on the beam",
+      "The mechanism {} and at the critical instants, with the loads on the beam",
       is_flexible(source.project) ? "unloaded"
                                   : "at t = " + (begin == 0.0 ? "0" : text::seconds(begin)));
   const BeamLoadRow* largest = nullptr;
@@ -44,8 +44,9 @@ std::string mechanism_caption(const Source& source) {
     }
   }
   if (largest == nullptr) return what + ".";
-  return fmt::format("{}: the largest is {} at {}, t = {}.", what, text::kN(largest->world.norm()),
-                     largest->name, text::seconds(largest->time.value()));
+  return fmt::format("{}: the largest is {} by {} at t = {}.", what,
+                     text::kN(largest->world.norm()), largest->name,
+                     text::seconds(largest->time.value()));
 }
 
 /// Where a driver goes, where no force is known that it needs.
@@ -200,10 +201,22 @@ std::string modes_caption(const Source& source) {
                      frequencies_text(*source.verification.elastic));
 }
 
+bool is_damped(const flexible::Mechanism& mechanism) {
+  const auto damps = [](double constant) { return constant != 0.0; };
+  return std::any_of(mechanism.links.begin(), mechanism.links.end(),
+                     [](const flexible::Link& link) { return link.retardation != 0.0; }) ||
+         std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                     [&](const flexible::Joint& joint) {
+                       return std::any_of(joint.damping.begin(), joint.damping.end(), damps);
+                     });
+}
+
 std::string response_caption(const Source& source) {
+  const bool damped = is_damped(flexible_of(source.project));
   return fmt::format(
-      "Vibrating force of the joints over the frequency of the loads: it grows without bound at "
-      "the natural frequencies; the loads have {} Hz.",
+      "Vibrating force of the joints over the frequency of the loads: it {} the natural "
+      "frequencies; the loads have {} Hz.",
+      damped ? "peaks, as high as the damping lets it, near" : "grows without bound at",
       text::rounded(text::Quantity::frequency, source.verification.elastic->motion.frequency));
 }
 

@@ -45,7 +45,8 @@ void panels(Script& gp, const std::string& name, const JointLines& lines,
     gp.block(data, line);
     place(gp, panel);
     if (lowest) put_footing(gp, panel, abscissa);
-    put_text(gp, fitted(lines.names[j] + "  [kN]", 240.0), {left - 44.0, top + 12.0});
+    put_text(gp, fitted(lines.names[j], 130.0) + "  [kN]" + note_of_beginning(panel),
+             {left - 44.0, top + 12.0});
     Labels labels;
     labels.keep_off(panel, line);
     labels.put(gp, text::significant(std::get<1>(*high)),

@@ -233,20 +233,45 @@ Steps given_steps(const Project& project, const Check& check) {
                                              : given_fatigue_steps(project, check, *given);
 }
 
+/// By which the deflection of a check is multiplied.
+double load_factor_of(const Project& project, const Check& check) {
+  if (!project.deflection->load_factor) return 1.0;
+  const auto of = std::find_if(project.situations.begin(), project.situations.end(),
+                               [&](const Situation& in) { return in.name == check.situation; });
+  return of->load_factor;
+}
+
 Steps deflection_steps(const Project& project, const Check& check) {
   const DeflectionInput& input = *project.deflection;
+  const double load_factor = load_factor_of(project, check);
   const std::string w = text::mm(check.acting.value());
   const std::string limit = text::mm(check.resisting.value());
-  return {{"w",
-           {"int m M/(E I_y) ds + int v V/(G A_v) ds", w},
+  Steps steps;
+  if (load_factor != 1.0) {
+    steps.push_back(
+        {"w_1", {text::mm(check.acting.value() / load_factor)}, {"without load factor"}});
+    steps.push_back(
+        {"gamma_F", {number(load_factor)}, {"load factor of the situation, as the case asks"}});
+  }
+  append(steps,
+         {{"w",
+           load_factor != 1.0
+               ? std::vector<std::string>{"gamma_F w_1",
+                                          fmt::format("{} x {}", number(load_factor),
+                                                      text::mm(check.acting.value() / load_factor)),
+                                          w}
+               : std::vector<std::string>{"int m M/(E I_y) ds + int v V/(G A_v) ds", w},
            {fmt::format("at s = {} m, t = {}{}", to_text(check.station),
                         text::seconds(check.time.value()),
                         check.situation.empty() ? "" : ", " + check.situation),
-            fmt::format("m, v: cut forces of a unit force there; E = {}, G = {}",
-                        text::MPa(input.youngs_modulus.value()),
-                        text::MPa(input.shear_modulus.value()))}},
+            "measured from " + input.measured_from,
+            fmt::format(
+                "m, v: cut forces of a unit force there on the beam, held as that line says; "
+                "E = {}, G = {}",
+                text::MPa(input.youngs_modulus.value()), text::MPa(input.shear_modulus.value()))}},
           {"w_lim", {limit}, {"limit, given by the case"}},
-          factor_step(check, "w_lim/w", fmt::format("{}/{}", limit, w))};
+          factor_step(check, "w_lim/w", fmt::format("{}/{}", limit, w))});
+  return steps;
 }
 
 const NeighbourResult& neighbour_of(const Verification& verification, const Check& check) {
@@ -260,7 +285,8 @@ Steps steps_of(const Project& project, const Verification& verification,
   const Check& check = result.check;
   switch (check.criterion) {
     case Criterion::pin: return pin_steps(project, neighbour_of(verification, check));
-    case Criterion::buckling: return rod_steps(project, neighbour_of(verification, check));
+    case Criterion::rod: return pulled_rod_steps(project, neighbour_of(verification, check));
+    case Criterion::buckling: return pressed_rod_steps(project, neighbour_of(verification, check));
     case Criterion::deflection: return deflection_steps(project, check);
     default: break;
   }

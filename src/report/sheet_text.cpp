@@ -9,8 +9,6 @@
 namespace boxbeam::report {
 namespace {
 
-constexpr std::size_t widest = 104;
-
 /// Where a text that is too wide goes on below: a formula before a plus, minus or times outside of
 /// its brackets, a note between words.
 std::size_t break_of(const std::string& text, std::size_t room, bool formula, int deepest) {
@@ -33,11 +31,11 @@ std::size_t break_of(const std::string& text, std::size_t room, bool formula, in
 /// Lines of a step as they grow.
 class StepLines {
  public:
-  explicit StepLines(const std::string& symbol)
-      : line_(fmt::format("    {:<11} ", symbol)), margin_(line_.size(), ' ') {}
+  StepLines(const std::string& symbol, std::size_t widest)
+      : widest_(widest), line_(fmt::format("    {:<11} ", symbol)), margin_(line_.size(), ' ') {}
 
   void add(const std::string& formula) {
-    const bool fits = line_.size() + formula.size() + 3 <= widest;
+    const bool fits = line_.size() + formula.size() + 3 <= widest_;
     if (!first_ && !fits) next();
     const bool beside = !first_ && fits;
     write((beside ? " = " : "= "), formula, true);
@@ -45,7 +43,7 @@ class StepLines {
   }
 
   void note(const std::string& note, bool may_be_beside) {
-    if (may_be_beside && line_.size() + note.size() + 5 <= widest) {
+    if (may_be_beside && line_.size() + note.size() + 5 <= widest_) {
       line_ += "   (" + note + ")";
       return;
     }
@@ -63,8 +61,8 @@ class StepLines {
 
   void write(const std::string& before, std::string text, bool formula) {
     line_ += before;
-    while (line_.size() + text.size() > widest) {
-      const std::size_t room = widest - line_.size();
+    while (line_.size() + text.size() > widest_) {
+      const std::size_t room = widest_ - line_.size();
       std::size_t at = break_of(text, room, formula, 0);
       // What stands wholly in brackets is broken inside of them.
       if (at == std::string::npos) {
@@ -79,12 +77,13 @@ class StepLines {
     line_ += text;
   }
 
+  std::size_t widest_;
   std::string line_, margin_, out_;
   bool first_ = true;
 };
 
-std::string text_of(const Step& step) {
-  StepLines lines(visible(step.symbol));
+std::string text_of(const Step& step, std::size_t widest) {
+  StepLines lines(visible(step.symbol), widest);
   for (const std::string& formula : step.formulas) lines.add(visible(formula));
   for (const std::string& note : step.notes) {
     lines.note(visible(note), &note == &step.notes.front());
@@ -94,10 +93,21 @@ std::string text_of(const Step& step) {
 
 }  // namespace
 
-std::string text_of(const Sheet& sheet) {
-  std::string out = fmt::format("  {}\n    {}\n", visible(sheet.id), visible(sheet.title));
-  for (const Step& step : sheet.steps) out += text_of(step);
-  out += fmt::format("    {}\n", visible(sheet.result));
+std::string text_of(const Sheet& sheet, std::size_t width) {
+  constexpr std::size_t margin = 6;
+  const std::size_t widest = width - margin;
+  std::string out = fmt::format("  {}\n", visible(sheet.id));
+  const auto add = [&](const std::string& text) {
+    std::string before = "    ";
+    for (const std::string& line :
+         plain_text::wrapped(text, widest - before.size() - 2, widest - before.size())) {
+      out += before + line + "\n";
+      before = "      ";
+    }
+  };
+  add(sheet.title);
+  for (const Step& step : sheet.steps) out += text_of(step, widest);
+  add(sheet.result);
   std::string before = "    source: ";
   for (const std::string& line :
        plain_text::wrapped(sheet.source, widest - before.size(), widest - before.size())) {

@@ -6,6 +6,7 @@
 
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/verification/verdict_text.hpp"
 #include "plain_text.hpp"
 #include "report_parts.hpp"
 #include "text_layout.hpp"
@@ -14,7 +15,7 @@
 namespace boxbeam {
 namespace {
 
-/// A gate that blocks is always shown, of the rest the first few.
+/// A gate that blocks is always shown, here or beside the verdict, of the rest the first few.
 std::string remarks_summary(const Project& project, const Verification& verification) {
   constexpr std::size_t most = 3;
   std::string out;
@@ -23,7 +24,10 @@ std::string remarks_summary(const Project& project, const Verification& verifica
   for (const std::string& remark : remarks_of(project, verification)) {
     if (remark.starts_with("assumed: ")) {
       ++hidden;
-    } else if (remark.starts_with("not applicable: ") || others++ < most) {
+    } else if (remark.starts_with("not applicable: ")) {
+      // Where nothing fails it stands above, with the verdict.
+      if (verification.verdict == Verdict::fail) out += layout::item(remark);
+    } else if (others++ < most) {
       out += layout::item(remark);
     } else {
       ++hidden;
@@ -40,8 +44,11 @@ std::string remarks_summary(const Project& project, const Verification& verifica
 std::string summary(const Project& project, const Verification& verification) {
   const report::Table governing = report::with_results(
       report::governing_table({project, verification, ReportLevel::summary, {}}));
-  return fmt::format("{}  {}\n{}\nRemarks:\n{}", report::verdict_text(verification.verdict),
-                     visible(project.title), report::table_text(governing, layout::width),
+  const VerdictText verdict = verdict_text_of(project, verification);
+  std::string out = fmt::format("{}  {}\n", visible(verdict.line), visible(project.title));
+  for (const std::string& reason : verdict.reasons) out += layout::item(reason);
+  out += layout::entry("model", verification.model.reason);
+  return fmt::format("{}\n{}\nRemarks:\n{}", out, report::table_text(governing, layout::width()),
                      remarks_summary(project, verification));
 }
 

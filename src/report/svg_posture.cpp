@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -16,6 +17,7 @@ constexpr double width = 640.0;     // of the drawing, its units
 constexpr double margin = 30.0;     // free at every side
 constexpr double reach = 0.28;      // longest arrow, part of the mechanism's size
 constexpr double head = 10.0;       // length of an arrow's head
+constexpr double ring = 15.0;       // radius of a couple's arrow
 constexpr double letter = 7.0;      // width of one, roughly
 constexpr double line_high = 15.0;  // of text
 
@@ -43,9 +45,15 @@ struct Sheet {
   Eigen::Matrix<double, 2, 3> view;
   Point low = Point::Constant(1e300), high = Point::Constant(-1e300);  ///< [m]
   double metres_per_newton = 0.0;
-  double guide = 0.0;  ///< half of what is shown of a line [m]
-  double scale = 1.0;  ///< per m
+  double least_couple = 0.0;  ///< that is drawn [N m]
+  double guide = 0.0;         ///< half of what is shown of a line [m]
+  double scale = 1.0;         ///< per m
   double height = 0.0;
+
+  /// Towards the viewer: couples about it turn counter-clockwise.
+  Eigen::Vector3d normal() const {
+    return Eigen::Vector3d(view.row(0)).cross(Eigen::Vector3d(view.row(1)));
+  }
 
   Point at(const Eigen::Vector3d& place) const {
     const Point p = view * place;
@@ -63,14 +71,18 @@ Sheet sheet_for(const CycleFigure& cycle) {
     sheet.high = sheet.high.cwiseMax(sheet.view * place);
   };
   double largest = 0.0;
+  double largest_couple = 0.0;
   for (const CycleFrame& frame : cycle.frames) {
     each_place(frame.posture, take);
     for (const BeamLoadRow& load : frame.posture.loads) {
       largest = std::max(largest, load.world.norm());
+      largest_couple = std::max(largest_couple, load.couple.norm());
     }
   }
   const double size = std::max((sheet.high - sheet.low).maxCoeff(), 1e-9);
   if (largest > 0.0) sheet.metres_per_newton = reach * size / largest;
+  // What rounding leaves of lever arms is no couple.
+  sheet.least_couple = std::max(0.02 * largest_couple, 1e-6 * largest * size);
   sheet.guide = 0.12 * size;
   for (const CycleFrame& frame : cycle.frames) {
     for (const BeamLoadRow& load : frame.posture.loads) {
@@ -120,37 +132,68 @@ std::string ground(const Point& at) {
   return fmt::format("<path class=\"ground\" d=\"M{0:.1f} {1:.1f}l-8 13h16z\"/>\n", at.x(), at.y());
 }
 
-std::string load(const Sheet& sheet, const BeamLoadRow& of, std::vector<Point>& labels) {
-  const Point tip = sheet.at(of.place);
-  const Point tail = sheet.at(of.place - sheet.metres_per_newton * of.world);
-  const double length = (tip - tail).norm();
-  if (length < 3.0) return "";
-  const Point along = (tip - tail) / length;
+std::string arrow_head(const Point& tip, const Point& along, double size) {
   const Point across(-along.y(), along.x());
-  const double size = std::min(head, length);
   const Point left = tip - size * along + 0.35 * size * across;
   const Point right = tip - size * along - 0.35 * size * across;
-  const std::string name =
-      of.name.empty() ? fmt::format("s = {} m", text::significant(of.s.value(), 3)) : of.name;
-  const std::string words = name + "  " + text::kN(of.world.norm());
-  const double half = 0.5 * letter * static_cast<double>(words.size());
-  Point at = tail - 12.0 * along + Point(0.0, 4.0);
+  return fmt::format("<path class=\"head\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}z\"/>\n",
+                     tip.x(), tip.y(), left.x(), left.y(), right.x(), right.y());
+}
+
+/// Three quarters of a circle about a place with a head at its end, open below.
+std::string couple_arrow(const Point& at, bool counter_clockwise) {
+  constexpr double half = 0.70711;  // of both ends, 45 deg below the place
+  const double side = counter_clockwise ? -1.0 : 1.0;
+  const Point end = at + ring * Point(side * half, half);
+  const Point begin = at + ring * Point(-side * half, half);
+  const Point along(-side * half, half);
+  return fmt::format("<path class=\"couple\" d=\"M{:.1f} {:.1f}A{} {} 0 1 {} {:.1f} {:.1f}\"/>\n",
+                     begin.x(), begin.y(), ring, ring, counter_clockwise ? 0 : 1, end.x(),
+                     end.y()) +
+         arrow_head(end + 0.5 * head * along, along, head);
+}
+
+/// Where the words of a load stand so that they neither leave the drawing nor hit others, as far as
+/// there is room.
+Point place_of_words(const Sheet& sheet, Point at, double half, std::vector<Point>& labels) {
   at.x() = std::clamp(at.x(), std::min(half + 4.0, 0.5 * width),
                       std::max(width - half - 4.0, 0.5 * width));
   at.y() = std::clamp(at.y(), line_high, sheet.height - 4.0);
   const auto taken = [&](const Point& other) {
     return std::abs(other.x() - at.x()) < 2.0 * half && std::abs(other.y() - at.y()) < line_high;
   };
-  while (std::any_of(labels.begin(), labels.end(), taken) && at.y() > 2.0 * line_high) {
-    at.y() -= line_high;
-  }
+  const auto crowded = [&] { return std::any_of(labels.begin(), labels.end(), taken); };
+  while (crowded() && at.y() > 2.0 * line_high) at.y() -= line_high;
+  while (crowded() && at.y() < sheet.height - line_high) at.y() += line_high;
   labels.push_back(at);
-  std::string out = line("load", tail, tip - 0.8 * size * along);
-  out += fmt::format("<path class=\"head\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}z\"/>\n",
-                     tip.x(), tip.y(), left.x(), left.y(), right.x(), right.y());
-  out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", at.x(),
-                     at.y(), escaped(words));
-  return out;
+  return at;
+}
+
+std::string load(const Sheet& sheet, const BeamLoadRow& of, std::vector<Point>& labels) {
+  const Point tip = sheet.at(of.place);
+  const Point tail = sheet.at(of.place - sheet.metres_per_newton * of.world);
+  const double length = (tip - tail).norm();
+  const double couple = sheet.normal().dot(of.couple);
+  const bool pushes = length >= 3.0;
+  const bool turns = std::abs(couple) > sheet.least_couple;
+  if (!pushes && !turns) return "";
+  std::string words =
+      of.name.empty() ? fmt::format("s = {} m", text::significant(of.s.value(), 3)) : of.name;
+  if (pushes) words += "  " + text::kN(of.world.norm());
+  if (turns) words += (pushes ? ", " : "  ") + text::kNm(std::abs(couple));
+  std::string out;
+  Point beside = tip - Point(0.0, ring + 9.0);
+  if (pushes) {
+    const Point along = (tip - tail) / length;
+    const double size = std::min(head, length);
+    out += line("load", tail, tip - 0.8 * size * along) + arrow_head(tip, along, size);
+    beside = tail - 12.0 * along + Point(0.0, 4.0);
+  }
+  if (turns) out += couple_arrow(tip, couple > 0.0);
+  const double half = 0.5 * letter * static_cast<double>(words.size());
+  const Point at = place_of_words(sheet, beside, half, labels);
+  return out + fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
+                           at.x(), at.y(), escaped(words));
 }
 
 }  // namespace

@@ -3,19 +3,28 @@
 #include <algorithm>
 #include <cassert>
 #include <cctype>
+#include <numeric>
 
 #include "boxbeam/core/code_points.hpp"
 #include "plain_text.hpp"
+#include "text_table.hpp"
 
 namespace boxbeam::layout {
 namespace {
 
 using plain_text::columns_of;
 
+constexpr std::size_t usual_width = 110;
+
+std::size_t& columns_there() {
+  static std::size_t columns = usual_width;
+  return columns;
+}
+
 std::string wrapped(const std::string& text, const std::string& first, const std::string& rest) {
   std::string out;
   for (const std::string& line :
-       plain_text::wrapped(text, width - columns_of(rest), width - columns_of(first))) {
+       plain_text::wrapped(text, width() - columns_of(rest), width() - columns_of(first))) {
     out += out.empty() ? first : rest;
     out += line;
     out += '\n';
@@ -30,6 +39,12 @@ bool numeric(const std::string& cell) {
 }
 
 }  // namespace
+
+std::size_t width() { return columns_there(); }
+
+void set_width(std::size_t columns) { columns_there() = columns; }
+
+std::string line(const std::string& text) { return wrapped(text, "", "  "); }
 
 std::string heading(const std::string& text) {
   return text + "\n" + std::string(columns_of(text), '-') + "\n";
@@ -53,6 +68,16 @@ void Table::row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
+report::Table Table::as_report_table() const {
+  report::Table table;
+  table.header = rows_.front();
+  for (std::size_t i = 1; i < rows_.size(); ++i) {
+    std::vector<report::Cell>& row = table.rows.emplace_back();
+    for (const std::string& cell : rows_[i]) row.push_back({cell, {}});
+  }
+  return table;
+}
+
 std::string Table::text() const {
   const std::size_t columns = rows_.front().size();
   std::vector<std::size_t> widths(columns, 0);
@@ -63,6 +88,8 @@ std::string Table::text() const {
       if (i > 0) right[k] = right[k] && numeric(rows_[i][k]);
     }
   }
+  const std::size_t all = std::accumulate(widths.begin(), widths.end(), 2 * columns);
+  if (all > width()) return report::table_text(as_report_table(), width());
   std::string out;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     std::string line = " ";

@@ -3,12 +3,19 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/report/document.hpp"
+
 /// Plain-text layout: headings, wrapped paragraphs, tables whose columns fit their content.
 namespace boxbeam::layout {
 
-inline constexpr std::size_t width = 110;
+/// Columns of what commands print: those of the terminal where there is one, which the program
+/// sets. What is written to files has a width of its own.
+std::size_t width();
+void set_width(std::size_t columns);
 
 std::string heading(const std::string& text);
+/// Wrapped, its further lines indented by two spaces.
+std::string line(const std::string& text);
 /// Wrapped and indented by two spaces.
 std::string paragraph(const std::string& text);
 /// A list item with a dash, wrapped.
@@ -16,7 +23,9 @@ std::string item(const std::string& text);
 /// A short name and what is said of it, wrapped beside it.
 std::string entry(const std::string& name, const std::string& text);
 
-/// Columns after the first are right-aligned where every entry begins with a digit or a sign.
+/// Columns after the first are right-aligned where every entry begins with a digit or a sign. Where
+/// the page is too narrow, cells are wrapped, and what has no room beside the first column stands
+/// below.
 class Table {
  public:
   explicit Table(std::vector<std::string> header);
@@ -24,6 +33,8 @@ class Table {
   std::string text() const;
 
  private:
+  report::Table as_report_table() const;
+
   std::vector<std::vector<std::string>> rows_;
 };
 

@@ -138,6 +138,39 @@ char sign_of(Mark mark) {
   return mark == Mark::fails ? '!' : mark == Mark::not_applicable ? '?' : ' ';
 }
 
+/// The first column and those from one to another.
+Table part_of(const Table& table, std::size_t from, std::size_t to) {
+  const auto taken = [&](const auto& cells) {
+    auto some = cells;
+    some.erase(some.begin() + static_cast<std::ptrdiff_t>(to), some.end());
+    some.erase(some.begin() + 1, some.begin() + static_cast<std::ptrdiff_t>(from));
+    return some;
+  };
+  Table part;
+  part.header = taken(table.header);
+  for (const auto& row : table.rows) part.rows.push_back(taken(row));
+  part.marks = table.marks;
+  return part;
+}
+
+/// A table that no wrapping makes narrow enough, as tables one below the other: as many columns as
+/// there is room for, each time behind the first.
+std::string in_parts(const Table& table, std::size_t width, const std::vector<Column>& columns) {
+  std::string out;
+  for (std::size_t from = 1; from < columns.size();) {
+    std::size_t to = from + 1;
+    std::size_t used = 2 * gap + columns.front().width + columns[from].width;
+    while (to < columns.size() && used + gap + columns[to].width <= width) {
+      used += gap + columns[to].width;
+      ++to;
+    }
+    if (from == 1 && to == columns.size()) return "";  // nothing to part
+    out += (out.empty() ? "" : "\n") + table_text(part_of(table, from, to), width);
+    from = to;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string table_text(const Table& table, std::size_t width) {
@@ -148,6 +181,9 @@ std::string table_text(const Table& table, std::size_t width) {
     if (width_of(columns) <= width) break;
     columns = columns_in(table, grid);
     narrow(grid, width, most, columns);
+  }
+  if (width_of(columns) > width && columns.size() > 2) {
+    if (std::string parts = in_parts(table, width, columns); !parts.empty()) return parts;
   }
   std::string out;
   for (std::size_t i = 0; i < grid.size(); ++i) {

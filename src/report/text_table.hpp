@@ -7,7 +7,8 @@
 namespace boxbeam::report {
 
 /// A table as plain text, indented by two columns, its columns as wide as their content. Where it
-/// is wider than `width` the texts in its cells are wrapped. "!" stands before a row that fails,
+/// is wider than `width` the texts in its cells are wrapped; where that is not enough, columns that
+/// have no room stand below, behind the first column once more. "!" stands before a row that fails,
 /// "?" before one that does not apply.
 std::string table_text(const Table& table, std::size_t width);
 

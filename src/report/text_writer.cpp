@@ -15,10 +15,9 @@ namespace {
 using plain_text::columns_of;
 using plain_text::wrapped;
 
-constexpr std::size_t width = 110;
-
 /// Text in lines that begin with `first`, then with `rest`.
-std::string hanging(const std::string& first, const std::string& rest, const std::string& text) {
+std::string hanging(const std::string& first, const std::string& rest, const std::string& text,
+                    std::size_t width) {
   std::string out;
   for (const std::string& line :
        wrapped(text, width - columns_of(rest), width - columns_of(first))) {
@@ -34,7 +33,7 @@ std::string heading(const std::string& text, char line) {
   return fmt::format("{}\n{}\n", title, std::string(columns_of(title), line));
 }
 
-std::string facts_text(const Facts& facts) {
+std::string facts_text(const Facts& facts, std::size_t width) {
   std::size_t longest = 0;
   for (const auto& [name, text] : facts.entries) longest = std::max(longest, columns_of(name));
   const std::size_t beside = std::min<std::size_t>(longest, 30) + 4;
@@ -43,7 +42,7 @@ std::string facts_text(const Facts& facts) {
     std::string first = "  " + visible(name);
     first.resize(
         first.size() + std::max<std::size_t>(2, beside - std::min(beside, columns_of(first))), ' ');
-    out += hanging(first, std::string(beside, ' '), text);
+    out += hanging(first, std::string(beside, ' '), text, width);
   }
   return out;
 }
@@ -61,23 +60,29 @@ std::string listing_text(const std::string& text) {
 }
 
 struct BlockText {
+  std::size_t width;
+  std::size_t* figures;  ///< that have come so far
+
   std::string operator()(const Paragraph& paragraph) const {
-    return hanging("  ", "  ", paragraph.text);
+    return hanging("  ", "  ", paragraph.text, width);
   }
   std::string operator()(const Bullets& bullets) const {
     std::string out;
-    for (const std::string& item : bullets.items) out += hanging("  - ", "    ", item);
+    for (const std::string& item : bullets.items) out += hanging("  - ", "    ", item, width);
     return out;
   }
-  std::string operator()(const Facts& facts) const { return facts_text(facts); }
+  std::string operator()(const Facts& facts) const { return facts_text(facts, width); }
   std::string operator()(const Table& table) const {
-    const std::string caption = table.caption.empty() ? "" : hanging("  ", "  ", table.caption);
+    const std::string caption =
+        table.caption.empty() ? "" : hanging("  ", "  ", table.caption, width);
     return caption + table_text(table, width);
   }
   std::string operator()(const Picture& picture) const {
-    return hanging("  ", "  ", fmt::format("[{}.svg] {}", picture.name, picture.caption));
+    return hanging("  ", "  ",
+                   fmt::format("Figure {} [{}.svg]: {}", ++*figures, picture.name, picture.caption),
+                   width);
   }
-  std::string operator()(const Sheet& sheet) const { return text_of(sheet); }
+  std::string operator()(const Sheet& sheet) const { return text_of(sheet, width); }
   std::string operator()(const Listing& listing) const { return listing_text(listing.text); }
   std::string operator()(const MovingPicture&) const { return ""; }
   std::string operator()(const Subheading& subheading) const {
@@ -87,25 +92,30 @@ struct BlockText {
 
 }  // namespace
 
-std::string text_of(const Document& document) {
+std::string text_of(const Document& document, std::size_t width) {
   std::string out = fmt::format("{}: {}, {}\n", visible(document.program), visible(document.title),
                                 visible(document.date));
-  out += hanging("", "", document.subtitle);
+  out += hanging("", "", document.subtitle, width);
   out += "\n";
-  if (!document.verdict.empty()) out += fmt::format("VERDICT: {}\n\n", visible(document.verdict));
+  if (!document.verdict.empty()) {
+    out += hanging("VERDICT: ", "         ", document.verdict);
+    for (const std::string& reason : document.reasons) out += hanging("  - ", "    ", reason);
+    out += "\n";
+  }
   if (!document.verdict.empty() && !document.governing.rows.empty()) {
     out += table_text(with_results(document.governing), width) + "\n";
   }
   Facts facts = document.facts;
   if (!document.input_sha256.empty())
     facts.entries.emplace_back("input sha256", document.input_sha256);
-  out += facts_text(facts);
+  out += facts_text(facts, width);
   std::size_t number = 0;
+  std::size_t figures = 0;
   for (const Chapter& chapter : document.chapters) {
     out += "\n" + heading(fmt::format("{} {}", ++number, chapter.title), '-');
     bool directly = true;  // below a heading
     for (const Block& block : chapter.blocks) {
-      const std::string text = std::visit(BlockText{}, block);
+      const std::string text = std::visit(BlockText{width, &figures}, block);
       if (text.empty()) continue;
       if (!directly) out += '\n';
       out += text;

@@ -13,6 +13,7 @@ const char* to_text(Criterion criterion) {
     case Criterion::stress_range: return "stress range";
     case Criterion::weld: return "weld";
     case Criterion::pin: return "pin";
+    case Criterion::rod: return "rod";
     case Criterion::buckling: return "buckling";
     case Criterion::deflection: return "deflection";
   }

@@ -467,7 +467,7 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     const Stress yield = yield_strength_of(project.material, given.thickness).value();
     add(Criterion::yield, given.peak, yield / project.strength.gamma_M0, project.strength.required,
         yield_source(project.material));
-    if (!given.opposite) continue;
+    if (!given.opposite || !project.fatigue.asked) continue;
     const FatigueInput& fatigue = project.fatigue;
     const ResistingDetail resisting =
         detail_at(fatigue, station, DetailPlace::fibres, given.thickness);

@@ -67,6 +67,19 @@ struct Shared {
     reasons.emplace_back(&instant, why);
   }
 
+  double largest_moment() const {
+    double largest = 0.0;
+    for (const auto& [instant, why] : reasons) {
+      if (!is_stress(*instant)) largest = std::max(largest, size_of(*instant));
+    }
+    return largest;
+  }
+
+  bool has_stress() const {
+    return std::any_of(reasons.begin(), reasons.end(),
+                       [](const auto& reason) { return is_stress(*reason.first); });
+  }
+
   std::string why() const {
     std::string all;
     for (const auto& [instant, reason] : reasons) all += (all.empty() ? "" : ", ") + reason;
@@ -135,7 +148,12 @@ std::vector<ShownInstant> instants_to_show(const Project& project,
       same->add(instant, why);
   }
   std::vector<ShownInstant> shown;
-  for (const Shared& at : found) shown.push_back({at.situation, at.time, at.why()});
+  double largest = 0.0;
+  for (const Shared& at : found) largest = std::max(largest, at.largest_moment());
+  for (const Shared& at : found) {
+    const double moment = largest > 0.0 ? at.largest_moment() / largest : 0.0;
+    shown.push_back({at.situation, at.time, at.why(), moment + (at.has_stress() ? 1.0 : 0.0)});
+  }
   std::sort(shown.begin(), shown.end(), [](const ShownInstant& a, const ShownInstant& b) {
     return std::pair(a.situation, a.time) < std::pair(b.situation, b.time);
   });

@@ -72,6 +72,7 @@ CycleFigure cycle_figure_of(const Project& project, const SituationRun& run) {
   }
   CycleFigure figure;
   figure.situation = run.situation->name;
+  figure.repeats = history.closed();
   figure.stations = stations_between(lasting_places_of(project.beam, loads));
   const PostureAt posture_at = postures_of(project, run);
   for (std::size_t i = 0; i < frames; ++i) {

@@ -153,6 +153,8 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const DeformedPosture
     row.force = load.force;
     row.moment = load.moment;
     row.world.head<2>() = R_WB * Eigen::Vector2d(load.force.x(), load.force.z());
+    // y points into the plane: counter-clockwise is negative about it.
+    row.couple.z() = -load.moment.y();
     row.place = drawn_place(posture, {link, {load.s.value(), 0.0}});
   }
   return rows;

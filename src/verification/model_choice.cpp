@@ -275,8 +275,30 @@ void choose_unvibrated(const Project& project, const std::string& obstacle, Mode
   choice.reason = "rigid bodies; " + why;
 }
 
+/// Names of the forces that follow a table, "wind, pull"; "" where none does.
+std::string tabled_forces_in(const Project& project) {
+  std::vector<std::string> names;
+  const auto look = [&](const planar::Mechanism& mechanism) {
+    for (const planar::AppliedForce& force : mechanism.forces) {
+      const auto* push = std::get_if<planar::PointForce>(&force.kind);
+      const auto* couple = std::get_if<planar::Couple>(&force.kind);
+      const Driver* size = push != nullptr     ? &push->size
+                           : couple != nullptr ? &couple->size
+                                               : nullptr;
+      if (size == nullptr || !std::holds_alternative<TableDriver>(*size)) continue;
+      if (std::find(names.begin(), names.end(), force.name) == names.end()) {
+        names.push_back(force.name);
+      }
+    }
+  };
+  for (const Situation& situation : project.situations) {
+    if (runs(situation)) look(planar_in(project, situation));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// Climbs from rigid bodies to bent ones and to ever more modes.
-ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>& rigid) {
+ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid) {
   ModelChoice choice;
   choice.tolerance = project.model.tolerance;
   choice.second_order = estimate_second_order(project, rigid);
@@ -399,6 +421,32 @@ bool knows_second_order(const ModelChoice& model) {
   const SecondOrderEstimate& of = model.second_order;
   return model.counts_second_order || (of.whole && of.change && *of.change <= model.tolerance);
 }
+
+namespace {
+
+/// Rigid bodies for loads that were measured; else what the estimate says, and where it says that
+/// the beam vibrates under loads from a table, that they may have been measured.
+ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>& rigid) {
+  if (project.model.measured_loads && project.model.demand != ModelDemand::flexible) {
+    ModelChoice choice;
+    choice.tolerance = project.model.tolerance;
+    choice.second_order = estimate_second_order(project, rigid);
+    choose_unvibrated(project, "the loads are measured, they contain it", choice);
+    return choice;
+  }
+  ModelChoice choice = choose_by_estimate(project, rigid);
+  if (choice.chosen.level == ModelLevel::rigid) return choice;
+  const std::string tabled = tabled_forces_in(project);
+  if (!tabled.empty()) {
+    choice.reason += fmt::format(
+        "; load {} comes from a table: if it was measured on the machine it contains the "
+        "vibration, which counts twice here, and [model] wants loads = \"measured\"",
+        tabled);
+  }
+  return choice;
+}
+
+}  // namespace
 
 ModelledRuns run_by_chosen_model(const Project& project) {
   if (is_flexible(project)) {

@@ -4,15 +4,16 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
+#include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/numerics/extremum.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/peak_over_time.hpp"
 
 namespace boxbeam {
 namespace {
@@ -24,30 +25,17 @@ constexpr Stress youngs_modulus = 210e9 * pascal;
 Extreme largest_over(const Project& project, const SituationRun& run,
                      const std::function<double(const planar::State&)>& f) {
   const planar::Motion& motion = planar_motion_of(run);
-  const auto best =
-      std::max_element(motion.states.begin(), motion.states.end(),
-                       [&](const planar::State& a, const planar::State& b) { return f(a) < f(b); });
-  const auto index = static_cast<double>(best - motion.states.begin());
-  const double step = motion.period / static_cast<double>(motion.states.size());
+  const SampledTime span{motion.begin, motion.period / static_cast<double>(motion.states.size()),
+                         motion.closed};
+  std::vector<double> values;
+  for (const planar::State& state : motion.states) values.push_back(f(state));
+  if (!motion.closed) values.push_back(f(motion.end));
   planar::StateFinder finder(planar_in(project, *run.situation), motion);
-  double low = motion.begin + (index - 1.0) * step;
-  double high = low + 2.0 * step;
-  if (!motion.closed) {
-    low = std::max(low, motion.begin);
-    high = std::min(high, motion.begin + motion.period);
-  }
-  const Extremum found = find_maximum([&](double time) { return f(finder.at(time)); }, low, high);
-  const bool at_end = !motion.closed && f(motion.end) > std::max(found.value, f(*best));
-  if (at_end) return {si<Time>(motion.end.time), f(motion.end), index_of(project, *run.situation)};
-  // The instant itself may be a corner of the function, which the search only comes near to.
-  Extreme extreme{si<Time>(best->time), f(*best), index_of(project, *run.situation)};
-  if (found.value > extreme.value) {
-    double time = found.at;
-    if (motion.closed && time < motion.begin) time += motion.period;
-    extreme.time = si<Time>(time);
-    extreme.value = found.value;
-  }
-  return extreme;
+  const double end = motion.begin + motion.period;
+  const Extremum peak = peak_over_time(values, span, [&](double time) {
+    return f(finder.at(motion.closed ? time : std::clamp(time, motion.begin, end)));
+  });
+  return {si<Time>(peak.at), peak.value, index_of(project, *run.situation)};
 }
 
 /// The largest value over all situations, times their load factors.
@@ -89,22 +77,102 @@ double force_in(const Project& project, const SituationRun& run, const planar::S
   return 0.0;
 }
 
-/// Compression of a rod: what the joints at either end push along it, the larger one.
-double compression_in(const Project& project, const SituationRun& run, const planar::State& state,
-                      const RodInput& rod) {
-  const double angle = state.q[3 * rod.from.body + 2];
-  const Eigen::Vector2d along = Eigen::Rotation2Dd(angle) * (rod.to.p - rod.from.p).normalized();
-  const double size = (rod.to.p - rod.from.p).norm();
-  double at_from = 0.0;
-  double at_to = 0.0;
-  for (const planar::Reaction& reaction :
-       planar::reactions_of(planar_in(project, *run.situation), state)) {
-    if (reaction.on != rod.from.body) continue;
-    const double push = reaction.force.dot(along);
-    if ((reaction.point - rod.from.p).norm() < 1e-9 * size) at_from += push;
-    if ((reaction.point - rod.to.p).norm() < 1e-9 * size) at_to -= push;
+/// What round-off leaves of a force in this mechanism: a billionth of the largest reaction, times
+/// its load factor.
+double negligible_force(const Project& project, const std::deque<SituationRun>& runs) {
+  double largest = 0.0;
+  for (const SituationRun& run : runs) {
+    for (const planar::State& state : planar_motion_of(run).states) {
+      for (const planar::Reaction& reaction :
+           planar::reactions_of(planar_in(project, *run.situation), state)) {
+        largest = std::max(largest, run.situation->load_factor * reaction.force.norm());
+      }
+    }
   }
-  return std::max(at_from, at_to);
+  return 1e-9 * largest;
+}
+
+/// Whether a point of a rod's body is one of its ends.
+bool is_at(const Eigen::Vector2d& point, const planar::Attachment& end, const RodInput& rod) {
+  return (point - end.p).norm() < 1e-9 * (rod.to.p - rod.from.p).norm();
+}
+
+/// The largest tension and the largest compression anywhere in a rod, below zero where it has none.
+struct AxialForces {
+  double tension = 0.0, compression = 0.0;
+};
+
+/// Of an even rod that turns, the tension along it is a parabola, highest above its chord, by
+/// m omega^2 L/8, in the middle; the compression is largest at an end.
+AxialForces axial_forces_in(const Project& project, const SituationRun& run,
+                            const planar::State& state, const RodInput& rod) {
+  const planar::Mechanism& mechanism = planar_in(project, *run.situation);
+  const auto body = static_cast<std::size_t>(rod.from.body);
+  const Eigen::Vector2d line = rod.to.p - rod.from.p;
+  const Eigen::Vector2d along =
+      Eigen::Rotation2Dd(state.q[3 * rod.from.body + 2]) * line.normalized();
+  double at_from = 0.0;  // tension in the rod at either end
+  double at_to = 0.0;
+  const auto add = [&](int on, const Eigen::Vector2d& point, const Eigen::Vector2d& force) {
+    if (on != rod.from.body) return;
+    if (is_at(point, rod.from, rod)) at_from -= force.dot(along);
+    if (is_at(point, rod.to, rod)) at_to += force.dot(along);
+  };
+  for (const planar::Reaction& reaction : planar::reactions_of(mechanism, state)) {
+    add(reaction.on, reaction.point, reaction.force);
+  }
+  for (const planar::AppliedLoad& load :
+       planar::applied_loads_of(mechanism, state.time, state.q, state.v)) {
+    add(load.on, load.point, load.vector);
+  }
+  const double omega = state.v[3 * rod.from.body + 2];
+  const double rise = 0.5 * mechanism.bodies[body].mass * omega * omega * line.norm();
+  const auto tension_at = [&](double x) {
+    return at_from + (at_to - at_from) * x + rise * x * (1.0 - x);
+  };
+  const double highest = rise > 0.0 ? 0.5 * (1.0 + (at_to - at_from) / rise) : 0.0;
+  return {std::max({at_from, at_to, tension_at(std::clamp(highest, 0.0, 1.0))}),
+          std::max(-at_from, -at_to)};
+}
+
+/// What turns a rod or loads it beside its ends, so that it bends: the names of joints and forces.
+std::vector<std::string> bending_of(const planar::Mechanism& mechanism, const RodInput& rod) {
+  std::vector<std::string> names;
+  const auto beside = [&](const planar::Attachment& at) {
+    return at.body == rod.from.body && !is_at(at.p, rod.from, rod) && !is_at(at.p, rod.to, rod);
+  };
+  for (const planar::Joint& joint : mechanism.joints) {
+    const auto [a, b] = planar::ends_of(joint);
+    if (a.body != rod.from.body && b.body != rod.from.body) continue;
+    const auto* driven = std::get_if<planar::Driven>(&joint.kind);
+    const bool hinged = std::holds_alternative<planar::Pin>(joint.kind) ||
+                        std::holds_alternative<planar::Distance>(joint.kind) ||
+                        (driven != nullptr && driven->coordinate != planar::Coordinate::angle);
+    // A point that slides along the rod, or the rod's end in a slot.
+    const auto* slot = std::get_if<planar::PinInSlot>(&joint.kind);
+    const bool in_slot = slot != nullptr && slot->guide.body != rod.from.body;
+    if ((!hinged && !in_slot) || beside(a) || beside(b)) names.push_back(joint.name);
+  }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    const bool bends = std::visit(
+        [&](const auto& kind) {
+          using Kind = std::decay_t<decltype(kind)>;
+          if constexpr (std::is_same_v<Kind, planar::PointForce>) {
+            return beside(kind.at);
+          } else if constexpr (std::is_same_v<Kind, planar::Spring>) {
+            return beside(kind.a) || beside(kind.b);
+          } else {
+            return kind.a.body == rod.from.body || kind.b.body == rod.from.body;
+          }
+        },
+        force.kind);
+    if (bends) names.push_back(force.name);
+  }
+  return names;
+}
+
+Gate rod_gate(const RodInput& rod, const std::string& finding) {
+  return {"", "", fmt::format("rod {}: {}", rod.name, finding), true};
 }
 
 Check frame(Criterion criterion, const std::string& name, const Project& project,
@@ -127,13 +195,15 @@ Check frame(Criterion criterion, const std::string& name, const Project& project
 std::vector<NeighbourResult> check_pins(const Project& project,
                                         const std::deque<SituationRun>& runs) {
   std::vector<NeighbourResult> results;
+  if (project.pins.empty()) return results;
+  const double nothing = negligible_force(project, runs);
   for (const PinInput& pin : project.pins) {
     check_unique(project, runs, pin.joint, "pin " + pin.name);
     const Extreme worst =
         worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
           return force_in(project, run, state, pin.joint);
         });
-    if (worst.value == 0.0) continue;
+    if (worst.value <= nothing) continue;
     NeighbourResult result;
     result.pin = pin_utilisation(si<Force>(worst.value), pin.geometry, pin.strength);
     const PinUtilisation& use = result.pin;
@@ -150,36 +220,96 @@ std::vector<NeighbourResult> check_pins(const Project& project,
   return results;
 }
 
-std::vector<NeighbourResult> check_rods(const Project& project,
-                                        const std::deque<SituationRun>& runs) {
-  std::vector<NeighbourResult> results;
+Force plastic_resistance(const RodInput& rod) {
+  return properties_of(rod.section).area * rod.yield_strength / rod.gamma_M0;
+}
+
+Force net_resistance(const RodInput& rod) {
+  const Area net = rod.net_area.value_or(properties_of(rod.section).area);
+  return 0.9 * net * rod.tensile_strength / rod.gamma_M2;
+}
+
+namespace {
+
+NeighbourResult check_tension(const Project& project, const RodInput& rod, const Extreme& worst) {
+  NeighbourResult result;
+  result.plastic = plastic_resistance(rod);
+  result.net = net_resistance(rod);
+  Check& check = result.check = frame(Criterion::rod, rod.name, project, worst);
+  check.resisting = std::min(result.plastic, result.net);
+  check.safety_factor = check.resisting / check.acting;
+  check.required = rod.required;
+  check.source = "EN 1993-1-1:2005, 6.2.3";
+  return result;
+}
+
+NeighbourResult check_compression(const Project& project, const RodInput& rod,
+                                  CompressedSection section, const Extreme& worst) {
+  const SectionProperties properties = properties_of(rod.section);
+  NeighbourResult result;
+  result.weak_axis = properties.I_z < properties.I_y;
+  const Force critical = euler_force(youngs_modulus, properties.I_2, rod.buckling_length);
+  result.slenderness = column_slenderness(section.effective, rod.yield_strength, critical);
+  result.reduction = column_reduction(result.slenderness, rod.curve);
+  Check& check = result.check = frame(Criterion::buckling, rod.name, project, worst);
+  check.resisting =
+      buckling_resistance(section.effective, rod.yield_strength, critical, rod.curve, rod.gamma_M1);
+  check.safety_factor = check.resisting / check.acting;
+  check.required = rod.required;
+  check.source = section.class_4 ? "EN 1993-1-1:2005, 6.3.1; effective area EN 1993-1-5:2006, 4.4"
+                                 : "EN 1993-1-1:2005, 6.3.1";
+  result.section = std::move(section);
+  return result;
+}
+
+}  // namespace
+
+RodChecks check_rods(const Project& project, const std::deque<SituationRun>& runs) {
+  RodChecks checks;
+  if (project.rods.empty()) return checks;
+  const double nothing = negligible_force(project, runs);
   for (const RodInput& rod : project.rods) {
     for (std::size_t i = 0; i < planar_of(project).joints.size(); ++i) {
       const auto [a, b] = planar::ends_of(planar_of(project).joints[i]);
       if (a.body != rod.from.body && b.body != rod.from.body) continue;
       check_unique(project, runs, static_cast<int>(i), "rod " + rod.name);
     }
-    const Extreme worst =
-        worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
-          return compression_in(project, run, state, rod);
-        });
-    if (worst.value <= 0.0) continue;
-    const SectionProperties properties = properties_of(rod.section);
-    NeighbourResult result;
-    result.weak_axis = properties.I_z < properties.I_y;
-    const Force critical = euler_force(youngs_modulus, properties.I_2, rod.buckling_length);
-    result.slenderness = column_slenderness(properties.area, rod.yield_strength, critical);
-    result.reduction = column_reduction(result.slenderness, rod.curve);
-    const Force resistance =
-        buckling_resistance(properties.area, rod.yield_strength, critical, rod.curve, rod.gamma_M1);
-    Check& check = result.check = frame(Criterion::buckling, rod.name, project, worst);
-    check.resisting = resistance;
-    check.safety_factor = check.resisting / check.acting;
-    check.required = rod.required;
-    check.source = "EN 1993-1-1:2005, 6.3.1";
-    results.push_back(std::move(result));
+    const auto largest = [&](double AxialForces::*which) {
+      return worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
+        return axial_forces_in(project, run, state, rod).*which;
+      });
+    };
+    const Extreme tension = largest(&AxialForces::tension);
+    const Extreme compression = largest(&AxialForces::compression);
+    if (tension.value <= nothing && compression.value <= nothing) {
+      checks.unloaded.push_back(rod.name);
+    }
+    if (tension.value > nothing) {
+      checks.results.push_back(check_tension(project, rod, tension));
+    }
+    if (compression.value > nothing) {
+      CompressedSection section = compressed_section_of(rod.section, rod.yield_strength);
+      if (section.obstacle.empty()) {
+        checks.results.push_back(check_compression(project, rod, std::move(section), compression));
+      } else {
+        checks.gates.push_back(rod_gate(rod, section.obstacle));
+      }
+    }
+    std::vector<std::string> bending;
+    for (const SituationRun& run : runs) {
+      for (std::string& name : bending_of(planar_in(project, *run.situation), rod)) {
+        if (std::find(bending.begin(), bending.end(), name) == bending.end()) {
+          bending.push_back(std::move(name));
+        }
+      }
+    }
+    if (bending.empty()) continue;
+    checks.gates.push_back(rod_gate(
+        rod, fmt::format("{} {} it beside its ends or turn{} it, and its bending is not counted",
+                         fmt::join(bending, ", "), bending.size() == 1 ? "loads" : "load",
+                         bending.size() == 1 ? "s" : "")));
   }
-  return results;
+  return checks;
 }
 
 }  // namespace boxbeam

@@ -19,6 +19,9 @@ const Station* governing_station_of(const Verification& verification) {
   return nullptr;
 }
 
+/// A page with more of them would be too large to be opened.
+constexpr std::size_t most_cycles_drawn = 24;
+
 PostureAt elastic_postures_of(const Project& project, const SituationRun& run) {
   constexpr double part = 0.06;
   const FlexibleMotion& motion = flexible_motion_of(run);
@@ -51,12 +54,19 @@ PostureAt planar_postures_of(const Project& project, const SituationRun& run) {
   return [&project, &run, &mechanism, finder](Time time, const std::string& why) {
     const planar::State state = finder->at(time.value());
     PostureFigure posture = posture_figure(project, mechanism, state, why);
-    posture.loads = load_rows(project, run.loads.loads_at(time), state);
+    posture.loads = load_rows(project, mechanism, run.loads.loads_at(time), state);
     return posture;
   };
 }
 
 }  // namespace
+
+std::size_t governing_situation_of(const Verification& verification) {
+  for (const CheckResult& result : verification.checks) {
+    if (result.basis) return result.basis->running;
+  }
+  return verification.motions.front().situation;
+}
 
 PostureAt postures_of(const Project& project, const SituationRun& run) {
   PostureAt bare = is_flexible(project) ? elastic_postures_of(project, run)
@@ -84,13 +94,14 @@ void add_pictures(const Project& project, const std::deque<SituationRun>& runs, 
   } else {
     result.postures.push_back(postures_of(project, first)(first.loads.begin(), "beginning"));
   }
-  for (const auto& [index, time, why] : instants_to_show(project, result)) {
+  for (const auto& [index, time, why, weight] : instants_to_show(project, result)) {
     const Situation& situation = project.situations[index];
     const SituationRun& run = run_of(runs, situation);
     const std::string label =
         situation.name.empty() ? why : fmt::format("{} ({})", why, situation.name);
     result.lines.push_back(cut_force_line(run, time, label));
     result.postures.push_back(postures_of(project, run)(time, label));
+    result.postures.back().weight = weight;
     const std::vector<BeamLoadRow>& rows = result.postures.back().loads;
     result.loads.insert(result.loads.end(), rows.begin(), rows.end());
   }
@@ -99,7 +110,12 @@ void add_pictures(const Project& project, const std::deque<SituationRun>& runs, 
     result.loads_over_time = loads_over_time(project, runs, *governing);
   }
   if (figures == Figures::without) return;
-  result.cycle = cycle_figure_of(project, first);
+  const std::size_t worst = governing_situation_of(result);
+  for (const SituationRun& run : runs) {
+    const bool among_first = result.cycles.size() < most_cycles_drawn;
+    if (among_first || index_of(project, *run.situation) == worst)
+      result.cycles.push_back(cycle_figure_of(project, run));
+  }
   result.drivers = driver_lines_of(project, first);
   result.section = section_figure_of(project, runs, result.checks);
 }

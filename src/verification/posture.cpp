@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 
@@ -36,6 +37,7 @@ std::vector<BeamLoadRow> bare_rows(const BeamLoads& loads, double time,
     row.force = load.force;
     row.moment = load.moment;
     row.world = R_WS * load.force;
+    row.couple = R_WS * load.moment;
     rows.push_back(row);
   }
   return rows;
@@ -72,13 +74,20 @@ Eigen::Vector3d origin_of(const Project& project, const spatial::Mechanism& mech
 
 }  // namespace
 
-std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads,
-                                   const planar::State& state) {
+std::vector<BeamLoadRow> load_rows(const Project& project, const planar::Mechanism& mechanism,
+                                   const BeamLoads& loads, const planar::State& state) {
   std::vector<BeamLoadRow> rows = bare_rows(loads, state.time, planar_beam_axes(project, state));
-  for (BeamLoadRow& row : rows) {
+  // The Newton chain's loads have no names of their own.
+  std::vector<std::string> names;
+  if (project.beam_body != planar::ground) {
+    names = planar::names_of_beam_loads(mechanism, state, project.beam_body);
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    BeamLoadRow& row = rows[i];
     for (const BeamPoint& point : project.beam.points) {
       if (point.s == row.s) row.name = point.name;
     }
+    if (names.size() == rows.size()) row.name = names[i];
     row.place = planar_place_of(project, state, row);
   }
   return rows;

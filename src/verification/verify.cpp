@@ -1,6 +1,7 @@
 #include "boxbeam/verification/verify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
@@ -8,6 +9,7 @@
 #include "boxbeam/verification/critical_instants.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {
 namespace {
@@ -71,7 +73,7 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   if (project.beam_body == planar::ground) return comparison;
   const auto body = planar::beam_body_of(project.beam, project.beam_body);
   const BeamLoads rigorous = planar::beam_loads_of(planar_of(project), state, body);
-  for (const BeamLoadRow& row : load_rows(project, rigorous, state)) {
+  for (const BeamLoadRow& row : load_rows(project, planar_of(project), rigorous, state)) {
     if (row.s == chain.first_station) comparison.rigorous_first += row.world.head<2>();
     if (row.s == chain.second_station) comparison.rigorous_second += row.world.head<2>();
   }
@@ -136,18 +138,42 @@ void describe_mechanism(const Project& project, const std::deque<SituationRun>& 
   }
 }
 
-/// The checks beside the stresses of the beam, which the case asks for.
+/// The checks beside the stresses of the beam, which the case asks for, and what they cannot judge.
 void check_neighbours(const Project& project, const std::deque<SituationRun>& runs,
                       Verification& result) {
   result.neighbours = check_pins(project, runs);
-  for (NeighbourResult& rod : check_rods(project, runs))
-    result.neighbours.push_back(std::move(rod));
+  for (const PinInput& pin : project.pins) {
+    const auto is_checked = [&](const NeighbourResult& of) { return of.check.point == pin.name; };
+    if (std::none_of(result.neighbours.begin(), result.neighbours.end(), is_checked)) {
+      result.not_judged.push_back({"pin " + pin.name, "no force"});
+    }
+  }
+  RodChecks rods = check_rods(project, runs);
+  for (NeighbourResult& rod : rods.results) result.neighbours.push_back(std::move(rod));
+  for (Gate& gate : rods.gates) result.gates.push_back(std::move(gate));
+  for (const std::string& name : rods.unloaded) {
+    result.not_judged.push_back({"rod " + name, "no force"});
+  }
   for (const NeighbourResult& neighbour : result.neighbours) {
     result.checks.push_back({neighbour.check, {}});
   }
   if (!project.deflection) return;
   if (const auto deflection = check_deflection(project, runs)) {
     result.checks.push_back({*deflection, {}});
+  } else {
+    result.not_judged.push_back({"deflection", "the beam never bends"});
+  }
+}
+
+/// Notes fatigue that is asked for where no stress ever changes.
+void look_for_fatigue(const Project& project, Verification& result) {
+  constexpr std::array judged{Criterion::fatigue, Criterion::shear_fatigue,
+                              Criterion::combined_fatigue};
+  const bool found = std::any_of(judged.begin(), judged.end(), [&](Criterion criterion) {
+    return result.governing(criterion) != nullptr;
+  });
+  if (project.fatigue.asked && !found) {
+    result.not_judged.insert(result.not_judged.begin(), {"fatigue", "no stress range"});
   }
 }
 
@@ -219,8 +245,13 @@ Verification verify(const Project& project, Figures figures) {
   const bool computed = project.given_stresses.empty();
   result.checks = computed ? check_beam(project, runs, stations) : check_given_stresses(project);
   check_neighbours(project, runs, result);
+  require_numbers(result);
   sort_worst_first(result.checks);
-  if (computed) result.gates = gates_of(project, runs, stations, result.checks);
+  look_for_fatigue(project, result);
+  if (computed) {
+    std::vector<Gate> of_beam = gates_of(project, runs, stations, result.checks);
+    result.gates.insert(result.gates.begin(), of_beam.begin(), of_beam.end());
+  }
   for (Gate& gate : model_gates_of(project, model)) result.gates.push_back(std::move(gate));
   result.verdict = verdict_of(result);
   result.codes = compare_codes(project, result.checks);

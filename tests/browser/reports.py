@@ -109,7 +109,7 @@ def check_slider(page, results):
     fit = None
     worst = 0.0
     if data["mechanism"]["space"]:
-        page.run("""(() => { const s = document.querySelector(".controls select");
+        page.run("""(() => { const s = document.querySelector(".controls select.view");
           s.value = "from above, x-y"; s.dispatchEvent(new Event("change")); })()""")
         results.check(page.run(JOINTS) != first, "another view draws the same")
     postures = set()

@@ -74,13 +74,15 @@ Document full_of(const std::string& text) {
   document.chapters = {{text,
                         {Paragraph{text}, Bullets{{text}}, report::Facts{{{text, text}}}, table,
                          Picture{"drawn", text}, sheet, Listing{text}, Subheading{text},
-                         MovingPicture{turning_beam(text), text}}}};
+                         MovingPicture{{turning_beam(text)}, 0, text}}}};
   return document;
 }
 
 nlohmann::json cycle_data(const test::Markup& page) {
   for (const test::Element& script : test::elements_named(page, "script")) {
-    if (script.attributes.count("type") == 1) return nlohmann::json::parse(script.text);
+    if (script.attributes.count("type") == 0) continue;
+    const nlohmann::json all = nlohmann::json::parse(script.text);
+    return all.at("situations").at(all.at("first").get<std::size_t>());
   }
   return {};
 }
@@ -256,7 +258,7 @@ TEST_CASE("a page of a shipped case holds all numbers, links to itself only and 
 TEST_CASE("the moving picture has the places and forces of its frames to five digits") {
   const CycleFigure cycle = turning_beam("P");
   Document document;
-  document.chapters = {{"", {MovingPicture{cycle, "Turning."}}}};
+  document.chapters = {{"", {MovingPicture{{cycle}, 0, "Turning."}}}};
   const test::Markup page = test::read_markup(html_of(document, no_pictures));
   const nlohmann::json data = cycle_data(page);
   const nlohmann::json& mechanism = data["mechanism"];
@@ -311,7 +313,7 @@ TEST_CASE("the moving picture has the places and forces of its frames to five di
 TEST_CASE("without script the mechanism is drawn as it stands at the largest moment") {
   const CycleFigure cycle = turning_beam("P");
   Document document;
-  document.chapters = {{"", {MovingPicture{cycle, "Turning."}}}};
+  document.chapters = {{"", {MovingPicture{{cycle}, 0, "Turning."}}}};
   const test::Markup page = test::read_markup(html_of(document, no_pictures));
   const std::vector<test::Element> lines = test::elements_named(page, "line");
   const auto beam = std::find_if(lines.begin(), lines.end(), [](const test::Element& line) {

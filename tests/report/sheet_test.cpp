@@ -318,6 +318,10 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::stress_range: ends_with("limit", check.resisting); break;
       case Criterion::weld: ends_with("limit", check.resisting); break;
       case Criterion::pin: ends_with("F", check.acting); break;
+      case Criterion::rod:
+        ends_with("N", check.acting);
+        ends_with("N_t,Rd", check.resisting);
+        break;
       case Criterion::buckling:
         ends_with("N", check.acting);
         ends_with("N_b,Rd", check.resisting);

@@ -221,7 +221,7 @@ TEST_CASE("a listing keeps lines, tabs and blank lines as they are", "[text]") {
 
 TEST_CASE("a picture is named by its file, and what moves is not mentioned", "[text]") {
   const std::vector<std::string> lines =
-      lines_with({MovingPicture{{}, "moves"}, Picture{"sn", "The S-N curve."}});
+      lines_with({MovingPicture{{}, 0, "moves"}, Picture{"sn", "The S-N curve."}});
   CHECK(lines == std::vector<std::string>{"  [sn.svg] The S-N curve."});
 }
 

@@ -8,6 +8,7 @@
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "support/changed_rig.hpp"
+#include "support/clamped_beam.hpp"
 #include "support/rig.hpp"
 
 using namespace boxbeam;
@@ -37,8 +38,9 @@ Project project_of(double height_from, double height_to, double from, double to)
   segment.from = box(height_from);
   segment.to = box(height_to);
   project.beam.segments = {segment};
-  project.deflection = DeflectionInput{si<Length>(0.01), si<Length>(from), si<Length>(to),
-                                       si<Stress>(E), si<Stress>(G)};
+  project.deflection = DeflectionInput{si<Length>(0.01), Chord{si<Length>(from), si<Length>(to)},
+                                       "the chord",      false,
+                                       si<Stress>(E),    si<Stress>(G)};
   return project;
 }
 
@@ -46,7 +48,7 @@ struct Push {
   double at, size;  ///< [m], along +z [N]
 };
 
-/// Deflection at the places of the model, by place; zero at the supports.
+/// Deflection by place; zero at the supports.
 std::function<double(double)> deflected(const Project& project, const std::vector<Push>& forces,
                                         double line_load = 0.0) {
   BeamLoads loads;
@@ -58,14 +60,8 @@ std::function<double(double)> deflected(const Project& project, const std::vecto
   }
   loads.lines = unloaded_lines(project.beam);
   for (LineLoad& line : loads.lines) line.force[2].c[0] = line_load;
-  const DeflectionModel model = deflection_model_of(project);
-  const std::vector<double> values = deflections_of(model, cut_forces_of(loads));
-  return [model, values](double s) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::abs(model.influences[i].at.value() - s) < 1e-9) return values[i];
-    }
-    return std::nan("");
-  };
+  const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
+  return [line](double s) { return line.at(si<Length>(s)).value(); };
 }
 
 constexpr double h = 0.3;
@@ -107,14 +103,20 @@ TEST_CASE("a cantilever against the line from its root to its tip") {
   loads.lines = unloaded_lines(project.beam);
   if (imbalance_of(loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
   REQUIRE(imbalance_of(loads).moment.norm() < 1e-6);
-  const DeflectionModel model = deflection_model_of(project);
-  const std::vector<double> values = deflections_of(model, cut_forces_of(loads));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double x = model.influences[i].at.value();
+  const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
+  for (int i = 1; i < 16; ++i) {
+    const double x = i * L / 16.0;
     const double free = P * x * x * (3 * L - x) / (6 * EI);
     const double chord = x / L * P * L * L * L / (3 * EI);
-    CHECK(values[i] == Approx(chord - free).epsilon(1e-9));
+    CHECK(line.at(si<Length>(x)).value() == Approx(chord - free).epsilon(1e-9));
   }
+  // Its largest place is where x^2/2 - x + 1/3 = 0 in lengths of L, which is none of a grid.
+  const LargestDeflection largest = largest_of(line);
+  const double x = L * (1.0 - 1.0 / std::sqrt(3.0));
+  CHECK(largest.at.value() == Approx(x).epsilon(1e-6));
+  CHECK(
+      largest.size.value() ==
+      Approx(x / L * P * L * L * L / (3 * EI) - P * x * x * (3 * L - x) / (6 * EI)).epsilon(1e-6));
 }
 
 TEST_CASE("a load along the beam: 5 q L^4/(384 E I) + q L^2/(8 G A_v)") {
@@ -162,9 +164,111 @@ TEST_CASE("a linear taper: the integral of M m/(E I) + V v/(G A_v), summed by Si
   CHECK(w(L / 2) == Approx(-sum * L / n / 3.0).epsilon(1e-9));
 }
 
-TEST_CASE("the check takes the largest deflection of all instants, times the load factor") {
-  Project project =
-      test::changed_rig({}, "\n[deflection]\nlimit = \"5 mm\"\nfrom = \"0 m\"\nto = \"6.2 m\"\n");
+TEST_CASE("a cantilever is measured from its clamp: P L^3/(3 E I) + P L/(G A_v) at its tip") {
+  // The force that bends the tip by 20.7 mm. From the chord between root and tip the most is
+  // 0.1925 of the bending's part, where x/L = 1 - 1/sqrt(3): less than a fifth.
+  using namespace test::clamped;
+  const double force = 0.0207 / tip_deflection(1.0);
+  const std::string size = "size = \"" + std::to_string(force) + " N\"\n";
+  const auto check_of = [&](const std::string& more, const std::string& joints = weld) {
+    const Project project =
+        test::clamped_beam(size, "[deflection]\nlimit = \"10 mm\"\n" + more, joints);
+    return std::pair{*check_deflection(project, run_situations(project)),
+                     project.deflection->measured_from};
+  };
+  const auto is_of_the_tip = [](const Check& check) {
+    CHECK(check.acting.value() == Approx(0.0207).epsilon(1e-6));
+    CHECK(check.station.s.value() == Approx(4.0));
+    CHECK(check.point == "from tangent at 0 m");
+    CHECK_FALSE(check.passes());
+  };
+  const auto [by_supports, from] = check_of("");
+  is_of_the_tip(by_supports);
+  CHECK(from == "the tangent at s = 0 m, where joint root clamps the beam");
+  CHECK(by_supports.source.find(from) != std::string::npos);
+  is_of_the_tip(check_of("against = \"axis\"\n").first);
+  is_of_the_tip(check_of("against = \"tangent\"\n").first);
+  is_of_the_tip(check_of("against = \"tangent\"\nat = \"0 m\"\n").first);
+  // Ends of a chord alone do not make it one.
+  const auto [unsaid, told] = check_of("from = \"0 m\"\nto = \"4 m\"\n");
+  is_of_the_tip(unsaid);
+  CHECK(told.find("unless against = \"chord\"") != std::string::npos);
+  // A pin whose angle is driven is a clamp as well.
+  const std::string driven =
+      "[joints.root]\nkind = \"pin\"\nconnect = [\"beam.A\", \"ground\"]\n"
+      "at = [\"0 m\", \"0 m\"]\n[drivers.hold]\nkind = \"hold\"\npoint = \"beam.A\"\n"
+      "coordinate = \"angle\"\nvalue = \"0 deg\"\n";
+  is_of_the_tip(check_of("", driven).first);
+
+  const auto [chord, name] = check_of("against = \"chord\"\nfrom = \"0 m\"\nto = \"4 m\"\n");
+  const double bending = force * 64.0 / (3.0 * test::clamped::E * inertia());
+  CHECK(chord.acting.value() == Approx(0.19245 * bending).epsilon(1e-4));
+  CHECK(chord.acting.value() == Approx(0.0039).epsilon(0.02));
+  CHECK(chord.passes());
+  CHECK(chord.point == "from chord 0 to 4 m");
+  CHECK(name == "the chord from s = 0 to 4 m");
+}
+
+TEST_CASE("a beam on two supports is measured from the chord between them, its overhang too") {
+  // Pins at 0 and 2.5 m, 10 kN at the tip 1.5 m behind: P c^2 (l + c)/(3 E I) + P c (1 + c/l)/(G
+  // A).
+  using namespace test::clamped;
+  const std::string pins =
+      "[joints.A]\nkind = \"pin\"\nconnect = [\"beam.A\", \"ground\"]\n"
+      "at = [\"0 m\", \"0 m\"]\n"
+      "[joints.M]\nkind = \"slider\"\npoint = \"block.M\"\nthrough = [\"0 m\", \"0 m\"]\n"
+      "direction = \"0 deg\"\n"
+      "[joints.B]\nkind = \"pin\"\nconnect = [\"beam.M\", \"block.M\"]\n"
+      "[bodies.block]\nmass = \"0 kg\"\npoints = { M = [\"0 m\", \"0 m\"] }\n"
+      "sketch = { at = [\"2.5 m\", \"0 m\"] }\n";
+  const Project project =
+      test::clamped_beam("size = \"10 kN\"\n", "[deflection]\nlimit = \"10 mm\"\n", pins);
+  CHECK(project.deflection->measured_from ==
+        "the chord from s = 0 to 2.5 m, between its supports, joints A and B");
+  const Check check = *check_deflection(project, run_situations(project));
+  const double force = 10e3, span = 2.5, c = 1.5;
+  CHECK(check.station.s.value() == Approx(4.0));
+  CHECK(check.acting.value() ==
+        Approx(force * c * c * (span + c) / (3 * test::clamped::E * inertia()) +
+               force * c * (1 + c / span) / (test::clamped::G * shear_area()))
+            .epsilon(1e-9));
+}
+
+TEST_CASE("from a tangent inside the beam both parts bend away as cantilevers") {
+  // Of P at the tip, from the tangent at a = 1 m: the part behind, of length b = 3 m, bends by
+  // P b^3/(3 E I) + P b/(G A_v); the root lies below by the moment P (L - x) over the first metre,
+  // P a^2 (L/2 - a/3)/(E I), and above by the shear P a/(G A_v).
+  Project project = project_of(h, h, 0.0, L);
+  project.deflection->against = Tangent{si<Length>(1.0)};
+  BeamLoads loads;
+  PointLoad root, tip;
+  root.force.z() = P;
+  tip.s = si<Length>(L);
+  tip.force.z() = -P;
+  root.moment.y() = P * L;
+  loads.points = {root, tip};
+  loads.lines = unloaded_lines(project.beam);
+  if (imbalance_of(loads).moment.norm() > 1.0) loads.points[0].moment.y() = -P * L;
+  const DeflectedLine line = deflected_line_of(deflection_model_of(project), cut_forces_of(loads));
+  CHECK(line.at(si<Length>(1.0)).value() == Approx(0.0).margin(1e-15));
+  CHECK(line.at(si<Length>(L)).value() ==
+        Approx(-(P * 27.0 / (3 * EI) + P * 3.0 / GA)).epsilon(1e-9));
+  // int_0^a x P (L - x)/(E I) dx = P (L a^2/2 - a^3/3)/(E I), downwards; the shear lifts it.
+  CHECK(line.at(si<Length>(0.0)).value() ==
+        Approx(-P * (L / 2.0 - 1.0 / 3.0) / EI + P / GA).epsilon(1e-9));
+}
+
+TEST_CASE("a load between two places of any grid: the corner of the moment is met exactly") {
+  // P at a = 1.237 m: at the load P a^2 b^2/(3 L E I) + P a b/(L G A_v).
+  const double a = 1.237;
+  const double b = L - a;
+  const auto w = deflected(project_of(h, h, 0.0, L), {{0.0, P * b / L}, {a, -P}, {L, P * a / L}});
+  CHECK(w(a) == Approx(-(P * a * a * b * b / (3 * L * EI) + P * a * b / (L * GA))).epsilon(1e-10));
+}
+
+TEST_CASE("the check takes the largest deflection of all instants; the load factor only if asked") {
+  const std::string demand = "\n[deflection]\nlimit = \"5 mm\"\nfrom = \"0 m\"\nto = \"6.2 m\"\n";
+  Project project = test::changed_rig({}, demand);
   REQUIRE(project.deflection);
   CHECK(project.deflection->youngs_modulus.value() == 210e9);
   CHECK(project.deflection->shear_modulus.value() == 81e9);
@@ -175,8 +279,9 @@ TEST_CASE("the check takes the largest deflection of all instants, times the loa
   const LoadHistory& loads = runs.front().loads;
   double largest = 0.0;
   for (std::size_t i = 0; i < loads.instants(); ++i) {
-    for (const double value : deflections_of(model, loads.diagram(i))) {
-      largest = std::max(largest, std::abs(value));
+    const DeflectedLine line = deflected_line_of(model, loads.diagram(i));
+    for (int j = 0; j <= 500; ++j) {
+      largest = std::max(largest, std::abs(line.at(si<Length>(6.2 * j / 500.0)).value()));
     }
   }
   CHECK(check->acting.value() >= largest * (1.0 - 1e-12));
@@ -185,6 +290,8 @@ TEST_CASE("the check takes the largest deflection of all instants, times the loa
   CHECK(check->safety_factor == Approx(0.005 / check->acting.value()).epsilon(1e-12));
   const double before = check->acting.value();
   project.situations.front().load_factor = 1.5;
+  CHECK(check_deflection(project, runs)->acting.value() == Approx(before).epsilon(1e-12));
+  project.deflection->load_factor = true;
   CHECK(check_deflection(project, runs)->acting.value() == Approx(1.5 * before).epsilon(1e-12));
 }
 
@@ -199,4 +306,16 @@ TEST_CASE("a demand on deflection that cannot be is refused at its place") {
           "\"limit\" must be above zero", "");
   refused("limit = \"5 mm\"\nfrom = \"0 m\"\nto = \"7 m\" # here\n", "# here",
           "lies behind the end of the beam", "from 0 to 6.2 m");
+  refused("limit = \"5 mm\"\nfrom = \"0 m\" # here\n", "[deflection]", "has no \"to\"", "");
+  refused("limit = \"5 mm\"\nagainst = \"tangent\"\nfrom = \"0 m\" # here\nto = \"3 m\"\n",
+          "# here", "the ends of a chord", "against = \"chord\"");
+  refused(
+      "limit = \"5 mm\"\nagainst = \"chord\"\nfrom = \"0 m\"\nto = \"3 m\"\n"
+      "at = \"0 m\" # here\n",
+      "# here", "where a tangent touches the beam", "against = \"tangent\"");
+  refused("limit = \"5 mm\"\nagainst = \"arc\" # here\n", "# here", "arc", "tangent");
+  // The rig's beam is held at three places.
+  refused("limit = \"5 mm\"\n", "[deflection]", "does not say from which line", "\"chord\"");
+  refused("limit = \"5 mm\"\nagainst = \"axis\" # here\n", "# here", "does not say from which line",
+          "\"tangent\"");
 }

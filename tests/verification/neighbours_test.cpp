@@ -55,6 +55,19 @@ const BodyMotion& body(const InstantResult& state, const std::string& name) {
   throw std::runtime_error("no body " + name);
 }
 
+/// The check of the only rod by a criterion.
+NeighbourResult rod_result(const Project& project, const std::deque<SituationRun>& runs,
+                           Criterion criterion) {
+  for (NeighbourResult& result : check_rods(project, runs).results) {
+    if (result.check.criterion == criterion) return result;
+  }
+  throw std::runtime_error(std::string("no check of ") + to_text(criterion));
+}
+
+NeighbourResult buckling_of(const Project& project, const std::deque<SituationRun>& runs) {
+  return rod_result(project, runs, Criterion::buckling);
+}
+
 }  // namespace
 
 TEST_CASE("a pin bears the largest reaction of its joint, by EN 1993-1-8 table 3.10") {
@@ -113,9 +126,8 @@ TEST_CASE("the factor of a pin is one on the force: with it the joint is just us
 TEST_CASE("a rod is pressed by what its free body asks for, and buckles by EN 1993-1-1 6.3.1") {
   const Project project = read(rod_lines);
   const std::deque<SituationRun> runs = run_situations(project);
-  const std::vector<NeighbourResult> results = check_rods(project, runs);
-  REQUIRE(results.size() == 1);
-  const Check& check = results.front().check;
+  const NeighbourResult result = buckling_of(project, runs);
+  const Check& check = result.check;
   // The rod from B to A: what the beam feels at B, reversed, presses it at B; Newton's law of its
   // 119 kg gives the force at A.
   double largest = -1e300;
@@ -142,8 +154,8 @@ TEST_CASE("a rod is pressed by what its free body asks for, and buckles by EN 19
   const double lambda = std::sqrt(area * 355e6 / critical);
   const double phi = 0.5 * (1.0 + 0.21 * (lambda - 0.2) + lambda * lambda);
   const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
-  CHECK(results.front().slenderness == Approx(lambda).epsilon(1e-9));
-  CHECK(results.front().reduction == Approx(chi).epsilon(1e-9));
+  CHECK(result.slenderness == Approx(lambda).epsilon(1e-9));
+  CHECK(result.reduction == Approx(chi).epsilon(1e-9));
   CHECK(check.resisting.value() == Approx(chi * area * 355e6 / 1.1).epsilon(1e-9));
   CHECK(check.safety_factor == Approx(check.resisting.value() / N).epsilon(1e-12));
   CHECK(check.id == "buckling/upper-rod");
@@ -162,10 +174,13 @@ TEST_CASE("the load factor of a situation multiplies the force of a pin and of a
   Project project = read(pin_lines + rod_lines);
   const std::deque<SituationRun> runs = run_situations(project);
   const double pin = check_pins(project, runs).front().check.acting.value();
-  const double rod = check_rods(project, runs).front().check.acting.value();
+  const double rod = buckling_of(project, runs).check.acting.value();
+  const double pull = rod_result(project, runs, Criterion::rod).check.acting.value();
   project.situations.front().load_factor = 1.3;
   CHECK(check_pins(project, runs).front().check.acting.value() == Approx(1.3 * pin).epsilon(1e-12));
-  CHECK(check_rods(project, runs).front().check.acting.value() == Approx(1.3 * rod).epsilon(1e-12));
+  CHECK(buckling_of(project, runs).check.acting.value() == Approx(1.3 * rod).epsilon(1e-12));
+  CHECK(rod_result(project, runs, Criterion::rod).check.acting.value() ==
+        Approx(1.3 * pull).epsilon(1e-12));
 }
 
 TEST_CASE("the checks of neighbours count for the verdict") {
@@ -173,31 +188,165 @@ TEST_CASE("the checks of neighbours count for the verdict") {
   project.fatigue.required = 0.01;
   project.pins.front().required = project.rods.front().required = 0.01;
   const Verification verification = verify(project);
-  CHECK(verification.neighbours.size() == 2);
+  CHECK(verification.neighbours.size() == 3);  // the rod is pulled and pressed
   REQUIRE(verification.governing(Criterion::pin) != nullptr);
+  REQUIRE(verification.governing(Criterion::rod) != nullptr);
   REQUIRE(verification.governing(Criterion::buckling) != nullptr);
   CHECK(verification.verdict == Verdict::pass);
   project.pins.front().required = 1e6;
   CHECK(verify(project).verdict == Verdict::fail);
 }
 
-TEST_CASE("a rod that hangs the beam is never compressed: no check; one that props it bears W/2") {
+TEST_CASE(
+    "a rod that hangs the beam is pulled by W/2 and never pressed; one that props it bears W/2") {
   const std::string flat = "kind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n";
   const std::string rod =
       "[[rods]]\nname = \"hanger\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\nsection = \"bar\"\n"
       "curve = \"c\"\n";
   const Project hanging = test::held_bar(true, flat, rod);
-  CHECK(check_rods(hanging, run_situations(hanging)).empty());
+  const RodChecks pulled = check_rods(hanging, run_situations(hanging));
+  REQUIRE(pulled.results.size() == 1);
+  // 0.05 x 0.1 x 2 m^3 of 8000 kg/m^3 weigh 800 N; half of it is on the rod.
+  const Check& tension = pulled.results.front().check;
+  CHECK(tension.id == "rod/hanger");
+  CHECK(tension.acting.value() == Approx(400.0).epsilon(1e-6));
+  // 50 mm of S355 (EN 10025-2): f_y = 335, f_u = 470 MPa; 0.9 x 470/1.25 = 338.4 MPa is above f_y.
+  CHECK(tension.resisting.value() == Approx(0.005 * 335e6).epsilon(1e-12));
+  CHECK(pulled.gates.empty());
+  CHECK(pulled.unloaded.empty());
   const Project propped = test::held_bar(false, flat, rod);
-  const std::vector<NeighbourResult> results = check_rods(propped, run_situations(propped));
-  REQUIRE(results.size() == 1);
-  // 0.05 x 0.1 x 2 m^3 of 8000 kg/m^3 weigh 800 N; half of it is on the prop.
-  CHECK(results.front().check.acting.value() == Approx(400.0).epsilon(1e-6));
+  const RodChecks pressed = check_rods(propped, run_situations(propped));
+  REQUIRE(pressed.results.size() == 1);
+  const NeighbourResult& result = pressed.results.front();
+  CHECK(result.check.acting.value() == Approx(400.0).epsilon(1e-6));
   // A flat of 50 x 100 buckles about its z axis: I = 0.1 0.05^3/12.
-  CHECK(results.front().weak_axis);
+  CHECK(result.weak_axis);
   const double critical = std::numbers::pi * std::numbers::pi * 210e9 * 0.1 * 1.25e-4 / 12.0;
-  CHECK(results.front().slenderness ==
+  CHECK(result.slenderness ==
         Approx(std::sqrt(0.005 * 335e6 / critical)).epsilon(1e-9));  // 50 mm: 335 MPa
+}
+
+namespace {
+
+/// The bar on a prop, or under a hanger, of the given section, which a force at its end pushes so
+/// that the rod bears `size` beside the bar's own 400 N.
+Project rod_under(bool from_above, const std::string& direction, const std::string& size,
+                  const std::string& section, const std::string& more = "") {
+  const std::string flat = "kind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n";
+  return test::held_bar(from_above, flat,
+                        "[forces.push]\nkind = \"force\"\npoint = \"bar.B\"\ndirection = \"" +
+                            direction + "\"\nsize = \"" + size + "\"\n[sections.strut]\n" +
+                            section +
+                            "[[rods]]\nname = \"strut\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\n"
+                            "section = \"strut\"\ncurve = \"c\"\n" +
+                            more);
+}
+
+const std::string wire = "kind = \"plate\"\nwidth = \"5 mm\"\nheight = \"5 mm\"\n";
+
+}  // namespace
+
+TEST_CASE("a pitman of 5 x 5 mm at 4500 MPa fails, although it is never pressed") {
+  // 112.9 kN up at the tip, less the bar's 0.4 kN: 112.5 kN on 25 mm^2.
+  const Project project = rod_under(false, "90 deg", "112.9 kN", wire);
+  const NeighbourResult result = rod_result(project, run_situations(project), Criterion::rod);
+  CHECK(result.check.acting.value() == Approx(112.5e3).epsilon(1e-6));
+  CHECK(result.check.acting.value() / 25e-6 == Approx(4500e6).epsilon(1e-6));
+  // 5 mm of S355 by EN 10025-2: f_y = 355, f_u = 470 MPa.
+  CHECK(result.plastic.value() == Approx(25e-6 * 355e6).epsilon(1e-12));
+  CHECK(result.net.value() == Approx(0.9 * 25e-6 * 470e6 / 1.25).epsilon(1e-12));
+  CHECK(result.check.resisting.value() == Approx(8460.0).epsilon(1e-12));
+  CHECK_FALSE(result.check.passes());
+  CHECK(verify(project).verdict == Verdict::fail);
+}
+
+TEST_CASE(
+    "holes for fasteners weaken a rod: the net area the case gives, and its partial factors") {
+  const std::string flat = "kind = \"plate\"\nwidth = \"10 mm\"\nheight = \"100 mm\"\n";
+  const Project project =
+      rod_under(false, "90 deg", "100.4 kN", flat,
+                "net_area = \"780 mm^2\"\ngamma_M0 = 1.1\ngamma_M2 = 1.3\nrequired = 2.0\n");
+  const NeighbourResult result = rod_result(project, run_situations(project), Criterion::rod);
+  CHECK(result.plastic.value() == Approx(1000e-6 * 355e6 / 1.1).epsilon(1e-12));
+  CHECK(result.net.value() == Approx(0.9 * 780e-6 * 470e6 / 1.3).epsilon(1e-12));
+  CHECK(result.check.safety_factor == Approx(0.9 * 780e-6 * 470e6 / 1.3 / 100e3).epsilon(1e-6));
+  CHECK(result.check.required == 2.0);
+  CHECK(result.check.source == "EN 1993-1-1:2005, 6.2.3");
+}
+
+TEST_CASE("a strut of 600 x 600 x 1 bears about 66 kN, not the 851 kN of its whole area") {
+  const std::string box =
+      "kind = \"box\"\nwidth = \"600 mm\"\nheight = \"600 mm\"\nflange = \"1 mm\"\n"
+      "web = \"1 mm\"\n";
+  const Project project = rod_under(false, "-90 deg", "99.6 kN", box);
+  const NeighbourResult result = buckling_of(project, run_situations(project));
+  CHECK(result.check.acting.value() == Approx(100e3).epsilon(1e-6));
+  // By hand: c/t = 598, eps = sqrt(235/355), lambda_p = 598/(56.8 eps) = 12.94,
+  // rho = (12.94 - 0.22)/12.94^2; the bar of 1 m does not buckle as a whole: lambda < 0.2.
+  const double lambda_p = 598.0 / (56.8 * std::sqrt(235.0 / 355.0));
+  const double rho = (lambda_p - 0.22) / (lambda_p * lambda_p);
+  const double effective = (2396.0 - 4.0 * 598.0 * (1.0 - rho)) * 1e-6;
+  CHECK(result.slenderness < 0.2);
+  CHECK(result.check.resisting.value() == Approx(effective * 355e6).epsilon(1e-9));
+  CHECK(result.check.resisting.value() == Approx(66e3).epsilon(0.01));
+  CHECK(2396e-6 * 355e6 == Approx(851e3).epsilon(1e-3));
+  CHECK_FALSE(result.check.passes());
+  CHECK(result.check.source.find("EN 1993-1-5:2006, 4.4") != std::string::npos);
+}
+
+TEST_CASE("a strut whose section cannot be judged stops the verdict; as a tie it may be checked") {
+  // d/t = 600/2 = 300 is far above 90 eps^2 = 59.6.
+  const std::string shell = "kind = \"round tube\"\ndiameter = \"600 mm\"\nwall = \"2 mm\"\n";
+  const Project pressed = rod_under(false, "-90 deg", "0.1 kN", shell);
+  const RodChecks checks = check_rods(pressed, run_situations(pressed));
+  CHECK(checks.results.empty());
+  REQUIRE(checks.gates.size() == 1);
+  CHECK(checks.gates.front().blocks);
+  CHECK(checks.gates.front().finding.find("rod strut: round wall: d/t = 300") == 0);
+  CHECK(verify(pressed).verdict == Verdict::not_applicable);
+  const Project pulled = rod_under(false, "90 deg", "0.8 kN", shell);
+  const RodChecks tie = check_rods(pulled, run_situations(pulled));
+  CHECK(tie.gates.empty());
+  REQUIRE(tie.results.size() == 1);
+  CHECK(tie.results.front().check.criterion == Criterion::rod);
+}
+
+TEST_CASE("what loads a rod beside its ends stops the verdict, for its bending is not counted") {
+  const std::string bar = "kind = \"plate\"\nwidth = \"50 mm\"\nheight = \"50 mm\"\n";
+  const Project project =
+      rod_under(false, "-90 deg", "1 kN", bar,
+                "[forces.side]\nkind = \"couple\"\npoints = [\"rod.P\"]\nsize = \"1 N m\"\n");
+  const RodChecks checks = check_rods(project, run_situations(project));
+  REQUIRE(checks.gates.size() == 1);
+  CHECK(checks.gates.front().blocks);
+  CHECK(checks.gates.front().finding ==
+        "rod strut: side loads it beside its ends or turns it, and its bending is not counted");
+}
+
+TEST_CASE("a rod that turns is pulled most inside: the sum of its mass elements says how much") {
+  // The upper rod as an even bar of 119 kg: the tension is summed from B in 4000 pieces, each with
+  // the acceleration of its own middle.
+  const Project project = read(rod_lines);
+  const std::deque<SituationRun> runs = run_situations(project);
+  const double found = rod_result(project, runs, Criterion::rod).check.acting.value();
+  constexpr int pieces = 4000;
+  double largest = -1e300;
+  for (const InstantResult& state : states()) {
+    const BodyMotion& rod = body(state, "upper_rod");
+    const Eigen::Vector2d along(std::cos(rod.position.z()), std::sin(rod.position.z()));
+    const double omega = rod.velocity.z();
+    double tension = reaction(state, "B").force.dot(along);
+    largest = std::max(largest, tension);
+    for (int i = 0; i < pieces; ++i) {
+      const double from_centre = 0.5 * ((i + 0.5) / pieces - 0.5);
+      const double acceleration =
+          rod.acceleration.head<2>().dot(along) - omega * omega * from_centre;
+      tension += 119.0 / pieces * (acceleration + g * along.y());
+      largest = std::max(largest, tension);
+    }
+  }
+  CHECK(found >= largest * (1.0 - 1e-9));
+  CHECK(found == Approx(largest).epsilon(1e-4));
 }
 
 TEST_CASE("pins and rods that cannot be are refused at their place") {
@@ -222,4 +371,7 @@ TEST_CASE("pins and rods that cannot be are refused at their place") {
                       "rod");
   test::check_refused(replaced(rod_lines, "curve = \"a\"", "curve = \"e\""), "curve = \"e\"", "e",
                       "a0");
+  // 114.3 x 10: pi (114.3^2 - 94.3^2)/4 = 3277 mm^2.
+  test::check_refused(replaced(rod_lines, "curve", "net_area = \"33 cm^2\"\ncurve"), "net_area",
+                      "larger than the whole section, 3276", "less the holes");
 }

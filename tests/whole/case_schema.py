@@ -198,7 +198,8 @@ def kinds_of_planar(case):
     case["loops"]["along"] = {"along": ["rod.A", "lever.B"], "direction": "0 deg", "sign": "+"}
     case["motion"] = {"duration": "1 s", "settle": "0 s"}
     case["model"] = {"demand": "rigid", "tolerance": 0.01, "youngs_modulus": "210 GPa",
-                     "shear_modulus": "81 GPa", "damping": {"ratio": 0.01, "at": "1 Hz"}}
+                     "shear_modulus": "81 GPa", "damping": {"ratio": 0.01, "at": "1 Hz"},
+                     "loads": "measured"}
     box = {"kind": "box", "width": "100 mm", "height": "200 mm"}
     case["sections"] |= {
         "s1": box | {"top_flange": "8 mm", "bottom_flange": "8 mm", "left_web": "8 mm",
@@ -230,8 +231,10 @@ def kinds_of_planar(case):
                      "inner_plate": "20 mm", "outer_plate": "10 mm", "gap": "1 mm", "steel": "S355",
                      "plate_steel": "S355", "gamma_M0": 1.0, "gamma_M2": 1.25, "required": 1.0}]
     case["rods"] = [{"name": "r", "from": "rod.A", "to": "rod.B", "section": "s3", "curve": "c",
-                     "buckling_length": "2 m", "gamma_M1": 1.0, "required": 1.0, "steel": "S355"}]
-    case["deflection"] = {"limit": "5 mm", "from": "0 m", "to": "2.5 m", "youngs_modulus": "210 GPa",
+                     "buckling_length": "2 m", "net_area": "1000 mm^2", "gamma_M0": 1.0,
+                     "gamma_M1": 1.0, "gamma_M2": 1.25, "required": 1.0, "steel": "S355"}]
+    case["deflection"] = {"limit": "5 mm", "against": "chord", "from": "0 m", "to": "2.5 m",
+                          "load_factor": True, "youngs_modulus": "210 GPa",
                           "shear_modulus": "81 GPa"}
     fatigue = case["fatigue"]
     del fatigue["category"], fatigue["gamma_Mf"], fatigue["cycles"]

@@ -70,6 +70,9 @@ struct StrengthDemand {
 };
 
 struct FatigueInput {
+  /// Whether the case asks for fatigue at all; without [fatigue] the rest means nothing and no
+  /// situation has cycles.
+  bool asked = true;
   BeamDetail beam;  ///< of the whole beam, unless one of the details says otherwise
   /// Plates under shear stress, and the throats of seams, anywhere on the beam.
   Detail shear, throat;
@@ -130,15 +133,17 @@ struct PinInput {
   double required = 1.0;
 };
 
-/// A rod of the mechanism between two of its points, looked at under compression.
+/// A rod of the mechanism between two of its points, looked at under tension and compression.
 struct RodInput {
   std::string name;
   planar::Attachment from, to;  ///< of one body
   Section section;
-  Stress yield_strength;
+  Stress yield_strength;         ///< of its thickest wall
+  Stress tensile_strength;       ///< likewise
+  std::optional<Area> net_area;  ///< where holes for fasteners weaken it most; nothing: no holes
   Length buckling_length;
   BucklingCurve curve = BucklingCurve::c;
-  double gamma_M1 = 1.0;
+  double gamma_M0 = 1.0, gamma_M1 = 1.0, gamma_M2 = 1.25;
   double required = 1.0;
 };
 
@@ -154,10 +159,22 @@ struct WeldInput {
   double required = 1.0;
 };
 
-/// How far the beam may bend away from the straight line between two of its places.
+/// The straight line between the places of two stations, which stay on it.
+struct Chord {
+  Length from, to;
+};
+
+/// The line along the beam as it lies at a station: the place and the turn there are none.
+struct Tangent {
+  Length at;
+};
+
+/// How far the beam may bend away from a line.
 struct DeflectionInput {
   Length limit;
-  Length from, to;  ///< stations of the line's ends, which stay on it
+  std::variant<Chord, Tangent> against;
+  std::string measured_from;  ///< "the tangent at s = 0 m, where joint root clamps the beam"
+  bool load_factor = false;   ///< whether the situations' load factors multiply it
   Stress youngs_modulus;
   Stress shear_modulus;
 };
@@ -182,6 +199,8 @@ struct ModelInput {
   double youngs_modulus = 2.1e11;  ///< of the beam [Pa]
   double shear_modulus = 8.1e10;   ///< [Pa]
   double retardation = 0.0;        ///< Kelvin-Voigt damping of the beam [s]
+  /// Whether the loads were measured on the running machine: they contain its vibration.
+  bool measured_loads = false;
 };
 
 /// A formula of the user's own, evaluated, to be printed beside what the program finds.

@@ -34,6 +34,7 @@ constexpr bool is_of(const DimensionExponents& exponents, const WantedDimension&
 
 namespace wanted {
 inline constexpr WantedDimension length{{1, 0, 0, 0}, "a length", "\"0.25 m\" or \"250 mm\""};
+inline constexpr WantedDimension area{{2, 0, 0, 0}, "an area", "\"1200 mm^2\""};
 inline constexpr WantedDimension mass{{0, 1, 0, 0}, "a mass", "\"119 kg\" or \"20 t\""};
 inline constexpr WantedDimension time{{0, 0, 1, 0}, "a time", "\"1.071 s\""};
 inline constexpr WantedDimension angle{{0, 0, 0, 1}, "an angle", "\"25 deg\" or \"0.44 rad\""};

@@ -110,6 +110,7 @@ class TableReader {
   std::string name_below(std::string_view key) const;
   double bare_number(std::string_view key, std::optional<double> fallback, bool above_zero,
                      const char* example);
+  bool is_too_long(const std::string& name, const Place& place, std::size_t count);
   const std::vector<Node>* list_of(std::string_view key, const char* example);
   double quantity_in(const Node& node, const std::string& what, const WantedDimension& wanted);
   Eigen::Vector3d direction_in(const Node& node, const std::string& what);

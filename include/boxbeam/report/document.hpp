@@ -78,10 +78,11 @@ struct Listing {
 
 /// The mechanism, its loads and the cut forces over the cycle, to be moved by the reader. Only HTML
 /// shows it.
+/// Situations of a case that a page with scripts shows by choice, moving.
 struct MovingPicture {
-  CycleFigure cycle;
+  std::vector<CycleFigure> cycles;  ///< none: no picture
+  std::size_t first = 0;            ///< which one it begins with
   std::string caption;
-  bool repeats = true;  ///< behind the last frame comes the first; else the motion ends there
 };
 
 struct Subheading {
@@ -102,7 +103,8 @@ struct Document {
   std::string date;          ///< "2026-11-21"
   std::string program;       ///< "boxbeam 0.1.0"
   std::string input_sha256;  ///< "": of no single input
-  std::string verdict;       ///< "PASS", "FAIL", "NOT APPLICABLE"; "": nothing is judged
+  std::string verdict;       ///< "PASS", "FAIL; rod hanger: no force"; "": nothing is judged
+  std::vector<std::string> reasons = {};  ///< of the verdict, where it is "NOT APPLICABLE"
   Mark mark = Mark::none;
   Facts facts;      ///< the rest of the title block
   Table governing;  ///< under the verdict: the worst check of every criterion

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "boxbeam/report/document.hpp"
 
 namespace boxbeam::report {
 
-/// A report as plain text, 110 columns.
-std::string text_of(const Document& document);
+/// Columns of a report in a file.
+inline constexpr std::size_t report_columns = 110;
 
-/// A calculation sheet as plain text.
-std::string text_of(const Sheet& sheet);
+/// A report as plain text.
+std::string text_of(const Document& document, std::size_t width = report_columns);
+
+/// A calculation sheet as plain text, in a frame of so many columns.
+std::string text_of(const Sheet& sheet, std::size_t width = report_columns);
 
 }  // namespace boxbeam::report

@@ -40,6 +40,7 @@ enum class Criterion {
   stress_range,      ///< the largest range against 1.5 times the yield strength
   weld,              ///< throat of a weld
   pin,               ///< a pin and its bearing
+  rod,               ///< a rod under tension
   buckling,          ///< a rod under compression
   deflection,        ///< of the beam
 };
@@ -48,8 +49,8 @@ enum class Criterion {
 inline constexpr std::array criteria{Criterion::yield,         Criterion::fatigue,
                                      Criterion::shear_fatigue, Criterion::combined_fatigue,
                                      Criterion::stress_range,  Criterion::weld,
-                                     Criterion::pin,           Criterion::buckling,
-                                     Criterion::deflection};
+                                     Criterion::pin,           Criterion::rod,
+                                     Criterion::buckling,      Criterion::deflection};
 
 /// "yield", "shear fatigue", ...; in ids with "-" for the space.
 const char* to_text(Criterion criterion);

@@ -18,6 +18,9 @@ struct ShownInstant {
   std::size_t situation = 0;  ///< index in the case
   Time time;
   std::string why;  ///< "largest M, highest stress at the governing place"
+  /// How telling: the largest bending moment there over the largest of all, and one more at an
+  /// extreme of stress at the governing place.
+  double weight = 0.0;
 };
 
 /// The distinct times of the extremes of bending and stress, in order.

@@ -15,9 +15,10 @@ struct CycleFrame {
   std::vector<CutForces> values;  ///< at the stations of the cycle
 };
 
-/// One cycle of the situation that runs first, evenly divided, for a drawing that moves.
+/// One cycle of a situation, evenly divided, for a drawing that moves.
 struct CycleFigure {
   std::string situation;  ///< "" where the case has only one
+  bool repeats = true;    ///< behind the last frame comes the first; else the motion ends there
   /// Along the beam, two at every jump; the same for all frames.
   std::vector<Station> stations;
   std::vector<CycleFrame> frames;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "boxbeam/verification/check.hpp"
@@ -9,38 +11,65 @@
 
 namespace boxbeam {
 
-/// How a unit deflection at one place follows from the cut forces along the beam: the deflection is
-/// the sum of weight_N N + weight_M M + weight_V V over the nodes.
-///
-///     w(s_j) = int m_j kappa ds + int v_j V/(G A_v) ds,  kappa = M/(E I_y)
-///
-/// kappa is the slope of the normal stress along z over E: in unsymmetric sections, or where the
-/// centroid lies off the axis, it depends on N too (normal_stress_plane).
-///
-/// m_j and v_j are the cut forces under a force of one at s_j, the beam supported at the two ends
-/// of the line from which the deflection is measured. Exact but for the quadrature (Gauss, five
-/// nodes to each sixteenth of a segment). A_v: EN 1993-1-1 6.2.6 (webs of boxes, 2 A/pi of round
-/// tubes, 5/6 of solid plates). Source: virtual work; Timoshenko, Strength of Materials I,
-/// article 68.
-struct DeflectionInfluence {
-  Length at;
-  std::vector<double> weight_N, weight_M, weight_V;
+/// How a piece of the beam bends and shears under its cut forces, at the nodes of Gauss' rule.
+struct FlexibilityPiece {
+  static constexpr std::size_t nodes = 5;
+
+  Length start, length;
+  std::array<double, nodes> curvature_N;  ///< curvature per N [1/(N m)]
+  std::array<double, nodes> curvature_M;  ///< curvature per M_y, 1/(E I_y) [1/(N m^2)]
+  std::array<double, nodes> shear;        ///< 1/(G A_v) [1/N]
 };
 
-/// The nodes and the influences at so many places evenly along the beam.
+/// The beam as it bends: a sixteenth of a segment each piece, in order.
+///
+/// kappa is the slope of the normal stress along z over E: in unsymmetric sections, or where the
+/// centroid lies off the axis, it depends on N too (normal_stress_plane). A_v: EN 1993-1-1 6.2.6
+/// (webs of boxes, 2 A/pi of round tubes, 5/6 of solid plates). Holes are left out.
 struct DeflectionModel {
-  std::vector<Length> nodes;
-  std::vector<DeflectionInfluence> influences;
+  std::vector<FlexibilityPiece> pieces;
+  std::variant<Chord, Tangent> against;
 };
 
 DeflectionModel deflection_model_of(const Project& project);
 
-/// Deflections at the places of the model [m], positive along +z.
-std::vector<double> deflections_of(const DeflectionModel& model, const CutForceDiagram& diagram);
+/// The bent axis, positive along +z, from the line that it is measured from. Between the ends of a
+/// stretch it is the cubic of both places and slopes.
+struct DeflectedLine {
+  struct Stretch {
+    Length from, to;
+    Length w_from, w_to;
+    double slope_from = 0.0, slope_to = 0.0;
+  };
+  std::vector<Stretch> stretches;  ///< in order, from the start of the beam to its end
 
-/// The largest deflection in any situation against its limit. Small displacements, elastic,
-/// quasi-static: the loads are those of the rigid mechanism. Nothing for a
-/// beam that never bends.
+  Length at(Length s) const;
+};
+
+/// A place of a line and how far it lies off, without sign.
+struct LargestDeflection {
+  Length at, size;
+};
+
+LargestDeflection largest_of(const DeflectedLine& line);
+
+/// Timoshenko's beam, integrated along the axis (Gauss' rule on every stretch between loads, ends
+/// of segments and ends of the line that is measured from):
+///
+///     theta' = -kappa,  w' = theta + V/(G A_v),  kappa = M/(E I_y)
+///
+/// The rotation theta is that of the sections. From a chord: w less the straight line through both
+/// ends; from a tangent at a: w less w(a) + theta(a) (s - a), as of a beam clamped there.
+/// Source: Timoshenko, Strength of Materials I, articles 38 and 39.
+DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiagram& diagram);
+
+/// "chord 0 to 4 m", "tangent at 0 m".
+std::string to_text(const std::variant<Chord, Tangent>& against);
+
+/// The largest deflection anywhere along the beam, at any time, in any situation, against its
+/// limit; the load factors of the situations count only where the case asks for it. Small
+/// displacements, elastic, quasi-static under the loads of the chosen model. Nothing for a beam
+/// that never bends.
 std::optional<Check> check_deflection(const Project& project, const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam

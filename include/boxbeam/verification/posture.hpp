@@ -14,9 +14,10 @@ namespace boxbeam {
 struct BeamLoadRow {
   Time time;
   std::size_t situation = 0;  ///< index in the case
-  std::string name;           ///< in the plane of the beam's point, in space of the joint or load
+  std::string name;           ///< of the joint or load; of the Newton chain the beam's point
   Length s;
   Eigen::Vector3d world = Eigen::Vector3d::Zero();   ///< force, world axes [N]
+  Eigen::Vector3d couple = Eigen::Vector3d::Zero();  ///< the moment below, world axes [N m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< beam axes [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axis point at s, beam axes [N m]
   Eigen::Vector3d place = Eigen::Vector3d::Zero();   ///< where it acts, as in the posture [m]
@@ -28,6 +29,7 @@ struct BeamLoadRow {
 struct PostureFigure {
   Time time;
   std::string why;        ///< "largest M", with the situation
+  double weight = 0.0;    ///< how telling: see ShownInstant
   std::string situation;  ///< its name, "" where the case has only one
   struct Stroke {
     Eigen::Vector3d from, to;  ///< [m]
@@ -53,8 +55,8 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
                              const spatial::State& state, const std::string& why);
 
 /// What the joints and loads do to the beam, and where in that state.
-std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads,
-                                   const planar::State& state);
+std::vector<BeamLoadRow> load_rows(const Project& project, const planar::Mechanism& mechanism,
+                                   const BeamLoads& loads, const planar::State& state);
 std::vector<BeamLoadRow> load_rows(const Project& project, const spatial::Mechanism& mechanism,
                                    const BeamLoads& loads, const spatial::State& state);
 

@@ -94,6 +94,12 @@ struct DigitsLeft {
   Time time;
 };
 
+/// Something that a case asks for and that could not be judged.
+struct NotJudged {
+  std::string what;    ///< "fatigue", "rod hanger"
+  std::string reason;  ///< "no stress range"
+};
+
 /// What there is to know of a mechanism whose joints are equations to be solved.
 struct ClosureSummary {
   planar::DegreesOfFreedom freedom;
@@ -119,6 +125,7 @@ struct MotionSummary {
 struct Verification {
   Verdict verdict = Verdict::fail;
   ModelChoice model;
+  std::vector<NotJudged> not_judged;
   SearchSummary search;             ///< of the governing places along the beam
   std::vector<CheckResult> checks;  ///< worst utilisation first
   std::vector<CriticalInstant> critical_instants;
@@ -140,13 +147,17 @@ struct Verification {
   std::vector<PublishedConcentration> published_concentrations;
   std::optional<SnFigure> sn;
   // Where figures are wanted:
-  std::optional<CycleFigure> cycle;
+  std::vector<CycleFigure> cycles;  ///< of every situation that runs, the first first
   std::vector<DriverLine> drivers;
   std::optional<SectionFigure> section;  ///< where the governing check rests on cut forces
 
   /// The check with the highest utilisation of a criterion, or nullptr.
   const CheckResult* governing(Criterion criterion) const;
 };
+
+/// The situation, as an index in the case, in which the worst check that rests on cut forces is
+/// worst.
+std::size_t governing_situation_of(const Verification& verification);
 
 /// Whether a verification brings what only pictures need.
 enum class Figures { without, with };

@@ -50,4 +50,18 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
   return loads;
 }
 
+std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, const State& state,
+                                             int beam_body) {
+  std::vector<std::string> names;
+  for (const Reaction& reaction : reactions_of(mechanism, state)) {
+    if (reaction.on != beam_body) continue;
+    names.push_back(mechanism.joints[static_cast<std::size_t>(reaction.joint)].name);
+  }
+  for (const AppliedLoad& load : applied_loads_of(mechanism, state.time, state.q, state.v)) {
+    if (load.on != beam_body) continue;
+    names.push_back(mechanism.forces[static_cast<std::size_t>(load.force)].name);
+  }
+  return names;
+}
+
 }  // namespace boxbeam::planar

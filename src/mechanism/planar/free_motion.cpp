@@ -1,5 +1,7 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include <algorithm>
@@ -23,6 +25,9 @@ constexpr double singular = 1e-6;         ///< nothing is known any more
 // Errors of a step in scaled coordinates.
 constexpr double error_near_singular = 1e-8;
 constexpr double error_of_passage = 1e-6;
+
+/// Solutions of the equations of motion times coordinates, at most: some ten seconds.
+constexpr double most_work = 5e7;
 
 }  // namespace
 
@@ -214,6 +219,19 @@ State FreeSolver::advance(double time, const State& known) {
   bool inside = false;  // close to a singular position already
   while (direction * (time - state.time) > smallest) {
     dt = direction * std::min(std::abs(dt), std::abs(time - state.time));
+    if (static_cast<double>(equations_.evaluations()) * static_cast<double>(state.q.size()) >
+        most_work) {
+      throw AnalysisError(
+          {fmt::format(
+               "the motion under the applied forces takes too much work: {} steps have not "
+               "led to its end; look for a spring that is far too stiff, a mass that is far "
+               "too small or a [motion] duration that is far too long",
+               steps_),
+           "mechanism",
+           state.time,
+           {},
+           {}});
+    }
     Step step = step_from(state, dt);
     regular_ = std::max(regular_, step.end_pivot);
     const double bound =

@@ -12,6 +12,7 @@
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const plus = (a, b, factor = 1) => a.map((x, i) => x + factor * b[i]);
   const length = (a) => Math.sqrt(dot(a, a));
+  const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
   const clamp = (x, low, high) => Math.max(low, Math.min(high, x));
 
   // Four significant digits, never as a power of ten.
@@ -82,13 +83,15 @@
     };
   };
 
-  // Loads of a frame: name, place [m], force [kN].
+  // Loads of a frame: name, place [m], force [kN], couple [kN m].
   const loads_of = (data, rows) => rows.map((row) => {
     const { space, digit } = data.mechanism;
     const n = space ? 3 : 2;
     const vector = (from, unit) => [0, 1, 2].map((i) => (i < n ? row[from + i] * unit : 0));
     return {
       name: data.loads.names[row[0]], place: vector(1, digit), force: vector(1 + n, data.loads.digit),
+      couple: space ? vector(1 + 2 * n, data.loads.coupleDigit)
+        : [0, 0, row[1 + 2 * n] * data.loads.coupleDigit],
     };
   });
 
@@ -116,6 +119,10 @@
       const all = this.loads.flat();
       const largest = Math.max(...all.map((load) => length(load.force)), 1e-30);
       this.reach = 0.28 * size / largest;
+      const couple = Math.max(...all.map((load) => length(load.couple)), 0);
+      // What rounding leaves of lever arms is no couple.
+      this.least_couple = Math.max(0.02 * couple, 1e-6 * largest * size, 1e-30);
+      this.normal = cross(this.view[0], this.view[1]);
       this.guide = 0.12 * size;
       for (const load of all) take(this.tail(load));
       const margin = 30;
@@ -164,6 +171,7 @@
       const most = Math.max(0, ...this.loads.map((list) => list.length));
       this.arrows = Array.from({ length: most }, () => ({
         line: ink.make("line", "load"), head: ink.make("path", "head"),
+        ring: ink.make("path", "couple"), end: ink.make("path", "head"),
       }));
       this.names = this.arrows.map(() => ink.make("text"));
       this.rule();
@@ -246,35 +254,70 @@
     }
 
     show_loads(loads) {
-      const taken = [];
-      const { width, height } = this.ink;
+      this.taken = [];
       this.arrows.forEach((arrow, i) => {
         const load = loads[i];
         const tip = load && this.at(load.place), tail = load && this.at(this.tail(load));
         const long = load ? Math.hypot(tip[0] - tail[0], tip[1] - tail[1]) : 0;
-        const seen = long >= 3;
-        for (const part of [arrow.line, arrow.head, this.names[i]]) part.style.display = seen ? "" : "none";
-        if (!seen) return;
-        const along = [(tip[0] - tail[0]) / long, (tip[1] - tail[1]) / long];
-        const size = Math.min(10, long);
-        const back = plus(tip, along, -size);
-        const side = [-0.35 * size * along[1], 0.35 * size * along[0]];
-        Svg.line(arrow.line, tail, plus(tip, along, -0.8 * size));
-        const corners = [tip, plus(back, side), plus(back, side, -1)];
-        Svg.set(arrow.head, { d: `M${corners.map((p) => p.map((x) => x.toFixed(2)).join(" ")).join("L")}z` });
-        const words = `${load.name}  ${significant(length(load.force))} kN`;
-        // Beyond the tail, beside the arrow where that is not upright, never over another name.
-        const wide = Math.min(7.2 * words.length, width - 8);
-        const part = along[0] > 0.4 ? 1 : along[0] < -0.4 ? 0 : 0.5;
-        const x = clamp(tail[0] - 6 * along[0] - part * wide, 4, width - wide - 4);
-        let y = clamp(tail[1] - 12 * along[1] + 4, 15, height - 32);
-        const crowded = () => taken.some(([a, b, w]) => x < a + w && a < x + wide && Math.abs(b - y) < 15);
-        while (crowded() && y > 30) y -= 15;
-        while (crowded() && y < height - 47) y += 15;
-        taken.push([x, y, wide]);
-        this.names[i].textContent = words;
-        Svg.set(this.names[i], { x, y });
+        const couple = load ? dot(this.normal, load.couple) : 0;
+        const pushes = long >= 3, turns = Math.abs(couple) > this.least_couple;
+        const shown = (parts, seen) => parts.forEach((part) => { part.style.display = seen ? "" : "none"; });
+        shown([arrow.line, arrow.head], pushes);
+        shown([arrow.ring, arrow.end], turns);
+        shown([this.names[i]], pushes || turns);
+        if (!pushes && !turns) return;
+        let words = `${load.name}  `;
+        let along = [0, 1];
+        let beside = plus(tip, [0, -20]);
+        if (pushes) {
+          along = [(tip[0] - tail[0]) / long, (tip[1] - tail[1]) / long];
+          const size = Math.min(10, long);
+          Svg.line(arrow.line, tail, plus(tip, along, -0.8 * size));
+          Mechanism.point(arrow.head, tip, along, size);
+          beside = tail;
+          words += `${significant(length(load.force))} kN`;
+        }
+        if (turns) {
+          this.turn(arrow, tip, couple > 0);
+          words += `${pushes ? ", " : ""}${significant(Math.abs(couple))} kN m`;
+        }
+        this.write(this.names[i], words, beside, along);
       });
+    }
+
+    // An arrow's head at a tip.
+    static point(head, tip, along, size) {
+      const back = plus(tip, along, -size);
+      const side = [-0.35 * size * along[1], 0.35 * size * along[0]];
+      const corners = [tip, plus(back, side), plus(back, side, -1)];
+      Svg.set(head, { d: `M${corners.map((p) => p.map((x) => x.toFixed(2)).join(" ")).join("L")}z` });
+    }
+
+    // Three quarters of a circle about a place with a head at its end, open below.
+    turn(arrow, at, counter_clockwise) {
+      const ring = 15, half = 0.70711, side = counter_clockwise ? -1 : 1;
+      const begin = plus(at, [-side * half, half], ring), end = plus(at, [side * half, half], ring);
+      const along = [-side * half, half];
+      const text = (p) => p.map((x) => x.toFixed(2)).join(" ");
+      Svg.set(arrow.ring, {
+        d: `M${text(begin)}A${ring} ${ring} 0 1 ${counter_clockwise ? 0 : 1} ${text(end)}`,
+      });
+      Mechanism.point(arrow.end, plus(end, along, 5), along, 10);
+    }
+
+    // Beyond an arrow's tail, beside the arrow where that is not upright, never over another name.
+    write(label, words, tail, along) {
+      const { width, height } = this.ink;
+      const wide = Math.min(7.2 * words.length, width - 8);
+      const part = along[0] > 0.4 ? 1 : along[0] < -0.4 ? 0 : 0.5;
+      const x = clamp(tail[0] - 6 * along[0] - part * wide, 4, width - wide - 4);
+      let y = clamp(tail[1] - 12 * along[1] + 4, 15, height - 32);
+      const crowded = () => this.taken.some(([a, b, w]) => x < a + w && a < x + wide && Math.abs(b - y) < 15);
+      while (crowded() && y > 30) y -= 15;
+      while (crowded() && y < height - 47) y += 15;
+      this.taken.push([x, y, wide]);
+      label.textContent = words;
+      Svg.set(label, { x, y });
     }
   }
 
@@ -376,21 +419,40 @@
     constructor(figure, number) {
       this.figure = figure;
       this.number = number;
-      this.data = JSON.parse(figure.querySelector("script").textContent);
-      const { data } = this;
+      const { first, situations } = JSON.parse(figure.querySelector("script").textContent);
+      this.situations = situations;
+      this.take(situations[first]);
+      this.build(first);
+      this.show();
+    }
+
+    // The data of a situation, at its place of the largest bending moment.
+    take(data) {
+      this.data = data;
       this.frame = data.frame;
       this.station = data.station;
       const n = data.times.length;
       this.last = n - (data.repeats ? 0 : 1);  // where the motion ends or begins again, in frames
       this.period = n < 2 ? 0 : ((data.times[n - 1] - data.times[0]) * this.last) / (n - 1);
-      this.build();
-      this.show();
     }
 
-    build() {
+    choose(number) {
+      this.stop();
+      this.take(this.situations[number]);
+      const { data } = this;
+      this.slider.max = data.times.length - 1;
+      const { view } = this.mechanism;
+      this.mechanism = new Mechanism(this.mechanism.ink.svg, data);
+      if (data.mechanism.space) this.mechanism.view = view;
+      this.diagrams = new Diagrams(this.diagrams.ink.svg, data);
+      this.readout();
+      this.layout(true);
+    }
+
+    build(first) {
       const { figure, data } = this;
       const pane = figure.querySelector(".pane");
-      this.controls(pane);
+      this.controls(pane, first);
       const panes = element("div", { class: "panes" });
       pane.before(panes);
       panes.append(pane);
@@ -402,7 +464,9 @@
       svg.setAttribute("aria-label", "Cut forces along the beam; their values stand in the table below");
       second.append(svg);
       this.diagrams = new Diagrams(svg, data);
-      this.readout(panes);
+      this.box = element("div", { class: "readout" });
+      panes.after(this.box);
+      this.readout();
       const pick = (event) => {
         const box = svg.getBoundingClientRect();
         this.station = this.diagrams.station_at((event.clientX - box.left) * this.diagrams.ink.width / box.width);
@@ -414,9 +478,16 @@
       this.layout();
     }
 
-    controls(before) {
+    controls(before, first) {
       const bar = element("div", { class: "controls" });
       before.before(bar);
+      if (this.situations.length > 1) {
+        const label = element("label", {}, bar, "Situation ");
+        const select = element("select", { class: "situation" }, label);
+        this.situations.forEach((of, i) => element("option", { value: i }, select, of.situation));
+        select.value = first;
+        select.addEventListener("change", () => this.choose(Number(select.value)));
+      }
       const button = (words, label, work) => {
         const made = element("button", { type: "button", "aria-label": label }, bar, words);
         made.addEventListener("click", work);
@@ -432,7 +503,7 @@
       this.time = element("output", {}, bar);
       if (this.data.mechanism.space) {
         const label = element("label", {}, bar, "View ");
-        const select = element("select", {}, label);
+        const select = element("select", { class: "view" }, label);
         for (const name of Object.keys(VIEWS)) element("option", { value: name }, select, name);
         select.addEventListener("change", () => {
           this.mechanism.view = VIEWS[select.value];
@@ -447,10 +518,9 @@
       });
     }
 
-    readout(after) {
-      const { data } = this;
-      const box = element("div", { class: "readout" });
-      after.after(box);
+    readout() {
+      const { data, box } = this;
+      box.replaceChildren();
       const label = element("label", {}, box, "Place on the beam ");
       this.places = element("input", { type: "range", min: 0, max: data.stations.length - 1, step: 1 }, label);
       this.places.addEventListener("input", () => {
@@ -472,8 +542,9 @@
       };
       const cut = table("cut force there", "now", "smallest", "largest");
       this.cells = data.cut.map((of) => row(cut, `${of.name} [${of.unit}]`, 3));
-      const loads = table("load on the beam", "now [kN]");
-      this.load_cells = data.loads.names.map((name) => row(loads, name, 1)[0]);
+      const turning = data.loads.frames.some((frame) => loads_of(data, frame).some((load) => length(load.couple) > 0));
+      const loads = table("load on the beam", "now [kN]", ...(turning ? ["couple [kN m]"] : []));
+      this.load_cells = data.loads.names.map((name) => row(loads, name, turning ? 2 : 1));
       if (data.loads.names.length === 0) loads.parentNode.remove();
     }
 
@@ -539,10 +610,11 @@
           this.cells[k][c].textContent = significant(numbers[station] * of.digit);
         });
       });
-      const sizes = new Map(this.mechanism.loads[frame].map((load) => [load.name, length(load.force)]));
-      data.loads.names.forEach((name, i) => {
-        this.load_cells[i].textContent = sizes.has(name) ? significant(sizes.get(name)) : "-";
-      });
+      const sizes = new Map(this.mechanism.loads[frame].map(
+        (load) => [load.name, [length(load.force), length(load.couple)]]));
+      data.loads.names.forEach((name, i) => this.load_cells[i].forEach((cell, k) => {
+        cell.textContent = sizes.has(name) ? significant(sizes.get(name)[k]) : "-";
+      }));
     }
 
     show_time() {

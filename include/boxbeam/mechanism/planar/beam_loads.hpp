@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "boxbeam/beam/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 
@@ -24,5 +27,9 @@ Eigen::Vector3d in_beam_axes(const Eigen::Vector2d& world, double angle);
 /// applied to it, and its own weight and inertia per length, along and across the axis. What acts
 /// off the axis adds its couple.
 BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const BeamBody& beam);
+
+/// Of its point loads, in their order, the joints and forces that they come from.
+std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, const State& state,
+                                             int beam_body);
 
 }  // namespace boxbeam::planar

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/section/section.hpp"
+
+namespace boxbeam {
+
+/// A plate of a section under even compression.
+struct CompressedPlate {
+  std::string name;       ///< "flange", "web", "round wall", "wall 2", ...
+  double ratio = 0.0;     ///< c/t, or d/t of a round tube
+  double limit = 0.0;     ///< of class 3
+  Length thickness;       ///< of internal plates in class 4
+  double lambda_p = 0.0;  ///< relative slenderness; of internal plates in class 4
+  double rho = 1.0;       ///< share of its width that is effective
+  Area idle;              ///< of all plates of this name, what is not effective
+};
+
+/// What of a section bears even compression.
+struct CompressedSection {
+  std::vector<CompressedPlate> plates;  ///< none of a solid
+  bool class_4 = false;
+  Area area;       ///< of the whole section
+  Area effective;  ///< A in classes 1 to 3, A_eff in class 4
+  /// Why it cannot be judged, with numbers and clause; "" where it can.
+  std::string obstacle;
+};
+
+/// The class of a section by its own plates, all evenly compressed, and its effective area:
+///
+///     internal: c/t <= 42 eps,  outstand: c/t <= 14 eps,  round tube: d/t <= 90 eps^2,
+///     A_eff = A - sum (1 - rho) c t,  rho with psi = 1, k_sigma = 4
+///
+/// Beyond these limits A_eff is known for boxes without stiffeners of equal webs and equal flanges
+/// and for rectangular tubes, whose centroid stays where it is. Not judged: the rest in class 4,
+/// open thin-walled paths, which may twist (EN 1993-1-1, 6.3.1.4), and polygons that are hollow or
+/// not convex, whose walls nobody knows. Source: EN 1993-1-1:2005, table 5.2; EN 1993-1-5:2006,
+/// 4.3(3), 4.4.
+CompressedSection compressed_section_of(const Section& section, Stress yield_strength);
+
+}  // namespace boxbeam

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/verify.hpp"
+
+namespace boxbeam {
+
+/// Stops where a result is no number, or a factor is not above zero: the values of the case are too
+/// far apart for the arithmetic. Throws AnalysisError that names the result.
+void require_numbers(const Verification& verification);
+
+/// What is possible but can hardly be meant: a unit or a power of ten has probably slipped.
+std::vector<std::string> odd_things(const Project& project, const Verification& verification);
+
+}  // namespace boxbeam

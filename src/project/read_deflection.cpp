@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxbeam/beam/tapered_beam.hpp"
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+/// E and G of structural steel. Source: EN 1993-1-1:2005, 3.2.6.
+constexpr double youngs_modulus = 210e9;
+constexpr double shear_modulus = 81e9;
+
+/// Where joints hold the beam across its axis, ascending, and whether they hold its angle there.
+struct Support {
+  Length s;
+  std::string joint;
+  bool clamps = false;
+};
+
+/// What a joint does to the beam where it holds it.
+struct Hold {
+  bool place = false;  ///< it keeps the beam's place, across the axis at least
+  bool angle = false;
+};
+
+Hold hold_of(const planar::JointKind& kind) {
+  struct Holds {
+    Hold operator()(const planar::Pin&) const { return {true, false}; }
+    Hold operator()(const planar::Slider&) const { return {true, true}; }
+    Hold operator()(const planar::PinInSlot&) const { return {true, false}; }
+    Hold operator()(const planar::Rigid&) const { return {true, true}; }
+    Hold operator()(const planar::Distance&) const { return {true, false}; }
+    Hold operator()(const planar::AngleCoupling&) const { return {false, true}; }
+    Hold operator()(const planar::Gear&) const { return {true, true}; }
+    Hold operator()(const planar::Rack&) const { return {true, true}; }
+    Hold operator()(const planar::Driven& driven) const {
+      const bool angle = driven.coordinate == planar::Coordinate::angle;
+      return {!angle, angle};
+    }
+  };
+  return std::visit(Holds{}, kind);
+}
+
+/// The joint's point on the beam; nothing where another body slides along the beam, which loads it
+/// at a place that changes.
+std::optional<planar::Attachment> point_on_beam(const planar::Joint& joint, int beam_body) {
+  const auto slides = [&](const auto* of) { return of != nullptr && of->guide.body == beam_body; };
+  if (slides(std::get_if<planar::Slider>(&joint.kind)) ||
+      slides(std::get_if<planar::PinInSlot>(&joint.kind))) {
+    return std::nullopt;
+  }
+  const auto [a, b] = planar::ends_of(joint);
+  if (a.body == beam_body) return a;
+  if (b.body == beam_body) return b;
+  return std::nullopt;
+}
+
+std::vector<Support> supports_of(const Project& project) {
+  if (project.beam_body == planar::ground) return {};
+  const Length centre = mass_properties_of(project.beam).centre;
+  const std::vector<Length> places = places_of(project.beam);
+  struct Place : Support {
+    Hold hold;
+  };
+  std::vector<Place> found;
+  for (const planar::Joint& joint : planar_of(project).joints) {
+    const auto point = point_on_beam(joint, project.beam_body);
+    if (!point) continue;
+    const Hold hold = hold_of(joint.kind);
+    const Length s = place_near(places, centre + si<Length>(point->p.x()));
+    const auto same =
+        std::find_if(found.begin(), found.end(), [&](const Place& at) { return at.s == s; });
+    if (same == found.end()) {
+      found.push_back({{s, joint.name, false}, hold});
+      continue;
+    }
+    same->hold.place = same->hold.place || hold.place;
+    same->hold.angle = same->hold.angle || hold.angle;
+    if (joint.name != same->joint && !planar::is_driver(joint)) same->joint += " and " + joint.name;
+  }
+  std::vector<Support> supports;
+  for (const Place& at : found) {
+    if (!at.hold.place) continue;
+    supports.push_back({at.s, at.joint, at.hold.angle});
+  }
+  std::sort(supports.begin(), supports.end(),
+            [](const Support& a, const Support& b) { return a.s < b.s; });
+  return supports;
+}
+
+std::string metres(Length s) { return fmt::format("{:.6g}", s.value()); }
+
+/// What the supports of the beam say of the line that it bends away from: the tangent where it is
+/// clamped, or held at one place only, which can but be a clamp; the chord between two supports.
+/// Nothing where they are more.
+struct SupportedLine {
+  std::variant<Chord, Tangent> line;
+  std::string why;  ///< "where joint root clamps the beam"
+};
+
+std::optional<SupportedLine> line_of(const std::vector<Support>& supports) {
+  const auto clamps = [](const Support& support) { return support.clamps; };
+  const bool one = supports.size() == 1;
+  if (one || std::count_if(supports.begin(), supports.end(), clamps) == 1) {
+    const Support& clamp =
+        one ? supports.front() : *std::find_if(supports.begin(), supports.end(), clamps);
+    return SupportedLine{Tangent{clamp.s},
+                         fmt::format("where joint {} clamps the beam", clamp.joint)};
+  }
+  if (supports.size() != 2) return std::nullopt;
+  return SupportedLine{
+      Chord{supports[0].s, supports[1].s},
+      fmt::format("between its supports, joints {} and {}", supports[0].joint, supports[1].joint)};
+}
+
+std::string text_of(const std::variant<Chord, Tangent>& line) {
+  if (const auto* chord = std::get_if<Chord>(&line)) {
+    return fmt::format("the chord from s = {} to {} m", metres(chord->from), metres(chord->to));
+  }
+  return fmt::format("the tangent at s = {} m", metres(std::get<Tangent>(line).at));
+}
+
+/// "against", with "from" and "to" or "at"; without it what the supports say.
+void read_against(TableReader& table, const Project& project, DeflectionInput& deflection) {
+  const TaperedBeam& beam = project.beam;
+  const auto supported = line_of(supports_of(project));
+  const bool said = table.has("against");
+  enum { chord, axis, tangent };
+  const std::size_t word = said ? table.choice("against", {"chord", "axis", "tangent"}) : axis;
+  const bool ends = table.has("from") || table.has("to");
+  std::optional<Chord> between;
+  if (ends) {
+    between = {station_of(table, "from", beam), station_of(table, "to", beam)};
+    if (table.problems().empty() && !(between->from < between->to)) {
+      table.problem("to", "the line from which the deflection is measured has no length",
+                    "write two stations, \"from\" before \"to\"");
+    }
+  }
+  std::optional<Tangent> touching;
+  if (table.has("at")) touching = {station_of(table, "at", beam)};
+  if (said && between && word != chord) {
+    table.problem("from", "\"from\" and \"to\" are the ends of a chord",
+                  "remove them, or write against = \"chord\"");
+  }
+  if (touching && (!said || word != tangent)) {
+    table.problem("at", "\"at\" is where a tangent touches the beam",
+                  "write against = \"tangent\", or remove it");
+  }
+  if (!table.problems().empty()) return;
+
+  const auto take = [&](const std::variant<Chord, Tangent>& line, const std::string& why) {
+    deflection.against = line;
+    deflection.measured_from = text_of(line) + (why.empty() ? "" : ", " + why);
+  };
+  const bool clamped = supported && std::holds_alternative<Tangent>(supported->line);
+  if (between && (said || !clamped)) return take(*between, "");
+  if (touching) return take(*touching, "");
+  const bool fits = supported && (word == axis || clamped == (word == tangent));
+  if (!fits) {
+    const char* const hint =
+        "write against = \"chord\" with \"from\" and \"to\", or against = \"tangent\" with "
+        "\"at\"";
+    table.problem(said ? "against" : "",
+                  "where the beam is held does not say from which line its deflection is measured",
+                  hint);
+    return;
+  }
+  take(supported->line,
+       supported->why + (said && word == axis ? ", which is the undeformed axis" : "") +
+           (between ? "; \"from\" and \"to\" are the ends of a chord, which this beam, clamped, "
+                      "is not measured from unless against = \"chord\""
+                    : ""));
+}
+
+}  // namespace
+
+DeflectionInput read_deflection(TableReader table, const Project& project) {
+  DeflectionInput deflection;
+  deflection.limit = si<Length>(table.positive("limit", wanted::length));
+  deflection.load_factor = table.boolean("load_factor", false);
+  read_against(table, project, deflection);
+  deflection.youngs_modulus =
+      si<Stress>(table.positive("youngs_modulus", wanted::stress, youngs_modulus));
+  deflection.shear_modulus =
+      si<Stress>(table.positive("shear_modulus", wanted::stress, shear_modulus));
+  table.finish();
+  return deflection;
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,140 @@
+#include "boxbeam/strength/compressed_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/strength/effective_width.hpp"
+#include "boxbeam/strength/plate_slenderness.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// A steel of one strength at every thickness: all plates are judged by the section's own.
+Material of_strength(Stress yield_strength) {
+  Material material;
+  material.steps = {{si<Length>(std::numeric_limits<double>::max()), yield_strength, {}}};
+  return material;
+}
+
+/// Thickness of the flanges and of the webs of a profile whose slender plates leave its centroid
+/// where it is; nothing of others.
+struct Walls {
+  Length flange, web;
+};
+
+std::optional<Walls> symmetric_walls_of(const Profile& profile) {
+  if (const auto* tube = std::get_if<RectangularTube>(&profile))
+    return Walls{tube->wall, tube->wall};
+  const auto* box = std::get_if<Box>(&profile);
+  if (box == nullptr || !box->stiffeners.empty() || box->left_web != box->right_web ||
+      box->top_flange != box->bottom_flange) {
+    return std::nullopt;
+  }
+  return Walls{box->top_flange, box->left_web};
+}
+
+/// Whether walls enclose anything: more of them than a tree of their nodes has.
+bool has_cell(const ThinWalled& path) {
+  std::vector<std::size_t> part(path.nodes.size());
+  std::iota(part.begin(), part.end(), std::size_t{0});
+  const auto root = [&](std::size_t node) {
+    while (part[node] != node) node = part[node];
+    return node;
+  };
+  for (const ThinWall& wall : path.walls) {
+    const std::size_t from = root(wall.from), to = root(wall.to);
+    if (from == to) return true;
+    part[from] = to;
+  }
+  return false;
+}
+
+bool is_convex(const std::vector<SectionPlace>& loop) {
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const SectionPlace& a = loop[i];
+    const SectionPlace& b = loop[(i + 1) % loop.size()];
+    const SectionPlace& c = loop[(i + 2) % loop.size()];
+    const double turn = ((b.y - a.y) * (c.z - b.z) - (b.z - a.z) * (c.y - b.y)).value();
+    left = left || turn > 0.0;
+    right = right || turn < 0.0;
+  }
+  return left != right;
+}
+
+/// Why no plate of a profile can be judged, whatever its slenderness.
+std::string obstacle_of(const Profile& profile) {
+  if (const auto* path = std::get_if<ThinWalled>(&profile); path != nullptr && !has_cell(*path)) {
+    return "an open thin-walled section may twist as it buckles, and its torsional and "
+           "flexural-torsional buckling is not computed (EN 1993-1-1, 6.3.1.4)";
+  }
+  if (const auto* solid = std::get_if<Polygon>(&profile);
+      solid != nullptr && (!solid->hollows.empty() || !is_convex(solid->outer))) {
+    return "the walls of a polygon that is hollow or not convex are not known, and so its class is "
+           "not";
+  }
+  return "";
+}
+
+std::string beyond_text(const CompressedPlate& plate, const char* why) {
+  return fmt::format("{}: {} = {:.3g} is above {:.3g}, class 4 (EN 1993-1-1, table 5.2), and {}",
+                     plate.name, plate.name == "round wall" ? "d/t" : "c/t", plate.ratio,
+                     plate.limit, why);
+}
+
+/// Takes what is not effective out of a plate; both plates of its name.
+void reduce(CompressedPlate& plate, Length thickness, double epsilon) {
+  const Length width = plate.ratio * thickness;
+  const EffectiveWidth effective = internal_effective_width(width, thickness, 1.0, epsilon).value();
+  plate.thickness = thickness;
+  plate.lambda_p = effective.lambda_p;
+  plate.rho = effective.rho;
+  plate.idle = 2.0 * (width - effective.b_eff) * thickness;
+}
+
+void add_plates(const Profile& profile, Stress yield_strength, CompressedSection& result) {
+  if (result.obstacle.empty()) result.obstacle = obstacle_of(profile);
+  const double epsilon = epsilon_of(yield_strength);
+  const double compressed = internal_part_limits(1.0, 1.0, epsilon).class_3;
+  const bool round = std::holds_alternative<RoundTube>(profile);
+  const std::optional<Walls> walls = symmetric_walls_of(profile);
+  for (const SlenderPlate& of : plate_slenderness_of(profile, of_strength(yield_strength))) {
+    CompressedPlate plate;
+    plate.name = of.plate;
+    plate.ratio = of.ratio;
+    plate.limit = of.limit;
+    // A web is listed with its limit in bending; here it is compressed all over.
+    if (!round) plate.limit = std::min(of.limit, compressed);
+    if (plate.ratio > plate.limit) {
+      result.class_4 = true;
+      if (walls) {
+        reduce(plate, of.plate == "flange" ? walls->flange : walls->web, epsilon);
+      } else if (result.obstacle.empty()) {
+        result.obstacle = beyond_text(
+            plate, round ? "a round tube so thin is a shell (EN 1993-1-6)"
+                         : "the effective area of a section that is stiffened or not doubly "
+                           "symmetric is not computed (EN 1993-1-5, 4.3(3))");
+      }
+    }
+    result.plates.push_back(std::move(plate));
+  }
+}
+
+}  // namespace
+
+CompressedSection compressed_section_of(const Section& section, Stress yield_strength) {
+  CompressedSection result;
+  result.area = properties_of(section).area;
+  add_plates(section.outer, yield_strength, result);
+  if (section.inner) add_plates(*section.inner, yield_strength, result);
+  result.effective = result.area;
+  for (const CompressedPlate& plate : result.plates) result.effective -= plate.idle;
+  return result;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,103 @@
+#include "boxbeam/verification/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/core/error.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Above these nothing is meant.
+constexpr double odd_factor = 1e6;
+constexpr double odd_stress = 1e12;             // [Pa]
+constexpr double odd_density[2] = {200, 3e4};   // [kg/m^3] wood, osmium and a little more
+constexpr double odd_modulus[2] = {1e8, 2e12};  // [Pa] rubber, diamond and a little more
+
+[[noreturn]] void refuse(const std::string& what, const std::string& where) {
+  throw AnalysisError({fmt::format("{} is no number that can be shown: the values of the case are "
+                                   "too large, too small or too far apart for the arithmetic",
+                                   what),
+                       where,
+                       {},
+                       {},
+                       {}});
+}
+
+/// Numbers that round to nothing or to everything are as good as none.
+bool is_number(double value) { return std::abs(value) < 1e200; }
+
+void require_numbers(const Check& check) {
+  const auto require = [&](const char* what, double value) {
+    if (!is_number(value)) refuse(what, "check " + check.id);
+  };
+  require("what acts", check.acting.value());
+  require("what resists", check.resisting.value());
+  require("the factor", check.safety_factor);
+  require("the instant", check.time.value());
+  if (!(check.safety_factor > 0.0)) refuse("the factor", "check " + check.id);
+  require("the utilisation", check.utilisation());
+}
+
+void require_numbers(const CheckBasis& basis, const std::string& id) {
+  for (const double value :
+       {basis.stress_at_time.normal.value(), basis.stress_at_time.shear.value(), basis.damage,
+        basis.equivalent.value(), basis.constant_amplitude_factor, basis.highest.value,
+        basis.lowest.value}) {
+    if (!is_number(value)) refuse("what the check rests on", "check " + id);
+  }
+}
+
+}  // namespace
+
+void require_numbers(const Verification& verification) {
+  for (const StationEnvelope& station : verification.stations) {
+    for (const Envelope& envelope : station.of) {
+      if (is_number(envelope.smallest.value) && is_number(envelope.largest.value)) continue;
+      refuse("a cut force", fmt::format("station {}", to_text(station.station)));
+    }
+  }
+  for (const CheckResult& result : verification.checks) {
+    require_numbers(result.check);
+    if (result.basis) require_numbers(*result.basis, result.check.id);
+  }
+  for (const ModelEstimate& model : verification.model.weighed) {
+    if (!is_number(model.error) || (model.found && !is_number(*model.found)))
+      refuse("the error of a model", "beam");
+  }
+}
+
+std::vector<std::string> odd_things(const Project& project, const Verification& verification) {
+  std::vector<std::string> odd;
+  const Check* highest = nullptr;
+  for (const CheckResult& result : verification.checks) {
+    const Check& check = result.check;
+    if (check.acting.unit() != "Pa" || check.acting.value() <= odd_stress) continue;
+    if (highest == nullptr || check.acting.value() > highest->acting.value()) highest = &check;
+  }
+  if (highest != nullptr) {
+    odd.push_back(fmt::format(
+        "odd: {} has {:.3g} Pa, more than any solid bears; look for a unit or a power of ten",
+        highest->id, highest->acting.value()));
+  }
+  const Check& worst = verification.checks.front().check;
+  if (worst.safety_factor > odd_factor) {
+    odd.push_back(fmt::format(
+        "odd: the governing factor is {:.3g}: next to nothing loads the beam; look for a unit or a "
+        "power of ten",
+        worst.safety_factor));
+  }
+  const auto outside = [&](const char* what, double value, const double(&usual)[2],
+                           const char* unit) {
+    if (value >= usual[0] && value <= usual[1]) return;
+    odd.push_back(fmt::format("odd: {} is {:.3g} {}; materials have {:g} to {:g}", what, value,
+                              unit, usual[0], usual[1]));
+  };
+  outside("the density of the beam", project.beam.density.value(), odd_density, "kg/m^3");
+  outside("Young's modulus of the beam", project.model.youngs_modulus, odd_modulus, "Pa");
+  return odd;
+}
+
+}  // namespace boxbeam

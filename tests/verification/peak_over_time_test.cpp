@@ -1,0 +1,66 @@
+#include "boxbeam/verification/peak_over_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "catch.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+std::vector<double> sampled(const SampledTime& span, std::size_t n,
+                            const std::function<double(double)>& f) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < n; ++i) {
+    values.push_back(f(span.begin + span.step * static_cast<double>(i)));
+  }
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("the highest peak is found although another one has the highest instant") {
+  // Peaks of 1 at an instant and of 1.01 half-way between two instants, which are at 0.999.
+  const auto f = [](double t) {
+    return std::max(1.0 - 4.4 * (t - 0.2) * (t - 0.2), 1.01 - 4.4 * (t - 0.65) * (t - 0.65));
+  };
+  const SampledTime span{0.0, 0.1, false};
+  const Extremum peak = peak_over_time(sampled(span, 11, f), span, f);
+  CHECK(peak.value == Approx(1.01).epsilon(1e-12));
+  CHECK(peak.at == Approx(0.65).epsilon(1e-6));
+}
+
+TEST_CASE("a peak across the end of a closed time is found, its time within the span") {
+  const double top = 0.97;
+  const auto f = [&](double t) { return std::cos(2.0 * std::numbers::pi * (t - top)); };
+  const SampledTime span{0.0, 0.125, true};
+  const Extremum peak = peak_over_time(sampled(span, 8, f), span, f);
+  CHECK(peak.value == Approx(1.0).epsilon(1e-12));
+  CHECK(peak.at == Approx(top).epsilon(1e-6));
+}
+
+TEST_CASE("an open time is not left: its end may be the largest, and a constant has no peak") {
+  const SampledTime span{1.0, 0.5, false};
+  const auto f = [](double t) {
+    if (t < 1.0 || t > 3.0) FAIL("looked at t = " << t);
+    return t * t;
+  };
+  const Extremum end = peak_over_time(sampled(span, 5, f), span, f);
+  CHECK(end.value == Approx(9.0).epsilon(1e-9));
+  CHECK(end.at == Approx(3.0).epsilon(1e-6));
+  int evaluations = 0;
+  const auto constant = [&](double) {
+    ++evaluations;
+    return 7.0;
+  };
+  CHECK(peak_over_time({7.0, 7.0, 7.0, 7.0}, span, constant).value == 7.0);
+  CHECK(evaluations == 0);
+}
+
+TEST_CASE("an instant at a corner of the function is the peak itself") {
+  const auto f = [](double t) { return 1.0 - std::abs(t - 0.3); };
+  const SampledTime span{0.0, 0.1, false};
+  CHECK(peak_over_time(sampled(span, 8, f), span, f).value == Approx(1.0).epsilon(1e-12));
+}

@@ -1,0 +1,154 @@
+// The verdict in words leaves out nothing that was asked for.
+
+#include "boxbeam/verification/verdict_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "boxbeam/report/html_writer.hpp"
+#include "boxbeam/report/json.hpp"
+#include "boxbeam/report/latex_writer.hpp"
+#include "boxbeam/report/report.hpp"
+#include "boxbeam/report/summary.hpp"
+#include "boxbeam/report/text_writer.hpp"
+#include "catch.hpp"
+#include "support/changed_rig.hpp"
+#include "support/clamped_beam.hpp"
+#include "support/held_bar.hpp"
+
+using namespace boxbeam;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// What the terminal, the reports and the results say.
+struct Said {
+  Verification verification;
+  std::string terminal, text, html, latex;
+  nlohmann::json json;
+};
+
+Said said_of(const Project& project) {
+  Said said{verify(project), "", "", "", "", {}};
+  said.terminal = summary(project, said.verification);
+  const report::Document document = report_of(project, said.verification, ReportLevel::summary);
+  said.text = report::text_of(document);
+  said.html = report::html_of(
+      document, [](const std::string&) -> std::optional<std::string> { return std::nullopt; });
+  said.latex = report::latex_of(document, [](const std::string&) { return false; });
+  said.json = nlohmann::json::parse(results_json(project, said.verification));
+  return said;
+}
+
+const std::string shaken =
+    "law = { kind = \"harmonic\", mean = \"30 kN\", amplitude = \"1 kN\", frequency = \"1 Hz\" }\n";
+
+}  // namespace
+
+TEST_CASE("fatigue that is asked for and finds no stress range stands in the verdict line") {
+  const Said said = said_of(test::clamped_beam(test::clamped::steady, test::clamped::fatigue));
+  // 30 kN at 4 m on W = I/150 mm = 758 cm^3: 158 MPa, below the yield strength.
+  CHECK(said.verification.verdict == Verdict::pass);
+  const std::string line = "PASS for strength; fatigue: no stress range";
+  CHECK(said.terminal.starts_with(line));
+  CHECK(contains(said.text, "VERDICT: " + line));
+  CHECK(contains(said.html, "<strong>" + line + "</strong>"));
+  CHECK(contains(said.latex, line));
+  CHECK(said.json["verdict"] == "pass");
+  CHECK(said.json["verdict_text"] == line);
+  REQUIRE(said.json["not_judged"].size() == 1);
+  CHECK(said.json["not_judged"][0]["what"] == "fatigue");
+  CHECK(said.json["not_judged"][0]["reason"] == "no stress range");
+}
+
+TEST_CASE("a case without [fatigue] is judged for its strength only, and says so") {
+  const Said said = said_of(test::clamped_beam(shaken, ""));
+  CHECK(said.verification.verdict == Verdict::pass);
+  CHECK(said.terminal.starts_with("PASS (strength only)"));
+  CHECK(contains(said.text, "VERDICT: PASS (strength only)"));
+  CHECK(contains(said.html, "<strong>PASS (strength only)</strong>"));
+  CHECK(said.json["verdict_text"] == "PASS (strength only)");
+  CHECK(said.json["not_judged"].empty());
+  CHECK(said.json["governing"]["fatigue"].is_null());
+  for (const CheckResult& result : said.verification.checks) {
+    const bool strength =
+        result.check.criterion == Criterion::yield || result.check.criterion == Criterion::weld;
+    CHECK(strength);
+  }
+  // With [fatigue] the same beam is judged for both.
+  const Verification both = verify(test::clamped_beam(shaken, test::clamped::fatigue));
+  CHECK(both.governing(Criterion::fatigue) != nullptr);
+  CHECK(both.not_judged.empty());
+  CHECK(verdict_text_of(test::clamped_beam(shaken, test::clamped::fatigue), both).line == "PASS");
+}
+
+TEST_CASE("a strength that fails is FAIL, whatever was not judged") {
+  // 100 kN: 528 MPa.
+  const Project project = test::clamped_beam("size = \"100 kN\"\n", "");
+  const Verification verification = verify(project);
+  CHECK(verification.verdict == Verdict::fail);
+  CHECK(verdict_text_of(project, verification).whole() == "FAIL (strength only)");
+}
+
+TEST_CASE("cycles of situations count nothing without [fatigue]") {
+  const Project project = test::clamped_beam(
+      shaken,
+      "[[situations]]\nname = \"work\"\ncycles = 1e6\n[[situations]]\nname = \"rest\"\n"
+      "[[situations]]\nname = \"start\"\nbetween = [\"rest\", \"work\"]\ncycles = 1e4\n");
+  CHECK_FALSE(project.fatigue.asked);
+  CHECK(most_cycles_of(project) == 0.0);
+  CHECK(verdict_text_of(project, verify(project)).line == "PASS (strength only)");
+}
+
+TEST_CASE("pins and rods without a force, and a beam that never bends, are named") {
+  // A bar without weight hangs on a rod and moves nothing: nothing acts but what the tip bears.
+  const Project project = test::clamped_beam(
+      "size = \"30 kN\"\n",
+      test::clamped::fatigue +
+          "[bodies.idle]\nmass = \"0 kg\"\npoints = { P = [\"0 m\", \"0 m\"], "
+          "Q = [\"1 m\", \"0 m\"] }\nsketch = { at = [\"0 m\", \"1 m\"] }\n"
+          "[joints.P]\nkind = \"pin\"\nconnect = [\"idle.P\", \"ground\"]\n"
+          "at = [\"0 m\", \"1 m\"]\n"
+          "[joints.Q]\nkind = \"distance\"\nconnect = [\"idle.Q\", \"ground\"]\n"
+          "at = [\"1 m\", \"2 m\"]\nlength = \"1 m\"\n"
+          "[[pins]]\nname = \"bolt\"\njoint = \"P\"\ndiameter = \"50 mm\"\n"
+          "inner_plate = \"20 mm\"\nouter_plate = \"10 mm\"\n"
+          "[[rods]]\nname = \"idler\"\nfrom = \"idle.P\"\nto = \"idle.Q\"\nsection = \"box\"\n"
+          "curve = \"b\"\n");
+  const Verification verification = verify(project);
+  CHECK(verdict_text_of(project, verification).line ==
+        "PASS for strength; fatigue: no stress range; pin bolt: no force; rod idler: no force");
+}
+
+TEST_CASE("why a verdict is not applicable stands beside it") {
+  // Flanges of 300 mm in 4 mm: (300 - 16)/4 = 71 is above 42 eps = 34.2.
+  const std::string thin =
+      "kind = \"box\"\nwidth = \"300 mm\"\nheight = \"100 mm\"\nflange = \"4 mm\"\nweb = \"8 "
+      "mm\"\n";
+  const Said said = said_of(test::held_bar(true, thin));
+  REQUIRE(said.verification.verdict == Verdict::not_applicable);
+  const VerdictText text = verdict_text_of(test::held_bar(true, thin), said.verification);
+  CHECK(text.line == "NOT APPLICABLE");
+  REQUIRE(text.reasons.size() == 1);
+  CHECK(contains(text.reasons[0], "c/t = 71"));
+  CHECK(contains(said.terminal.substr(0, said.terminal.find("use [%]")), "c/t = 71"));
+  CHECK(contains(said.text.substr(0, said.text.find("use [%]")), "c/t = 71"));
+  const std::size_t banner = said.html.find("<strong>NOT APPLICABLE</strong>");
+  REQUIRE(banner != std::string::npos);
+  CHECK(contains(said.html.substr(banner, 400), "c/t = 71"));
+  const std::size_t first_page = said.latex.find("\\begin{document}");
+  REQUIRE(first_page != std::string::npos);
+  const std::size_t signing = said.latex.find("\\signfield", first_page);
+  CHECK(contains(said.latex.substr(first_page, signing - first_page), "c/t = 71"));
+  CHECK(said.json["verdict"] == "not applicable");
+  CHECK(said.json["verdict_text"].get<std::string>().starts_with("NOT APPLICABLE: flange of"));
+}
+
+TEST_CASE("the terminal names the chosen model before its checks") {
+  const Said said = said_of(test::clamped_beam(test::clamped::steady, test::clamped::fatigue));
+  const std::string first = said.terminal.substr(0, said.terminal.find("criterion"));
+  CHECK(contains(first, "model"));
+  CHECK(contains(first, said.verification.model.reason.substr(0, 12)));
+}
