@@ -111,7 +111,11 @@ class Search {
       places.insert(segment.start.value());
       places.insert(segment.end().value());
     }
-    for (const BeamHole& hole : beam.holes) places.insert(hole.s.value());
+    for (const BeamHole& hole : beam.holes) {
+      const double radius = 0.5 * hole.hole.diameter.value();
+      for (const double s : {hole.s.value() - radius, hole.s.value(), hole.s.value() + radius})
+        if (s >= 0.0 && s <= beam.length().value()) places.insert(s);
+    }
     for (const BeamDetail& detail : project_.fatigue.details) {
       places.insert(detail.from.value());
       places.insert(detail.to.value());
@@ -178,7 +182,7 @@ class Search {
       if (hole.s == station.s) local.holes.push_back(hole.hole);
     }
     const Segment& segment = beam.segments[segment_at(beam, station)];
-    const ShearLags lags = shear_lags_at(zones_, local.here, station.s);
+    const ShearLags lags = shear_lags_at(zones_, local.here, station);
     if (lags.flanges) local.flange_part = lags.flanges->flange_part;
     if (lags.webs) local.web_part = lags.webs->flange_part;
     if (segment.from == segment.to) return local;
@@ -203,7 +207,18 @@ class Search {
     return local;
   }
 
+  /// Whether a station cuts a hole beside its centre: holes are judged in the section through it,
+  /// and nothing is whole here.
+  bool cuts_a_hole(const Station& station) const {
+    return std::any_of(project_.beam.holes.begin(), project_.beam.holes.end(),
+                       [&](const BeamHole& hole) {
+                         const double off = std::abs((station.s - hole.s).value());
+                         return off > 0.0 && off < 0.5 * hole.hole.diameter.value() - 1e-9;
+                       });
+  }
+
   void look_at(const Station& station) {
+    if (cuts_a_hole(station)) return;
     const LocalSection section = section_at(station);
     cuts_.clear();
     Bounds bounds;
@@ -345,7 +360,7 @@ class Search {
   void look_at_weld(const Place& place, const Bounds& bounds) {
     // sqrt(3) tau_par against f_u/(beta_w gamma_M2), of the weaker part joined.
     const double per = project_.strength.required * std::numbers::sqrt3 * project_.material.beta_w *
-                       project_.strength.gamma_M2 / rules_.tensile_strength(place.plate);
+                       project_.strength.gamma_M2 / rules_.tensile_strength(place.joined);
     if (!beats(Criterion::weld, per * bounds.size_of(place.shear))) return;
     double most = 0.0;
     for (std::size_t r = 0; r < sampled_.size(); ++r) {
@@ -636,8 +651,8 @@ class Search {
   // ------------------------------------------------------------------------------ beside the
   // stress
 
-  /// By integrating curvature and shear twice along the beam, from the chord of the case's
-  /// stations.
+  /// By integrating curvature and shear along the beam, theta' = -kappa and w' = theta + gamma,
+  /// from the line that the case measures from.
   void look_at_deflection() {
     if (!project_.deflection) return;
     const DeflectionInput& input = *project_.deflection;
@@ -660,29 +675,38 @@ class Search {
           {station, at[i + 1] - at[i], plane.of[0][2] / E, plane.of[1][2] / E,
            1.0 / (input.shear_modulus.value() * shear_area_of(section.here).value())});
     }
-    const auto at_station = [&](const std::vector<double>& w, double s) {
+    const auto value_at = [&](const std::vector<double>& of, double s) {
       const auto next = std::upper_bound(at.begin(), at.end() - 1, s);
       const auto i = static_cast<std::size_t>(next - at.begin());
       const double part = (s - at[i - 1]) / (at[i] - at[i - 1]);
-      return w[i - 1] + part * (w[i] - w[i - 1]);
+      return of[i - 1] + part * (of[i] - of[i - 1]);
     };
     for (const Run& run : sampled_) {
+      const double times = input.load_factor ? run.load_factor : 1.0;
       for (const CutForceDiagram& diagram : run.diagrams) {
-        std::vector<double> w{0.0};
-        double slope = 0.0;
+        std::vector<double> w{0.0}, theta{0.0};
         for (const Middle& middle : middles) {
           const CutForces cut = diagram.at(middle.station);
-          const double curvature = middle.per_N * cut.N.value() + middle.per_M * cut.M_y.value();
-          const double half = -0.5 * curvature * middle.step;
-          w.push_back(w.back() + middle.step * (slope + half + middle.per_V * cut.V_z.value()));
-          slope += 2.0 * half;
+          const double turn =
+              -middle.step * (middle.per_N * cut.N.value() + middle.per_M * cut.M_y.value());
+          w.push_back(w.back() +
+                      middle.step * (theta.back() + 0.5 * turn + middle.per_V * cut.V_z.value()));
+          theta.push_back(theta.back() + turn);
         }
-        const double from = input.from.value(), to = input.to.value();
-        const double w_from = at_station(w, from), w_to = at_station(w, to);
+        double from = 0.0, w_from = 0.0, slope = 0.0;
+        if (const auto* chord = std::get_if<Chord>(&input.against)) {
+          from = chord->from.value();
+          w_from = value_at(w, from);
+          slope = (value_at(w, chord->to.value()) - w_from) / (chord->to.value() - from);
+        } else {
+          from = std::get<Tangent>(input.against).at.value();
+          w_from = value_at(w, from);
+          slope = value_at(theta, from);
+        }
         for (std::size_t i = 0; i < at.size(); ++i) {
-          const double chord = w_from + (w_to - w_from) * (at[i] - from) / (to - from);
+          const double off = std::abs(w[i] - w_from - slope * (at[i] - from));
           station_ = {si<Length>(at[i]), Side::both};
-          note(Criterion::deflection, std::abs(w[i] - chord) / input.limit.value(), "axis");
+          note(Criterion::deflection, times * off / input.limit.value(), "axis");
         }
       }
     }
@@ -719,8 +743,8 @@ class Search {
               push_to -= reaction.force.dot(along);
           }
           for (const double push : {push_from, push_to}) {
-            note(Criterion::buckling, rod_utilisation(sampled_[r].load_factor * push, rod),
-                 rod.name);
+            const Criterion criterion = push > 0.0 ? Criterion::buckling : Criterion::rod;
+            note(criterion, rod_utilisation(sampled_[r].load_factor * push, rod), rod.name);
           }
         }
       }

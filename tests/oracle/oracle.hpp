@@ -22,8 +22,8 @@
 /// by thickness; the shear area of a section; and the torsion constant of a welded box.
 ///
 /// It covers boxes, sharp rectangular tubes, round tubes, one in the other, and solid plates;
-/// not: stresses given in the case, named points, welds around a profile, holes in solid plates, the
-/// Newton chain.
+/// not: stresses given in the case, named points, welds around a profile, holes in solid plates,
+/// the Newton chain.
 namespace oracle {
 
 /// How densely it looks.

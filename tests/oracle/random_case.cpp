@@ -311,10 +311,14 @@ std::string situations(Draw& draw, const std::string& key, const std::vector<std
   return text;
 }
 
-std::string deflection(Draw& draw, double from, double to) {
+/// Of a chord, or as the supports say.
+std::string deflection(Draw& draw, double from, double to, bool chord) {
   if (!draw.chance(0.3)) return "";
-  return fmt::format("\n[deflection]\nlimit = {}\nfrom = {}\nto = {}\n",
-                     mm((to - from) / draw.real(100, 600) + 0.001), m(from), m(to));
+  std::string text =
+      fmt::format("\n[deflection]\nlimit = {}\n", mm((to - from) / draw.real(100, 600) + 0.001));
+  if (chord) text += fmt::format("against = \"chord\"\nfrom = {}\nto = {}\n", m(from), m(to));
+  if (draw.chance(0.3)) text += "load_factor = true\n";
+  return text;
 }
 
 /// A lever that a crank swings, as in the template.
@@ -380,7 +384,7 @@ void write_lever(Draw& draw, RandomCase& of) {
         "outer_plate = \"20 mm\"\ngap = \"3 mm\"\n",
         draw.one_of({"A", "B", "C"}), mm(draw.real(0.02, 0.07)));
   }
-  text += deflection(draw, 0.0, draw.chance(0.5) ? pin : length);
+  text += deflection(draw, 0.0, draw.chance(0.5) ? pin : length, true);
 }
 
 /// A lever that a crank swings by a pin in its slot: the load slides along the beam.
@@ -462,7 +466,7 @@ void write_standing(Draw& draw, RandomCase& of) {
   const bool several = draw.chance(0.3);
   text += demands(draw, beam, length, several);
   if (several) text += situations(draw, "mechanism.gravity", {"", "[\"0 m/s^2\", \"0 m/s^2\"]"});
-  if (!clamped) text += deflection(draw, 0.0, support);
+  text += deflection(draw, 0.0, clamped ? length : support, !clamped && draw.chance(0.5));
 }
 
 /// The jib of a slewing crane.

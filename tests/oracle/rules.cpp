@@ -87,7 +87,13 @@ double rod_utilisation(double compression, const RodInput& rod) {
   const double A = 1.0 / plane.of[0][0];
   const double I = std::min(1.0 / plane.of[1][2], -1.0 / plane.of[2][1]);
   const double f_y = rod.yield_strength.value(), L = rod.buckling_length.value();
-  if (compression <= 0.0) return rod.required * -compression / (A * f_y);
+  if (compression <= 0.0) {
+    // 6.2.3: the gross section yields, or the net one breaks.
+    const double net = rod.net_area ? rod.net_area->value() : A;
+    const double resistance =
+        std::min(A * f_y / rod.gamma_M0, 0.9 * net * rod.tensile_strength.value() / rod.gamma_M2);
+    return rod.required * -compression / resistance;
+  }
   const double critical = std::numbers::pi * std::numbers::pi * 210e9 * I / (L * L);
   const double slenderness = std::sqrt(A * f_y / critical);
   constexpr double imperfection[] = {0.13, 0.21, 0.34, 0.49, 0.76};

@@ -137,6 +137,32 @@ std::pair<double, double> idle_strip(double low, double high, double part) {
   return {middle - half, middle + half};
 }
 
+/// What is left of a stretch where others are taken out of it.
+using Stretches = std::vector<std::pair<double, double>>;
+Stretches without(Stretches of, const Stretches& taken) {
+  for (const auto& [from, to] : taken) {
+    Stretches left;
+    for (const auto& [low, high] : of) {
+      if (std::min(high, from) > low) left.emplace_back(low, std::min(high, from));
+      if (high > std::max(low, to)) left.emplace_back(std::max(low, to), high);
+    }
+    of = left;
+  }
+  return of;
+}
+
+/// The places of holes along the plates that they go through.
+Stretches hollows_of(const std::vector<Hole>& holes, HoleWalls walls) {
+  Stretches hollows;
+  for (const Hole& hole : holes) {
+    if (hole.walls != walls) continue;
+    const double at = hole.position.value(), r = 0.5 * hole.diameter.value();
+    hollows.emplace_back(at - r, at + r);
+    if (walls == HoleWalls::flanges && at > 0.0) hollows.emplace_back(-at - r, -at + r);
+  }
+  return hollows;
+}
+
 void add_box(Sums& sums, const Box& box, const std::vector<Hole>& holes, double flange_part,
              double web_part) {
   const BoxSizes s(box);
@@ -146,13 +172,24 @@ void add_box(Sums& sums, const Box& box, const std::vector<Hole>& holes, double 
   sums.add(between(-0.5 * s.W, s.in_right, s.in_bottom, s.in_top));
   const auto across = idle_strip(s.in_right, s.in_left, flange_part);
   const auto up = idle_strip(s.in_bottom, s.in_top, web_part);
+  const auto take_from_flanges = [&](double low, double high) {
+    sums.add(between(low, high, s.in_top, 0.5 * s.H, -1.0));
+    sums.add(between(low, high, -0.5 * s.H, s.in_bottom, -1.0));
+  };
+  const auto take_from_webs = [&](double low, double high) {
+    sums.add(between(s.in_left, 0.5 * s.W, low, high, -1.0));
+    sums.add(between(-0.5 * s.W, s.in_right, low, high, -1.0));
+  };
+  const Stretches in_flanges = hollows_of(holes, HoleWalls::flanges);
+  const Stretches in_webs = hollows_of(holes, HoleWalls::webs);
+  for (const auto& [low, high] : in_flanges) take_from_flanges(low, high);
+  for (const auto& [low, high] : in_webs) take_from_webs(low, high);
+  // What a hole has taken is not idle once more.
   if (flange_part < 1.0) {
-    sums.add(between(across.first, across.second, s.in_top, 0.5 * s.H, -1.0));
-    sums.add(between(across.first, across.second, -0.5 * s.H, s.in_bottom, -1.0));
+    for (const auto& [low, high] : without({across}, in_flanges)) take_from_flanges(low, high);
   }
   if (web_part < 1.0) {
-    sums.add(between(s.in_left, 0.5 * s.W, up.first, up.second, -1.0));
-    sums.add(between(-0.5 * s.W, s.in_right, up.first, up.second, -1.0));
+    for (const auto& [low, high] : without({up}, in_webs)) take_from_webs(low, high);
   }
   for (const Bar& bar : bars_of(box)) {
     const bool flange = bar.plate == BoxPlate::top_flange || bar.plate == BoxPlate::bottom_flange;
@@ -169,18 +206,6 @@ void add_box(Sums& sums, const Box& box, const std::vector<Hole>& holes, double 
       sums.add(between(low, high, bar.root.y(), bar.tip.y()));
     else
       sums.add(between(bar.root.x(), bar.tip.x(), low, high));
-  }
-  for (const Hole& hole : holes) {
-    const double at = hole.position.value(), r = 0.5 * hole.diameter.value();
-    if (hole.walls == HoleWalls::webs) {
-      sums.add(between(s.in_left, 0.5 * s.W, at - r, at + r, -1.0));
-      sums.add(between(-0.5 * s.W, s.in_right, at - r, at + r, -1.0));
-      continue;
-    }
-    for (const double side : at > 0.0 ? std::vector{1.0, -1.0} : std::vector{1.0}) {
-      sums.add(between(side * at - r, side * at + r, s.in_top, 0.5 * s.H, -1.0));
-      sums.add(between(side * at - r, side * at + r, -0.5 * s.H, s.in_bottom, -1.0));
-    }
   }
 }
 
@@ -660,7 +685,7 @@ class Gathering {
  private:
   Place& add(const std::string& name, PlaceKind kind, double y, double z, double plate,
              const Factors& shear) {
-    places.push_back({name, kind, y, z, plate, normal_at(normal_, y, z), shear, ""});
+    places.push_back({name, kind, y, z, plate, normal_at(normal_, y, z), shear, "", 0.0});
     return places.back();
   }
 
@@ -720,8 +745,9 @@ class Gathering {
         for (double& each : tau) each /= a;
         const double flange = (k == 0) == (piece.name == "left") ? s.top : s.bottom;
         Place& throat = add(fmt::format("{}{} throat {:.3f} m", before, piece.name, z),
-                            PlaceKind::throat, y, z, std::max(piece.thickness, flange), tau);
+                            PlaceKind::throat, y, z, piece.thickness, tau);
         throat.normal.fill(0.0);
+        throat.joined = std::max(piece.thickness, flange);
       }
     }
     add_branches(inner, before);

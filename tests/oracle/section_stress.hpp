@@ -30,9 +30,10 @@ struct Place {
   std::string name;
   PlaceKind kind = PlaceKind::fibre;
   double y = 0.0, z = 0.0;
-  double plate = 0.0;  ///< thickness [m]; of a throat, of the thicker of the plates joined
+  double plate = 0.0;  ///< thickness [m]; of a throat, of the web
   Factors normal{}, shear{};
-  std::string hole;  ///< on the edge of, or beside, this hole
+  std::string hole;     ///< on the edge of this one
+  double joined = 0.0;  ///< of a throat: the thicker of the plates that it joins
 };
 
 /// A section seen from one side of a station, with two more of its segment for derivatives.

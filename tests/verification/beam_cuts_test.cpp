@@ -99,3 +99,21 @@ TEST_CASE("ends of details are cut on both sides, named places and holes on none
   }
   for (std::size_t i = 1; i < cuts.size(); ++i) CHECK(cuts[i - 1].s < cuts[i].s);
 }
+
+TEST_CASE("where a hole begins and ends the web is whole, and the beam is looked at") {
+  // A hole of 60 mm around s = 1 m: from 0.97 to 1.03 m.
+  const Project project = test::planar_cantilever(
+      2.0, plate_section("a", "12 mm"),
+      "[[beam.segments]]\nlength = \"2 m\"\nsection = \"a\"\n"
+      "[[beam.holes]]\nname = \"access\"\ndiameter = \"60 mm\"\nstation = \"1 m\"\n"
+      "through = \"webs\"\nlevels = [\"0 mm\"]\nconcentration = \"in-plane bending\"\n",
+      {{2.0}}, fatigue);
+  const std::vector<BeamCut> cuts = cuts_of(project);
+  REQUIRE(cut_at(cuts, 1.0) != nullptr);
+  CHECK(cut_at(cuts, 1.0)->alone);
+  for (const double s : {0.97, 1.03}) {
+    REQUIRE(cut_at(cuts, s) != nullptr);
+    CHECK_FALSE(cut_at(cuts, s)->alone);
+    CHECK_FALSE(cut_at(cuts, s)->sides);
+  }
+}

@@ -25,7 +25,8 @@ struct BeamCut {
 /// changes; at point loads, of any instant in any situation, and at the ends of the way of one that
 /// slides; at ends of details; at borders of shear lag; where a plate of varying thickness crosses
 /// a limit of thickness_limits_of, or shear lag begins to count. The other cuts are ends of line
-/// loads, holes (a hole is judged in the section through its centre) and named points and places.
+/// loads, holes (a hole is judged in the section through its centre), where they begin and end (the
+/// whole web is sheared most beside them) and named points and places.
 std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<SituationRun>& runs,
                                   const std::vector<BendingZone>& zones);
 
