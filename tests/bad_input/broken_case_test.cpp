@@ -97,8 +97,8 @@ TEST_CASE("a mechanism that cannot move as wanted is refused", "[bad_input]") {
 }
 
 TEST_CASE("a missing table is named, and nothing that follows from it", "[bad_input]") {
-  const std::vector<std::string> tables{"case",     "mechanism", "material",
-                                        "strength", "fatigue",   "beam"};
+  // Without [fatigue] the strength alone is checked.
+  const std::vector<std::string> tables{"case", "mechanism", "material", "strength", "beam"};
   std::vector<BrokenCase> cases;
   for (const std::string& table : tables) {
     std::string text = rig();

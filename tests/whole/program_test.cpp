@@ -87,7 +87,9 @@ TEST_CASE("results.json: keys in their order, two records at every jump") {
                                                       "loads",
                                                       "sections",
                                                       "concentrations",
-                                                      "sn"});
+                                                      "sn",
+                                                      "verdict_text",
+                                                      "not_judged"});
   CHECK(keys_of(document["checks"][0]) ==
         std::vector<std::string>{"id", "criterion", "point", "station", "side", "situation", "time",
                                  "acting", "resisting", "safety_factor", "required", "utilisation",
