@@ -113,8 +113,8 @@ std::string harmonic_tables(const FlexibleMotionResult& motion) {
 
 std::string motion_text(const Project& project, const FlexibleMotionResult& motion) {
   std::string out =
-      layout::line(fmt::format("{}: {} rigid finite elements, {} degrees of freedom", project.title,
-                               motion.elements, motion.degrees_of_freedom));
+      layout::line(fmt::format("{}: {} rigid finite elements, {} degrees of freedom",
+                               visible(project.title), motion.elements, motion.degrees_of_freedom));
   out += layout::paragraph(
       "Forces are what a joint does to the link that is named, in world axes; displacements are "
       "from the unstressed posture. The stated error is what the division of the links leaves, "
