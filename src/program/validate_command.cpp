@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const Items& items) {
 class Parts {
  public:
   void add(const char* name, const std::string& says) {
-    if (!says.empty()) text_ += layout::entry(name, says);
+    if (!says.empty()) text_ += layout::entry(name, visible(says));
   }
   const std::string& text() const { return text_; }
 

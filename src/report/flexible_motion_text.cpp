@@ -112,9 +112,9 @@ std::string harmonic_tables(const FlexibleMotionResult& motion) {
 }  // namespace
 
 std::string motion_text(const Project& project, const FlexibleMotionResult& motion) {
-  std::string out =
-      layout::line(fmt::format("{}: {} rigid finite elements, {} degrees of freedom", project.title,
-                               motion.elements, motion.degrees_of_freedom));
+  std::string out = layout::line(visible(project.title) + ":");
+  out += layout::paragraph(fmt::format("{} rigid finite elements, {} degrees of freedom",
+                                       motion.elements, motion.degrees_of_freedom));
   out += layout::paragraph(
       "Forces are what a joint does to the link that is named, in world axes; displacements are "
       "from the unstressed posture. The stated error is what the division of the links leaves, "

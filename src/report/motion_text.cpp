@@ -14,7 +14,7 @@ using layout::Table;
 
 std::string motion_text(const Project& project, const MotionResult& motion) {
   std::string out = layout::line(fmt::format(
-      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}", project.title,
+      "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}", visible(project.title),
       motion.freedom.by_rank, motion.freedom.by_rank == 1 ? "" : "s", motion.freedom.gruebler,
       motion.freedom.by_rank, motion.freedom.drivers, motion.freedom.drivers == 1 ? "" : "s"));
   if (!motion.redundant.empty()) {
@@ -60,9 +60,9 @@ std::string motion_text(const Project& project, const MotionResult& motion) {
 
 std::string assemblies_text(const Project& project, const std::vector<AssemblyResult>& assemblies,
                             double time) {
-  std::string out =
-      layout::line(fmt::format("{}: {} {} found at t = {:.6g} s", project.title, assemblies.size(),
-                               assemblies.size() == 1 ? "assembly" : "assemblies", time));
+  std::string out = layout::line(
+      fmt::format("{}: {} {} found at t = {:.6g} s", visible(project.title), assemblies.size(),
+                  assemblies.size() == 1 ? "assembly" : "assemblies", time));
   for (std::size_t i = 0; i < assemblies.size(); ++i) {
     out += fmt::format("\nassembly {}", i + 1);
     bool wanted = !assemblies[i].branch.empty();

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "boxbeam/core/code_points.hpp"
+#include "boxbeam/report/text_writer.hpp"
 #include "plain_text.hpp"
 #include "table_columns.hpp"
 
@@ -179,7 +180,9 @@ std::string table_text(const Table& table, std::size_t width) {
   const Grid grid = grid_of(table);
   std::vector<Column> columns = columns_in(table, grid);
   const bool wide = width_of(columns) > width;
-  const std::size_t gap = wide && width_of(columns, narrow_gap) <= width ? narrow_gap : usual_gap;
+  // On a screen; a report in a file keeps its columns apart for those who read it by a program.
+  const bool closes = width < report_columns && wide && width_of(columns, narrow_gap) <= width;
+  const std::size_t gap = closes ? narrow_gap : usual_gap;
   for (const std::size_t most : {width, longest_word}) {
     if (width_of(columns, gap) <= width) break;
     columns = columns_in(table, grid);
