@@ -98,8 +98,8 @@ std::string text_of(const Document& document, std::size_t width) {
   out += hanging("", "", document.subtitle, width);
   out += "\n";
   if (!document.verdict.empty()) {
-    out += hanging("VERDICT: ", "         ", document.verdict);
-    for (const std::string& reason : document.reasons) out += hanging("  - ", "    ", reason);
+    out += hanging("VERDICT: ", "         ", document.verdict, width);
+    for (const std::string& reason : document.reasons) out += hanging("  - ", "    ", reason, width);
     out += "\n";
   }
   if (!document.verdict.empty() && !document.governing.rows.empty()) {

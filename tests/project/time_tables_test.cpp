@@ -81,7 +81,7 @@ TEST_CASE("a table is read as spreadsheets of other countries write it") {
            "time [s],stroke [mm]\r\n0,0\r\n0.5,2.5\r\n1,-1.25",
        }) {
     INFO(text);
-    const CubicSpline spline = WithTable(text).spline();
+    const TableCurve spline = WithTable(text).curve("overshoot = \"accept\"\n");
     REQUIRE(spline.points().size() == 3);
     CHECK(spline.at(0.0).value == 0.0);
     CHECK(spline.points()[1] == 0.5);

@@ -125,7 +125,8 @@ TEST_CASE("an open linkage in a plane: motion, reactions and cut forces of the p
   const spatial::Mechanism space = linkage.in_space();
   const spatial::Chain chain(space);
   const auto planar_beam = planar::beam_body_of(linkage.beam, 1);
-  const spatial::BeamBody beam = spatial::beam_body_of(linkage.beam, OpenLinkage::placement());
+  const spatial::BeamBody beam =
+      spatial::beam_body_of(linkage.beam, OpenLinkage::placement(), space);
   planar::InstantSolver solver(plane);
   planar::State planar_state = solver.solve_from_sketch(0.0, planar::sketch_of(plane));
   const auto from_plane = [](const Eigen::Vector2d& p) { return Vector3d(p.x(), 0.0, p.y()); };
