@@ -207,9 +207,8 @@ std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<Situa
   for (const BeamPoint& point : beam.points) cuts.add(point.s, false);
   for (const NamedPoint& point : project.points) cuts.add(point.s, false, true);
   for (const BeamDetail& stretch : project.fatigue.details) {
-    const bool alone = stretch.from == stretch.to;
-    cuts.add(stretch.from, true, alone);
-    cuts.add(stretch.to, true, alone);
+    cuts.add(stretch.from, true, true);
+    cuts.add(stretch.to, true, true);
   }
   for (const SituationRun& run : runs) add_loads(run, cuts);
   for (const BendingZone& zone : zones) {

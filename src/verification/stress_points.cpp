@@ -12,13 +12,11 @@
 namespace boxbeam {
 namespace {
 
-bool lies_in(const BeamDetail& stretch, const Station& station) {
-  if (station.s < stretch.from || station.s > stretch.to) return false;
-  // A stretch without length is on both sides of its place.
-  if (stretch.from == stretch.to) return true;
-  return station.side == Side::before   ? station.s > stretch.from
-         : station.side == Side::behind ? station.s < stretch.to
-                                        : true;
+bool lies_in(const BeamDetail& stretch, Length s) { return s >= stretch.from && s <= stretch.to; }
+
+/// Whether a stretch holds just inside a station's side.
+bool goes_on(const BeamDetail& stretch, const Station& station) {
+  return station.side == Side::before ? station.s > stretch.from : station.s < stretch.to;
 }
 
 /// Details of one station, each looked up once per plate.
@@ -274,11 +272,15 @@ ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, D
     weakest = std::move(here);
     least = strength;
   };
+  bool inside = false;
   for (const BeamDetail& stretch : fatigue.details) {
     const bool there = stretch.on == DetailPlace::section || stretch.on == on;
-    if (there && lies_in(stretch, station)) look_at(stretch);
+    if (!there || !lies_in(stretch, station.s)) continue;
+    look_at(stretch);
+    inside = inside || station.side == Side::both || goes_on(stretch, station);
   }
-  if (weakest.detail == nullptr) look_at(fatigue.beam);
+  // Just behind the end of a stretch the beam's own detail holds again.
+  if (!inside) look_at(fatigue.beam);
   weakest.compression_reduced = reduced;
   return weakest;
 }

@@ -3,6 +3,7 @@
 
 #include "boxbeam/verification/gates.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
@@ -133,12 +134,14 @@ TEST_CASE("a web in even compression while nothing bends: 42 eps, not the 124 ep
   CHECK(rho == Approx(0.926).margin(5e-4));
   const Verification verification = verify(with_webs("14 mm", "50 mm"));
   const std::vector<Gate> gates = gates_with(verification, "class 4");
-  REQUIRE_FALSE(gates.empty());
-  CHECK(gates.front().segment == "S4");
-  CHECK(gates.front().plate == "web");
-  CHECK(gates.front().blocks);
-  CHECK(contains(gates.front().finding, "c/t = 35.7 is above 34.2"));
-  CHECK(contains(gates.front().finding, "psi = 1.00, rho = 0.926"));
+  // S3, which tapers down to the same webs, ends with them.
+  const auto at = std::find_if(gates.begin(), gates.end(),
+                               [](const Gate& gate) { return gate.segment == "S4"; });
+  REQUIRE(at != gates.end());
+  CHECK(at->plate == "web");
+  CHECK(at->blocks);
+  CHECK(contains(at->finding, "c/t = 35.7 is above 34.2"));
+  CHECK(contains(at->finding, "psi = 1.00, rho = 0.926"));
   CHECK(verification.verdict == Verdict::not_applicable);
   // 500/15 = 33.3 is below the limit.
   const Verification stout = verify(with_webs("15 mm", "50 mm"));

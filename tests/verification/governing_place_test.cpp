@@ -230,8 +230,8 @@ TEST_CASE("at the kink of the rig both sides are checked: the shear flow jumps t
   // on the prismatic side is some six times as much. Factors of an independent calculation.
   const Verification verification = verify(test::rig());
   const auto factors = [&](Criterion criterion) {
-    const double a = factor_at(verification, criterion, "seam", "1.5-");
-    const double b = factor_at(verification, criterion, "seam", "1.5+");
+    const double a = factor_at(verification, criterion, "seam +z", "1.5-");
+    const double b = factor_at(verification, criterion, "seam +z", "1.5+");
     return std::pair{std::min(a, b), std::max(a, b)};
   };
   const auto [shear_low, shear_high] = factors(Criterion::shear_fatigue);
@@ -413,7 +413,22 @@ TEST_CASE("no station is worse than the worst one reported, on random beams in t
     }
     Project project = test::planar_cantilever(4.0, taper_sections, taper_segment, forces,
                                               fatigue_lines(71, "2e6", 1.35));
+    const Length centre = mass_properties_of(project.beam).centre;
     random.give_shape(project, 4.0, random.chance(0.3));
+    // Points of the bar are given from its centre of mass, which another shape moves.
+    const double shift = (centre - mass_properties_of(project.beam).centre).value();
+    auto& mechanism = planar_of(project);
+    const auto move = [&](planar::Attachment& at) {
+      if (at.body == project.beam_body) at.p.x() += shift;
+    };
+    for (planar::Joint& joint : mechanism.joints) {
+      if (auto* clamp = std::get_if<planar::Rigid>(&joint.kind)) {
+        move(clamp->a);
+        move(clamp->b);
+      }
+    }
+    for (planar::AppliedForce& force : mechanism.forces)
+      move(std::get<planar::PointForce>(force.kind).at);
     check_nothing_worse(project, places, 60);
   }
 }

@@ -12,8 +12,8 @@ namespace boxbeam {
 struct BeamCut {
   Length s;
   bool sides = false;  ///< whether a check may differ just before and just behind it
-  /// Whether something is judged there and nowhere beside it: a hole, a named point, a detail
-  /// without length.
+  /// Whether something is judged there and not just beside it: a hole, a named point, the end of a
+  /// detail's stretch, which belongs to it.
   bool alone = false;
 };
 

@@ -68,9 +68,9 @@ struct ResistingDetail {
 };
 
 /// The weakest detail of the stretches that a station lies in, each with the strength that it has
-/// in a plate of this thickness, or that of the whole beam. At the end of a stretch the station's
-/// side decides; `both` lies in all that meet there. Compression counts 60 % only where none of
-/// them is welded as it is.
+/// in a plate of this thickness, or that of the whole beam. The end of a stretch belongs to it on
+/// both sides, and on the side where none goes on, that of the whole beam counts as well.
+/// Compression counts 60 % only where none of them is welded as it is.
 ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
                           Length plate);
 
