@@ -133,7 +133,8 @@ std::optional<SupportedLine> supported_line_of(const Project& project) {
   return line;
 }
 
-/// "against", with "from" and "to" or "at"; without it what the supports say.
+/// "against", with "from" and "to" or "at"; without it what the supports say, and only where these
+/// say nothing the chord from "from" to "to".
 void read_against(TableReader& table, const Project& project, DeflectionInput& deflection) {
   const TaperedBeam& beam = project.beam;
   const auto supported = supported_line_of(project);
@@ -166,7 +167,7 @@ void read_against(TableReader& table, const Project& project, DeflectionInput& d
     deflection.measured_from = text_of(line) + (why.empty() ? "" : ", " + why);
   };
   const bool clamped = supported && std::holds_alternative<Tangent>(supported->line);
-  if (between && (said || !clamped)) return take(*between, "");
+  if (between && (said || !supported)) return take(*between, "");
   if (touching) return take(*touching, "");
   const bool fits = supported && (word == axis || clamped == (word == tangent));
   if (!fits) {
@@ -178,11 +179,14 @@ void read_against(TableReader& table, const Project& project, DeflectionInput& d
                   hint);
     return;
   }
+  // Two stations that happen to be the supports say the same; others would hide how far the beam
+  // bends between or behind its supports, so that they are to be asked for.
+  const bool other = between && text_of(*between) != text_of(supported->line);
   take(supported->line,
        supported->why + (said && word == axis ? ", which is the undeformed axis" : "") +
-           (between ? "; \"from\" and \"to\" are the ends of a chord, which this beam, clamped, "
-                      "is not measured from unless against = \"chord\""
-                    : ""));
+           (other ? "; \"from\" and \"to\" are the ends of a chord, from which it is measured "
+                    "only with against = \"chord\""
+                  : ""));
 }
 
 }  // namespace

@@ -12,7 +12,9 @@
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "catch.hpp"
+#include "support/clamped_beam.hpp"
 #include "support/formula_value.hpp"
+#include "support/held_bar.hpp"
 #include "support/program.hpp"
 #include "support/rig.hpp"
 
@@ -110,6 +112,59 @@ TEST_CASE("Every formula of every sheet is one, and so is every symbol", "[repor
     }
   });
   CHECK(formulas > 10000);
+}
+
+TEST_CASE("A pocket calculator comes to what the sheets of rods and deflections say",
+          "[report][sheet]") {
+  const auto with_rod = [](const std::string& force, const std::string& section,
+                           const std::string& more) {
+    return test::held_bar(
+        false, "kind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n",
+        "[forces.push]\nkind = \"force\"\npoint = \"bar.B\"\ndirection = \"-90 deg\"\nsize = \"" +
+            force + "\"\n[sections.strut]\n" + section +
+            "[[rods]]\nname = \"strut\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\n"
+            "section = \"strut\"\ncurve = \"c\"\n" +
+            more);
+  };
+  const std::string thin =
+      "kind = \"box\"\nwidth = \"600 mm\"\nheight = \"400 mm\"\nflange = \"1 mm\"\n"
+      "web = \"2 mm\"\n";
+  const std::string stout = "kind = \"plate\"\nwidth = \"150 mm\"\nheight = \"150 mm\"\n";
+  const std::string demand =
+      "[deflection]\nlimit = \"50 mm\"\nload_factor = true\n"
+      "[[situations]]\nname = \"lift\"\nload_factor = 1.35\n";
+  const std::vector<std::pair<Project, std::string>> of{
+      {with_rod("40 kN", thin, "buckling_length = \"9 m\"\n"), "A_eff"},
+      {with_rod("40 kN", stout, "gamma_M0 = 1.5\n"), "N_c,Rd"},
+      {with_rod("-40 kN", stout, "net_area = \"200 cm^2\"\n"), "N_u,Rd"},
+      {test::clamped_beam(test::clamped::steady, demand), "w_1"},
+  };
+  for (const auto& [project, symbol] : of) {
+    const Verification verification = verify(project);
+    bool stands = false;
+    for (const CheckResult& result : verification.checks) {
+      const Criterion criterion = result.check.criterion;
+      if (criterion != Criterion::rod && criterion != Criterion::buckling &&
+          criterion != Criterion::deflection) {
+        continue;
+      }
+      const Sheet sheet = sheet_of(project, verification, result);
+      INFO(report::text_of(sheet));
+      stands = stands || find(sheet, symbol) != nullptr;
+      for (const Step& step : sheet.steps) {
+        CHECK(report::is_formula(step.symbol));
+        for (const std::string& formula : step.formulas) {
+          INFO(formula);
+          CHECK(report::is_formula(formula));
+        }
+      }
+      const Recalculation again = recalculated(sheet);
+      CHECK(again.compared >= 2);
+      CHECK(again.wrong == std::vector<std::string>{});
+    }
+    INFO(symbol);
+    CHECK(stands);
+  }
 }
 
 TEST_CASE("A pocket calculator comes to what every step of every sheet says", "[report][sheet]") {

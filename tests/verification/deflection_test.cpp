@@ -192,7 +192,7 @@ TEST_CASE("a cantilever is measured from its clamp: P L^3/(3 E I) + P L/(G A_v) 
   // Ends of a chord alone do not make it one.
   const auto [unsaid, told] = check_of("from = \"0 m\"\nto = \"4 m\"\n");
   is_of_the_tip(unsaid);
-  CHECK(told.find("unless against = \"chord\"") != std::string::npos);
+  CHECK(told.find("only with against = \"chord\"") != std::string::npos);
   // A pin whose angle is driven is a clamp as well.
   const std::string driven =
       "[joints.root]\nkind = \"pin\"\nconnect = [\"beam.A\", \"ground\"]\n"
@@ -247,6 +247,13 @@ TEST_CASE("a beam on two supports is measured from the chord between them, its o
         Approx(force * c * c * (span + c) / (3 * test::clamped::E * inertia()) +
                force * c * (1 + c / span) / (test::clamped::G * shear_area()))
             .epsilon(1e-9));
+  // From the support to the tip the overhang would hide how far the tip comes down.
+  const Project ends =
+      test::clamped_beam("size = \"10 kN\"\n",
+                         "[deflection]\nlimit = \"10 mm\"\nfrom = \"0 m\"\nto = \"4 m\"\n", pins);
+  const Check same = *check_deflection(ends, run_situations(ends));
+  CHECK(same.acting.value() == Approx(check.acting.value()).epsilon(1e-12));
+  CHECK(ends.deflection->measured_from.find("only with against = \"chord\"") != std::string::npos);
 }
 
 TEST_CASE("from a tangent inside the beam both parts bend away as cantilevers") {
