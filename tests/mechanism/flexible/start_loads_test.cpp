@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/sudden_start.hpp"
 #include "catch.hpp"
