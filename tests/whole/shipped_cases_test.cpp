@@ -81,9 +81,9 @@ double factor_of(const Json& document, const std::string& id) {
 TEST_CASE("crank press: the rod fails at the oil hole, not at its welds") {
   const std::string press = "sections/slider-crank-press/press.toml";
   const Json document = verified(press, 1);
-  check_governing(document, "fatigue", "fatigue/0.8/hole-oil-edge", 0.513658420779);  // [script]
-  check_governing(document, "yield", "yield/0.8/hole-oil-edge", 4.47667664537);       // [script]
-  CHECK(factor_of(document, "fatigue/1.35/fibre+z") == Approx(1.01266230797).epsilon(1e-6));
+  check_governing(document, "fatigue", "fatigue/0.8/hole-oil-edge", 0.514696040737);  // [script]
+  check_governing(document, "yield", "yield/0.8/hole-oil-edge", 4.48530047814);       // [script]
+  CHECK(factor_of(document, "fatigue/1.35/fibre+z") == Approx(1.01464947975).epsilon(1e-6));
   CHECK(document["governing"]["fatigue"]["resisting"].get<double>() ==
         Approx(allowed(100, 2e7)).epsilon(1e-9));
   // Rod of plates 40 and 30 mm: two flanges, two webs of the mean height.
@@ -102,10 +102,10 @@ TEST_CASE("crank press: crank level, and near the largest force") {
   CHECK(force_on(level, "slide", "P").imag() ==
         Approx(2500 * (g - omega * omega * r * r / drop)).epsilon(1e-9));
   const Json loaded = state_at(press, "0.53");
-  check_force(loaded, "rod", "A", 37159.6267052, -817600.62726);  // [script]
-  check_force(loaded, "rod", "P", -36672.6440006, 824881.95223);  // [script]
+  check_force(loaded, "rod", "A", 36106.6739912, -794118.712326);  // [script]
+  check_force(loaded, "rod", "P", -35619.6912866, 801400.037295);  // [script]
   CHECK(std::abs(loaded["reactions"]["motor"]["moment"].get<double>()) ==
-        Approx(65538.6720972).epsilon(1e-8));  // [script]
+        Approx(63659.0357472).epsilon(1e-8));  // [script]
 }
 
 TEST_CASE("four-bar rocker: fails in the taper near the tip, passes where the coupler drives it") {
@@ -192,7 +192,7 @@ TEST_CASE("sledge rig with friction in the rail: the fatigue factor falls from 1
   check_force(state, "beam", "O", 224648.71419, 50621.2915589);     // [script]
 }
 
-TEST_CASE("sledge rig by its details: the weld of the box end and the hub plates decide") {
+TEST_CASE("sledge rig by its details: root and toe of the weld at the box end decide") {
   const std::string detailed = "sections/sledge-rig/rig-detailed.toml";
   const Json document = verified(detailed, 1);
   // At 1e8 cycles the strength is the cut-off, 0.4047 of the category, over gamma_Mf = 1.35; the
@@ -215,7 +215,17 @@ TEST_CASE("sledge rig by its details: the weld of the box end and the hub plates
         Approx(factor(56, "fatigue/3.2+/web-end+z")).epsilon(2e-5));
   CHECK(factor_of(document, "fatigue/4.2/web-end+z") ==
         Approx(factor(100, "fatigue/4.2/web-end+z")).epsilon(2e-5));
-  CHECK(document["governing"]["fatigue"]["id"] == "fatigue/5.2+/fibre+z");
+  // The root of the same weld: 36 of row 8.5/3 on a line of 40 mm around 290 x 490 mm, where the
+  // tube's wall has 56 mm; what N adds differs by less than 0.1 %.
+  const auto modulus = [](double b, double h, double t) {
+    return (b * h * h * h - (b - 2 * t) * std::pow(h - 2 * t, 3)) / 12.0 / 0.245;
+  };
+  const std::string root = "fatigue/5.2/weld-around-the-tube-at-the-box-end,-top-flange";
+  CHECK(factor_of(document, root) ==
+        Approx(factor(36, "fatigue/5.2+/fibre+z") * modulus(0.33, 0.53, 0.04) /
+               modulus(0.29, 0.49, 0.056))
+            .epsilon(1e-3));
+  CHECK(document["governing"]["fatigue"]["id"] == root);
   // Over-stroke decides the strength, with its load factor.
   CHECK(document["governing"]["yield"]["situation"] == "over-stroke");
   // Four codes side by side; only EN 1993-1-9 has a cut-off.

@@ -286,7 +286,9 @@ Motion solve_motion(const Mechanism& mechanism) {
          {},
          {}});
   }
-  const int instants = std::max(fewest, static_cast<int>(std::ceil(4.0 * waves)));
+  // Whole waves stay whole: the points of an even table are instants then.
+  constexpr double rounding = 1e-9;
+  const int instants = std::max(fewest, static_cast<int>(std::ceil((4.0 - rounding) * waves)));
   Motion motion = motion_with(mechanism, solver, instants);
   const RoughTimes rough(functions_of(mechanism), motion.begin, motion.period, motion.closed);
   while (true) {
