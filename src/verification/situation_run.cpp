@@ -14,6 +14,7 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
+#include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {
 namespace {
@@ -148,12 +149,13 @@ double imbalance_over(const Project& project, const Situation& situation,
     const Imbalance open = imbalance_of(at);
     const double left = open.force.norm() + open.moment.norm() / project.beam.length().value();
     if (!std::isfinite(left)) {
-      throw AnalysisError({"the loads on the beam are no numbers: masses, stiffnesses or times of "
-                           "the case are too far apart for the arithmetic",
-                           "beam",
-                           time.value(),
-                           {},
-                           {}});
+      throw AnalysisError(
+          {"the loads on the beam are no numbers: masses, stiffnesses or times of "
+           "the case are too far apart for the arithmetic",
+           "beam",
+           time.value(),
+           {},
+           {}});
     }
     if (left <= worst) continue;
     worst = left;
@@ -212,10 +214,14 @@ SituationRun::SituationRun(const Project& project, const Situation& of, const El
 
 std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model) {
   std::deque<SituationRun> runs;
+  const std::size_t places = places_of(project.beam).size();
+  std::size_t instants = 0;
   for (const Situation& situation : project.situations) {
     if (!situation.between.empty()) continue;
     try {
       runs.emplace_back(project, situation, model);
+      instants += runs.back().loads.instants();
+      require_moderate_work(instants, places);
     } catch (const AnalysisError& error) {
       if (situation.name.empty()) throw;
       AnalysisFailure failure = error.failure();
