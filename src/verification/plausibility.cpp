@@ -69,6 +69,23 @@ void require_numbers(const Verification& verification) {
   }
 }
 
+void require_moderate_work(std::size_t instants, std::size_t places) {
+  // Some ten seconds.
+  constexpr double most = 1e6;
+  if (static_cast<double>(instants) * static_cast<double>(places) <= most) return;
+  throw AnalysisError(
+      {fmt::format(
+           "this is too much work: the situations have {} instants in all, and the beam {} places; "
+           "their product can be {:g} at most. Give a shorter [motion] duration, frequencies with "
+           "a "
+           "short common period, fewer situations or fewer segments",
+           instants, places, most),
+       "beam",
+       {},
+       {},
+       {}});
+}
+
 std::vector<std::string> odd_things(const Project& project, const Verification& verification) {
   std::vector<std::string> odd;
   const Check* highest = nullptr;

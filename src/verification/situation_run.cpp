@@ -14,6 +14,7 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
 #include "boxbeam/verification/elastic_motion.hpp"
+#include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/sudden_start.hpp"
 
 namespace boxbeam {
@@ -228,10 +229,14 @@ SituationRun::SituationRun(const Project& project, const Situation& of, const El
 
 std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model) {
   std::deque<SituationRun> runs;
+  const std::size_t places = places_of(project.beam).size();
+  std::size_t instants = 0;
   for (const Situation& situation : project.situations) {
     if (!situation.between.empty()) continue;
     try {
       runs.emplace_back(project, situation, model);
+      instants += runs.back().loads.instants();
+      require_moderate_work(instants, places);
     } catch (const AnalysisError& error) {
       if (situation.name.empty()) throw;
       AnalysisFailure failure = error.failure();

@@ -139,6 +139,17 @@ TEST_CASE("counts have limits that the message names", "[extreme]") {
   }
 }
 
+TEST_CASE("instants and places have a limit together that the message names", "[extreme]") {
+  CHECK_NOTHROW(require_moderate_work(24576, 40));
+  try {
+    require_moderate_work(24576, 41);
+    FAIL("nothing was said");
+  } catch (const AnalysisError& error) {
+    CHECK(has(error.what(), "24576 instants"));
+    CHECK(has(error.what(), "41 places"));
+  }
+}
+
 TEST_CASE("more cycles than there are seconds in the age of mountains are refused", "[extreme]") {
   CHECK(has(refused(template_text("planar"), {"fatigue.cycles=1e16"}), "at most 1e+15"));
   CHECK(refused(template_text("planar"), {"fatigue.cycles=1e15"}).empty());
