@@ -130,7 +130,8 @@ TEST_CASE("every kind of problem is reported at once, in the order of the file, 
   CHECK(says(problems[3], "above zero"));
   CHECK(says(problems[4], "below zero"));
   CHECK(says(problems[5], "two values"));
-  CHECK(says(problems[6], "number without unit"));
+  CHECK(says(problems[6], "without quotation marks"));
+  CHECK(hints(problems[6], "write number = 5"));
   CHECK(says(problems[7], "whole number"));
   CHECK(says(problems[8], "true or false"));
   CHECK(says(problems[9], "is a text"));

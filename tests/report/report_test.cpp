@@ -252,6 +252,20 @@ TEST_CASE("the moving picture offers every situation and begins with the governi
   }
 }
 
+TEST_CASE("where not every situation is offered, the moving picture says so", "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    if (of.path != "sections/landing-gear/retraction.toml") continue;
+    REQUIRE(of.verification.cycles.size() == 3);  // retraction, extension, landing
+    Verification fewer = of.verification;
+    fewer.cycles.erase(fewer.cycles.begin());
+    for_each<MovingPicture>(report_of(of.project, fewer), [](const MovingPicture& picture) {
+      INFO(picture.caption);
+      CHECK(picture.caption.find("(2 of 3 situations are offered)") != std::string::npos);
+      CHECK(picture.cycles.at(picture.first).situation == "landing");
+    });
+  }
+}
+
 TEST_CASE("joint forces grow without bound at resonance only where nothing damps", "[report]") {
   const std::string path = test::project_file("sections/drill-truck/truck.toml");
   for (const bool damped : {false, true}) {
