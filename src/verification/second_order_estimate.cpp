@@ -165,8 +165,7 @@ MakePosture alone(const Project& project, Plane plane, const std::vector<double>
 }
 
 /// `instant`: of the run's loads.
-Held held_at(const Project& project, const SituationRun& run, std::size_t instant,
-             const BeamLoads& loads) {
+Held held_at(const Project& project, const SituationRun& run, Time time, const BeamLoads& loads) {
   const std::vector<double> at = supports_of(project, run, loads);
   Held held;
   held.across = alone(project, Plane::y, at, loads);
@@ -176,8 +175,9 @@ Held held_at(const Project& project, const SituationRun& run, std::size_t instan
   if (!holds_whole(project, run)) return held;
   const planar::Mechanism& mechanism = planar_in(project, *run.situation);
   const planar::Motion& motion = planar_motion_of(run);
-  const planar::State& state = instant < motion.states.size() ? motion.states[instant] : motion.end;
-  const MakePosture whole = [&project, &mechanism, &state, loads](double factor) {
+  // Where loads break, the history has instants that the motion has not.
+  const planar::State state = planar::StateFinder(mechanism, motion).at(time.value());
+  const MakePosture whole = [&project, &mechanism, state, loads](double factor) {
     return loaded_posture(mechanism, state, elastic_body_of(project, parts), project.beam, loads,
                           factor);
   };
@@ -297,7 +297,7 @@ class Estimating {
     for (const std::size_t i : instants_of(run.loads)) {
       const Time time = run.loads.time_of(i);
       const BeamLoads loads = run.loads.loads_at(time);
-      const Held held = held_at(*project_, run, i, loads);
+      const Held held = held_at(*project_, run, time, loads);
       if (!held.whole) result_.whole = false;
       const std::size_t situation = index_of(*project_, *run.situation);
       const CutForceDiagram diagram = cut_forces_of(loads);
