@@ -139,6 +139,25 @@ Eigen::Index stride_of(std::size_t instants, std::size_t modes) {
   return static_cast<Eigen::Index>(stride);
 }
 
+/// Largest axial force over the motion, by the one that buckles a pinned beam of the least bending
+/// stiffness.
+double axial_part(const RigidMotion& rigid, const ElasticBody& elastic) {
+  double least = 1e300;
+  for (const flexible::LinkStretch& stretch : elastic.stretches) {
+    least = std::min({least, stretch.EI(0.0), stretch.EI(stretch.length)});
+  }
+  constexpr std::size_t looked_at = 48;
+  const std::vector<planar::State>& states = rigid.motion->states;
+  double most = 0.0;
+  for (std::size_t i = 0; i < states.size();
+       i += std::max<std::size_t>(1, states.size() / looked_at)) {
+    for (const CutForcePiece& piece : cut_forces_of(rigid.loads(si<Time>(states[i].time))).pieces) {
+      most = std::max({most, std::abs(piece.N(0.0)), std::abs(piece.N(piece.length.value()))});
+    }
+  }
+  return most * std::pow(elastic.length / std::numbers::pi, 2) / least;
+}
+
 }  // namespace
 
 ElasticBody elastic_body_of(const Project& project, int parts) {
@@ -293,6 +312,11 @@ LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
   if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);
   const auto modes = static_cast<std::size_t>(model.modes);
   auto first = std::make_shared<const ElasticMotion>(bodies, elastic, modes);
+  // The vibrating part of an axial force that hardly counts does not count.
+  constexpr double hardly = 0.02;
+  if (axial_part(bodies, elastic) < hardly) {
+    return [first](Time time) { return first->loads_at(time); };
+  }
   const LoadsAt vibrating = [first](Time time) { return first->loads_at(time); };
   auto of = std::make_shared<const ElasticMotion>(bodies, elastic, modes, vibrating);
   return [of](Time time) { return of->loads_at(time); };

@@ -285,6 +285,19 @@ void look_at_second_order(const Project& project, const ModelChoice& model,
   };
   look(of.in_plane, "in the plane of motion", true);
   if (of.across) look(*of.across, "across it", in_space(project));
+  // There an error of the axial force, such as the bent beam's shortening causes by the inertia of
+  // what it moves, is amplified more than threefold: 1/(1 - 0.7).
+  constexpr double proven = 0.7;
+  if (model.chosen.level == ModelLevel::modal && of.in_plane.part > proven &&
+      of.in_plane.part < 1.0) {
+    gates.push_back(
+        {"", "",
+         buckling_text(project, of.in_plane, "in the plane of motion") +
+             fmt::format(": above {} the beam's vibration is not proven, for the inertia "
+                         "that its shortening by bending causes is not in it",
+                         proven),
+         true});
+  }
   // sin(0.1) is 0.2 % less than 0.1, the work of a turning force 0.4 % less than its square.
   constexpr double small = 0.1;
   if (counted && of.turn > small) {

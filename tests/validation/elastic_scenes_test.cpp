@@ -13,6 +13,7 @@
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/verify.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 #include "catch.hpp"
 #include "support/corotational_mechanism.hpp"
@@ -73,10 +74,11 @@ void print(const std::string& name, const Missed& of) {
 
 }  // namespace
 
+// Three of the four; the other, near its buckling load, see below.
 TEST_CASE("slender beams in mechanisms have the stress that geometrically exact beams have",
           "[elastic_scenes]") {
   const std::vector<std::pair<std::string, double>> scenes{
-      {"v4.toml", 216.1e6}, {"v11.toml", 120.2e6}, {"v36.toml", 439.8e6}, {"v50.toml", 285.4e6}};
+      {"v4.toml", 216.1e6}, {"v11.toml", 120.2e6}, {"v50.toml", 285.4e6}};
   for (const auto& [name, exact] : scenes) {
     const Project project = scene(name);
     const auto [choice, runs] = run_by_chosen_model(project);
@@ -85,17 +87,51 @@ TEST_CASE("slender beams in mechanisms have the stress that geometrically exact 
   }
 }
 
-// The same cases as good as rigid in shear, for these elements are.
-TEST_CASE("the four scenes by corotational elements", "[elastic_scenes]") {
-  for (const std::string name : {"v4.toml", "v11.toml", "v36.toml", "v50.toml"}) {
+// As good as rigid in shear, for these elements are. They give what the other program gives.
+TEST_CASE("slender beams in mechanisms have the stress of corotational beams", "[elastic_scenes]") {
+  const std::vector<std::pair<std::string, double>> scenes{{"v4.toml", 216.1e6},
+                                                           {"v50.toml", 285.4e6}};
+  for (const auto& [name, exact] : scenes) {
     Project project = scene(name);
     project.model.shear_modulus = 1e15;
     const Missed of = missed_by(project);
-    print(name, of);
     INFO(name << ": " << of.choice.reason);
     CHECK_FALSE(of.refused);
+    CHECK(of.by_beam == Approx(exact).epsilon(5e-3));
     CHECK(std::abs(of.missed()) <= project.model.tolerance);
   }
+}
+
+// Exudyn has 439.8 MPa. At 0.83 of the buckling load the beam shortens so much by bending that the
+// inertia of what it moves changes its axial force: beyond theory of the second order.
+TEST_CASE("a beam that vibrates near its buckling load does not pass", "[elastic_scenes]") {
+  const Project project = scene("v36.toml");
+  const Verification verification = verify(project);
+  INFO(verification.model.reason);
+  CHECK(verification.model.second_order.in_plane.part > 0.8);
+  CHECK(verification.verdict != Verdict::pass);
+  const auto says = [&](const std::string& words) {
+    return std::any_of(verification.gates.begin(), verification.gates.end(), [&](const Gate& gate) {
+      return gate.blocks && gate.finding.find(words) != std::string::npos;
+    });
+  };
+  CHECK(says("vibration is not proven"));
+  CHECK(says("across it"));
+}
+
+// Slider-cranks, four-bars and levers with three joints, by chance.
+TEST_CASE("beams in mechanisms by chance have the stress of corotational beams",
+          "[elastic_scenes]") {
+  unsigned judged = 0;
+  for (unsigned seed = 1; judged < 4 && seed < 20; ++seed) {
+    const test::RandomScene of = test::random_scene(seed);
+    const Missed missed = missed_by(parse_project("scene.toml", of.text));
+    if (missed.refused || missed.buckles) continue;
+    ++judged;
+    INFO(seed << " " << of.kind << ": " << missed.choice.reason);
+    CHECK(std::abs(missed.missed()) <= 0.01);
+  }
+  CHECK(judged == 4);
 }
 
 // Hidden, for it takes minutes: run it by name; BOXBEAM_SCENES and BOXBEAM_SEED change the number
