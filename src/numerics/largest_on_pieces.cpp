@@ -78,7 +78,7 @@ class Search {
         continue;
       }
       if (sites_.size() >= of_->most_evaluations || !can_halve(worst)) {
-        result.left_open = std::max(result.left_open, excess);
+        leave_open(worst, result.left_open);
         continue;
       }
       for (Part& half : halves_of(worst)) {
@@ -86,7 +86,7 @@ class Search {
         queue.push(half);
       }
     }
-    if (!queue.empty()) result.left_open = std::max(result.left_open, queue.top().excess);
+    for (; !queue.empty(); queue.pop()) leave_open(queue.top(), result.left_open);
     result.evaluations = sites_.size();
     result.largest = largest_;
     result.pieces.resize(of_->pieces.size());
@@ -116,21 +116,35 @@ class Search {
   }
 
   double excess_of(const Part& part) const {
+    const std::vector<double> excesses = excesses_of(part);
+    return *std::max_element(excesses.begin(), excesses.end());
+  }
+
+  void leave_open(const Part& part, std::vector<double>& left_open) const {
+    const std::vector<double> excesses = excesses_of(part);
+    left_open.resize(excesses.size(), 0.0);
+    for (std::size_t g = 0; g < excesses.size(); ++g)
+      left_open[g] = std::max(left_open[g], excesses[g]);
+  }
+
+  /// By group; 0 where no bound exceeds the largest found.
+  std::vector<double> excesses_of(const Part& part) const {
     std::size_t functions = 0;
     for (const std::size_t i : part.places)
       functions = std::max(functions, sites_[i].place.values.size());
-    double excess = 0.0;
+    std::vector<double> excesses(std::max<std::size_t>(1, largest_.size()), 0.0);
     for (std::size_t f = 0; f < functions; ++f) {
-      const double largest = largest_[of_->group_of(f)];
+      const std::size_t group = of_->group_of(f);
+      const double largest = largest_[group];
       if (largest <= 0.0) continue;
       Five v{};
       for (std::size_t j = 0; j < v.size(); ++j) {
         const FunctionValues& values = sites_[part.places[j]].place.values;
         if (f < values.size()) v[j] = values[f];
       }
-      excess = std::max(excess, bound_of(v) / largest - 1.0);
+      excesses[group] = std::max(excesses[group], bound_of(v) / largest - 1.0);
     }
-    return excess;
+    return excesses;
   }
 
   double place(const Part& part, std::size_t j) const { return sites_[part.places[j]].place.at; }

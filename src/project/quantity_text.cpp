@@ -239,7 +239,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   for (const std::string& candidate : known) {
     // So many edits the lengths alone take.
     const std::size_t a = word.size(), b = candidate.size();
-    if (std::max(a, b) - std::min(a, b) >= best_distance.first) continue;
+    if (std::max(a, b) - std::min(a, b) > best_distance.first) continue;
     const std::pair distance(edit_distance(small, small_letters(candidate)),
                              edit_distance(word, candidate));
     if (distance < best_distance) {

@@ -73,14 +73,14 @@ class StressPoints {
       const bool neutral = !space && !walls && place.name.starts_with("neutral axis");
       StressPoint& point = add(place);
       if (!neutral) resist(point, seam ? DetailPlace::seams : DetailPlace::fibres);
-      point.shear_detail = &fatigue.shear;
+      point.shear_detail = if_asked(fatigue.shear);
       if (!place.on_throat) continue;
       SectionPoint throat = place;
       throat.name = "seam" + place.name.substr(std::string("web end").size()) + " throat";
       throat.influence = *place.on_throat;
       StressPoint& on_throat = add(throat);
       on_throat.influence.normal = {};
-      on_throat.shear_detail = &fatigue.throat;
+      on_throat.shear_detail = if_asked(fatigue.throat);
       on_throat.on_throat = true;
       on_throat.yield = false;
     }
@@ -107,7 +107,7 @@ class StressPoints {
       }
       StressPoint& point = add(point_on_stretch(field_, stretch, 0.0));
       resist(point, DetailPlace::fibres);
-      point.shear_detail = &fatigue.shear;
+      point.shear_detail = if_asked(project_->fatigue.shear);
       point.stretch = StressStretch{field, stretch, only_end};
     }
   }
@@ -167,7 +167,7 @@ class StressPoints {
   std::span<StressPoint> add_level(const std::string& name, Length z) {
     const std::size_t before = points.size();
     for (const SectionPoint& place : points_at_level(field_, name, z, set_))
-      add(place).shear_detail = &project_->fatigue.shear;
+      add(place).shear_detail = if_asked(project_->fatigue.shear);
     return std::span(points).subspan(before);
   }
 
@@ -178,16 +178,22 @@ class StressPoints {
   std::vector<StressPoint> points;
 
  private:
+  /// Of a case that asks for no fatigue nothing resists it.
   void resist(StressPoint& point, DetailPlace on) {
+    if (!project_->fatigue.asked) return;
     const ResistingDetail& detail = details_.at(on, point.plate);
     point.detail = detail.detail;
     point.in_plate = detail.in_plate;
     point.compression_reduced = detail.compression_reduced;
   }
 
+  const Detail* if_asked(const Detail& detail) const {
+    return project_->fatigue.asked ? &detail : nullptr;
+  }
+
   /// A hole may have a detail of its own.
   void resist_hole(StressPoint& point, const HoleInput& input) {
-    if (!input.detail) return resist(point, DetailPlace::fibres);
+    if (!input.detail || !project_->fatigue.asked) return resist(point, DetailPlace::fibres);
     point.detail = &*input.detail;
     point.compression_reduced = input.detail->detail.compression_reduced;
   }

@@ -350,8 +350,11 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
                                      search.tolerance, slid_over, along))
       verified.stations.push_back({s, Side::both});
   }
-  verified.search = {along.evaluations(), search.pieces.size(),
-                     std::max(search.tolerance, found.left_open)};
+  // Of the utilisations: the places of extreme cut forces are for the eye.
+  double tolerance = search.tolerance;
+  for (std::size_t k = 0; k < std::min(stress_criteria.size(), found.left_open.size()); ++k)
+    tolerance = std::max(tolerance, found.left_open[k]);
+  verified.search = {along.evaluations(), search.pieces.size(), tolerance};
   return verified;
 }
 

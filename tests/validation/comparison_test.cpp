@@ -298,7 +298,7 @@ std::map<std::string, std::function<double()>> computed() {
   };
   values["hub edge"] = [] { return check("fatigue/3.2+/hole-hub-edge").acting.value() / 1e6; };
   values["4.2 m"] = [] {
-    return check("fatigue/4.2/fibre+z").acting / check("fatigue/3.2+/thesis-A").acting;
+    return check("fatigue/4.2-/fibre+z").acting / check("fatigue/3.2+/thesis-A").acting;
   };
   return values;
 }

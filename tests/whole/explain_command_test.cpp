@@ -96,7 +96,7 @@ TEST_CASE("explain: an unknown id is answered with the nearest one", "[explain]"
     CHECK(result.err.find(said) != std::string::npos);
   };
   refused("fatige", "did you mean fatigue?");
-  refused("fatigue/4.2/fibre+y", "did you mean fatigue/4.2/fibre+z?");
+  refused("fatigue/4.2-/fibre+y", "did you mean fatigue/4.2-/fibre+z?");
   refused("moonlight-on-the-beam", "boxbeam explain list CASE shows all");
 }
 

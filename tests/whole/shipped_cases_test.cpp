@@ -184,8 +184,8 @@ TEST_CASE("pump jack: fails at the ends of its saddle plate, not at the ladder b
 TEST_CASE("sledge rig with friction in the rail: the fatigue factor falls from 1.21 to 1.11") {
   const std::string rig = "sections/sledge-rig/friction.toml";
   const Json document = verified(rig, 1);
-  check_governing(document, "fatigue", "fatigue/4.2/fibre+z", 1.11415818258);  // [script]
-  check_governing(document, "yield", "yield/4.2/fibre+z", 18.0604021486);      // [script]
+  check_governing(document, "fatigue", "fatigue/4.2-/fibre+z", 1.11415818258);  // [script]
+  CHECK(factor_of(document, "yield/4.2-/fibre+z") == Approx(18.0604021486).epsilon(1e-6));  // [script]
   const Json state = state_at(rig, "0.4");
   check_force(state, "beam", "C", -104660.924907, 905.91337604);    // [script]
   check_force(state, "beam", "B", -119481.930447, -3012.95820629);  // [script]
@@ -213,8 +213,8 @@ TEST_CASE("sledge rig by its details: root and toe of the weld at the box end de
         Approx(factor(71, "fatigue/5.2+/fibre+z")).epsilon(2e-5));
   CHECK(factor_of(document, "fatigue/3.2+/web-end+z") ==
         Approx(factor(56, "fatigue/3.2+/web-end+z")).epsilon(2e-5));
-  CHECK(factor_of(document, "fatigue/4.2/web-end+z") ==
-        Approx(factor(100, "fatigue/4.2/web-end+z")).epsilon(2e-5));
+  CHECK(factor_of(document, "fatigue/4.2-/web-end+z") ==
+        Approx(factor(100, "fatigue/4.2-/web-end+z")).epsilon(2e-5));
   // The root of the same weld: 36 of row 8.5/3 on a line of 40 mm around 290 x 490 mm, where the
   // tube's wall has 56 mm; what N adds differs by less than 0.1 %.
   const auto modulus = [](double b, double h, double t) {

@@ -33,9 +33,9 @@ struct PieceSearchResult {
   std::vector<std::vector<SearchedPlace>> pieces;  ///< all places looked at, ascending
   std::vector<double> largest;                     ///< by group
   std::size_t evaluations = 0;
-  /// By how much more than the largest found a group may have, relative; at most the tolerance,
+  /// By group: how much more than the largest found it may have, relative; at most the tolerance,
   /// unless the evaluations or the digits of a place came to their end.
-  double left_open = 0.0;
+  std::vector<double> left_open;
 };
 
 /// The largest value of each group of functions, on all pieces.
