@@ -140,7 +140,8 @@ void read_against(TableReader& table, const Project& project, DeflectionInput& d
   const auto supported = supported_line_of(project);
   const bool said = table.has("against");
   enum { chord, axis, tangent };
-  const std::size_t word = said ? table.choice("against", {"chord", "axis", "tangent"}) : axis;
+  const std::size_t unsaid = axis;
+  const std::size_t word = said ? table.choice("against", {"chord", "axis", "tangent"}) : unsaid;
   const bool ends = table.has("from") || table.has("to");
   std::optional<Chord> between;
   if (ends) {

@@ -22,7 +22,7 @@ struct EdgePlace {
 
   std::string K_g() const { return text::significant(edge->factor); }
   std::string angle() const {
-    return fmt::format("{:.6g} deg", edge->angle * 180.0 / std::numbers::pi);
+    return fmt::format("{:.10g} deg", edge->angle * 180.0 / std::numbers::pi);
   }
 };
 

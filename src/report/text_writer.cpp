@@ -99,7 +99,8 @@ std::string text_of(const Document& document, std::size_t width) {
   out += "\n";
   if (!document.verdict.empty()) {
     out += hanging("VERDICT: ", "         ", document.verdict, width);
-    for (const std::string& reason : document.reasons) out += hanging("  - ", "    ", reason, width);
+    for (const std::string& reason : document.reasons)
+      out += hanging("  - ", "    ", reason, width);
     out += "\n";
   }
   if (!document.verdict.empty() && !document.governing.rows.empty()) {

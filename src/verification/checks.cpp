@@ -397,10 +397,9 @@ class StationChecks {
 
  private:
   void look_at_point(const StressPoint& point) {
-    const StressPoint worst = at_worst_edge(samples_, point, Criterion::fatigue);
     for (const Criterion criterion : {Criterion::fatigue, Criterion::shear_fatigue,
                                       Criterion::combined_fatigue, Criterion::stress_range})
-      add(criterion, worst);
+      add(criterion, at_worst_edge(samples_, point, criterion));
     if (point.on_throat)
       add(Criterion::weld, point);
     else if (point.yield)

@@ -241,7 +241,8 @@ std::string second_order_text(const SecondOrderEstimate& of) {
 constexpr ElasticModel bent{ModelLevel::quasi_static, 0, 16, {}, false};
 
 /// Where vibration is not estimated: rigid bodies, or bent ones where second order asks for them.
-void choose_unvibrated(const Project& project, const std::string& obstacle, ModelChoice& choice) {
+void choose_unvibrated(const Project& project, const std::string& obstacle, ModelChoice& choice,
+                       const std::string& known = "what vibration adds is not estimated: ") {
   if (project.model.demand == ModelDemand::flexible) {
     throw AnalysisError({fmt::format("the model that was demanded cannot be had, for the beam's "
                                      "vibration is not computed here: {}; use --model auto or "
@@ -253,8 +254,7 @@ void choose_unvibrated(const Project& project, const std::string& obstacle, Mode
                          {}});
   }
   const SecondOrderEstimate& second = choice.second_order;
-  const std::string why = fmt::format("what vibration adds is not estimated: {}; {}", obstacle,
-                                      second_order_text(second));
+  const std::string why = fmt::format("{}{}; {}", known, obstacle, second_order_text(second));
   if (second.whole && second.change) {
     choice.weighed.push_back({{}, "second order alone", *second.change, {}});
     if (*second.change > choice.tolerance && project.model.demand == ModelDemand::automatic) {
@@ -433,7 +433,7 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
     ModelChoice choice;
     choice.tolerance = project.model.tolerance;
     choice.second_order = estimate_second_order(project, rigid);
-    choose_unvibrated(project, "the loads are measured, they contain it", choice);
+    choose_unvibrated(project, "the loads are measured, they contain the vibration", choice, "");
     return choice;
   }
   ModelChoice choice = choose_by_estimate(project, rigid);

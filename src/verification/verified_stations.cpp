@@ -146,10 +146,10 @@ class AlongBeam {
 
   static Utilisations judge(const StationSamples& samples, const StressPoint& point) {
     if (point.edges.empty()) return samples.judge(point);
-    Utilisations found = samples.judge(at_worst_edge(samples, point, Criterion::fatigue));
-    found.of(Criterion::yield) =
-        samples.judge(at_worst_edge(samples, point, Criterion::yield), {Criterion::yield})
-            .of(Criterion::yield);
+    Utilisations found;
+    for (const Criterion criterion : stress_criteria)
+      found.of(criterion) =
+          samples.judge(at_worst_edge(samples, point, criterion), {criterion}).of(criterion);
     return found;
   }
 

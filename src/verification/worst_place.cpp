@@ -157,8 +157,9 @@ StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& poin
   StressPoint moved = point;
   moved.edges.clear();
   if (point.edges.empty()) return moved;
-  const bool fatigue = criterion == Criterion::fatigue && point.detail != nullptr;
-  const Criterion by = fatigue ? Criterion::fatigue : Criterion::yield;
+  // Without a detail no range is judged: the largest stress decides.
+  const bool judged = criterion == Criterion::yield || point.detail != nullptr;
+  const Criterion by = judged ? criterion : Criterion::yield;
   const auto judge = [&](const StressInfluence& influence) {
     return samples.judge(point, influence, {by}).of(by);
   };

@@ -122,7 +122,7 @@ TEST_CASE("every kind of case has its figures, in the order of a report") {
                                                                 "stress", "sn", "spectrum"});
   CHECK(names("sections/drill-truck/truck.toml") ==
         Names{"mechanism", "motion", "cut-forces", "utilisation", "section", "stress", "sn",
-              "modes", "frequency-response", "joint-forces", "sudden-start"});
+              "spectrum", "modes", "frequency-response", "joint-forces", "sudden-start"});
 }
 
 TEST_CASE("a spatial figure shows the three most telling instants and says how many there are") {

@@ -35,8 +35,8 @@ TEST_CASE("loads that are measured keep the bodies rigid, and the model says why
   CHECK(project.model.measured_loads);
   const Verification verification = verify(project);
   CHECK(verification.model.chosen.level == ModelLevel::rigid);
-  CHECK(verification.model.reason ==
-        "rigid bodies: the loads are measured, they contain the vibration");
+  CHECK(verification.model.reason.starts_with(
+      "rigid bodies; the loads are measured, they contain the vibration"));
   const std::string terminal = summary(project, verification);
   CHECK(contains(terminal.substr(0, terminal.find("criterion")),
                  "the loads are measured, they contain the vibration"));

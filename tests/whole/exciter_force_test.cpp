@@ -1,5 +1,6 @@
 // A case whose exciter is a force: integrated, verified, against the closed form of the oscillator.
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -108,7 +109,14 @@ TEST_CASE("an exciter's force instead of its motion: amplitude, stress and range
   const Json& fatigue = document["governing"]["fatigue"];
   CHECK(fatigue["station"].get<double>() == Approx(1.0));
   CHECK(fatigue["acting"].get<double>() == Approx(2.0 * sigma).epsilon(1e-6));
-  CHECK(document["governing"]["yield"]["acting"].get<double>() == Approx(sigma).epsilon(1e-6));
+  // Of the fibre; the flange's end has some shear as well and governs.
+  double fibre = 0.0;
+  for (const Json& check : document["checks"]) {
+    if (check["criterion"] == "yield" && check["point"].get<std::string>().starts_with("fibre"))
+      fibre = std::max(fibre, check["acting"].get<double>());
+  }
+  CHECK(fibre == Approx(sigma).epsilon(1e-6));
+  CHECK(document["governing"]["yield"]["acting"].get<double>() >= sigma * (1.0 - 1e-6));
 
   // Phase: tan = c omega/(k - m omega^2) behind the force.
   const double phase = std::atan2(2000.0 * omega, 200e3 - mass * omega * omega);

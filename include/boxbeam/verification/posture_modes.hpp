@@ -48,7 +48,8 @@ FrameTerms frame_terms(const PostureModes& modes, const planar::State& state);
 ///     p_j = integral of N epsilon_j + V gamma_j + M kappa_j   over the beam
 ///
 /// the same as phi_j^T of all forces and inertia of the rigid mechanism, for joints do no work and
-/// rigid bodies are in balance. Per part with the mean cut forces. Source: principle of virtual work.
+/// rigid bodies are in balance. Per part with the mean cut forces. Source: principle of virtual
+/// work.
 Eigen::VectorXd modal_loads(const PostureModes& modes, const CutForceDiagram& rigid);
 
 }  // namespace boxbeam

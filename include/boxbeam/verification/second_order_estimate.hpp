@@ -36,7 +36,7 @@ struct SecondOrderEstimate {
   std::optional<BucklingLoad> across;  ///< nothing where the section has no such plane
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
-  double turn = 0.0;   ///< largest turn of a section by bending [rad]
+  double turn = 0.0;  ///< largest turn of a section by bending [rad]
   /// Largest M/(W f_y) of the bent beam over the motion; of the straight one where it buckles.
   double bending = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this

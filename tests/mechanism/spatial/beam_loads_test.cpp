@@ -149,7 +149,8 @@ TEST_CASE("what acts off the axis adds its moment; a place may belong to another
   const Chain chain(mechanism);
   BeamPlacement placement;
   placement.body = 0;
-  const BeamLoads loads = beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement, mechanism));
+  const BeamLoads loads =
+      beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement, mechanism));
   REQUIRE(loads.points.size() == 4);
   // The joint with the ground, at the start: the opposite of all.
   CHECK(loads.points[0].s.value() == 0.0);
@@ -190,7 +191,8 @@ TEST_CASE("a line force acts between its ends, whichever comes first, and nowher
                               {-1, 0, 0},
                               PolynomialDriver{{40.0}}}};
     const Chain chain(mechanism);
-    const BeamLoads loads = beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement, mechanism));
+    const BeamLoads loads =
+        beam_loads_of(chain, chain.at(0.0), beam_body_of(beam, placement, mechanism));
     // -x of the world is y of the beam.
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(loads.lines[i].force[0](0.3) == Approx(0.0).margin(1e-13));

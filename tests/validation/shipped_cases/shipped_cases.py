@@ -257,7 +257,11 @@ def groups(case, program, root):
 
 
 def factor_groups(title, case, state, results):
-    theirs = results["governing"]["yield"]
+    # At the end of a flange the web's shear comes to the fibre's stress: the worst of the places
+    # that are looked at here.
+    theirs = min((check for check in results["checks"] if check["criterion"] == "yield"
+                  and ("hole" in check["point"] or check["point"].startswith("fibre"))),
+                 key=lambda check: check["safety_factor"])
 
     def stress(at):
         if "hole" in theirs["point"]:
@@ -372,11 +376,13 @@ def friction_groups(program, root):
         factors = {}
         for s, side in (*rig.FIBRE_STATIONS, (4.0, ""), (4.4, "")):
             factors.update(rig.fibre_factors(s, side, length))
-        theirs = {check["id"]: check["safety_factor"] for check in results["governing"].values()}
         rows = []
         for criterion in ("yield", "fatigue"):
             lowest = min((n for n in factors if n.startswith(criterion)), key=factors.get)
-            rows.append((lowest, theirs.get(lowest, math.inf), factors[lowest]))
+            at_fibres = min(check["safety_factor"] for check in results["checks"]
+                            if check["criterion"] == criterion
+                            and check["point"].startswith("fibre"))
+            rows.append((lowest, at_fibres, factors[lowest]))
         yield f"sledge-rig friction, {name}: governing factors", rows, 1e-6, None
 
 

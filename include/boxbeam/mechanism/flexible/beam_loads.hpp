@@ -29,8 +29,8 @@ struct BeamResponse {
 /// Uniform and linear accelerations are exact, and the moment within a part has its local share
 /// q s (D - s)/2. Where the link bears an axial force that was there before (`load_axially`), what
 /// that force does to the bent link comes to it, d/ds (N w') across the straight axis: cut forces
-/// are then those of the second order, V across the bent axis. Precondition: the link's axis is that of the beam. Source: d'Alembert's
-/// principle.
+/// are then those of the second order, V across the bent axis. Precondition: the link's axis is
+/// that of the beam. Source: d'Alembert's principle.
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
                               const Response& response, const LinkColumns<Complex>& inertial);
 

@@ -113,7 +113,8 @@ using TensionAt = std::function<double(double, Side)>;
 ///     t_0 phi_0^2 + t_1 phi_1^2 of its nodes' turns, 12 (1 + nu) t_0 = D (3 N_0 + 4 N_m - N_1)
 ///
 /// so that a part that turns without strain feels exactly V = N theta. The moment of its spring
-/// then is that of the nodes less N D^2/4EI of it, and the mean of the bowed part's less N D^2/12EI:
+/// then is that of the nodes less N D^2/4EI of it, and the mean of the bowed part's less N
+/// D^2/12EI:
 ///
 ///     f_22' = f_22 (1 + N D f_22/6)   to the first order of N
 ///
