@@ -88,7 +88,6 @@ class StressPoints {
   }
 
   void add_stretches() {
-    const FatigueInput& fatigue = project_->fatigue;
     // Beside a hole in a solid its edge and the points beside it are looked at.
     if (!field_.flow && !field_.holes.empty()) return;
     const bool mirrored = set_ == PointSet::in_plane && is_symmetric_about_z(field_.section);

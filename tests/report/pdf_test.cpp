@@ -281,6 +281,7 @@ TEST_CASE("figures are numbered through, those beside each other as well", "[rep
   const std::string path = (folder.path() / "report.pdf").string();
   write_pdf(document, (folder.path() / "figures").string(), path);
   const std::string text = test::text_of_pdf(path);
+  CAPTURE(text);
   CHECK(text.find("Figure 1. first caption") != std::string::npos);
   CHECK(text.find("Figure 2. second caption") != std::string::npos);
 }

@@ -170,7 +170,8 @@ TEST_CASE("pump jack: fails at the ends of its saddle plate, not at the ladder b
   // 71 gave 1.19418593027 [script].
   check_governing(document, "fatigue", "fatigue/2.5-/fibre+z", 1.19418593027 * 50.0 / 71.0);
   CHECK(factor_of(document, "fatigue/3.9-/fibre-z") == Approx(1.11613903636).epsilon(1e-6));
-  check_governing(document, "yield", "yield/2.5-/fibre+z", 5.97841382411);  // [script]
+  CHECK(factor_of(document, "yield/2.5-/fibre+z") ==
+        Approx(5.97841382411).epsilon(1e-6));  // [script]
   CHECK(document["governing"]["fatigue"]["resisting"].get<double>() ==
         Approx(allowed(50, 4.2e7)).epsilon(1e-9));
 

@@ -1,10 +1,10 @@
 # Redraw in the folder above: gnuplot plots/frequency-response.gp; as PDF: gnuplot -e 'pdf = 1' plots/frequency-response.gp
 if (!exists('pdf')) pdf = 0
 if (pdf) {
-  set terminal pdfcairo size 6.5000,4.8226 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set terminal pdfcairo size 6.5000,4.8855 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
   set output 'frequency-response.pdf'
 } else {
-  set terminal svg size 620,460 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set terminal svg size 620,466 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
   set output 'frequency-response.svg'
 }
 set encoding utf8
@@ -20,33 +20,33 @@ set ytics 10
 set mytics 1
 set lmargin at screen 9.677419355e-02
 set rmargin at screen 9.677419355e-01
-set bmargin at screen 1.826086957e-01
-set tmargin at screen 9.000000000e-01
+set bmargin at screen 1.802575107e-01
+set tmargin at screen 8.884120172e-01
 set xrange [0.000000000e+00:4.500000000e+01]
 set yrange [1.000000000e-02:1.000000000e+03]
 set xtics 5.000000000e+00
-set label 'frequency of the harmonic loads [Hz]' at screen 0.532258,0.108696 center noenhanced front tc rgb '#202020'
-set label 'largest force of the joints [kN]' at screen 0.0258065,0.932609 left enhanced front tc rgb '#202020'
-set arrow from screen 0.0225806,0.0630435 to screen 0.0709677,0.0630435 nohead lw 1.4 dt 1 lc rgb '#0b5fa5'
-set label 'front_axle' at screen 0.083871,0.0630435 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.0225806,0.023913 to screen 0.0709677,0.023913 nohead lw 1.4 dt (9,4) lc rgb '#c8500a'
-set label 'rear_axle' at screen 0.083871,0.023913 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.217419,0.0630435 to screen 0.265806,0.0630435 nohead lw 1.4 dt (3,3) lc rgb '#00785a'
-set label 'w1' at screen 0.27871,0.0630435 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.217419,0.023913 to screen 0.265806,0.023913 nohead lw 1.4 dt (9,3,2,3) lc rgb '#a04f86'
-set label 'w2' at screen 0.27871,0.023913 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.412258,0.0630435 to screen 0.460645,0.0630435 nohead lw 1.4 dt (14,4) lc rgb '#8a6d00'
-set label 'w5' at screen 0.473548,0.0630435 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.412258,0.023913 to screen 0.460645,0.023913 nohead lw 1.4 dt (2,5) lc rgb '#4a4a4a'
-set label 'w8' at screen 0.473548,0.023913 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.607097,0.0630435 to screen 0.655484,0.0630435 nohead lw 1.4 dt (9,4) lc rgb '#0b5fa5'
-set label 'w6' at screen 0.668387,0.0630435 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.607097,0.023913 to screen 0.655484,0.023913 nohead lw 1.4 dt (3,3) lc rgb '#c8500a'
-set label 'w7' at screen 0.668387,0.023913 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.801935,0.0630435 to screen 0.850323,0.0630435 nohead lw 1.4 dt (9,3,2,3) lc rgb '#00785a'
-set label 'P2' at screen 0.863226,0.0630435 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.801935,0.023913 to screen 0.850323,0.023913 nohead lw 1.4 dt (14,4) lc rgb '#a04f86'
-set label 'P1' at screen 0.863226,0.023913 left noenhanced front tc rgb '#202020'
+set label 'frequency of the harmonic loads [Hz]' at screen 0.532258,0.107296 center noenhanced front tc rgb '#202020'
+set label 'largest force of the joints [kN]' at screen 0.0258065,0.957082 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0225806,0.0622318 to screen 0.0709677,0.0622318 nohead lw 1.4 dt 1 lc rgb '#0b5fa5'
+set label 'front_axle' at screen 0.083871,0.0622318 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.0225806,0.0236052 to screen 0.0709677,0.0236052 nohead lw 1.4 dt (9,4) lc rgb '#c8500a'
+set label 'rear_axle' at screen 0.083871,0.0236052 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.217419,0.0622318 to screen 0.265806,0.0622318 nohead lw 1.4 dt (3,3) lc rgb '#00785a'
+set label 'w1' at screen 0.27871,0.0622318 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.217419,0.0236052 to screen 0.265806,0.0236052 nohead lw 1.4 dt (9,3,2,3) lc rgb '#a04f86'
+set label 'w2' at screen 0.27871,0.0236052 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.412258,0.0622318 to screen 0.460645,0.0622318 nohead lw 1.4 dt (14,4) lc rgb '#8a6d00'
+set label 'w5' at screen 0.473548,0.0622318 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.412258,0.0236052 to screen 0.460645,0.0236052 nohead lw 1.4 dt (2,5) lc rgb '#4a4a4a'
+set label 'w8' at screen 0.473548,0.0236052 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.607097,0.0622318 to screen 0.655484,0.0622318 nohead lw 1.4 dt (9,4) lc rgb '#0b5fa5'
+set label 'w6' at screen 0.668387,0.0622318 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.607097,0.0236052 to screen 0.655484,0.0236052 nohead lw 1.4 dt (3,3) lc rgb '#c8500a'
+set label 'w7' at screen 0.668387,0.0236052 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.801935,0.0622318 to screen 0.850323,0.0622318 nohead lw 1.4 dt (9,3,2,3) lc rgb '#00785a'
+set label 'P2' at screen 0.863226,0.0622318 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.801935,0.0236052 to screen 0.850323,0.0236052 nohead lw 1.4 dt (14,4) lc rgb '#a04f86'
+set label 'P1' at screen 0.863226,0.0236052 left noenhanced front tc rgb '#202020'
 $joint0 << e
 5.625000000e-02 4.055091269e+00
 1.125000000e-01 4.057348948e+00
@@ -1432,7 +1432,7 @@ $joint1 << e
 3.262500000e+01 2.000626958e-02
 3.268125000e+01 1.394162617e-02
 3.273750000e+01 8.412951565e-03
-3.279375000e+01 3.347543567e-03
+3.279375000e+01 3.347543568e-03
 3.285000000e+01 1.314943891e-03
 3.290625000e+01 5.625025519e-03
 3.296250000e+01 9.625314996e-03
@@ -1560,7 +1560,7 @@ $joint1 << e
 3.982500000e+01 2.161948215e+00
 3.988125000e+01 3.077408387e+00
 3.993750000e+01 5.349345348e+00
-3.999375000e+01 2.061254554e+01
+3.999375000e+01 2.061254553e+01
 4.005000000e+01 1.107094949e+01
 4.010625000e+01 4.355699904e+00
 4.016250000e+01 2.708119854e+00
@@ -5589,7 +5589,7 @@ $joint6 << e
 4.089375000e+01 1.798251390e+01
 4.095000000e+01 1.699668736e+01
 4.100625000e+01 1.612225595e+01
-4.106250000e+01 1.534131835e+01
+4.106250000e+01 1.534131836e+01
 4.111875000e+01 1.463961748e+01
 4.117500000e+01 1.400565810e+01
 4.123125000e+01 1.343006909e+01
@@ -7154,7 +7154,7 @@ $joint8 << e
 3.870000000e+01 5.232317356e+01
 3.875625000e+01 5.465502637e+01
 3.881250000e+01 5.720601472e+01
-3.886875000e+01 6.000845221e+01
+3.886875000e+01 6.000845222e+01
 3.892500000e+01 6.310133286e+01
 3.898125000e+01 6.653215138e+01
 3.903750000e+01 7.035935309e+01
@@ -8067,15 +8067,15 @@ $joint9 << e
 4.494375000e+01 2.053366164e+00
 4.500000000e+01 2.032058701e+00
 e
-set arrow from screen 0.580645,0.182609 to screen 0.580645,0.9 nohead lw 1 dt (4,3) lc rgb '#202020' front
-set label 'drive 25 Hz' at screen 0.580645,0.917391 center noenhanced front tc rgb '#202020'
-set arrow from screen 0.131895,0.9 to screen 0.131895,0.882609 nohead lw 1.4 lc rgb '#202020' front
-set arrow from screen 0.16498,0.9 to screen 0.16498,0.882609 nohead lw 1.4 lc rgb '#202020' front
-set arrow from screen 0.187414,0.9 to screen 0.187414,0.882609 nohead lw 1.4 lc rgb '#202020' front
-set arrow from screen 0.22276,0.9 to screen 0.22276,0.882609 nohead lw 1.4 lc rgb '#202020' front
-set arrow from screen 0.343636,0.9 to screen 0.343636,0.882609 nohead lw 1.4 lc rgb '#202020' front
-set arrow from screen 0.707016,0.9 to screen 0.707016,0.882609 nohead lw 1.4 lc rgb '#202020' front
-set arrow from screen 0.871228,0.9 to screen 0.871228,0.882609 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.580645,0.180258 to screen 0.580645,0.888412 nohead lw 1 dt (4,3) lc rgb '#202020' front
+set label 'drive 25 Hz' at screen 0.580645,0.905579 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.131895,0.888412 to screen 0.131895,0.871245 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.16498,0.888412 to screen 0.16498,0.871245 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.187414,0.888412 to screen 0.187414,0.871245 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.22276,0.888412 to screen 0.22276,0.871245 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.343636,0.888412 to screen 0.343636,0.871245 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.707016,0.888412 to screen 0.707016,0.871245 nohead lw 1.4 lc rgb '#202020' front
+set arrow from screen 0.871228,0.888412 to screen 0.871228,0.871245 nohead lw 1.4 lc rgb '#202020' front
 plot $joint0 using 1:2 with lines lw 1.4 dt 1 lc rgb '#0b5fa5' notitle, $joint1 using 1:2 with lines lw 1.4 dt (9,4) lc rgb '#c8500a' notitle, $joint2 using 1:2 with lines lw 1.4 dt (3,3) lc rgb '#00785a' notitle, $joint3 using 1:2 with lines lw 1.4 dt (9,3,2,3) lc rgb '#a04f86' notitle, $joint4 using 1:2 with lines lw 1.4 dt (14,4) lc rgb '#8a6d00' notitle, $joint5 using 1:2 with lines lw 1.4 dt (2,5) lc rgb '#4a4a4a' notitle, $joint6 using 1:2 with lines lw 1.4 dt (9,4) lc rgb '#0b5fa5' notitle, $joint7 using 1:2 with lines lw 1.4 dt (3,3) lc rgb '#c8500a' notitle, $joint8 using 1:2 with lines lw 1.4 dt (9,3,2,3) lc rgb '#00785a' notitle, $joint9 using 1:2 with lines lw 1.4 dt (14,4) lc rgb '#a04f86' notitle
 unset label
 unset arrow

@@ -226,7 +226,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [3.311983695e+01:3.320097303e+01]
 set xtics 1.000000000e+01
 set ytics 5.000000000e-02
-set label 'front_axle  [kN]' at screen 0.0193548,0.976271 left noenhanced front tc rgb '#202020'
+set label 'front_axle  [kN]  (axis not from 0)' at screen 0.0193548,0.976271 left noenhanced front tc rgb '#202020'
 set label '33.18' at screen 0.192742,0.938008 left noenhanced front tc rgb '#0b5fa5'
 plot $joint0 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -444,7 +444,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [7.246669002e+01:7.285973403e+01]
 set xtics 1.000000000e+01
 set ytics 1.000000000e-01
-set label 'rear_axle  [kN]' at screen 0.506452,0.976271 left noenhanced front tc rgb '#202020'
+set label 'rear_axle  [kN]  (axis not from 0)' at screen 0.506452,0.976271 left noenhanced front tc rgb '#202020'
 set label '72.78' at screen 0.679839,0.938008 left noenhanced front tc rgb '#0b5fa5'
 plot $joint1 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -662,7 +662,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [3.983220118e+01:4.045250375e+01]
 set xtics 1.000000000e+01
 set ytics 2.000000000e-01
-set label 'w1  [kN]' at screen 0.0193548,0.79322 left noenhanced front tc rgb '#202020'
+set label 'w1  [kN]  (axis not from 0)' at screen 0.0193548,0.79322 left noenhanced front tc rgb '#202020'
 set label '40.32' at screen 0.192742,0.754957 left noenhanced front tc rgb '#0b5fa5'
 plot $joint2 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -880,7 +880,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [5.381699265e+01:6.692654922e+01]
 set xtics 1.000000000e+01
 set ytics 5.000000000e+00
-set label 'w2  [kN]' at screen 0.506452,0.79322 left noenhanced front tc rgb '#202020'
+set label 'w2  [kN]  (axis not from 0)' at screen 0.506452,0.79322 left noenhanced front tc rgb '#202020'
 set label '64.12' at screen 0.875,0.754957 left noenhanced front tc rgb '#0b5fa5'
 plot $joint3 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -1098,7 +1098,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [5.335640972e+01:6.644380655e+01]
 set xtics 1.000000000e+01
 set ytics 5.000000000e+00
-set label 'w5  [kN]' at screen 0.0193548,0.610169 left noenhanced front tc rgb '#202020'
+set label 'w5  [kN]  (axis not from 0)' at screen 0.0193548,0.610169 left noenhanced front tc rgb '#202020'
 set label '63.64' at screen 0.387903,0.571906 left noenhanced front tc rgb '#0b5fa5'
 plot $joint4 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -1316,7 +1316,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [1.464730080e+01:2.887473890e+01]
 set xtics 1.000000000e+01
 set ytics 5.000000000e+00
-set label 'w8  [kN]' at screen 0.506452,0.610169 left noenhanced front tc rgb '#202020'
+set label 'w8  [kN]  (axis not from 0)' at screen 0.506452,0.610169 left noenhanced front tc rgb '#202020'
 set label '25.83' at screen 0.679839,0.571906 left noenhanced front tc rgb '#0b5fa5'
 plot $joint5 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -1534,7 +1534,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [3.289021021e+01:3.485476280e+01]
 set xtics 1.000000000e+01
 set ytics 5.000000000e-01
-set label 'w6  [kN]' at screen 0.0193548,0.427119 left noenhanced front tc rgb '#202020'
+set label 'w6  [kN]  (axis not from 0)' at screen 0.0193548,0.427119 left noenhanced front tc rgb '#202020'
 set label '34.43' at screen 0.192742,0.388855 left noenhanced front tc rgb '#0b5fa5'
 plot $joint6 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -1752,7 +1752,7 @@ set xrange [0.000000000e+00:4.000000000e+01]
 set yrange [3.284439021e+01:3.461041966e+01]
 set xtics 1.000000000e+01
 set ytics 5.000000000e-01
-set label 'w7  [kN]' at screen 0.506452,0.427119 left noenhanced front tc rgb '#202020'
+set label 'w7  [kN]  (axis not from 0)' at screen 0.506452,0.427119 left noenhanced front tc rgb '#202020'
 set label '34.23' at screen 0.679839,0.388855 left noenhanced front tc rgb '#0b5fa5'
 plot $joint7 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -1971,7 +1971,7 @@ set yrange [1.948407669e+01:2.564739538e+01]
 set xtics 1.000000000e+01
 set ytics 2.000000000e+00
 set label 't [ms]' at screen 0.285484,0.0237288 center noenhanced front tc rgb '#202020'
-set label 'P2  [kN]' at screen 0.0193548,0.244068 left noenhanced front tc rgb '#202020'
+set label 'P2  [kN]  (axis not from 0)' at screen 0.0193548,0.244068 left noenhanced front tc rgb '#202020'
 set label '24.33' at screen 0.387903,0.205804 left noenhanced front tc rgb '#0b5fa5'
 plot $joint8 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -2190,7 +2190,7 @@ set yrange [1.909263878e+01:2.178043393e+01]
 set xtics 1.000000000e+01
 set ytics 1.000000000e+00
 set label 't [ms]' at screen 0.772581,0.0237288 center noenhanced front tc rgb '#202020'
-set label 'P1  [kN]' at screen 0.506452,0.244068 left noenhanced front tc rgb '#202020'
+set label 'P1  [kN]  (axis not from 0)' at screen 0.506452,0.244068 left noenhanced front tc rgb '#202020'
 set label '21.20' at screen 0.679839,0.205804 left noenhanced front tc rgb '#0b5fa5'
 plot $joint9 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label

@@ -1069,7 +1069,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [3.212309432e+01:3.462105487e+01]
 set xtics 5.000000000e-01
 set ytics 1.000000000e+00
-set label 'front_axle  [kN]' at screen 0.0193548,0.976271 left noenhanced front tc rgb '#202020'
+set label 'front_axle  [kN]  (axis not from 0)' at screen 0.0193548,0.976271 left noenhanced front tc rgb '#202020'
 set label '34.09' at screen 0.412883,0.938008 left noenhanced front tc rgb '#0b5fa5'
 plot $joint0 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -2130,7 +2130,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [7.157952883e+01:7.381831215e+01]
 set xtics 5.000000000e-01
 set ytics 1.000000000e+00
-set label 'rear_axle  [kN]' at screen 0.506452,0.976271 left noenhanced front tc rgb '#202020'
+set label 'rear_axle  [kN]  (axis not from 0)' at screen 0.506452,0.976271 left noenhanced front tc rgb '#202020'
 set label '73.34' at screen 0.669454,0.938008 left noenhanced front tc rgb '#0b5fa5'
 plot $joint1 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -3191,7 +3191,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [3.144319437e+01:5.190694392e+01]
 set xtics 5.000000000e-01
 set ytics 1.000000000e+01
-set label 'w1  [kN]' at screen 0.0193548,0.79322 left noenhanced front tc rgb '#202020'
+set label 'w1  [kN]  (axis not from 0)' at screen 0.0193548,0.79322 left noenhanced front tc rgb '#202020'
 set label '47.52' at screen 0.193584,0.754957 left noenhanced front tc rgb '#0b5fa5'
 plot $joint2 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -4252,7 +4252,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [4.635664987e+01:7.614487236e+01]
 set xtics 5.000000000e-01
 set ytics 1.000000000e+01
-set label 'w2  [kN]' at screen 0.506452,0.79322 left noenhanced front tc rgb '#202020'
+set label 'w2  [kN]  (axis not from 0)' at screen 0.506452,0.79322 left noenhanced front tc rgb '#202020'
 set label '69.76' at screen 0.825508,0.754957 left noenhanced front tc rgb '#0b5fa5'
 plot $joint3 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -5313,7 +5313,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [4.593086198e+01:7.561954086e+01]
 set xtics 5.000000000e-01
 set ytics 1.000000000e+01
-set label 'w5  [kN]' at screen 0.0193548,0.610169 left noenhanced front tc rgb '#202020'
+set label 'w5  [kN]  (axis not from 0)' at screen 0.0193548,0.610169 left noenhanced front tc rgb '#202020'
 set label '69.26' at screen 0.338411,0.571906 left noenhanced front tc rgb '#0b5fa5'
 plot $joint4 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -6374,7 +6374,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [7.836574599e+00:3.926826097e+01]
 set xtics 5.000000000e-01
 set ytics 1.000000000e+01
-set label 'w8  [kN]' at screen 0.506452,0.610169 left noenhanced front tc rgb '#202020'
+set label 'w8  [kN]  (axis not from 0)' at screen 0.506452,0.610169 left noenhanced front tc rgb '#202020'
 set label '32.53' at screen 0.651117,0.571906 left noenhanced front tc rgb '#0b5fa5'
 plot $joint5 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -7435,7 +7435,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [2.570974550e+01:4.474328977e+01]
 set xtics 5.000000000e-01
 set ytics 5.000000000e+00
-set label 'w6  [kN]' at screen 0.0193548,0.427119 left noenhanced front tc rgb '#202020'
+set label 'w6  [kN]  (axis not from 0)' at screen 0.0193548,0.427119 left noenhanced front tc rgb '#202020'
 set label '40.66' at screen 0.201817,0.388855 left noenhanced front tc rgb '#0b5fa5'
 plot $joint6 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -8496,7 +8496,7 @@ set xrange [0.000000000e+00:1.654023696e+00]
 set yrange [2.575313531e+01:4.436409853e+01]
 set xtics 5.000000000e-01
 set ytics 5.000000000e+00
-set label 'w7  [kN]' at screen 0.506452,0.427119 left noenhanced front tc rgb '#202020'
+set label 'w7  [kN]  (axis not from 0)' at screen 0.506452,0.427119 left noenhanced front tc rgb '#202020'
 set label '40.38' at screen 0.688914,0.388855 left noenhanced front tc rgb '#0b5fa5'
 plot $joint7 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -9558,7 +9558,7 @@ set yrange [1.635601449e+01:3.114058349e+01]
 set xtics 5.000000000e-01
 set ytics 5.000000000e+00
 set label 't [s]' at screen 0.285484,0.0237288 center noenhanced front tc rgb '#202020'
-set label 'P2  [kN]' at screen 0.0193548,0.244068 left noenhanced front tc rgb '#202020'
+set label 'P2  [kN]  (axis not from 0)' at screen 0.0193548,0.244068 left noenhanced front tc rgb '#202020'
 set label '27.97' at screen 0.385564,0.205804 left noenhanced front tc rgb '#0b5fa5'
 plot $joint8 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
@@ -10620,7 +10620,7 @@ set yrange [1.768593963e+01:2.375648325e+01]
 set xtics 5.000000000e-01
 set ytics 2.000000000e+00
 set label 't [s]' at screen 0.772581,0.0237288 center noenhanced front tc rgb '#202020'
-set label 'P1  [kN]' at screen 0.506452,0.244068 left noenhanced front tc rgb '#202020'
+set label 'P1  [kN]  (axis not from 0)' at screen 0.506452,0.244068 left noenhanced front tc rgb '#202020'
 set label '22.46' at screen 0.716233,0.205804 left noenhanced front tc rgb '#0b5fa5'
 plot $joint9 using 1:2 with lines lw 1.3 lc rgb '#0b5fa5' notitle
 unset label

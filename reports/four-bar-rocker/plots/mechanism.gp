@@ -14,7 +14,7 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0268269 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0268269 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
 set bmargin at screen 1.609615936e-01
@@ -461,22 +461,22 @@ $rest0_grounds << e
 e
 $at0_0 << e
 0.000000000e+00 0.000000000e+00
--2.458299911e-01 4.547103990e-02
+-2.458299908e-01 4.547104145e-02
 e
 $at0_1 << e
--2.458299911e-01 4.547103990e-02
-1.252475582e+00 -2.580595194e-02
+-2.458299908e-01 4.547104145e-02
+1.252475582e+00 -2.580595190e-02
 e
 $at0_2_axis << e
-1.500000000e+00 -1.200000000e+00 -6.188110450e-01 2.935485120e+00
+1.500000000e+00 -1.200000000e+00 -6.188110445e-01 2.935485120e+00
 e
 $at0_2 << e
 1.500000000e+00 -1.200000000e+00
-1.252475582e+00 -2.580595194e-02
-8.811889550e-01 1.735485120e+00
+1.252475582e+00 -2.580595190e-02
+8.811889555e-01 1.735485120e+00
 e
 $at0_3 << e
-8.811889550e-01 1.735485120e+00
+8.811889555e-01 1.735485120e+00
 e
 $at0_grounds << e
 0.000000000e+00 0.000000000e+00
@@ -485,9 +485,33 @@ e
 set arrow from screen 0.211834,0.470309 to screen 0.275243,0.464353 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.346979,0.209738 to screen 0.305707,0.245835 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.247363,0.81253 to screen 0.229546,0.79213 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.243232,0.771436 to screen 0.245639,0.77587 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.245639,0.77587 to screen 0.247427,0.78093 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.247427,0.78093 to screen 0.248529,0.78642 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.248529,0.78642 to screen 0.248901,0.79213 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.248901,0.79213 to screen 0.248529,0.797839 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.248529,0.797839 to screen 0.247427,0.803329 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.247427,0.803329 to screen 0.245639,0.808389 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.245639,0.808389 to screen 0.243232,0.812824 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.243232,0.812824 to screen 0.240299,0.816463 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.240299,0.816463 to screen 0.236953,0.819168 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.236953,0.819168 to screen 0.233322,0.820833 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.233322,0.820833 to screen 0.229546,0.821395 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.229546,0.821395 to screen 0.22577,0.820833 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.22577,0.820833 to screen 0.222139,0.819168 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.222139,0.819168 to screen 0.218793,0.816463 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.218793,0.816463 to screen 0.21586,0.812824 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.21586,0.812824 to screen 0.213453,0.808389 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.213453,0.808389 to screen 0.211664,0.803329 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.211664,0.803329 to screen 0.210563,0.797839 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.210563,0.797839 to screen 0.210191,0.79213 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.210191,0.79213 to screen 0.210563,0.78642 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.210563,0.78642 to screen 0.211664,0.78093 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.211664,0.78093 to screen 0.213453,0.77587 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.211664,0.78093 to screen 0.222703,0.761088 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set label 'B  29.19 kN' at screen 0.151447,0.442263 left noenhanced front tc rgb '#202020'
 set label 'C  21.90 kN' at screen 0.35343,0.229569 left noenhanced front tc rgb '#202020'
-set label 'D  10.27 kN' at screen 0.253815,0.832362 left noenhanced front tc rgb '#202020'
+set label 'D  10.27 kN, 1.485 kN m' at screen 0.214736,0.840577 left noenhanced front tc rgb '#202020'
 plot $trace0_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest0_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_2_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest0_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_3 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at0_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_2_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#0b5fa5' notitle, $at0_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_3 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
@@ -938,18 +962,18 @@ $rest1_grounds << e
 e
 $at1_0 << e
 0.000000000e+00 0.000000000e+00
-2.493074634e-01 -1.859539432e-02
+2.493074634e-01 -1.859539437e-02
 e
 $at1_1 << e
-2.493074634e-01 -1.859539432e-02
-1.749288292e+00 -2.617916724e-02
+2.493074634e-01 -1.859539437e-02
+1.749288292e+00 -2.617916723e-02
 e
 $at1_2_axis << e
 1.500000000e+00 -1.200000000e+00 6.232207302e-01 2.934552082e+00
 e
 $at1_2 << e
 1.500000000e+00 -1.200000000e+00
-1.749288292e+00 -2.617916724e-02
+1.749288292e+00 -2.617916723e-02
 2.123220730e+00 1.734552082e+00
 e
 $at1_3 << e
@@ -962,9 +986,33 @@ e
 set arrow from screen 0.913806,0.465127 to screen 0.829937,0.464283 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.745856,0.212001 to screen 0.799256,0.245835 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.851436,0.81465 to screen 0.87596,0.791956 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.862274,0.771262 to screen 0.859867,0.775697 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.859867,0.775697 to screen 0.858078,0.780756 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.858078,0.780756 to screen 0.856977,0.786246 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.856977,0.786246 to screen 0.856605,0.791956 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.856605,0.791956 to screen 0.856977,0.797665 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.856977,0.797665 to screen 0.858078,0.803155 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.858078,0.803155 to screen 0.859867,0.808215 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.859867,0.808215 to screen 0.862274,0.81265 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.862274,0.81265 to screen 0.865207,0.816289 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.865207,0.816289 to screen 0.868553,0.818994 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.868553,0.818994 to screen 0.872184,0.820659 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.872184,0.820659 to screen 0.87596,0.821222 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.87596,0.821222 to screen 0.879736,0.820659 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.879736,0.820659 to screen 0.883367,0.818994 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.883367,0.818994 to screen 0.886713,0.816289 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.886713,0.816289 to screen 0.889646,0.81265 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.889646,0.81265 to screen 0.892053,0.808215 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.892053,0.808215 to screen 0.893841,0.803155 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.893841,0.803155 to screen 0.894943,0.797665 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.894943,0.797665 to screen 0.895315,0.791956 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.895315,0.791956 to screen 0.894943,0.786246 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.894943,0.786246 to screen 0.893841,0.780756 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.893841,0.780756 to screen 0.892053,0.775697 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.893841,0.780756 to screen 0.882803,0.760915 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set label 'B  38.53 kN' at screen 0.853419,0.493174 left noenhanced front tc rgb '#202020'
 set label 'C  26.60 kN' at screen 0.61863,0.231832 left noenhanced front tc rgb '#202020'
-set label 'D  13.21 kN' at screen 0.724211,0.834482 left noenhanced front tc rgb '#202020'
+set label 'D  13.21 kN, 1.995 kN m' at screen 0.591049,0.794819 left noenhanced front tc rgb '#202020'
 plot $trace1_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest1_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_2_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest1_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_3 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at1_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_2_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c8500a' notitle, $at1_2 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_3 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow

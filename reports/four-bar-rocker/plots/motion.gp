@@ -248,7 +248,7 @@ set xrange [0.000000000e+00:1.111111111e+00]
 set yrange [4.806636760e+00:6.503096793e+00]
 set xtics 2.000000000e-01
 set ytics 5.000000000e-01
-set label 'angular velocity [rad/s]' at screen 0.0193548,0.738014 left enhanced front tc rgb '#202020'
+set label 'angular velocity [rad/s]  (axis not from 0)' at screen 0.0193548,0.738014 left enhanced front tc rgb '#202020'
 set arrow from screen 0.50501,0.554795 to screen 0.50501,0.712329 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.960533,0.554795 to screen 0.960533,0.712329 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '5.655' at screen 0.104839,0.65354 left noenhanced front tc rgb '#0b5fa5'

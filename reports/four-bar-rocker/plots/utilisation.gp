@@ -62,18 +62,18 @@ set rmargin at screen 9.677419355e-01
 set bmargin at screen 2.969283276e-01
 set tmargin at screen 7.576791809e-01
 set xrange [-6.000000000e-02:3.060000000e+00]
-set yrange [0.000000000e+00:1.264850156e+02]
+set yrange [0.000000000e+00:1.264850154e+02]
 set xtics 5.000000000e-01
 set ytics 2.000000000e+01
 set label 'utilisation [%], lines through the worst places of one kind' at screen 0.0193548,0.783276 left enhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.203072 to screen 0.264387,0.203072 nohead lw 1.6 dt 1 lc rgb '#0b5fa5'
-set label 'yield: 9.09 % at s = 2.6614 m' at screen 0.27729,0.203072 left noenhanced front tc rgb '#202020'
+set label 'yield: 9.09 % at s = 2.6822 m' at screen 0.27729,0.203072 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.172355 to screen 0.264387,0.172355 nohead lw 1.6 dt (9,4) lc rgb '#c8500a'
 set label 'fatigue: 110 % at s = 2.6614 m' at screen 0.27729,0.172355 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.141638 to screen 0.264387,0.141638 nohead lw 1.6 dt (3,3) lc rgb '#00785a'
 set label 'shear fatigue: 15.5 % at s = 3- m' at screen 0.27729,0.141638 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.110922 to screen 0.264387,0.110922 nohead lw 1.6 dt (9,3,2,3) lc rgb '#a04f86'
-set label 'combined fatigue: 93.7 % at s = 1.3 m' at screen 0.27729,0.110922 left noenhanced front tc rgb '#202020'
+set label 'combined fatigue: 110 % at s = 2.6614 m' at screen 0.27729,0.110922 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0802048 to screen 0.264387,0.0802048 nohead lw 1.6 dt (14,4) lc rgb '#8a6d00'
 set label 'stress range: 6.83 % at s = 2.6614 m' at screen 0.27729,0.0802048 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0494881 to screen 0.264387,0.0494881 nohead lw 1.6 dt (2,5) lc rgb '#4a4a4a'
@@ -83,31 +83,51 @@ set label 'holes, single welds and other places of no line' at screen 0.27729,0.
 set format x '%g'
 set label 's [m], from the start of the beam' at screen 0.529032,0.238908 center noenhanced front tc rgb '#202020'
 $u0_0 << e
+1.100000000e+00 7.069409507e+00
+1.100000000e+00 7.069409507e+00
+1.200000000e+00 7.315556788e+00
+1.200000000e+00 7.071593545e+00
+1.300000000e+00 7.196090664e+00
+1.300000000e+00 7.196090664e+00
+e
+$u0_1 << e
 0.000000000e+00 6.455451146e-01
+1.100000000e+00 7.062700167e+00
 1.100000000e+00 7.062700167e+00
 1.200000000e+00 7.310403495e+00
 1.200000000e+00 7.070442776e+00
 1.300000000e+00 7.194894097e+00
-2.661430234e+00 9.091919622e+00
+1.300000000e+00 7.194894097e+00
+2.661423535e+00 9.091918321e+00
+2.682165617e+00 9.093775483e+00
 3.000000000e+00 7.650060588e+00
 e
-$u0_1 << e
+$u0_2 << e
 0.000000000e+00 2.835090741e+00
+1.100000000e+00 1.358775580e+00
 1.100000000e+00 1.358775580e+00
 1.200000000e+00 1.296190876e+00
 1.200000000e+00 3.370288289e-01
 1.300000000e+00 3.479402579e-01
-2.661430234e+00 9.880693910e-01
+1.300000000e+00 3.479402579e-01
+2.661423535e+00 9.880562168e-01
+2.682165617e+00 1.030792526e+00
 3.000000000e+00 3.061099116e+00
 e
+$single0 << e
+3.000000000e+00 7.859755234e+00
+e
 $u1_0 << e
+1.100000000e+00 9.362246029e+01
 1.100000000e+00 9.362246029e+01
 1.200000000e+00 9.729961245e+01
 1.200000000e+00 9.716781387e+01
 1.300000000e+00 9.887278930e+01
+1.300000000e+00 9.887278930e+01
 e
 $u1_1 << e
-2.661430234e+00 1.099869701e+02
+2.661423535e+00 1.099869699e+02
+2.682165617e+00 1.099593921e+02
 3.000000000e+00 9.083694940e+01
 e
 $single1 << e
@@ -116,57 +136,72 @@ e
 $u2_0 << e
 0.000000000e+00 1.411058004e+01
 1.100000000e+00 6.600901148e+00
+1.100000000e+00 6.600901148e+00
 1.200000000e+00 6.287760935e+00
 1.200000000e+00 1.500747633e+00
 1.300000000e+00 1.555544530e+00
-2.661430234e+00 4.835345975e+00
+1.300000000e+00 1.555544530e+00
+2.661423535e+00 4.835277685e+00
+2.682165617e+00 5.056795954e+00
 3.000000000e+00 1.551916565e+01
 e
 $u3_0 << e
-1.100000000e+00 8.879914581e+01
-1.200000000e+00 9.244279915e+01
-1.200000000e+00 9.230983782e+01
-1.300000000e+00 9.368961611e+01
+1.100000000e+00 9.362246029e+01
+1.100000000e+00 9.362246029e+01
+1.200000000e+00 9.729961245e+01
+1.200000000e+00 9.716781387e+01
+1.300000000e+00 9.887278930e+01
+1.300000000e+00 9.887278930e+01
 e
 $u3_1 << e
-2.661430234e+00 9.298505948e+01
-3.000000000e+00 6.359229665e+01
+2.661423535e+00 1.099869699e+02
+2.682165617e+00 1.099593921e+02
+3.000000000e+00 9.083694940e+01
 e
 $single3 << e
-0.000000000e+00 7.728212080e+00
+0.000000000e+00 1.411058036e+01
 e
 $u4_0 << e
 0.000000000e+00 2.140235219e-01
 1.100000000e+00 5.163288000e+00
+1.100000000e+00 5.163288000e+00
 1.200000000e+00 5.366083307e+00
 1.200000000e+00 5.358814603e+00
 1.300000000e+00 5.452844167e+00
-2.661430234e+00 6.834695597e+00
+1.300000000e+00 5.452844167e+00
+2.661423535e+00 6.834695588e+00
+2.682165617e+00 6.832981877e+00
 3.000000000e+00 5.644694983e+00
 e
 $u4_1 << e
 0.000000000e+00 2.145122575e+00
 1.100000000e+00 1.003484054e+00
+1.100000000e+00 1.003484054e+00
 1.200000000e+00 9.558797646e-01
 1.200000000e+00 2.281470795e-01
 1.300000000e+00 2.364774288e-01
-2.661430234e+00 7.350803282e-01
+1.300000000e+00 2.364774288e-01
+2.661423535e+00 7.350699467e-01
+2.682165617e+00 7.687456593e-01
 3.000000000e+00 2.359258974e+00
 e
 $u5_0 << e
 0.000000000e+00 1.311413566e+00
 1.100000000e+00 3.322974238e-01
+1.100000000e+00 3.322974238e-01
 1.200000000e+00 2.975540932e-01
 1.200000000e+00 1.275305286e-01
 1.300000000e+00 1.311831350e-01
-2.661430234e+00 1.475773694e-01
+1.300000000e+00 1.311831350e-01
+2.661423535e+00 1.475679835e-01
+2.682165617e+00 1.783397927e-01
 3.000000000e+00 1.889835076e+00
 e
-set arrow from screen 0.855654,0.697752 to screen 0.855654,0.697581 nohead lw 1 lc rgb '#202020'
-set object circle at 2.661430234e+00,1.099869701e+02 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
-set label '110 %: fatigue at s = 2.6614 m, fibre -z' at screen 0.419203,0.713871 left noenhanced front tc rgb '#c8500a'
-set label '93.7 %' at screen 0.482465,0.621925 left noenhanced front tc rgb '#a04f86'
-plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u1_1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $u3_1 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
+set arrow from screen 0.855653,0.697752 to screen 0.855653,0.697581 nohead lw 1 lc rgb '#202020'
+set object circle at 2.661423535e+00,1.099869699e+02 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
+set label '110 %: combined fatigue at s = 2.6614 m, bottom flange' at screen 0.246749,0.713871 left noenhanced front tc rgb '#a04f86'
+set label '110 %' at screen 0.86533,0.713871 left noenhanced front tc rgb '#c8500a'
+plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $single0 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u1_1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $u3_1 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
 unset label
 unset arrow
 unset object

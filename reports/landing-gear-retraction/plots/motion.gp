@@ -435,7 +435,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [6.900000000e+01:9.600000000e+01]
 set xtics 2.000000000e+00
 set ytics 2.000000000e+01
-set label 'v [m/s]' at screen 0.0193548,0.857314 left enhanced front tc rgb '#202020'
+set label 'v [m/s]  (axis not from 0)' at screen 0.0193548,0.857314 left enhanced front tc rgb '#202020'
 set arrow from screen 0.483871,0.769784 to screen 0.483871,0.839329 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '90.00' at screen 0.424872,0.80409 left noenhanced front tc rgb '#0b5fa5'
 set label '75.00' at screen 0.0922251,0.805023 left noenhanced front tc rgb '#0b5fa5'
@@ -647,7 +647,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [2.125000000e+00:2.875000000e+00]
 set xtics 2.000000000e+00
 set ytics 5.000000000e-01
-set label 'a [m/s^2]' at screen 0.0193548,0.756595 left enhanced front tc rgb '#202020'
+set label 'a [m/s^2]  (axis not from 0)' at screen 0.0193548,0.756595 left enhanced front tc rgb '#202020'
 set arrow from screen 0.483871,0.669065 to screen 0.483871,0.738609 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '2.500' at screen 0.104839,0.717826 left noenhanced front tc rgb '#0b5fa5'
 plot $driver0_2 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
@@ -858,7 +858,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [5.780350803e-01:7.840955226e-01]
 set xtics 2.000000000e+00
 set ytics 2.000000000e-01
-set label 'driving force [kN]' at screen 0.0193548,0.655875 left enhanced front tc rgb '#202020'
+set label 'driving force [kN]  (axis not from 0)' at screen 0.0193548,0.655875 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.287097,0.527578 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.483871,0.568345 to screen 0.483871,0.63789 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.6869' at screen 0.309747,0.617666 left noenhanced front tc rgb '#0b5fa5'
@@ -1286,7 +1286,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [2.000000000e-02:2.000000000e-01]
 set xtics 2.000000000e+00
 set ytics 1.000000000e-01
-set label 'angular velocity [rad/s]' at screen 0.506452,0.857314 left enhanced front tc rgb '#202020'
+set label 'angular velocity [rad/s]  (axis not from 0)' at screen 0.506452,0.857314 left enhanced front tc rgb '#202020'
 set arrow from screen 0.970968,0.769784 to screen 0.970968,0.839329 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.1700' at screen 0.901395,0.807954 left noenhanced front tc rgb '#0b5fa5'
 set label '0.05000' at screen 0.584818,0.810751 left noenhanced front tc rgb '#0b5fa5'
@@ -1499,7 +1499,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [1.700000000e-02:2.300000000e-02]
 set xtics 2.000000000e+00
 set ytics 5.000000000e-03
-set label 'angular acceleration [rad/s^2]' at screen 0.506452,0.756595 left enhanced front tc rgb '#202020'
+set label 'angular acceleration [rad/s^2]  (axis not from 0)' at screen 0.506452,0.756595 left enhanced front tc rgb '#202020'
 set arrow from screen 0.970968,0.669065 to screen 0.970968,0.738609 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.02000' at screen 0.591935,0.717826 left noenhanced front tc rgb '#0b5fa5'
 plot $driver1_2 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
@@ -1710,7 +1710,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [5.265865336e-01:1.514740517e+00]
 set xtics 2.000000000e+00
 set ytics 5.000000000e-01
-set label 'driving moment [kN m]' at screen 0.506452,0.655875 left enhanced front tc rgb '#202020'
+set label 'driving moment [kN m]  (axis not from 0)' at screen 0.506452,0.655875 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.774194,0.527578 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.970968,0.568345 to screen 0.970968,0.63789 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '1.350' at screen 0.595026,0.613709 left noenhanced front tc rgb '#0b5fa5'
@@ -2562,7 +2562,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [1.989501683e-02:1.312049034e+00]
 set xtics 2.000000000e+00
 set ytics 1.000000000e+00
-set label 'driving moment [kN m]' at screen 0.0193548,0.171463 left enhanced front tc rgb '#202020'
+set label 'driving moment [kN m]  (axis not from 0)' at screen 0.0193548,0.171463 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.287097,0.0431655 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.483871,0.0839329 to screen 0.483871,0.153477 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '1.097' at screen 0.412258,0.127897 left noenhanced front tc rgb '#0b5fa5'
@@ -3201,7 +3201,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [8.500000000e+00:1.150000000e+01]
 set xtics 2.000000000e+00
 set ytics 2.000000000e+00
-set label 'angular acceleration [rad/s^2]' at screen 0.506452,0.272182 left enhanced front tc rgb '#202020'
+set label 'angular acceleration [rad/s^2]  (axis not from 0)' at screen 0.506452,0.272182 left enhanced front tc rgb '#202020'
 set arrow from screen 0.970968,0.184652 to screen 0.970968,0.254197 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '10.00' at screen 0.591935,0.233414 left noenhanced front tc rgb '#0b5fa5'
 plot $driver3_2 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
@@ -3412,7 +3412,7 @@ set xrange [0.000000000e+00:6.000000000e+00]
 set yrange [2.203156683e-02:2.983156683e-02]
 set xtics 2.000000000e+00
 set ytics 5.000000000e-03
-set label 'driving moment [kN m]' at screen 0.506452,0.171463 left enhanced front tc rgb '#202020'
+set label 'driving moment [kN m]  (axis not from 0)' at screen 0.506452,0.171463 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.774194,0.0431655 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.970968,0.0839329 to screen 0.970968,0.153477 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.02600' at screen 0.591935,0.133305 left noenhanced front tc rgb '#0b5fa5'

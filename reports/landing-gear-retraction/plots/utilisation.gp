@@ -75,7 +75,7 @@ set format x '%g'
 set label 's [m], from the start of the beam' at screen 0.529032,0.238908 center noenhanced front tc rgb '#202020'
 $u0_0 << e
 0.000000000e+00 5.502976005e+01
-1.100000000e+00 8.027018460e+01
+1.100000000e+00 8.027018461e+01
 e
 $u0_1 << e
 0.000000000e+00 6.115054550e+01
@@ -83,7 +83,7 @@ $u0_1 << e
 e
 $single1 << e
 0.000000000e+00 4.709552929e+01
-1.100000000e+00 8.506763682e+01
+1.100000000e+00 8.506763683e+01
 e
 $u2_0 << e
 0.000000000e+00 1.542688439e+01
@@ -102,7 +102,7 @@ $u5_0 << e
 1.100000000e+00 2.254366121e+01
 e
 set arrow from screen 0.950868,0.637925 to screen 0.950868,0.637754 nohead lw 1 lc rgb '#202020'
-set object circle at 1.100000000e+00,8.506763682e+01 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
+set object circle at 1.100000000e+00,8.506763683e+01 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
 set label '85.1 %: fatigue at s = 1.1- m, corner -y -z' at screen 0.491772,0.654044 left noenhanced front tc rgb '#c8500a'
 set label '81.5 %' at screen 0.915159,0.559293 left noenhanced front tc rgb '#a04f86'
 set arrow from screen 0.950868,0.572092 to screen 0.950868,0.623287 nohead lw 0.6 lc rgb '#a04f86'

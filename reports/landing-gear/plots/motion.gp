@@ -440,7 +440,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [6.418750000e+01:8.706250000e+01]
 set xtics 2.000000000e-01
 set ytics 2.000000000e+01
-set label 'v [m/s]' at screen 0.0193548,0.863218 left enhanced front tc rgb '#202020'
+set label 'v [m/s]  (axis not from 0)' at screen 0.0193548,0.863218 left enhanced front tc rgb '#202020'
 set arrow from screen 0.0903226,0.77931 to screen 0.0903226,0.845977 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.483871,0.77931 to screen 0.483871,0.845977 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '76.25' at screen 0.412258,0.827876 left noenhanced front tc rgb '#0b5fa5'
@@ -653,7 +653,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [2.125000000e+00:2.875000000e+00]
 set xtics 2.000000000e-01
 set ytics 5.000000000e-01
-set label 'a [m/s^2]' at screen 0.0193548,0.766667 left enhanced front tc rgb '#202020'
+set label 'a [m/s^2]  (axis not from 0)' at screen 0.0193548,0.766667 left enhanced front tc rgb '#202020'
 set arrow from screen 0.0903226,0.682759 to screen 0.0903226,0.749425 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.483871,0.682759 to screen 0.483871,0.749425 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '2.500' at screen 0.104839,0.729502 left noenhanced front tc rgb '#0b5fa5'
@@ -865,7 +865,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [5.758794933e-01:7.792362511e-01]
 set xtics 2.000000000e-01
 set ytics 2.000000000e-01
-set label 'driving force [kN]' at screen 0.0193548,0.670115 left enhanced front tc rgb '#202020'
+set label 'driving force [kN]  (axis not from 0)' at screen 0.0193548,0.670115 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.287097,0.547126 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.0903226,0.586207 to screen 0.0903226,0.652874 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.483871,0.586207 to screen 0.483871,0.652874 nohead lw 0.8 dt (3,3) lc rgb '#707070'
@@ -1296,7 +1296,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [4.600000000e-02:6.400000000e-02]
 set xtics 2.000000000e-01
 set ytics 1.000000000e-02
-set label 'angular velocity [rad/s]' at screen 0.506452,0.863218 left enhanced front tc rgb '#202020'
+set label 'angular velocity [rad/s]  (axis not from 0)' at screen 0.506452,0.863218 left enhanced front tc rgb '#202020'
 set arrow from screen 0.577419,0.77931 to screen 0.577419,0.845977 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.970968,0.77931 to screen 0.970968,0.845977 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.06000' at screen 0.861677,0.81125 left noenhanced front tc rgb '#0b5fa5'
@@ -1511,7 +1511,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [1.700000000e-02:2.300000000e-02]
 set xtics 2.000000000e-01
 set ytics 5.000000000e-03
-set label 'angular acceleration [rad/s^2]' at screen 0.506452,0.766667 left enhanced front tc rgb '#202020'
+set label 'angular acceleration [rad/s^2]  (axis not from 0)' at screen 0.506452,0.766667 left enhanced front tc rgb '#202020'
 set arrow from screen 0.577419,0.682759 to screen 0.577419,0.749425 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.970968,0.682759 to screen 0.970968,0.749425 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.02000' at screen 0.591935,0.729502 left noenhanced front tc rgb '#0b5fa5'
@@ -1723,7 +1723,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [9.642472112e-01:1.330104478e+00]
 set xtics 2.000000000e-01
 set ytics 2.000000000e-01
-set label 'driving moment [kN m]' at screen 0.506452,0.670115 left enhanced front tc rgb '#202020'
+set label 'driving moment [kN m]  (axis not from 0)' at screen 0.506452,0.670115 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.774194,0.547126 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.577419,0.586207 to screen 0.577419,0.652874 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.970968,0.586207 to screen 0.970968,0.652874 nohead lw 0.8 dt (3,3) lc rgb '#707070'
@@ -1938,7 +1938,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [1.808398041e+01:4.708996879e+01]
 set xtics 2.000000000e-01
 set ytics 2.000000000e+01
-set label 'angle [deg]' at screen 0.0193548,0.495402 left enhanced front tc rgb '#202020'
+set label 'angle [deg]  (axis not from 0)' at screen 0.0193548,0.495402 left enhanced front tc rgb '#202020'
 set arrow from screen 0.0903226,0.411494 to screen 0.0903226,0.478161 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '(1)' at screen 0.0935484,0.458945 left noenhanced front tc rgb '#505050'
 set arrow from screen 0.483871,0.411494 to screen 0.483871,0.478161 nohead lw 0.8 dt (3,3) lc rgb '#707070'
@@ -2154,7 +2154,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [5.625000000e-01:7.875000000e-01]
 set xtics 2.000000000e-01
 set ytics 2.000000000e-01
-set label 'angular velocity [rad/s]' at screen 0.0193548,0.398851 left enhanced front tc rgb '#202020'
+set label 'angular velocity [rad/s]  (axis not from 0)' at screen 0.0193548,0.398851 left enhanced front tc rgb '#202020'
 set arrow from screen 0.0903226,0.314943 to screen 0.0903226,0.381609 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.483871,0.314943 to screen 0.483871,0.381609 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.7500' at screen 0.414299,0.351533 left noenhanced front tc rgb '#0b5fa5'
@@ -2367,7 +2367,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [2.550000000e-01:3.450000000e-01]
 set xtics 2.000000000e-01
 set ytics 5.000000000e-02
-set label 'angular acceleration [rad/s^2]' at screen 0.0193548,0.302299 left enhanced front tc rgb '#202020'
+set label 'angular acceleration [rad/s^2]  (axis not from 0)' at screen 0.0193548,0.302299 left enhanced front tc rgb '#202020'
 set arrow from screen 0.0903226,0.218391 to screen 0.0903226,0.285057 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.483871,0.218391 to screen 0.483871,0.285057 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '0.3000' at screen 0.104839,0.265135 left noenhanced front tc rgb '#0b5fa5'
@@ -2579,7 +2579,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [5.984966774e-01:9.634752245e-01]
 set xtics 2.000000000e-01
 set ytics 2.000000000e-01
-set label 'driving moment [kN m]' at screen 0.0193548,0.205747 left enhanced front tc rgb '#202020'
+set label 'driving moment [kN m]  (axis not from 0)' at screen 0.0193548,0.205747 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.287097,0.0827586 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.0903226,0.121839 to screen 0.0903226,0.188506 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.483871,0.121839 to screen 0.483871,0.188506 nohead lw 0.8 dt (3,3) lc rgb '#707070'
@@ -3009,7 +3009,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [-6.700000000e+01:-4.900000000e+01]
 set xtics 2.000000000e-01
 set ytics 1.000000000e+01
-set label 'angular velocity [rad/s]' at screen 0.506452,0.398851 left enhanced front tc rgb '#202020'
+set label 'angular velocity [rad/s]  (axis not from 0)' at screen 0.506452,0.398851 left enhanced front tc rgb '#202020'
 set arrow from screen 0.577419,0.314943 to screen 0.577419,0.381609 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.970968,0.314943 to screen 0.970968,0.381609 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '-56.00' at screen 0.901484,0.364217 left noenhanced front tc rgb '#0b5fa5'
@@ -3222,7 +3222,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [6.800000000e+00:9.200000000e+00]
 set xtics 2.000000000e-01
 set ytics 2.000000000e+00
-set label 'angular acceleration [rad/s^2]' at screen 0.506452,0.302299 left enhanced front tc rgb '#202020'
+set label 'angular acceleration [rad/s^2]  (axis not from 0)' at screen 0.506452,0.302299 left enhanced front tc rgb '#202020'
 set arrow from screen 0.577419,0.218391 to screen 0.577419,0.285057 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.970968,0.218391 to screen 0.970968,0.285057 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '8.000' at screen 0.591935,0.265135 left noenhanced front tc rgb '#0b5fa5'
@@ -3434,7 +3434,7 @@ set xrange [0.000000000e+00:5.000000000e-01]
 set yrange [1.758698530e-02:2.379935755e-02]
 set xtics 2.000000000e-01
 set ytics 5.000000000e-03
-set label 'driving moment [kN m]' at screen 0.506452,0.205747 left enhanced front tc rgb '#202020'
+set label 'driving moment [kN m]  (axis not from 0)' at screen 0.506452,0.205747 left enhanced front tc rgb '#202020'
 set label 't [s]' at screen 0.774194,0.0827586 center noenhanced front tc rgb '#202020'
 set arrow from screen 0.577419,0.121839 to screen 0.577419,0.188506 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set arrow from screen 0.970968,0.121839 to screen 0.970968,0.188506 nohead lw 0.8 dt (3,3) lc rgb '#707070'

@@ -75,54 +75,36 @@ set format x '%g'
 set label 's [m], from the start of the beam' at screen 0.529032,0.238908 center noenhanced front tc rgb '#202020'
 $u0_0 << e
 0.000000000e+00 3.663961120e+00
-6.728099660e-01 2.139553522e+00
-6.929234377e-01 2.089539240e+00
 1.100000000e+00 1.166559966e+00
 e
-$u1_0 << e
-0.000000000e+00 4.529758786e-01
-6.728099660e-01 1.662413011e-01
-6.929234377e-01 1.554148634e-01
-e
 $single1 << e
+0.000000000e+00 4.529758786e-01
 1.100000000e+00 1.827692468e-01
 e
 $u2_0 << e
 0.000000000e+00 9.980962334e-02
-6.728099660e-01 1.245266544e-01
-6.929234377e-01 1.255616800e-01
 1.100000000e+00 1.522731186e-01
 e
-$u3_0 << e
-0.000000000e+00 4.526374711e-01
-6.728099660e-01 1.691068337e-01
-6.929234377e-01 1.593280945e-01
-e
 $single3 << e
+0.000000000e+00 4.526374711e-01
 1.100000000e+00 1.891763735e-01
 e
 $u4_0 << e
 0.000000000e+00 2.632272651e-01
-6.728099660e-01 9.660391447e-02
-6.929234377e-01 9.031260027e-02
 1.100000000e+00 7.540797288e-02
 e
 $u4_1 << e
 0.000000000e+00 2.268234648e-01
-6.728099660e-01 8.109888681e-02
-6.929234377e-01 7.579809058e-02
 1.100000000e+00 8.294171258e-02
 e
 $u5_0 << e
 0.000000000e+00 2.641737150e-01
-6.728099660e-01 2.643189872e-01
-6.929234377e-01 2.646307544e-01
 1.100000000e+00 2.776746870e-01
 e
 set arrow from screen 0.107196,0.311779 to screen 0.107196,0.311608 nohead lw 1 lc rgb '#202020'
 set object circle at 0.000000000e+00,3.663961120e+00 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
 set label '3.66 %: yield at s = 0+ m, corner +y -z' at screen 0.116873,0.327898 left noenhanced front tc rgb '#0b5fa5'
-plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
+plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
 unset label
 unset arrow
 unset object

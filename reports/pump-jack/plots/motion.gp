@@ -1,10 +1,10 @@
 # Redraw in the folder above: gnuplot plots/motion.gp; as PDF: gnuplot -e 'pdf = 1' plots/motion.gp
 if (!exists('pdf')) pdf = 0
 if (pdf) {
-  set terminal pdfcairo size 6.5000,6.1226 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set terminal pdfcairo size 6.5000,6.3113 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
   set output 'motion.pdf'
 } else {
-  set terminal svg size 620,584 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set terminal svg size 620,602 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
   set output 'motion.svg'
 }
 set encoding utf8
@@ -14,11 +14,13 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'gearbox' at screen 0.0193548,0.976027 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.142839,0.0496575 to screen 0.191226,0.0496575 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set label '(1) 2.7077 s, highest stress at the governing place' at screen 0.204129,0.0496575 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.142839,0.0188356 to screen 0.191226,0.0188356 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set label '(2) 4.7839 s, largest M, lowest stress at the governing place' at screen 0.204129,0.0188356 left noenhanced front tc rgb '#202020'
+set label 'gearbox' at screen 0.0193548,0.976744 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.199452,0.0780731 to screen 0.247839,0.0780731 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '(1) 2.7085 s, lowest stress at the governing place' at screen 0.260742,0.0780731 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.199452,0.0481728 to screen 0.247839,0.0481728 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '(2) 4.7839 s, largest M' at screen 0.260742,0.0481728 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.199452,0.0182724 to screen 0.247839,0.0182724 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '(3) 4.8605 s, highest stress at the governing place' at screen 0.260742,0.0182724 left noenhanced front tc rgb '#202020'
 set format x ''
 $driver0_0 << e
 0.000000000e+00 -9.000000000e+01
@@ -121,19 +123,21 @@ $driver0_0 << e
 e
 set lmargin at screen 9.032258065e-02
 set rmargin at screen 9.709677419e-01
-set bmargin at screen 7.568493151e-01
-set tmargin at screen 9.143835616e-01
+set bmargin at screen 7.641196013e-01
+set tmargin at screen 9.169435216e-01
 set xrange [0.000000000e+00:7.500000000e+00]
 set yrange [-1.800000000e+02:3.600000000e+02]
 set xtics 1.000000000e+00
 set ytics 2.000000000e+02
-set label 'angle [deg]' at screen 0.0193548,0.940068 left enhanced front tc rgb '#202020'
-set arrow from screen 0.408256,0.756849 to screen 0.408256,0.914384 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set label '(1)' at screen 0.411482,0.885758 left noenhanced front tc rgb '#505050'
-set arrow from screen 0.652048,0.756849 to screen 0.652048,0.914384 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set label '(2)' at screen 0.655274,0.885758 left noenhanced front tc rgb '#505050'
-set label '270.0' at screen 0.909032,0.900841 left noenhanced front tc rgb '#0b5fa5'
-set label '-90.00' at screen 0.0951613,0.770392 left noenhanced front tc rgb '#0b5fa5'
+set label 'angle [deg]' at screen 0.0193548,0.94186 left enhanced front tc rgb '#202020'
+set arrow from screen 0.408358,0.76412 to screen 0.408358,0.916944 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '(1)' at screen 0.411584,0.889174 left noenhanced front tc rgb '#505050'
+set arrow from screen 0.652048,0.76412 to screen 0.652048,0.916944 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '(2)' at screen 0.655274,0.889174 left noenhanced front tc rgb '#505050'
+set arrow from screen 0.661035,0.76412 to screen 0.661035,0.916944 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '(3)' at screen 0.620648,0.882126 left noenhanced front tc rgb '#505050'
+set label '270.0' at screen 0.909032,0.903806 left noenhanced front tc rgb '#0b5fa5'
+set label '-90.00' at screen 0.0951613,0.777257 left noenhanced front tc rgb '#0b5fa5'
 plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $driver0_0 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
@@ -240,16 +244,17 @@ $driver0_1 << e
 e
 set lmargin at screen 9.032258065e-02
 set rmargin at screen 9.709677419e-01
-set bmargin at screen 5.547945205e-01
-set tmargin at screen 7.123287671e-01
+set bmargin at screen 5.681063123e-01
+set tmargin at screen 7.209302326e-01
 set xrange [0.000000000e+00:7.500000000e+00]
 set yrange [7.120943348e-01:9.634217471e-01]
 set xtics 1.000000000e+00
 set ytics 1.000000000e-01
-set label 'angular velocity [rad/s]' at screen 0.0193548,0.738014 left enhanced front tc rgb '#202020'
-set arrow from screen 0.408256,0.554795 to screen 0.408256,0.712329 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set arrow from screen 0.652048,0.554795 to screen 0.652048,0.712329 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set label '0.8378' at screen 0.104839,0.65354 left noenhanced front tc rgb '#0b5fa5'
+set label 'angular velocity [rad/s]  (axis not from 0)' at screen 0.0193548,0.745847 left enhanced front tc rgb '#202020'
+set arrow from screen 0.408358,0.568106 to screen 0.408358,0.72093 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set arrow from screen 0.652048,0.568106 to screen 0.652048,0.72093 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set arrow from screen 0.661035,0.568106 to screen 0.661035,0.72093 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '0.8378' at screen 0.104839,0.663899 left noenhanced front tc rgb '#0b5fa5'
 plot $driver0_1 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
@@ -356,16 +361,17 @@ $driver0_2 << e
 e
 set lmargin at screen 9.032258065e-02
 set rmargin at screen 9.709677419e-01
-set bmargin at screen 3.527397260e-01
-set tmargin at screen 5.102739726e-01
+set bmargin at screen 3.720930233e-01
+set tmargin at screen 5.249169435e-01
 set xrange [0.000000000e+00:7.500000000e+00]
 set yrange [-7.500000000e-01:7.500000000e-01]
 set xtics 1.000000000e+00
 set ytics 5.000000000e-01
-set label 'angular acceleration [rad/s^2]' at screen 0.0193548,0.535959 left enhanced front tc rgb '#202020'
-set arrow from screen 0.408256,0.35274 to screen 0.408256,0.510274 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set arrow from screen 0.652048,0.35274 to screen 0.652048,0.510274 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set label '0' at screen 0.0919299,0.449486 left noenhanced front tc rgb '#0b5fa5'
+set label 'angular acceleration [rad/s^2]' at screen 0.0193548,0.549834 left enhanced front tc rgb '#202020'
+set arrow from screen 0.408358,0.372093 to screen 0.408358,0.524917 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set arrow from screen 0.652048,0.372093 to screen 0.652048,0.524917 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set arrow from screen 0.661035,0.372093 to screen 0.661035,0.524917 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '0' at screen 0.0919299,0.465947 left noenhanced front tc rgb '#0b5fa5'
 plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $driver0_2 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
@@ -472,18 +478,19 @@ $driver0_3 << e
 e
 set lmargin at screen 9.032258065e-02
 set rmargin at screen 9.709677419e-01
-set bmargin at screen 1.506849315e-01
-set tmargin at screen 3.082191781e-01
+set bmargin at screen 1.760797342e-01
+set tmargin at screen 3.289036545e-01
 set xrange [0.000000000e+00:7.500000000e+00]
 set yrange [-1.644298149e+01:3.832580269e+01]
 set xtics 1.000000000e+00
 set ytics 2.000000000e+01
-set label 'driving moment [kN m]' at screen 0.0193548,0.333904 left enhanced front tc rgb '#202020'
-set label 't [s]' at screen 0.530645,0.0924658 center noenhanced front tc rgb '#202020'
-set arrow from screen 0.408256,0.150685 to screen 0.408256,0.308219 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set arrow from screen 0.652048,0.150685 to screen 0.652048,0.308219 nohead lw 0.8 dt (3,3) lc rgb '#707070'
-set label '29.20' at screen 0.663911,0.294677 left noenhanced front tc rgb '#0b5fa5'
-set label '-7.315' at screen 0.855617,0.164227 left noenhanced front tc rgb '#0b5fa5'
+set label 'driving moment [kN m]' at screen 0.0193548,0.353821 left enhanced front tc rgb '#202020'
+set label 't [s]' at screen 0.530645,0.119601 center noenhanced front tc rgb '#202020'
+set arrow from screen 0.408358,0.17608 to screen 0.408358,0.328904 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set arrow from screen 0.652048,0.17608 to screen 0.652048,0.328904 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set arrow from screen 0.661035,0.17608 to screen 0.661035,0.328904 nohead lw 0.8 dt (3,3) lc rgb '#707070'
+set label '29.20' at screen 0.663911,0.315766 left noenhanced front tc rgb '#0b5fa5'
+set label '-7.315' at screen 0.855617,0.189217 left noenhanced front tc rgb '#0b5fa5'
 plot 0 with lines lc rgb '#505050' lw 0.9 notitle, $driver0_3 using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow

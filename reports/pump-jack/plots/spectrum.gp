@@ -23,19 +23,19 @@ set rmargin at screen 9.677419355e-01
 set bmargin at screen 1.271676301e-01
 set tmargin at screen 8.497109827e-01
 set xrange [1.000000000e+07:1.000000000e+08]
-set yrange [0.000000000e+00:2.057459402e+01]
-set ytics 2.000000000e+00
+set yrange [0.000000000e+00:2.438079954e+01]
+set ytics 5.000000000e+00
 set label 'cycles in the wanted life with this range or a larger one' at screen 0.529032,0.0289017 center noenhanced front tc rgb '#202020'
-set label 'D = 0.577; s = 3.9 m, fibre -z' at screen 0.0193548,0.947977 left noenhanced front tc rgb '#202020'
+set label 'D = 2.38; s = 2.5- m, fibre +z' at screen 0.0193548,0.947977 left noenhanced front tc rgb '#202020'
 set label 'stress range [MPa]: share of the damage, loads as they are with partial factors' at screen 0.0193548,0.893064 left enhanced front tc rgb '#202020'
 $stair << e
-1.000000000e+07 1.789095132e+01
-4.200000000e+07 1.789095132e+01
-4.200000000e+07 5.209388402e-03
-8.400000000e+07 5.209388402e-03
+1.000000000e+07 2.120069525e+01
+4.200000000e+07 2.120069525e+01
+4.200000000e+07 4.696200489e-02
+8.400000000e+07 4.696200489e-02
 8.400000000e+07 0.000000000e+00
 e
-set label '17.9: 100 %' at screen 0.645238,0.781012 left noenhanced front tc rgb '#c8500a'
+set label '21.2: 100 %' at screen 0.645238,0.781012 left noenhanced front tc rgb '#c8500a'
 plot $stair using 1:2 with filledcurves y1=0 fc rgb '#e3eaf2' notitle, $stair using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow

@@ -1,10 +1,10 @@
 # Redraw in the folder above: gnuplot plots/mechanism.gp; as PDF: gnuplot -e 'pdf = 1' plots/mechanism.gp
 if (!exists('pdf')) pdf = 0
 if (pdf) {
-  set terminal pdfcairo size 6.5000,7.9677 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set terminal pdfcairo size 6.5000,6.8145 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
   set output 'mechanism.pdf'
 } else {
-  set terminal svg size 620,760 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set terminal svg size 620,650 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
   set output 'mechanism.svg'
 }
 set encoding utf8
@@ -14,19 +14,19 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0144737 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0169231 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 9.741935484e-01
-set bmargin at screen 5.723684211e-01
-set tmargin at screen 9.473684211e-01
-set xrange [-1.132866590e+00:3.431166819e+00]
-set yrange [-4.978007159e-01:1.824966287e+00]
-set xtics 5.000000000e-01
-set ytics 2.000000000e-01
-set label 'x [m]' at screen 0.522581,0.527632 center noenhanced front tc rgb '#202020'
-set label '(1) t = 10.9327 s' at screen 0.00967742,0.984211 left noenhanced front tc rgb '#202020'
-set label 'largest M, lowest stress at the governing place' at screen 0.00967742,0.963158 left noenhanced front tc rgb '#0b5fa5'
-set label 'y [m]' at screen 0.0774194,0.936842 left noenhanced front tc rgb '#505050'
+set bmargin at screen 5.846153846e-01
+set tmargin at screen 9.384615385e-01
+set xrange [-1.543020521e+00:4.239565497e+00]
+set yrange [-5.239125575e-01:1.851078128e+00]
+set xtics 1.000000000e+00
+set ytics 5.000000000e-01
+set label 'x [m]' at screen 0.522581,0.532308 center noenhanced front tc rgb '#202020'
+set label '(1) t = 10.9324 s' at screen 0.00967742,0.981538 left noenhanced front tc rgb '#202020'
+set label 'largest M, lowest stress at the governing place' at screen 0.00967742,0.956923 left noenhanced front tc rgb '#0b5fa5'
+set label 'y [m]' at screen 0.0774194,0.926154 left noenhanced front tc rgb '#505050'
 $trace0_0_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -538,8 +538,8 @@ $trace0_2_2 << e
 1.500000000e+00 8.318158198e-01
 e
 $rest0_guides << e
-2.089212785e+00 6.818158198e-01 4.238031022e-01 0.000000000e+00
-2.089212785e+00 1.110223025e-16 4.238031022e-01 0.000000000e+00
+2.032637128e+00 6.818158198e-01 5.369544160e-01 0.000000000e+00
+2.032637128e+00 1.110223025e-16 5.369544160e-01 0.000000000e+00
 e
 $rest0_rods << e
 1.040828313e+00 1.832387043e-01 -1.408283130e-01 -5.832387043e-01
@@ -569,60 +569,85 @@ $rest0_grounds << e
 9.000000000e-01 -4.000000000e-01
 e
 $at0_guides << e
-2.088596448e+00 6.838925040e-01 4.238031022e-01 0.000000000e+00
-2.088596448e+00 0.000000000e+00 4.238031022e-01 0.000000000e+00
+2.032021316e+00 6.838907380e-01 5.369544160e-01 0.000000000e+00
+2.032021316e+00 -1.110223025e-16 5.369544160e-01 0.000000000e+00
 e
 $at0_rods << e
-1.040662500e+00 1.841780705e-01 -1.406624997e-01 -5.841780705e-01
+1.040662641e+00 1.841772717e-01 -1.406626411e-01 -5.841772717e-01
 e
 $at0_0_axis << e
-2.220446049e-16 -5.551115123e-17 2.300497999e+00 6.838925040e-01
-1.006467875e+00 2.992029705e-01 3.419462520e-02 -1.150248999e-01
+2.220446049e-16 0.000000000e+00 2.300498524e+00 6.838907380e-01
+1.006468104e+00 2.992021979e-01 3.419453690e-02 -1.150249262e-01
 e
 $at0_0 << e
-2.220446049e-16 -5.551115123e-17
-1.040662500e+00 1.841780705e-01
-1.150248999e+00 3.419462520e-01
-2.300497999e+00 6.838925040e-01
+2.220446049e-16 0.000000000e+00
+1.040662641e+00 1.841772717e-01
+1.150249262e+00 3.419453690e-01
+2.300498524e+00 6.838907380e-01
 e
 $at0_1 << e
-2.300497999e+00 0.000000000e+00
-1.150248999e+00 3.419462520e-01
-2.220446049e-16 6.838925040e-01
+2.300498524e+00 -1.110223025e-16
+1.150249262e+00 3.419453690e-01
+2.220446049e-16 6.838907380e-01
 e
 $at0_2 << e
-0.000000000e+00 6.838925040e-01
-2.500000000e+00 6.838925040e-01
-1.500000000e+00 8.338925040e-01
+0.000000000e+00 6.838907380e-01
+2.500000000e+00 6.838907380e-01
+1.500000000e+00 8.338907380e-01
 e
 $at0_grounds << e
 0.000000000e+00 0.000000000e+00
 9.000000000e-01 -4.000000000e-01
 e
-set arrow from screen 0.314797,0.678855 to screen 0.295163,0.652736 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.522798,0.730127 to screen 0.522798,0.707942 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.750433,0.780364 to screen 0.750433,0.763147 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.47471,0.634521 to screen 0.494344,0.701041 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'A  15.96 kN' at screen 0.187572,0.689555 left noenhanced front tc rgb '#202020'
-set label 'M  11.55 kN' at screen 0.459991,0.745259 left noenhanced front tc rgb '#202020'
-set label 'C  8.966 kN' at screen 0.756885,0.791063 left noenhanced front tc rgb '#202020'
-set label 'P  35.63 kN' at screen 0.347484,0.645221 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.331618,0.693211 to screen 0.311984,0.662672 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.49165,0.739558 to screen 0.49165,0.713618 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.671316,0.784694 to screen 0.671316,0.764564 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.449558,0.629473 to screen 0.469192,0.70725 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.482878,0.694196 to screen 0.485285,0.696993 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.485285,0.696993 to screen 0.487073,0.700185 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.487073,0.700185 to screen 0.488175,0.703648 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.488175,0.703648 to screen 0.488546,0.70725 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.488546,0.70725 to screen 0.488175,0.710852 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.488175,0.710852 to screen 0.487073,0.714315 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.487073,0.714315 to screen 0.485285,0.717507 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.485285,0.717507 to screen 0.482878,0.720304 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.482878,0.720304 to screen 0.479945,0.7226 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.479945,0.7226 to screen 0.476598,0.724306 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.476598,0.724306 to screen 0.472968,0.725357 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.472968,0.725357 to screen 0.469192,0.725712 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.469192,0.725712 to screen 0.465416,0.725357 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.465416,0.725357 to screen 0.461785,0.724306 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.461785,0.724306 to screen 0.458439,0.7226 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.458439,0.7226 to screen 0.455506,0.720304 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.455506,0.720304 to screen 0.453099,0.717507 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.453099,0.717507 to screen 0.45131,0.714315 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.45131,0.714315 to screen 0.450209,0.710852 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.450209,0.710852 to screen 0.449837,0.70725 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.449837,0.70725 to screen 0.450209,0.703648 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.450209,0.703648 to screen 0.45131,0.700185 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.45131,0.700185 to screen 0.453099,0.696993 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.45131,0.700185 to screen 0.462349,0.687669 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'A  15.96 kN' at screen 0.204392,0.705722 left noenhanced front tc rgb '#202020'
+set label 'M  11.55 kN' at screen 0.363904,0.778789 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.489517,0.76725 to screen 0.49165,0.739558 nohead lw 0.6 lc rgb '#202020'
+set label 'upper_roller  8.966 kN' at screen 0.677768,0.797204 left noenhanced front tc rgb '#202020'
+set label 'cylinder  35.63 kN, 2.144 kN m' at screen 0.114074,0.629473 left noenhanced front tc rgb '#202020'
 plot $trace0_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_3 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest0_rods using 1:2:3:4 with vectors nohead lw 1.6 dt (5,3) lc rgb '#c4c4c4' notitle, $rest0_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_2 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#0b5fa5' notitle, $at0_rods using 1:2:3:4 with vectors nohead lw 1.6 dt (5,3) lc rgb '#0b5fa5' notitle, $at0_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#0b5fa5' notitle, $at0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_2 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
 unset object
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 9.741935484e-01
-set bmargin at screen 8.684210526e-02
-set tmargin at screen 4.618421053e-01
-set xrange [-1.132866590e+00:3.431166819e+00]
-set yrange [-4.978007159e-01:1.824966287e+00]
-set xtics 5.000000000e-01
-set ytics 2.000000000e-01
-set label 'x [m]' at screen 0.522581,0.0421053 center noenhanced front tc rgb '#202020'
-set label '(2) t = 36.0099 s' at screen 0.00967742,0.498684 left noenhanced front tc rgb '#202020'
-set label 'highest stress at the governing place' at screen 0.00967742,0.477632 left noenhanced front tc rgb '#c8500a'
-set label 'y [m]' at screen 0.0774194,0.451316 left noenhanced front tc rgb '#505050'
+set bmargin at screen 1.015384615e-01
+set tmargin at screen 4.553846154e-01
+set xrange [-1.543020521e+00:4.239565497e+00]
+set yrange [-5.239125575e-01:1.851078128e+00]
+set xtics 1.000000000e+00
+set ytics 5.000000000e-01
+set label 'x [m]' at screen 0.522581,0.0492308 center noenhanced front tc rgb '#202020'
+set label '(2) t = 36.0000 s' at screen 0.00967742,0.498462 left noenhanced front tc rgb '#202020'
+set label 'highest stress at the governing place' at screen 0.00967742,0.473846 left noenhanced front tc rgb '#c8500a'
+set label 'y [m]' at screen 0.0774194,0.443077 left noenhanced front tc rgb '#505050'
 $trace1_0_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1134,8 +1159,8 @@ $trace1_2_2 << e
 1.500000000e+00 8.318158198e-01
 e
 $rest1_guides << e
-2.089212785e+00 6.818158198e-01 4.238031022e-01 0.000000000e+00
-2.089212785e+00 1.110223025e-16 4.238031022e-01 0.000000000e+00
+2.032637128e+00 6.818158198e-01 5.369544160e-01 0.000000000e+00
+2.032637128e+00 1.110223025e-16 5.369544160e-01 0.000000000e+00
 e
 $rest1_rods << e
 1.040828313e+00 1.832387043e-01 -1.408283130e-01 -5.832387043e-01
@@ -1165,46 +1190,70 @@ $rest1_grounds << e
 9.000000000e-01 -4.000000000e-01
 e
 $at1_guides << e
-1.599071472e+00 1.574921176e+00 4.238031022e-01 0.000000000e+00
-1.599071472e+00 0.000000000e+00 4.238031022e-01 0.000000000e+00
+1.542440939e+00 1.574984275e+00 5.369544160e-01 0.000000000e+00
+1.542440939e+00 0.000000000e+00 5.369544160e-01 0.000000000e+00
 e
 $at1_rods << e
-8.710467563e-01 5.984793634e-01 2.895324372e-02 -9.984793634e-01
+8.710259030e-01 5.985097128e-01 2.897409702e-02 -9.985097128e-01
 e
 $at1_0_axis << e
-0.000000000e+00 1.110223025e-16 1.810973023e+00 1.574921176e+00
-7.923006975e-01 6.890280145e-01 7.874605880e-02 -9.054865114e-02
+1.110223025e-16 0.000000000e+00 1.810918147e+00 1.574984275e+00
+7.922766892e-01 6.890556202e-01 7.874921373e-02 -9.054590734e-02
 e
 $at1_0 << e
-0.000000000e+00 1.110223025e-16
-8.710467563e-01 5.984793634e-01
-9.054865114e-01 7.874605880e-01
-1.810973023e+00 1.574921176e+00
+1.110223025e-16 0.000000000e+00
+8.710259030e-01 5.985097128e-01
+9.054590734e-01 7.874921373e-01
+1.810918147e+00 1.574984275e+00
 e
 $at1_1 << e
-1.810973023e+00 0.000000000e+00
-9.054865114e-01 7.874605880e-01
-2.220446049e-16 1.574921176e+00
+1.810918147e+00 0.000000000e+00
+9.054590734e-01 7.874921373e-01
+1.110223025e-16 1.574984275e+00
 e
 $at1_2 << e
-0.000000000e+00 1.574921176e+00
-2.500000000e+00 1.574921176e+00
-1.500000000e+00 1.724921176e+00
+2.220446049e-16 1.574984275e+00
+2.500000000e+00 1.574984275e+00
+1.500000000e+00 1.724984275e+00
 e
 $at1_grounds << e
 0.000000000e+00 0.000000000e+00
 9.000000000e-01 -4.000000000e-01
 e
-set arrow from screen 0.294606,0.171867 to screen 0.295163,0.16721 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.47436,0.299952 to screen 0.474359,0.294342 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.653556,0.425837 to screen 0.653556,0.421473 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.452515,0.262822 to screen 0.45196,0.27845 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'A  2.437 kN' at screen 0.16738,0.182566 left noenhanced front tc rgb '#202020'
-set label 'M  2.922 kN' at screen 0.319715,0.299952 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.445328,0.299952 to screen 0.47436,0.299952 nohead lw 0.6 lc rgb '#202020'
-set label 'C  2.272 kN' at screen 0.669685,0.409555 left noenhanced front tc rgb '#202020'
-set label 'P  8.142 kN' at screen 0.539612,0.320041 left noenhanced front tc rgb '#202020'
-set arrow from screen 0.539612,0.310172 to screen 0.452515,0.262822 nohead lw 0.6 lc rgb '#202020'
+set arrow from screen 0.311426,0.18504 to screen 0.311984,0.179595 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.453415,0.303482 to screen 0.453414,0.296923 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.594845,0.419352 to screen 0.594845,0.41425 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.436291,0.263984 to screen 0.435735,0.282257 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.449421,0.269202 to screen 0.451828,0.272 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.451828,0.272 to screen 0.453617,0.275192 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.453617,0.275192 to screen 0.454718,0.278655 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.454718,0.278655 to screen 0.45509,0.282257 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.45509,0.282257 to screen 0.454718,0.285858 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.454718,0.285858 to screen 0.453617,0.289322 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.453617,0.289322 to screen 0.451828,0.292513 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.451828,0.292513 to screen 0.449421,0.295311 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.449421,0.295311 to screen 0.446488,0.297607 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.446488,0.297607 to screen 0.443142,0.299313 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.443142,0.299313 to screen 0.439511,0.300364 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.439511,0.300364 to screen 0.435735,0.300718 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.435735,0.300718 to screen 0.43196,0.300364 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.43196,0.300364 to screen 0.428329,0.299313 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.428329,0.299313 to screen 0.424982,0.297607 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.424982,0.297607 to screen 0.42205,0.295311 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.42205,0.295311 to screen 0.419642,0.292513 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.419642,0.292513 to screen 0.417854,0.289322 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.417854,0.289322 to screen 0.416753,0.285858 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.416753,0.285858 to screen 0.416381,0.282257 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.416381,0.282257 to screen 0.416753,0.278655 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.416753,0.278655 to screen 0.417854,0.275192 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.417854,0.275192 to screen 0.419642,0.272 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.417854,0.275192 to screen 0.428892,0.262675 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'A  2.437 kN' at screen 0.203778,0.202733 left noenhanced front tc rgb '#202020'
+set label 'M  2.921 kN' at screen 0.282641,0.303482 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.408254,0.303482 to screen 0.453415,0.303482 nohead lw 0.6 lc rgb '#202020'
+set label 'upper_roller  2.272 kN' at screen 0.610974,0.400315 left noenhanced front tc rgb '#202020'
+set label 'cylinder  8.142 kN, 0.6195 kN m' at screen 0.500807,0.315656 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.500807,0.304118 to screen 0.436291,0.263984 nohead lw 0.6 lc rgb '#202020'
 plot $trace1_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_3 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest1_rods using 1:2:3:4 with vectors nohead lw 1.6 dt (5,3) lc rgb '#c4c4c4' notitle, $rest1_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_2 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c8500a' notitle, $at1_rods using 1:2:3:4 with vectors nohead lw 1.6 dt (5,3) lc rgb '#c8500a' notitle, $at1_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c8500a' notitle, $at1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_2 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow

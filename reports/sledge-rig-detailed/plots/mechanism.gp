@@ -1,10 +1,10 @@
 # Redraw in the folder above: gnuplot plots/mechanism.gp; as PDF: gnuplot -e 'pdf = 1' plots/mechanism.gp
 if (!exists('pdf')) pdf = 0
 if (pdf) {
-  set terminal pdfcairo size 6.5000,7.9677 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set terminal pdfcairo size 6.5000,6.8145 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
   set output 'mechanism.pdf'
 } else {
-  set terminal svg size 620,760 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set terminal svg size 620,650 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
   set output 'mechanism.svg'
 }
 set encoding utf8
@@ -14,20 +14,20 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0144737 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0169231 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
-set bmargin at screen 5.723684211e-01
-set tmargin at screen 9.263157895e-01
-set xrange [-3.452964999e+00:3.430890298e+00]
-set yrange [-3.737801952e+00:3.552580232e+00]
-set xtics 2.000000000e+00
+set bmargin at screen 5.846153846e-01
+set tmargin at screen 9.138461538e-01
+set xrange [-4.552365946e+00:4.523262808e+00]
+set yrange [-3.913082637e+00:3.733313242e+00]
+set xtics 5.000000000e+00
 set ytics 1.000000000e+00
-set label 'x [m]' at screen 0.275806,0.527632 center noenhanced front tc rgb '#202020'
-set label '(1) t = 0.3571 s' at screen 0.00967742,0.984211 left noenhanced front tc rgb '#202020'
-set label 'lowest stress at the governing place' at screen 0.00967742,0.963158 left noenhanced front tc rgb '#0b5fa5'
-set label '(normal running)' at screen 0.00967742,0.942105 left noenhanced front tc rgb '#0b5fa5'
-set label 'y [m]' at screen 0.0774194,0.915789 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.275806,0.532308 center noenhanced front tc rgb '#202020'
+set label '(1) t = 0.3571 s' at screen 0.00967742,0.981538 left noenhanced front tc rgb '#202020'
+set label 'lowest stress at the governing place' at screen 0.00967742,0.956923 left noenhanced front tc rgb '#0b5fa5'
+set label '(normal running)' at screen 0.00967742,0.932308 left noenhanced front tc rgb '#0b5fa5'
+set label 'y [m]' at screen 0.0774194,0.901538 left noenhanced front tc rgb '#505050'
 $trace0_0_0 << e
 -1.924565389e-16 -3.200000000e+00
 -3.480701819e-02 -3.199810693e+00
@@ -488,8 +488,8 @@ $trace0_4_0 << e
 6.850000000e-01 -3.200000000e+00
 e
 $rest0_guides << e
--2.046466052e-01 3.000000000e+00 1.409293210e+00 0.000000000e+00
--1.964660516e-02 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-4.290013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+-2.440013685e-01 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $rest0_0_axis << e
 -1.924565389e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
@@ -517,8 +517,8 @@ $rest0_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at0_guides << e
-4.535339484e-02 3.000000000e+00 1.409293210e+00 0.000000000e+00
--2.865202250e-01 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-1.790013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+-5.108749884e-01 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $at0_0_axis << e
 -2.667830269e-01 -3.188859799e+00 5.168921147e-01 6.178415860e+00
@@ -545,29 +545,29 @@ e
 $at0_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.208209,0.740378 to screen 0.276463,0.753838 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.327748,0.899763 to screen 0.291348,0.898981 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.292272,0.598795 to screen 0.260586,0.59902 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'O  215.4 kN' at screen 0.0809833,0.751077 left noenhanced front tc rgb '#202020'
-set label 'B  111.7 kN' at screen 0.3342,0.910462 left noenhanced front tc rgb '#202020'
-set label 'C  97.18 kN' at screen 0.165047,0.588095 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.208209,0.737362 to screen 0.276463,0.753101 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.324154,0.882736 to screen 0.287753,0.881822 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.296107,0.615535 to screen 0.264421,0.615798 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'O  215.4 kN' at screen 0.0809833,0.749873 left noenhanced front tc rgb '#202020'
+set label 'B  111.7 kN' at screen 0.330605,0.895246 left noenhanced front tc rgb '#202020'
+set label 'C  97.18 kN' at screen 0.159203,0.596498 left noenhanced front tc rgb '#202020'
 plot $trace0_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest0_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#0b5fa5' notitle, $at0_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#0b5fa5' notitle, $at0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
 unset object
 set lmargin at screen 5.645161290e-01
 set rmargin at screen 9.741935484e-01
-set bmargin at screen 5.723684211e-01
-set tmargin at screen 9.263157895e-01
-set xrange [-3.452964999e+00:3.430890298e+00]
-set yrange [-3.737801952e+00:3.552580232e+00]
-set xtics 2.000000000e+00
+set bmargin at screen 5.846153846e-01
+set tmargin at screen 9.138461538e-01
+set xrange [-4.552365946e+00:4.523262808e+00]
+set yrange [-3.913082637e+00:3.733313242e+00]
+set xtics 5.000000000e+00
 set ytics 1.000000000e+00
-set label 'x [m]' at screen 0.769355,0.527632 center noenhanced front tc rgb '#202020'
-set label '(2) t = 1.0714 s' at screen 0.503226,0.984211 left noenhanced front tc rgb '#202020'
-set label 'highest stress at the governing place' at screen 0.503226,0.963158 left noenhanced front tc rgb '#c8500a'
-set label '(normal running)' at screen 0.503226,0.942105 left noenhanced front tc rgb '#c8500a'
-set label 'y [m]' at screen 0.570968,0.915789 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.769355,0.532308 center noenhanced front tc rgb '#202020'
+set label '(2) t = 1.0714 s' at screen 0.503226,0.981538 left noenhanced front tc rgb '#202020'
+set label 'highest stress at the governing place' at screen 0.503226,0.956923 left noenhanced front tc rgb '#c8500a'
+set label '(normal running)' at screen 0.503226,0.932308 left noenhanced front tc rgb '#c8500a'
+set label 'y [m]' at screen 0.570968,0.901538 left noenhanced front tc rgb '#505050'
 $trace1_0_0 << e
 -1.924565389e-16 -3.200000000e+00
 -3.480701819e-02 -3.199810693e+00
@@ -1028,8 +1028,8 @@ $trace1_4_0 << e
 6.850000000e-01 -3.200000000e+00
 e
 $rest1_guides << e
--2.046466052e-01 3.000000000e+00 1.409293210e+00 0.000000000e+00
--1.964660516e-02 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-4.290013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+-2.440013685e-01 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $rest1_0_axis << e
 -1.924565389e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
@@ -1057,8 +1057,8 @@ $rest1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at1_guides << e
--4.546466052e-01 3.000000000e+00 1.409293210e+00 0.000000000e+00
-2.468138296e-01 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-6.790013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+2.245906621e-02 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $at1_0_axis << e
 2.665507119e-01 -3.188879226e+00 -5.164420044e-01 6.178453500e+00
@@ -1085,28 +1085,28 @@ e
 $at1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.837634,0.740779 to screen 0.770012,0.753838 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.719175,0.898528 to screen 0.75514,0.898982 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.754385,0.599628 to screen 0.785875,0.599019 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'O  213.1 kN' at screen 0.844086,0.751479 left noenhanced front tc rgb '#202020'
-set label 'B  110.3 kN' at screen 0.591949,0.887828 left noenhanced front tc rgb '#202020'
-set label 'C  96.60 kN' at screen 0.627159,0.610327 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.837634,0.737832 to screen 0.770012,0.753101 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.722767,0.881292 to screen 0.758732,0.881823 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.750554,0.61651 to screen 0.782044,0.615797 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'O  213.1 kN' at screen 0.844086,0.750342 left noenhanced front tc rgb '#202020'
+set label 'B  110.3 kN' at screen 0.595541,0.868782 left noenhanced front tc rgb '#202020'
+set label 'C  96.60 kN' at screen 0.623328,0.62902 left noenhanced front tc rgb '#202020'
 plot $trace1_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest1_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c8500a' notitle, $at1_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c8500a' notitle, $at1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
 unset object
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
-set bmargin at screen 8.684210526e-02
-set tmargin at screen 4.407894737e-01
-set xrange [-3.452964999e+00:3.430890298e+00]
-set yrange [-3.737801952e+00:3.552580232e+00]
-set xtics 2.000000000e+00
+set bmargin at screen 1.015384615e-01
+set tmargin at screen 4.307692308e-01
+set xrange [-4.552365946e+00:4.523262808e+00]
+set yrange [-3.913082637e+00:3.733313242e+00]
+set xtics 5.000000000e+00
 set ytics 1.000000000e+00
-set label 'x [m]' at screen 0.275806,0.0421053 center noenhanced front tc rgb '#202020'
-set label '(3) t = 0.3571 s' at screen 0.00967742,0.477632 left noenhanced front tc rgb '#202020'
-set label 'most negative M (over-stroke)' at screen 0.00967742,0.456579 left noenhanced front tc rgb '#00785a'
-set label 'y [m]' at screen 0.0774194,0.430263 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.275806,0.0492308 center noenhanced front tc rgb '#202020'
+set label '(3) t = 0.3571 s' at screen 0.00967742,0.473846 left noenhanced front tc rgb '#202020'
+set label 'most negative M (over-stroke)' at screen 0.00967742,0.449231 left noenhanced front tc rgb '#00785a'
+set label 'y [m]' at screen 0.0774194,0.418462 left noenhanced front tc rgb '#505050'
 $trace2_0_0 << e
 -1.924565389e-16 -3.200000000e+00
 -3.480701819e-02 -3.199810693e+00
@@ -1567,8 +1567,8 @@ $trace2_4_0 << e
 6.850000000e-01 -3.200000000e+00
 e
 $rest2_guides << e
--2.046466052e-01 3.000000000e+00 1.409293210e+00 0.000000000e+00
--1.964660516e-02 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-4.290013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+-2.440013685e-01 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $rest2_0_axis << e
 -1.924565389e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
@@ -1596,8 +1596,8 @@ $rest2_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at2_guides << e
-9.535339484e-02 3.000000000e+00 1.409293210e+00 0.000000000e+00
--3.400769975e-01 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-1.290013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+-5.644317608e-01 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $at2_0_axis << e
 -3.202419948e-01 -3.183935468e+00 6.204688649e-01 6.168874969e+00
@@ -1624,28 +1624,28 @@ e
 $at2_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.194268,0.254705 to screen 0.276463,0.268312 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.338215,0.414474 to screen 0.294331,0.413231 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.295515,0.113197 to screen 0.257405,0.113732 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'O  257.2 kN' at screen 0.13388,0.239574 left noenhanced front tc rgb '#202020'
-set label 'B  134.7 kN' at screen 0.344666,0.425173 left noenhanced front tc rgb '#202020'
-set label 'C  116.9 kN' at screen 0.158612,0.0969153 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.194268,0.254115 to screen 0.276463,0.270024 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.3339,0.4 to screen 0.290016,0.398547 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.300117,0.132308 to screen 0.262007,0.132933 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'O  257.2 kN' at screen 0.13388,0.236422 left noenhanced front tc rgb '#202020'
+set label 'B  134.7 kN' at screen 0.340351,0.41251 left noenhanced front tc rgb '#202020'
+set label 'C  116.9 kN' at screen 0.293835,0.159231 left noenhanced front tc rgb '#202020'
 plot $trace2_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest2_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest2_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest2_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest2_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at2_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#00785a' notitle, $at2_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#00785a' notitle, $at2_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $at2_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#00785a' notitle, $at2_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#00785a' notitle, $at2_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#00785a' notitle, $at2_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#00785a' notitle, $at2_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
 unset object
 set lmargin at screen 5.645161290e-01
 set rmargin at screen 9.741935484e-01
-set bmargin at screen 8.684210526e-02
-set tmargin at screen 4.407894737e-01
-set xrange [-3.452964999e+00:3.430890298e+00]
-set yrange [-3.737801952e+00:3.552580232e+00]
-set xtics 2.000000000e+00
+set bmargin at screen 1.015384615e-01
+set tmargin at screen 4.307692308e-01
+set xrange [-4.552365946e+00:4.523262808e+00]
+set yrange [-3.913082637e+00:3.733313242e+00]
+set xtics 5.000000000e+00
 set ytics 1.000000000e+00
-set label 'x [m]' at screen 0.769355,0.0421053 center noenhanced front tc rgb '#202020'
-set label '(4) t = 1.0714 s' at screen 0.503226,0.477632 left noenhanced front tc rgb '#202020'
-set label 'largest M (over-stroke)' at screen 0.503226,0.456579 left noenhanced front tc rgb '#a04f86'
-set label 'y [m]' at screen 0.570968,0.430263 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.769355,0.0492308 center noenhanced front tc rgb '#202020'
+set label '(4) t = 1.0714 s' at screen 0.503226,0.473846 left noenhanced front tc rgb '#202020'
+set label 'largest M (over-stroke)' at screen 0.503226,0.449231 left noenhanced front tc rgb '#a04f86'
+set label 'y [m]' at screen 0.570968,0.418462 left noenhanced front tc rgb '#505050'
 $trace3_0_0 << e
 -1.924565389e-16 -3.200000000e+00
 -3.480701819e-02 -3.199810693e+00
@@ -2106,8 +2106,8 @@ $trace3_4_0 << e
 6.850000000e-01 -3.200000000e+00
 e
 $rest3_guides << e
--2.046466052e-01 3.000000000e+00 1.409293210e+00 0.000000000e+00
--1.964660516e-02 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-4.290013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+-2.440013685e-01 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $rest3_0_axis << e
 -1.924565389e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
@@ -2135,8 +2135,8 @@ $rest3_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at3_guides << e
--5.046466052e-01 3.000000000e+00 1.409293210e+00 0.000000000e+00
-2.999255976e-01 -3.200000000e+00 1.409293210e+00 0.000000000e+00
+-7.290013685e-01 3.000000000e+00 1.858002737e+00 0.000000000e+00
+7.557083428e-02 -3.200000000e+00 1.858002737e+00 0.000000000e+00
 e
 $at3_0_axis << e
 3.197594644e-01 -3.183983964e+00 -6.195339624e-01 6.168968931e+00
@@ -2163,12 +2163,12 @@ e
 $at3_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.850894,0.2554 to screen 0.770012,0.268312 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.709193,0.412338 to screen 0.752171,0.413233 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.751338,0.114638 to screen 0.789041,0.11373 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'O  252.8 kN' at screen 0.790507,0.240268 left noenhanced front tc rgb '#202020'
-set label 'B  131.9 kN' at screen 0.581967,0.401639 left noenhanced front tc rgb '#202020'
-set label 'C  115.7 kN' at screen 0.624113,0.125337 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.850894,0.254927 to screen 0.770012,0.270024 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.713501,0.397502 to screen 0.75648,0.398548 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.746743,0.133993 to screen 0.784446,0.132931 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'O  252.8 kN' at screen 0.790507,0.237235 left noenhanced front tc rgb '#202020'
+set label 'B  131.9 kN' at screen 0.586276,0.384992 left noenhanced front tc rgb '#202020'
+set label 'C  115.7 kN' at screen 0.619517,0.146503 left noenhanced front tc rgb '#202020'
 plot $trace3_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest3_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest3_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest3_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest3_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest3_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at3_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#a04f86' notitle, $at3_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#a04f86' notitle, $at3_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $at3_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#a04f86' notitle, $at3_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#a04f86' notitle, $at3_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#a04f86' notitle, $at3_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#a04f86' notitle, $at3_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow

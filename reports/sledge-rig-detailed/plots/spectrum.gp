@@ -23,23 +23,23 @@ set rmargin at screen 9.677419355e-01
 set bmargin at screen 1.271676301e-01
 set tmargin at screen 8.497109827e-01
 set xrange [1.000000000e+02:1.000000000e+09]
-set yrange [0.000000000e+00:3.618500664e+01]
+set yrange [0.000000000e+00:3.368718831e+01]
 set ytics 5.000000000e+00
 set label 'cycles in the wanted life with this range or a larger one' at screen 0.529032,0.0289017 center noenhanced front tc rgb '#202020'
-set label 'D = 2.84; s = 5.2+ m, fibre +z' at screen 0.0193548,0.947977 left noenhanced front tc rgb '#202020'
+set label 'D = 38.3; s = 5.2 m, weld around the tube at the box end, top flange' at screen 0.0193548,0.947977 left noenhanced front tc rgb '#202020'
 set label 'stress range [MPa]: share of the damage, loads as they are with partial factors' at screen 0.0193548,0.893064 left enhanced front tc rgb '#202020'
 $stair << e
-1.000000000e+02 3.146522316e+01
-1.000000000e+03 3.146522316e+01
-1.000000000e+03 2.622677161e+01
-1.000010000e+08 2.622677161e+01
-1.000010000e+08 2.622677161e+01
-1.000060000e+08 2.622677161e+01
+1.000000000e+02 2.929320723e+01
+1.000000000e+03 2.929320723e+01
+1.000000000e+03 2.440857724e+01
+1.000010000e+08 2.440857724e+01
+1.000010000e+08 2.440857724e+01
+1.000060000e+08 2.440857724e+01
 1.000060000e+08 0.000000000e+00
 e
-set label '31.5: 0.00249 %, over-stroke' at screen 0.223733,0.781012 left noenhanced front tc rgb '#c8500a'
-set label '26.2: 100 %, normal running' at screen 0.529881,0.67641 left noenhanced front tc rgb '#c8500a'
-set label '26.2: 0.00500 %, start and stop' at screen 0.501625,0.625319 left noenhanced front tc rgb '#c8500a'
+set label '29.3: 0.00173 %, over-stroke' at screen 0.223733,0.781012 left noenhanced front tc rgb '#c8500a'
+set label '24.4: 100 %, normal running' at screen 0.529881,0.676243 left noenhanced front tc rgb '#c8500a'
+set label '24.4: 0.00500 %, start and stop' at screen 0.501625,0.625152 left noenhanced front tc rgb '#c8500a'
 plot $stair using 1:2 with filledcurves y1=0 fc rgb '#e3eaf2' notitle, $stair using 1:2 with lines lw 1.8 dt 1 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow

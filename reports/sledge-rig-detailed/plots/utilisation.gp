@@ -96,24 +96,24 @@ set rmargin at screen 9.677419355e-01
 set bmargin at screen 3.178807947e-01
 set tmargin at screen 7.649006623e-01
 set xrange [-1.240000000e-01:6.324000000e+00]
-set yrange [0.000000000e+00:1.417002979e+02]
+set yrange [0.000000000e+00:2.600903519e+02]
 set xtics 1.000000000e+00
-set ytics 2.000000000e+01
+set ytics 5.000000000e+01
 set label 'utilisation [%], lines through the worst places of one kind' at screen 0.0193548,0.789735 left enhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.226821 to screen 0.264387,0.226821 nohead lw 1.6 dt 1 lc rgb '#0b5fa5'
-set label 'yield: 13.5 % at s = 4.2 m' at screen 0.27729,0.226821 left noenhanced front tc rgb '#202020'
+set label 'yield: 13.5 % at s = 4.2- m' at screen 0.27729,0.226821 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.19702 to screen 0.264387,0.19702 nohead lw 1.6 dt (9,4) lc rgb '#c8500a'
-set label 'fatigue: 123 % at s = 5.2+ m' at screen 0.27729,0.19702 left noenhanced front tc rgb '#202020'
+set label 'fatigue: 226 % at s = 5.2 m' at screen 0.27729,0.19702 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.167219 to screen 0.264387,0.167219 nohead lw 1.6 dt (3,3) lc rgb '#00785a'
-set label 'shear fatigue: 17.5 % at s = 4.7- m' at screen 0.27729,0.167219 left noenhanced front tc rgb '#202020'
+set label 'shear fatigue: 23.8 % at s = 5.2 m' at screen 0.27729,0.167219 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.137417 to screen 0.264387,0.137417 nohead lw 1.6 dt (9,3,2,3) lc rgb '#a04f86'
-set label 'combined fatigue: 119 % at s = 3.2+ m' at screen 0.27729,0.137417 left noenhanced front tc rgb '#202020'
+set label 'combined fatigue: 226 % at s = 5.2 m' at screen 0.27729,0.137417 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.107616 to screen 0.264387,0.107616 nohead lw 1.6 dt (14,4) lc rgb '#8a6d00'
-set label 'stress range: 7.97 % at s = 4.2 m' at screen 0.27729,0.107616 left noenhanced front tc rgb '#202020'
+set label 'stress range: 7.97 % at s = 4.2- m' at screen 0.27729,0.107616 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0778146 to screen 0.264387,0.0778146 nohead lw 1.6 dt (2,5) lc rgb '#4a4a4a'
-set label 'weld: 2.61 % at s = 4.7- m' at screen 0.27729,0.0778146 left noenhanced front tc rgb '#202020'
+set label 'weld: 11.3 % at s = 5.2 m' at screen 0.27729,0.0778146 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0480132 to screen 0.264387,0.0480132 nohead lw 1.6 dt (9,4) lc rgb '#0b5fa5'
-set label 'deflection: 7.99 % at s = 3.2292 m' at screen 0.27729,0.0480132 left noenhanced front tc rgb '#202020'
+set label 'deflection: 7.26 % at s = 3.2207 m' at screen 0.27729,0.0480132 left noenhanced front tc rgb '#202020'
 set label '' at screen 0.240194,0.0182119 point pt 6 ps 0.7 lw 1.3 lc rgb '#202020'
 set label 'holes, single welds and other places of no line' at screen 0.27729,0.0182119 left noenhanced front tc rgb '#202020'
 set format x '%g'
@@ -121,10 +121,14 @@ set label 's [m], from the start of the beam' at screen 0.529032,0.261589 center
 $u0_0 << e
 0.000000000e+00 1.125380974e-01
 1.500000000e+00 9.228419244e+00
-1.912522352e+00 9.342279051e+00
-2.695048568e+00 9.142068741e+00
+1.500000000e+00 9.228419244e+00
+3.127500000e+00 8.927845424e+00
+3.191000000e+00 8.893293325e+00
 3.200000000e+00 8.954787259e+00
 3.200000000e+00 9.000993113e+00
+3.209000000e+00 8.953622628e+00
+3.272500000e+00 9.139418811e+00
+4.200000000e+00 1.346277787e+01
 4.200000000e+00 1.346277787e+01
 4.700000000e+00 1.021161060e+01
 4.700000000e+00 6.655650309e+00
@@ -134,11 +138,15 @@ $u0_0 << e
 e
 $u0_1 << e
 0.000000000e+00 2.805572324e+00
+1.500000000e+00 2.904740116e+00
 1.500000000e+00 1.270676629e+00
-1.912522352e+00 9.922331906e-01
-2.695048568e+00 6.849093828e-01
+3.127500000e+00 5.792228923e-01
+3.191000000e+00 5.662008168e-01
 e
 $u0_2 << e
+3.209000000e+00 3.733751116e-01
+3.272500000e+00 3.903015941e-01
+4.200000000e+00 1.052108522e+00
 4.200000000e+00 3.043975053e+00
 4.700000000e+00 3.070764503e+00
 4.700000000e+00 2.043726547e+00
@@ -146,13 +154,32 @@ $u0_2 << e
 5.200000000e+00 3.578660782e+00
 6.200000000e+00 3.669914854e+00
 e
+$u0_3 << e
+3.200000000e+00 9.023801479e+00
+3.209000000e+00 8.975595570e+00
+3.272500000e+00 9.162829135e+00
+4.200000000e+00 1.354176452e+01
+4.200000000e+00 1.354072439e+01
+4.700000000e+00 1.031610951e+01
+4.700000000e+00 6.726786530e+00
+5.200000000e+00 4.596061997e+00
+5.200000000e+00 1.067332108e+01
+e
+$single0 << e
+1.500000000e+00 9.332121426e+00
+1.500000000e+00 9.230855303e+00
+e
 $u1_0 << e
 0.000000000e+00 2.922593756e-01
 1.500000000e+00 4.913715023e+01
-1.912522352e+00 4.972409341e+01
-2.695048568e+00 4.859262137e+01
+1.500000000e+00 4.913715023e+01
+3.127500000e+00 4.740770737e+01
+3.191000000e+00 4.721694840e+01
 3.200000000e+00 4.744439954e+01
 3.200000000e+00 4.682158630e+01
+3.209000000e+00 4.679271946e+01
+3.272500000e+00 4.778724208e+01
+4.200000000e+00 7.086542599e+01
 4.200000000e+00 7.086542599e+01
 4.700000000e+00 5.355955479e+01
 4.700000000e+00 3.506405766e+01
@@ -160,10 +187,14 @@ e
 $u1_1 << e
 0.000000000e+00 3.653242195e-01
 1.500000000e+00 6.376615729e+01
-1.912522352e+00 6.631062709e+01
-2.695048568e+00 6.702682286e+01
+1.500000000e+00 6.376615729e+01
+3.127500000e+00 6.622973192e+01
+3.191000000e+00 6.607052200e+01
 e
 $u1_2 << e
+3.209000000e+00 6.625809389e+01
+3.272500000e+00 6.746137736e+01
+4.200000000e+00 9.280654103e+01
 4.200000000e+00 9.280654103e+01
 4.700000000e+00 7.019318336e+01
 4.700000000e+00 4.590960991e+01
@@ -175,29 +206,37 @@ $single1 << e
 3.200000000e+00 1.185592855e+02
 5.200000000e+00 5.216320849e+01
 5.200000000e+00 1.232176503e+02
+5.200000000e+00 2.261655234e+02
 6.200000000e+00 2.496903736e-01
 e
 $u2_0 << e
 0.000000000e+00 1.205673045e+01
+1.500000000e+00 1.247062546e+01
 1.500000000e+00 5.424243504e+00
-1.912522352e+00 4.212864763e+00
-2.695048568e+00 2.854715600e+00
+3.127500000e+00 2.367536404e+00
+3.191000000e+00 2.305395343e+00
 e
 $u2_1 << e
+3.209000000e+00 1.308664811e+00
+3.272500000e+00 1.393731083e+00
+4.200000000e+00 4.391959760e+00
 4.200000000e+00 1.304026366e+01
 4.700000000e+00 1.316483427e+01
 4.700000000e+00 8.770051520e+00
 5.200000000e+00 8.965303264e+00
 5.200000000e+00 1.535873201e+01
-6.200000000e+00 1.576338134e+01
 e
 $u2_2 << e
 0.000000000e+00 1.601739553e+01
+1.500000000e+00 1.656725604e+01
 1.500000000e+00 2.661582088e+00
-1.912522352e+00 8.479206234e-01
-2.695048568e+00 7.425880808e-01
+3.127500000e+00 1.136116311e+00
+3.191000000e+00 1.178449995e+00
 3.200000000e+00 1.252607317e+00
 3.200000000e+00 7.403295044e+00
+3.209000000e+00 7.307020803e+00
+3.272500000e+00 7.623899093e+00
+4.200000000e+00 1.713353920e+01
 4.200000000e+00 1.732402177e+01
 4.700000000e+00 1.748951412e+01
 4.700000000e+00 1.165103463e+01
@@ -205,32 +244,45 @@ $u2_2 << e
 e
 $single2 << e
 3.200000000e+00 2.466354510e+00
+5.200000000e+00 2.379583212e+01
+6.200000000e+00 1.576338134e+01
 e
 $u3_0 << e
 0.000000000e+00 7.688349853e+00
 1.500000000e+00 6.376615729e+01
-1.912522352e+00 6.631062709e+01
-2.695048568e+00 6.702682286e+01
+1.500000000e+00 6.376615729e+01
+3.127500000e+00 6.622973192e+01
+3.191000000e+00 6.607052200e+01
 e
 $u3_1 << e
+3.209000000e+00 6.625809389e+01
+3.272500000e+00 6.746137736e+01
+4.200000000e+00 9.280654103e+01
 4.200000000e+00 9.280654103e+01
 4.700000000e+00 7.019318336e+01
 4.700000000e+00 4.590960991e+01
 5.200000000e+00 3.087952021e+01
-5.200000000e+00 6.753645404e+01
 e
 $single3 << e
+0.000000000e+00 1.205673045e+01
 3.200000000e+00 1.184676104e+02
 3.200000000e+00 1.185592855e+02
-6.200000000e+00 1.005554518e+01
+5.200000000e+00 5.216320849e+01
+5.200000000e+00 2.261655234e+02
+5.200000000e+00 1.232176503e+02
+6.200000000e+00 1.576338134e+01
 e
 $u4_0 << e
 0.000000000e+00 3.231766895e-02
 1.500000000e+00 5.472157176e+00
-1.912522352e+00 5.536432043e+00
-2.695048568e+00 5.407092183e+00
+1.500000000e+00 5.472157176e+00
+3.127500000e+00 5.272936739e+00
+3.191000000e+00 5.251357717e+00
 3.200000000e+00 5.271976287e+00
 3.200000000e+00 5.277517385e+00
+3.209000000e+00 5.268393355e+00
+3.272500000e+00 5.379745807e+00
+4.200000000e+00 7.965398950e+00
 4.200000000e+00 7.965398950e+00
 4.700000000e+00 6.025475097e+00
 4.700000000e+00 3.940554225e+00
@@ -240,11 +292,15 @@ $u4_0 << e
 e
 $u4_1 << e
 0.000000000e+00 1.686766861e+00
+1.500000000e+00 1.744872320e+00
 1.500000000e+00 7.590017866e-01
-1.912522352e+00 5.895198977e-01
-2.695048568e+00 3.994886541e-01
+3.127500000e+00 3.313126557e-01
+3.191000000e+00 3.226159027e-01
 e
 $u4_2 << e
+3.209000000e+00 1.831859480e-01
+3.272500000e+00 1.950912928e-01
+4.200000000e+00 6.146636487e-01
 4.200000000e+00 1.824479950e+00
 4.700000000e+00 1.841953200e+00
 4.700000000e+00 1.227058703e+00
@@ -254,11 +310,15 @@ $u4_2 << e
 e
 $u4_3 << e
 0.000000000e+00 1.792699079e+00
+1.500000000e+00 1.854453674e+00
 1.500000000e+00 2.985284573e-01
-1.912522352e+00 9.542011296e-02
-2.695048568e+00 8.336698640e-02
+3.127500000e+00 1.273855612e-01
+3.191000000e+00 1.321207059e-01
 3.200000000e+00 1.405090779e-01
 3.200000000e+00 8.297011562e-01
+3.209000000e+00 8.186814595e-01
+3.272500000e+00 8.541842676e-01
+4.200000000e+00 1.919500895e+00
 4.200000000e+00 1.939060816e+00
 4.700000000e+00 1.957631420e+00
 4.700000000e+00 1.304120361e+00
@@ -266,24 +326,31 @@ $u4_3 << e
 e
 $u5_0 << e
 0.000000000e+00 2.390156190e+00
+1.500000000e+00 2.472157963e+00
 1.500000000e+00 4.131551501e-01
-1.912522352e+00 1.438289283e-01
-2.695048568e+00 1.258561906e-01
+3.127500000e+00 1.832638942e-01
+3.191000000e+00 1.895291552e-01
 3.200000000e+00 2.055316762e-01
 3.200000000e+00 1.142534201e+00
+3.209000000e+00 1.118437550e+00
+3.272500000e+00 1.166387567e+00
+4.200000000e+00 2.602448856e+00
 4.200000000e+00 2.585207307e+00
 4.700000000e+00 2.609835939e+00
 4.700000000e+00 1.738601123e+00
 5.200000000e+00 1.777213412e+00
 e
+$single5 << e
+5.200000000e+00 1.134453629e+01
+e
 $single6 << e
-3.229166667e+00 7.988623487e+00
+3.220670940e+00 7.262422739e+00
 e
 set arrow from screen 0.814792,0.706759 to screen 0.814792,0.706594 nohead lw 1 lc rgb '#202020'
-set object circle at 5.200000000e+00,1.232176503e+02 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
-set label '123 %: fatigue at s = 5.2+ m, fibre +z' at screen 0.398276,0.722398 left noenhanced front tc rgb '#c8500a'
-set label '119 %' at screen 0.552317,0.676094 left noenhanced front tc rgb '#a04f86'
-plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u1_1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u1_2 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $single2 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $u3_1 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_3 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_3 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle, $single6 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle
+set object circle at 5.200000000e+00,2.261655234e+02 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
+set label '226 %: fatigue at s = 5.2 m, weld around the tube at the b...' at screen 0.164663,0.722398 left noenhanced front tc rgb '#c8500a'
+set label '226 %' at screen 0.82447,0.722398 left noenhanced front tc rgb '#a04f86'
+plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $single0 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u1_1 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u1_2 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $single2 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $u3_1 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_3 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_3 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle, $single5 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#4a4a4a' notitle, $single6 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle
 unset label
 unset arrow
 unset object

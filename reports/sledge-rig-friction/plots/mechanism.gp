@@ -14,7 +14,7 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0189003 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0189003 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
 set bmargin at screen 1.134020619e-01
@@ -518,14 +518,14 @@ $rest0_grounds << e
 e
 $at0_guides << e
 3.659199954e-01 3.000000000e+00 7.675357225e-01 0.000000000e+00
-3.469250671e-02 -3.200000000e+00 7.675357225e-01 0.000000000e+00
+3.469250673e-02 -3.200000000e+00 7.675357225e-01 0.000000000e+00
 e
 $at0_0_axis << e
 -2.664494921e-01 -3.188887685e+00 5.162458910e-01 6.178469890e+00
 e
 $at0_0 << e
 -2.664494921e-01 -3.188887685e+00
--6.071532166e-18 0.000000000e+00
+-5.204170428e-18 0.000000000e+00
 2.497963989e-01 2.989582205e+00
 e
 $at0_1 << e
@@ -1065,7 +1065,7 @@ $at1_0_axis << e
 e
 $at1_0 << e
 2.662067753e-01 -3.188907956e+00
--6.071532166e-18 0.000000000e+00
+-2.602085214e-18 0.000000000e+00
 -2.495688518e-01 2.989601209e+00
 e
 $at1_1 << e
@@ -1077,10 +1077,10 @@ $at1_2 << e
 e
 $at1_3 << e
 2.662067753e-01 -3.188907956e+00
-9.511169639e-01 -3.200000000e+00
+9.511169640e-01 -3.200000000e+00
 e
 $at1_4 << e
-9.511169639e-01 -3.200000000e+00
+9.511169640e-01 -3.200000000e+00
 e
 $at1_grounds << e
 0.000000000e+00 0.000000000e+00

@@ -101,15 +101,15 @@ set xtics 1.000000000e+00
 set ytics 2.000000000e+01
 set label 'utilisation [%], lines through the worst places of one kind' at screen 0.0193548,0.783276 left enhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.203072 to screen 0.264387,0.203072 nohead lw 1.6 dt 1 lc rgb '#0b5fa5'
-set label 'yield: 11.1 % at s = 4.2 m' at screen 0.27729,0.203072 left noenhanced front tc rgb '#202020'
+set label 'yield: 11.1 % at s = 4.2- m' at screen 0.27729,0.203072 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.172355 to screen 0.264387,0.172355 nohead lw 1.6 dt (9,4) lc rgb '#c8500a'
-set label 'fatigue: 180 % at s = 4.2 m' at screen 0.27729,0.172355 left noenhanced front tc rgb '#202020'
+set label 'fatigue: 180 % at s = 4.2- m' at screen 0.27729,0.172355 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.141638 to screen 0.264387,0.141638 nohead lw 1.6 dt (3,3) lc rgb '#00785a'
 set label 'shear fatigue: 25.4 % at s = 6.2- m' at screen 0.27729,0.141638 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.110922 to screen 0.264387,0.110922 nohead lw 1.6 dt (9,3,2,3) lc rgb '#a04f86'
-set label 'combined fatigue: 150 % at s = 4.2 m' at screen 0.27729,0.110922 left noenhanced front tc rgb '#202020'
+set label 'combined fatigue: 180 % at s = 4.2- m' at screen 0.27729,0.110922 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0802048 to screen 0.264387,0.0802048 nohead lw 1.6 dt (14,4) lc rgb '#8a6d00'
-set label 'stress range: 7.23 % at s = 4.2 m' at screen 0.27729,0.0802048 left noenhanced front tc rgb '#202020'
+set label 'stress range: 7.23 % at s = 4.2- m' at screen 0.27729,0.0802048 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0494881 to screen 0.264387,0.0494881 nohead lw 1.6 dt (2,5) lc rgb '#4a4a4a'
 set label 'weld: 1.29 % at s = 4.7- m' at screen 0.27729,0.0494881 left noenhanced front tc rgb '#202020'
 set label '' at screen 0.240194,0.0187713 point pt 6 ps 0.7 lw 1.3 lc rgb '#202020'
@@ -119,10 +119,14 @@ set label 's [m], from the start of the beam' at screen 0.529032,0.238908 center
 $u0_0 << e
 0.000000000e+00 7.660987151e-02
 1.500000000e+00 7.613974154e+00
-1.906190524e+00 7.707098867e+00
-2.695026968e+00 7.541512017e+00
+1.500000000e+00 7.613974154e+00
+3.127500000e+00 7.365125871e+00
+3.191000000e+00 7.336715329e+00
 3.200000000e+00 7.388497800e+00
 3.200000000e+00 7.413734486e+00
+3.209000000e+00 7.375325974e+00
+3.272500000e+00 7.527703575e+00
+4.200000000e+00 1.107395053e+01
 4.200000000e+00 1.107395053e+01
 4.700000000e+00 8.389289713e+00
 4.700000000e+00 5.469485704e+00
@@ -132,11 +136,15 @@ $u0_0 << e
 e
 $u0_1 << e
 0.000000000e+00 2.318399852e+00
+1.500000000e+00 2.393549810e+00
 1.500000000e+00 1.045415164e+00
-1.906190524e+00 8.187511505e-01
-2.695026968e+00 5.638561612e-01
+3.127500000e+00 4.781909350e-01
+3.191000000e+00 4.675857448e-01
 e
 $u0_2 << e
+3.209000000e+00 3.020228625e-01
+3.272500000e+00 3.157084181e-01
+4.200000000e+00 8.578133158e-01
 4.200000000e+00 2.511490752e+00
 4.700000000e+00 2.531534329e+00
 4.700000000e+00 1.685079049e+00
@@ -144,13 +152,32 @@ $u0_2 << e
 5.200000000e+00 2.944839595e+00
 6.200000000e+00 3.013699867e+00
 e
+$u0_3 << e
+3.200000000e+00 7.432415096e+00
+3.209000000e+00 7.393325848e+00
+3.272500000e+00 7.546879024e+00
+4.200000000e+00 1.113861128e+01
+4.200000000e+00 1.113850730e+01
+4.700000000e+00 8.475803634e+00
+4.700000000e+00 5.528362015e+00
+5.200000000e+00 3.770441485e+00
+5.200000000e+00 8.756886928e+00
+e
+$single0 << e
+1.500000000e+00 7.699318348e+00
+1.500000000e+00 7.615951029e+00
+e
 $u1_0 << e
 0.000000000e+00 5.914030185e-01
 1.500000000e+00 1.235757390e+02
-1.906190524e+00 1.249960589e+02
-2.695026968e+00 1.220286826e+02
+1.500000000e+00 1.235757390e+02
+3.127500000e+00 1.189842455e+02
+3.191000000e+00 1.184955111e+02
 3.200000000e+00 1.189514799e+02
 3.200000000e+00 1.190337395e+02
+3.209000000e+00 1.188419933e+02
+3.272500000e+00 1.213473820e+02
+4.200000000e+00 1.795077244e+02
 4.200000000e+00 1.795077244e+02
 4.700000000e+00 1.356676501e+02
 4.700000000e+00 8.873981380e+01
@@ -160,11 +187,15 @@ $u1_0 << e
 e
 $u2_0 << e
 0.000000000e+00 1.950895710e+01
+1.500000000e+00 2.012132988e+01
 1.500000000e+00 8.738158176e+00
-1.906190524e+00 6.805013457e+00
-2.695026968e+00 4.591470067e+00
+3.127500000e+00 3.809622268e+00
+3.191000000e+00 3.710143778e+00
 e
 $u2_1 << e
+3.209000000e+00 2.080067759e+00
+3.272500000e+00 2.216361380e+00
+4.200000000e+00 7.031878374e+00
 4.200000000e+00 2.107549588e+01
 4.700000000e+00 2.125980556e+01
 4.700000000e+00 1.416269938e+01
@@ -174,11 +205,15 @@ $u2_1 << e
 e
 $u2_2 << e
 0.000000000e+00 1.555061797e+01
+1.500000000e+00 1.603874121e+01
 1.500000000e+00 2.560246540e+00
-1.906190524e+00 8.245703287e-01
-2.695026968e+00 7.301128395e-01
+3.127500000e+00 1.107228262e+00
+3.191000000e+00 1.147604914e+00
 3.200000000e+00 1.219349676e+00
 3.200000000e+00 7.149618489e+00
+3.209000000e+00 7.056318706e+00
+3.272500000e+00 7.361938170e+00
+4.200000000e+00 1.653580359e+01
 4.200000000e+00 1.679930831e+01
 4.700000000e+00 1.694622182e+01
 4.700000000e+00 1.128910820e+01
@@ -188,12 +223,32 @@ $single2 << e
 3.200000000e+00 3.970315740e+00
 e
 $u3_0 << e
+1.500000000e+00 1.235757390e+02
+1.500000000e+00 1.235757390e+02
+3.127500000e+00 1.189842455e+02
+3.191000000e+00 1.184955111e+02
+3.200000000e+00 1.189514799e+02
+3.200000000e+00 1.190337395e+02
+3.209000000e+00 1.188419933e+02
+3.272500000e+00 1.213473820e+02
+4.200000000e+00 1.795077244e+02
+4.200000000e+00 1.795077244e+02
+4.700000000e+00 1.356676501e+02
+4.700000000e+00 8.873981380e+01
+5.200000000e+00 5.963931398e+01
+5.200000000e+00 1.408774367e+02
+e
+$u3_1 << e
 0.000000000e+00 1.244049438e+01
 1.500000000e+00 1.030112608e+02
-1.906190524e+00 1.070503345e+02
-2.695026968e+00 1.081966101e+02
+1.500000000e+00 1.030112608e+02
+3.127500000e+00 1.068926790e+02
+3.191000000e+00 1.066338127e+02
 3.200000000e+00 1.070714296e+02
 3.200000000e+00 1.071536895e+02
+3.209000000e+00 1.069349915e+02
+3.272500000e+00 1.088713103e+02
+4.200000000e+00 1.496384028e+02
 4.200000000e+00 1.496384028e+02
 4.700000000e+00 1.131050085e+02
 4.700000000e+00 7.397602564e+01
@@ -202,16 +257,20 @@ $u3_0 << e
 6.200000000e+00 1.617483658e+01
 e
 $single3 << e
-3.200000000e+00 1.130114548e+02
-3.200000000e+00 1.130937145e+02
+0.000000000e+00 1.950895710e+01
+6.200000000e+00 2.535617040e+01
 e
 $u4_0 << e
 0.000000000e+00 2.381577981e-02
 1.500000000e+00 4.976390884e+00
-1.906190524e+00 5.033587117e+00
-2.695026968e+00 4.914090973e+00
+1.500000000e+00 4.976390884e+00
+3.127500000e+00 4.791491593e+00
+3.191000000e+00 4.771810275e+00
 3.200000000e+00 4.790172125e+00
 3.200000000e+00 4.793484717e+00
+3.209000000e+00 4.785763103e+00
+3.272500000e+00 4.886655021e+00
+4.200000000e+00 7.228770069e+00
 4.200000000e+00 7.228770069e+00
 4.700000000e+00 5.463331741e+00
 4.700000000e+00 3.573549339e+00
@@ -221,11 +280,15 @@ $u4_0 << e
 e
 $u4_1 << e
 0.000000000e+00 1.537569014e+00
+1.500000000e+00 1.585832251e+00
 1.500000000e+00 6.886847507e-01
-1.906190524e+00 5.363268668e-01
-2.695026968e+00 3.618697848e-01
+3.127500000e+00 3.002496303e-01
+3.191000000e+00 2.924093832e-01
 e
 $u4_2 << e
+3.209000000e+00 1.639374016e-01
+3.272500000e+00 1.746791776e-01
+4.200000000e+00 5.542068829e-01
 4.200000000e+00 1.661033405e+00
 4.700000000e+00 1.675559494e+00
 4.700000000e+00 1.116211780e+00
@@ -235,11 +298,15 @@ $u4_2 << e
 e
 $u5_0 << e
 0.000000000e+00 1.185153372e+00
+1.500000000e+00 1.222248468e+00
 1.500000000e+00 2.030087413e-01
-1.906190524e+00 7.122922428e-02
-2.695026968e+00 6.327789844e-02
+3.127500000e+00 9.150969644e-02
+3.191000000e+00 9.456686121e-02
 3.200000000e+00 1.026378590e-01
 3.200000000e+00 5.630420393e-01
+3.209000000e+00 5.512435497e-01
+3.272500000e+00 5.748225129e-01
+4.200000000e+00 1.281321176e+00
 4.200000000e+00 1.280287799e+00
 4.700000000e+00 1.291444636e+00
 4.700000000e+00 8.603249963e-01
@@ -247,10 +314,9 @@ $u5_0 << e
 e
 set arrow from screen 0.678716,0.697752 to screen 0.678716,0.697581 nohead lw 1 lc rgb '#202020'
 set object circle at 4.200000000e+00,1.795077244e+02 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
-set label '180 %: fatigue at s = 4.2 m, fibre +z' at screen 0.274587,0.713871 left noenhanced front tc rgb '#c8500a'
-set label '150 %' at screen 0.710974,0.664097 left noenhanced front tc rgb '#a04f86'
-set arrow from screen 0.710974,0.651299 to screen 0.678716,0.630914 nohead lw 0.6 lc rgb '#a04f86'
-plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $single2 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
+set label '180 %: fatigue at s = 4.2- m, fibre +z' at screen 0.267039,0.713871 left noenhanced front tc rgb '#c8500a'
+set label '180 %' at screen 0.688394,0.713871 left noenhanced front tc rgb '#a04f86'
+plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $single0 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $single2 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $u3_1 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
 unset label
 unset arrow
 unset object

@@ -14,7 +14,7 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0194346 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0194346 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
 set bmargin at screen 1.166077739e-01
@@ -600,9 +600,33 @@ e
 set arrow from screen 0.345232,0.892308 to screen 0.303128,0.892526 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.286084,0.153333 to screen 0.246671,0.153305 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.194292,0.513227 to screen 0.27581,0.534838 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.262124,0.519847 to screen 0.259717,0.52306 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.259717,0.52306 to screen 0.257929,0.526725 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.257929,0.526725 to screen 0.256827,0.530702 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.256827,0.530702 to screen 0.256455,0.534838 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.256455,0.534838 to screen 0.256827,0.538975 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.256827,0.538975 to screen 0.257929,0.542952 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.257929,0.542952 to screen 0.259717,0.546617 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.259717,0.546617 to screen 0.262124,0.54983 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.262124,0.54983 to screen 0.265057,0.552467 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.265057,0.552467 to screen 0.268403,0.554426 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.268403,0.554426 to screen 0.272034,0.555632 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.272034,0.555632 to screen 0.27581,0.55604 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.27581,0.55604 to screen 0.279586,0.555632 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.279586,0.555632 to screen 0.283217,0.554426 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.283217,0.554426 to screen 0.286563,0.552467 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.286563,0.552467 to screen 0.289496,0.54983 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.289496,0.54983 to screen 0.291903,0.546617 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.291903,0.546617 to screen 0.293692,0.542952 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.293692,0.542952 to screen 0.294793,0.538975 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.294793,0.538975 to screen 0.295165,0.534838 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.295165,0.534838 to screen 0.294793,0.530702 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.294793,0.530702 to screen 0.293692,0.526725 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.293692,0.526725 to screen 0.291903,0.52306 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.293692,0.526725 to screen 0.282653,0.512351 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set label 'B  102.7 kN' at screen 0.33895,0.861389 left noenhanced front tc rgb '#202020'
 set label 'C  96.16 kN' at screen 0.292536,0.1677 left noenhanced front tc rgb '#202020'
-set label 'O  204.6 kN' at screen 0.133905,0.492909 left noenhanced front tc rgb '#202020'
+set label 'O  204.6 kN, 0.8616 kN m' at screen 0.200744,0.49886 left noenhanced front tc rgb '#202020'
 plot $trace0_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_4_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_5_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest0_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_4 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_5 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#0b5fa5' notitle, $at0_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_4 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_5 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
@@ -1192,9 +1216,33 @@ e
 set arrow from screen 0.699968,0.892311 to screen 0.742064,0.892529 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.759058,0.153331 to screen 0.798472,0.153302 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set arrow from screen 0.850869,0.513227 to screen 0.769358,0.534838 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.783044,0.519847 to screen 0.785451,0.52306 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.785451,0.52306 to screen 0.78724,0.526725 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.78724,0.526725 to screen 0.788341,0.530702 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.788341,0.530702 to screen 0.788713,0.534838 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.788713,0.534838 to screen 0.788341,0.538975 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.788341,0.538975 to screen 0.78724,0.542952 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.78724,0.542952 to screen 0.785451,0.546617 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.785451,0.546617 to screen 0.783044,0.54983 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.783044,0.54983 to screen 0.780111,0.552467 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.780111,0.552467 to screen 0.776765,0.554426 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.776765,0.554426 to screen 0.773134,0.555632 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.773134,0.555632 to screen 0.769358,0.55604 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.769358,0.55604 to screen 0.765583,0.555632 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.765583,0.555632 to screen 0.761952,0.554426 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.761952,0.554426 to screen 0.758605,0.552467 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.758605,0.552467 to screen 0.755673,0.54983 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.755673,0.54983 to screen 0.753265,0.546617 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.753265,0.546617 to screen 0.751477,0.542952 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.751477,0.542952 to screen 0.750376,0.538975 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.750376,0.538975 to screen 0.750004,0.534838 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.750004,0.534838 to screen 0.750376,0.530702 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.750376,0.530702 to screen 0.751477,0.526725 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.751477,0.526725 to screen 0.753265,0.52306 nohead lw 1.6 lc rgb '#202020'
+set arrow from screen 0.751477,0.526725 to screen 0.762515,0.512351 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
 set label 'B  102.7 kN' at screen 0.572742,0.877944 left noenhanced front tc rgb '#202020'
 set label 'C  96.16 kN' at screen 0.745933,0.133013 left noenhanced front tc rgb '#202020'
-set label 'O  204.6 kN' at screen 0.790482,0.492909 left noenhanced front tc rgb '#202020'
+set label 'O  204.6 kN, 0.7917 kN m' at screen 0.578095,0.49886 left noenhanced front tc rgb '#202020'
 plot $trace1_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_4_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_5_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest1_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_4 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_5 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c8500a' notitle, $at1_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_4 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_5 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow

@@ -14,13 +14,13 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0189003 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0189003 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
 set bmargin at screen 1.134020619e-01
 set tmargin at screen 9.037800687e-01
-set xrange [-1.872124203e+00:1.872121613e+00]
-set yrange [-3.455875188e+00:3.325042431e+00]
+set xrange [-1.872123241e+00:1.872119978e+00]
+set yrange [-3.455855816e+00:3.325057099e+00]
 set xtics 1.000000000e+00
 set ytics 5.000000000e-01
 set label 'x [m]' at screen 0.275806,0.0549828 center noenhanced front tc rgb '#202020'
@@ -488,8 +488,8 @@ $trace0_4_0 << e
 6.850000000e-01 -3.200000000e+00
 e
 $rest0_guides << e
-1.167307433e-01 3.000000000e+00 7.665385135e-01 0.000000000e+00
-3.017307433e-01 -3.200000000e+00 7.665385135e-01 0.000000000e+00
+1.167310091e-01 3.000000000e+00 7.665379817e-01 0.000000000e+00
+3.017310091e-01 -3.200000000e+00 7.665379817e-01 0.000000000e+00
 e
 $rest0_0_axis << e
 -1.933437190e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
@@ -517,8 +517,8 @@ $rest0_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at0_guides << e
-1.567307433e-01 3.000000000e+00 7.665385135e-01 0.000000000e+00
-2.590639417e-01 -3.200000000e+00 7.665385135e-01 0.000000000e+00
+1.567310091e-01 3.000000000e+00 7.665379817e-01 0.000000000e+00
+2.590642076e-01 -3.200000000e+00 7.665379817e-01 0.000000000e+00
 e
 $at0_0_axis << e
 -4.266674253e-02 -3.199715542e+00 8.266681364e-02 6.199448862e+00
@@ -545,12 +545,12 @@ e
 $at0_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.201278,0.475236 to screen 0.275807,0.516216 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.319244,0.869415 to screen 0.280183,0.865862 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.306474,0.147772 to screen 0.271138,0.14326 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'O  14.80 kN' at screen 0.0740519,0.489208 left noenhanced front tc rgb '#202020'
-set label 'B  6.916 kN' at screen 0.192018,0.883387 left noenhanced front tc rgb '#202020'
-set label 'C  6.278 kN' at screen 0.293349,0.167532 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.201287,0.475216 to screen 0.275807,0.516214 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.319249,0.869416 to screen 0.280183,0.865861 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.306482,0.14777 to screen 0.271138,0.143258 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'O  14.79 kN' at screen 0.0740607,0.489188 left noenhanced front tc rgb '#202020'
+set label 'B  6.913 kN' at screen 0.192023,0.883387 left noenhanced front tc rgb '#202020'
+set label 'C  6.277 kN' at screen 0.198833,0.12801 left noenhanced front tc rgb '#202020'
 plot $trace0_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest0_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#0b5fa5' notitle, $at0_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#0b5fa5' notitle, $at0_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
@@ -559,8 +559,8 @@ set lmargin at screen 5.645161290e-01
 set rmargin at screen 9.741935484e-01
 set bmargin at screen 1.134020619e-01
 set tmargin at screen 9.037800687e-01
-set xrange [-1.872124203e+00:1.872121613e+00]
-set yrange [-3.455875188e+00:3.325042431e+00]
+set xrange [-1.872123241e+00:1.872119978e+00]
+set yrange [-3.455855816e+00:3.325057099e+00]
 set xtics 1.000000000e+00
 set ytics 5.000000000e-01
 set label 'x [m]' at screen 0.769355,0.0549828 center noenhanced front tc rgb '#202020'
@@ -1028,8 +1028,8 @@ $trace1_4_0 << e
 6.850000000e-01 -3.200000000e+00
 e
 $rest1_guides << e
-1.167307433e-01 3.000000000e+00 7.665385135e-01 0.000000000e+00
-3.017307433e-01 -3.200000000e+00 7.665385135e-01 0.000000000e+00
+1.167310091e-01 3.000000000e+00 7.665379817e-01 0.000000000e+00
+3.017310091e-01 -3.200000000e+00 7.665379817e-01 0.000000000e+00
 e
 $rest1_0_axis << e
 -1.933437190e-16 -3.200000000e+00 3.796405077e-16 6.200000000e+00
@@ -1057,8 +1057,8 @@ $rest1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at1_guides << e
-7.673074326e-02 3.000000000e+00 7.665385135e-01 0.000000000e+00
-3.443972750e-01 -3.200000000e+00 7.665385135e-01 0.000000000e+00
+7.673100914e-02 3.000000000e+00 7.665379817e-01 0.000000000e+00
+3.443975409e-01 -3.200000000e+00 7.665379817e-01 0.000000000e+00
 e
 $at1_0_axis << e
 4.266659081e-02 -3.199715544e+00 -8.266651969e-02 6.199448866e+00
@@ -1085,12 +1085,12 @@ e
 $at1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.843884,0.475251 to screen 0.769355,0.516216 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.725919,0.86937 to screen 0.764978,0.865862 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.738687,0.147803 to screen 0.774023,0.14326 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'O  14.79 kN' at screen 0.850335,0.489222 left noenhanced front tc rgb '#202020'
-set label 'B  6.915 kN' at screen 0.598693,0.855399 left noenhanced front tc rgb '#202020'
-set label 'C  6.279 kN' at screen 0.611461,0.161775 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.843875,0.475225 to screen 0.769355,0.516214 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.725913,0.86937 to screen 0.764978,0.865861 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.73868,0.147806 to screen 0.774023,0.143258 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'O  14.79 kN' at screen 0.850326,0.489197 left noenhanced front tc rgb '#202020'
+set label 'B  6.913 kN' at screen 0.598688,0.855398 left noenhanced front tc rgb '#202020'
+set label 'C  6.277 kN' at screen 0.611454,0.161778 left noenhanced front tc rgb '#202020'
 plot $trace1_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_2 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_3_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_3_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_4_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest1_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c8500a' notitle, $at1_0_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c8500a' notitle, $at1_0 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_1 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_3 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_4 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow

@@ -127,7 +127,7 @@ set xrange [0.000000000e+00:1.111111111e+00]
 set yrange [4.190000000e+02:5.810000000e+02]
 set xtics 2.000000000e-01
 set ytics 5.000000000e+01
-set label 'x [mm]' at screen 0.0193548,0.940068 left enhanced front tc rgb '#202020'
+set label 'x [mm]  (axis not from 0)' at screen 0.0193548,0.940068 left enhanced front tc rgb '#202020'
 set arrow from screen 0.310484,0.756849 to screen 0.310484,0.914384 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '(1)' at screen 0.31371,0.89726 left noenhanced front tc rgb '#505050'
 set arrow from screen 0.750806,0.756849 to screen 0.750806,0.914384 nohead lw 0.8 dt (3,3) lc rgb '#707070'

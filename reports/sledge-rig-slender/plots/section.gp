@@ -14,38 +14,42 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 's = 4.2 m at t = 0.2778 s' at screen 0.0193548,0.970642 left noenhanced front tc rgb '#202020'
+set label 's = 4.2- m at t = 0.2778 s' at screen 0.0193548,0.970642 left noenhanced front tc rgb '#202020'
 set label 'utilisation' at screen 0.493548,0.157798 right noenhanced front tc rgb '#505050'
 set label 'stress then' at screen 0.383871,0.157798 right noenhanced front tc rgb '#505050'
 set label 'checked place' at screen 0.0612903,0.157798 left noenhanced front tc rgb '#505050'
 set label '1' at screen 0.0483871,0.124771 right noenhanced front tc rgb '#c8500a'
 set label 'fibre +z' at screen 0.0612903,0.124771 left noenhanced front tc rgb '#c8500a'
 set label '-18.87 MPa' at screen 0.403226,0.124771 right noenhanced front tc rgb '#c8500a'
-set label '92.1 %' at screen 0.493548,0.124771 right noenhanced front tc rgb '#c8500a'
+set label '92.0 %' at screen 0.493548,0.124771 right noenhanced front tc rgb '#c8500a'
 set label '2' at screen 0.0483871,0.093578 right noenhanced front tc rgb '#202020'
-set label 'fibre -z' at screen 0.0612903,0.093578 left noenhanced front tc rgb '#202020'
-set label '18.39 MPa' at screen 0.403226,0.093578 right noenhanced front tc rgb '#202020'
-set label '92.1 %' at screen 0.493548,0.093578 right noenhanced front tc rgb '#202020'
+set label 'top flange' at screen 0.0612903,0.093578 left noenhanced front tc rgb '#202020'
+set label '-18.87 MPa' at screen 0.403226,0.093578 right noenhanced front tc rgb '#202020'
+set label '92.0 %' at screen 0.493548,0.093578 right noenhanced front tc rgb '#202020'
 set label '3' at screen 0.0483871,0.0623853 right noenhanced front tc rgb '#202020'
-set label 'web end +z' at screen 0.0612903,0.0623853 left noenhanced front tc rgb '#202020'
-set label '-17.08 MPa' at screen 0.403226,0.0623853 right noenhanced front tc rgb '#202020'
-set label '83.2 %' at screen 0.493548,0.0623853 right noenhanced front tc rgb '#202020'
+set label 'fibre -z' at screen 0.0612903,0.0623853 left noenhanced front tc rgb '#202020'
+set label '18.38 MPa' at screen 0.403226,0.0623853 right noenhanced front tc rgb '#202020'
+set label '92.0 %' at screen 0.493548,0.0623853 right noenhanced front tc rgb '#202020'
 set label '4' at screen 0.0483871,0.0311927 right noenhanced front tc rgb '#202020'
-set label 'web end -z' at screen 0.0612903,0.0311927 left noenhanced front tc rgb '#202020'
-set label '16.60 MPa' at screen 0.403226,0.0311927 right noenhanced front tc rgb '#202020'
+set label 'web end +z' at screen 0.0612903,0.0311927 left noenhanced front tc rgb '#202020'
+set label '-17.08 MPa' at screen 0.403226,0.0311927 right noenhanced front tc rgb '#202020'
 set label '83.2 %' at screen 0.493548,0.0311927 right noenhanced front tc rgb '#202020'
 set label '5' at screen 0.53871,0.124771 right noenhanced front tc rgb '#202020'
-set label 'neutral axis' at screen 0.551613,0.124771 left noenhanced front tc rgb '#202020'
-set label '-0.2417 MPa' at screen 0.893548,0.124771 right noenhanced front tc rgb '#202020'
-set label '5.9 %' at screen 0.983871,0.124771 right noenhanced front tc rgb '#202020'
+set label 'web end -z' at screen 0.551613,0.124771 left noenhanced front tc rgb '#202020'
+set label '16.59 MPa' at screen 0.893548,0.124771 right noenhanced front tc rgb '#202020'
+set label '83.2 %' at screen 0.983871,0.124771 right noenhanced front tc rgb '#202020'
 set label '6' at screen 0.53871,0.093578 right noenhanced front tc rgb '#202020'
 set label 'seam +z throat' at screen 0.551613,0.093578 left noenhanced front tc rgb '#202020'
 set label 'shear' at screen 0.893548,0.093578 right noenhanced front tc rgb '#202020'
-set label '4.8 %' at screen 0.983871,0.093578 right noenhanced front tc rgb '#202020'
+set label '3.1 %' at screen 0.983871,0.093578 right noenhanced front tc rgb '#202020'
 set label '7' at screen 0.53871,0.0623853 right noenhanced front tc rgb '#202020'
 set label 'seam -z throat' at screen 0.551613,0.0623853 left noenhanced front tc rgb '#202020'
 set label 'shear' at screen 0.893548,0.0623853 right noenhanced front tc rgb '#202020'
-set label '4.8 %' at screen 0.983871,0.0623853 right noenhanced front tc rgb '#202020'
+set label '3.1 %' at screen 0.983871,0.0623853 right noenhanced front tc rgb '#202020'
+set label '8' at screen 0.53871,0.0311927 right noenhanced front tc rgb '#202020'
+set label 'neutral axis' at screen 0.551613,0.0311927 left noenhanced front tc rgb '#202020'
+set label '-0.2417 MPa' at screen 0.893548,0.0311927 right noenhanced front tc rgb '#202020'
+set label '0.9 %' at screen 0.983871,0.0311927 right noenhanced front tc rgb '#202020'
 set lmargin at screen 9.032258065e-02
 set rmargin at screen 5.677419355e-01
 set bmargin at screen 2.568807339e-01
@@ -77,6 +81,7 @@ $welds << e
 -1.000000000e+02 -1.130000000e+02
 e
 $places << e
+8.800000000e+01 1.250000000e+02
 0.000000000e+00 -1.250000000e+02
 9.400000000e+01 1.130000000e+02
 9.400000000e+01 -1.130000000e+02
@@ -86,10 +91,11 @@ $governing << e
 0.000000000e+00 1.250000000e+02
 e
 set label '1' at screen 0.340323,0.872024 left noenhanced front tc rgb '#c8500a'
-set label '2' at screen 0.340323,0.293114 left noenhanced front tc rgb '#0b5fa5'
-set label '3, 6' at screen 0.171097,0.800632 left noenhanced front tc rgb '#0b5fa5'
-set label '4, 7' at screen 0.171097,0.364506 left noenhanced front tc rgb '#0b5fa5'
-set label '5' at screen 0.143935,0.609174 left noenhanced front tc rgb '#0b5fa5'
+set label '2' at screen 0.172839,0.872024 left noenhanced front tc rgb '#0b5fa5'
+set label '3' at screen 0.340323,0.293114 left noenhanced front tc rgb '#0b5fa5'
+set label '4, 6' at screen 0.171097,0.800632 left noenhanced front tc rgb '#0b5fa5'
+set label '5, 7' at screen 0.171097,0.364506 left noenhanced front tc rgb '#0b5fa5'
+set label '8' at screen 0.143935,0.609174 left noenhanced front tc rgb '#0b5fa5'
 plot $loop0 using 1:2 with filledcurves closed fc rgb '#d5dde6' notitle, $loop0 using 1:2 with lines lw 1.1 lc rgb '#303030' notitle, $loop1 using 1:2 with filledcurves closed fc rgb '#ffffff' notitle, $loop1 using 1:2 with lines lw 1.1 lc rgb '#303030' notitle, $welds using 1:2 with points pt 9 ps 0.8 lc rgb '#303030' notitle, $places using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle, $governing using 1:2 with points pt 7 ps 0.9 lc rgb '#c8500a' notitle
 unset label
 unset arrow
@@ -98,7 +104,7 @@ set lmargin at screen 6.645161290e-01
 set rmargin at screen 9.677419355e-01
 set bmargin at screen 2.568807339e-01
 set tmargin at screen 9.082568807e-01
-set xrange [-2.930708432e+01:2.882431577e+01]
+set xrange [-2.929624617e+01:2.881343554e+01]
 set yrange [-1.504237288e+02:1.504237288e+02]
 set xtics 2.000000000e+01
 set ytics 2.000000000e+01
@@ -106,88 +112,88 @@ set label 'highest and lowest over the height' at screen 0.593548,0.93578 left e
 set label 'nominal stress [MPa]' at screen 0.816129,0.194495 center noenhanced front tc rgb '#202020'
 set format y ''
 $band << e
-1.838977595e+01 -1.250000000e+02
-1.606083725e+01 -1.093750000e+02
-1.373189854e+01 -9.375000000e+01
-1.140295984e+01 -7.812500000e+01
-9.074021140e+00 -6.250000000e+01
-6.745082438e+00 -4.687500000e+01
-4.416143737e+00 -3.125000000e+01
-2.087205035e+00 -1.562500000e+01
--2.320769952e-01 0.000000000e+00
-2.087928505e+00 1.562500000e+01
-4.416863680e+00 3.125000000e+01
-6.745798855e+00 4.687500000e+01
-9.074734030e+00 6.250000000e+01
-1.140366921e+01 7.812500000e+01
-1.373260438e+01 9.375000000e+01
-1.606153956e+01 1.093750000e+02
-1.839047473e+01 1.250000000e+02
--1.887324328e+01 1.250000000e+02
--1.654430458e+01 1.093750000e+02
--1.421536588e+01 9.375000000e+01
--1.188642718e+01 7.812500000e+01
--9.557488474e+00 6.250000000e+01
--7.228549772e+00 4.687500000e+01
--4.899611070e+00 3.125000000e+01
--2.570672368e+00 1.562500000e+01
--2.417336667e-01 0.000000000e+00
--2.569941845e+00 -1.562500000e+01
--4.898877021e+00 -3.125000000e+01
--7.227812196e+00 -4.687500000e+01
--9.556747371e+00 -6.250000000e+01
--1.188568255e+01 -7.812500000e+01
--1.421461772e+01 -9.375000000e+01
--1.654355290e+01 -1.093750000e+02
--1.887248807e+01 -1.250000000e+02
-1.838977595e+01 -1.250000000e+02
+1.838283740e+01 -1.250000000e+02
+1.605476610e+01 -1.093750000e+02
+1.372669481e+01 -9.375000000e+01
+1.139862352e+01 -7.812500000e+01
+9.070552222e+00 -6.250000000e+01
+6.742480928e+00 -4.687500000e+01
+4.414409635e+00 -3.125000000e+01
+2.086338341e+00 -1.562500000e+01
+-2.320769950e-01 0.000000000e+00
+2.087061452e+00 1.562500000e+01
+4.415123055e+00 3.125000000e+01
+6.743184658e+00 4.687500000e+01
+9.071246261e+00 6.250000000e+01
+1.139930786e+01 7.812500000e+01
+1.372736947e+01 9.375000000e+01
+1.605543107e+01 1.093750000e+02
+1.838349267e+01 1.250000000e+02
+-1.886630330e+01 1.250000000e+02
+-1.653823201e+01 1.093750000e+02
+-1.421016071e+01 9.375000000e+01
+-1.188208942e+01 7.812500000e+01
+-9.554018127e+00 6.250000000e+01
+-7.225946834e+00 4.687500000e+01
+-4.897875540e+00 3.125000000e+01
+-2.569804246e+00 1.562500000e+01
+-2.417329527e-01 0.000000000e+00
+-2.569061754e+00 -1.562500000e+01
+-4.897123357e+00 -3.125000000e+01
+-7.225184959e+00 -4.687500000e+01
+-9.553246562e+00 -6.250000000e+01
+-1.188130817e+01 -7.812500000e+01
+-1.420936977e+01 -9.375000000e+01
+-1.653743137e+01 -1.093750000e+02
+-1.886549297e+01 -1.250000000e+02
+1.838283740e+01 -1.250000000e+02
 e
 $high << e
-1.838977595e+01 -1.250000000e+02
-1.606083725e+01 -1.093750000e+02
-1.373189854e+01 -9.375000000e+01
-1.140295984e+01 -7.812500000e+01
-9.074021140e+00 -6.250000000e+01
-6.745082438e+00 -4.687500000e+01
-4.416143737e+00 -3.125000000e+01
-2.087205035e+00 -1.562500000e+01
--2.320769952e-01 0.000000000e+00
-2.087928505e+00 1.562500000e+01
-4.416863680e+00 3.125000000e+01
-6.745798855e+00 4.687500000e+01
-9.074734030e+00 6.250000000e+01
-1.140366921e+01 7.812500000e+01
-1.373260438e+01 9.375000000e+01
-1.606153956e+01 1.093750000e+02
-1.839047473e+01 1.250000000e+02
+1.838283740e+01 -1.250000000e+02
+1.605476610e+01 -1.093750000e+02
+1.372669481e+01 -9.375000000e+01
+1.139862352e+01 -7.812500000e+01
+9.070552222e+00 -6.250000000e+01
+6.742480928e+00 -4.687500000e+01
+4.414409635e+00 -3.125000000e+01
+2.086338341e+00 -1.562500000e+01
+-2.320769950e-01 0.000000000e+00
+2.087061452e+00 1.562500000e+01
+4.415123055e+00 3.125000000e+01
+6.743184658e+00 4.687500000e+01
+9.071246261e+00 6.250000000e+01
+1.139930786e+01 7.812500000e+01
+1.372736947e+01 9.375000000e+01
+1.605543107e+01 1.093750000e+02
+1.838349267e+01 1.250000000e+02
 e
 $low << e
--1.887248807e+01 -1.250000000e+02
--1.654355290e+01 -1.093750000e+02
--1.421461772e+01 -9.375000000e+01
--1.188568255e+01 -7.812500000e+01
--9.556747371e+00 -6.250000000e+01
--7.227812196e+00 -4.687500000e+01
--4.898877021e+00 -3.125000000e+01
--2.569941845e+00 -1.562500000e+01
--2.417336667e-01 0.000000000e+00
--2.570672368e+00 1.562500000e+01
--4.899611070e+00 3.125000000e+01
--7.228549772e+00 4.687500000e+01
--9.557488474e+00 6.250000000e+01
--1.188642718e+01 7.812500000e+01
--1.421536588e+01 9.375000000e+01
--1.654430458e+01 1.093750000e+02
--1.887324328e+01 1.250000000e+02
+-1.886549297e+01 -1.250000000e+02
+-1.653743137e+01 -1.093750000e+02
+-1.420936977e+01 -9.375000000e+01
+-1.188130817e+01 -7.812500000e+01
+-9.553246562e+00 -6.250000000e+01
+-7.225184959e+00 -4.687500000e+01
+-4.897123357e+00 -3.125000000e+01
+-2.569061754e+00 -1.562500000e+01
+-2.417329527e-01 0.000000000e+00
+-2.569804246e+00 1.562500000e+01
+-4.897875540e+00 3.125000000e+01
+-7.225946834e+00 4.687500000e+01
+-9.554018127e+00 6.250000000e+01
+-1.188208942e+01 7.812500000e+01
+-1.421016071e+01 9.375000000e+01
+-1.653823201e+01 1.093750000e+02
+-1.886630330e+01 1.250000000e+02
 e
-set arrow from screen 0.817388,0.256881 to screen 0.817388,0.908257 nohead lw 0.9 lc rgb '#505050'
+set arrow from screen 0.817389,0.256881 to screen 0.817389,0.908257 nohead lw 0.9 lc rgb '#505050'
 $point << e
--1.887324328e+01 1.250000000e+02
+-1.886630330e+01 1.250000000e+02
 e
 set label '-18.87 (1)' at screen 0.669103,0.877982 left noenhanced front tc rgb '#c8500a'
-set label '18.39' at screen 0.846539,0.294411 left noenhanced front tc rgb '#0b5fa5'
+set label '18.38' at screen 0.846539,0.294411 left noenhanced front tc rgb '#0b5fa5'
 set label '-18.87' at screen 0.728623,0.294411 left noenhanced front tc rgb '#00785a'
-set label '18.39' at screen 0.846543,0.870726 left noenhanced front tc rgb '#0b5fa5'
+set label '18.38' at screen 0.846543,0.870726 left noenhanced front tc rgb '#0b5fa5'
 plot $band using 1:2 with filledcurves closed fc rgb '#e2e2e2' notitle, $high using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $low using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $point using 1:2 with points pt 7 ps 0.9 lc rgb '#c8500a' notitle
 unset label
 unset arrow

@@ -157,10 +157,10 @@ $line << e
 1.000000000e+09 4.047131645e+01
 e
 $work << e
-1.000000000e+08 3.726371801e+01
+1.000000000e+08 3.724979597e+01
 e
 $needed << e
-1.000000000e+08 3.726371801e+01
+1.000000000e+08 3.724979597e+01
 e
 $constant << e
 1.000000000e+04 5.848035476e+02
@@ -285,7 +285,7 @@ $constant << e
 9.085175757e+08 7.368062997e+01
 1.000000000e+09 7.368062997e+01
 e
-set label '37.3 MPa' at screen 0.801935,0.404215 left noenhanced front tc rgb '#c8500a'
+set label '37.2 MPa' at screen 0.801935,0.404157 left noenhanced front tc rgb '#c8500a'
 set label 'category 100: 100 MPa' at screen 0.503794,0.598584 left noenhanced front tc rgb '#202020'
 set label 'knee 73.7 MPa' at screen 0.573626,0.551231 left noenhanced front tc rgb '#202020'
 set label 'cut-off 40.5 MPa' at screen 0.599871,0.417017 left noenhanced front tc rgb '#202020'

@@ -14,7 +14,7 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0189003 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0189003 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
 set bmargin at screen 1.134020619e-01
@@ -1065,7 +1065,7 @@ $at1_0_axis << e
 e
 $at1_0 << e
 2.665507119e-01 -3.188879226e+00
--4.336808690e-18 0.000000000e+00
+-2.602085214e-18 0.000000000e+00
 -2.498912924e-01 2.989574274e+00
 e
 $at1_1 << e

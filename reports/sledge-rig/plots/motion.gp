@@ -127,7 +127,7 @@ set xrange [0.000000000e+00:1.428571429e+00]
 set yrange [1.250000000e+02:8.750000000e+02]
 set xtics 2.000000000e-01
 set ytics 2.000000000e+02
-set label 'x [mm]' at screen 0.0193548,0.940068 left enhanced front tc rgb '#202020'
+set label 'x [mm]  (axis not from 0)' at screen 0.0193548,0.940068 left enhanced front tc rgb '#202020'
 set arrow from screen 0.310484,0.756849 to screen 0.310484,0.914384 nohead lw 0.8 dt (3,3) lc rgb '#707070'
 set label '(1)' at screen 0.315583,0.870719 left noenhanced front tc rgb '#505050'
 set arrow from screen 0.750806,0.756849 to screen 0.750806,0.914384 nohead lw 0.8 dt (3,3) lc rgb '#707070'

@@ -14,7 +14,7 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 's = 4.2 m at t = 0.3571 s' at screen 0.0193548,0.97193 left noenhanced front tc rgb '#202020'
+set label 's = 4.2- m at t = 0.3571 s' at screen 0.0193548,0.97193 left noenhanced front tc rgb '#202020'
 set label 'utilisation' at screen 0.493548,0.150877 right noenhanced front tc rgb '#505050'
 set label 'stress then' at screen 0.383871,0.150877 right noenhanced front tc rgb '#505050'
 set label 'checked place' at screen 0.0612903,0.150877 left noenhanced front tc rgb '#505050'
@@ -23,29 +23,33 @@ set label 'fibre +z' at screen 0.0612903,0.119298 left noenhanced front tc rgb '
 set label '-17.05 MPa' at screen 0.403226,0.119298 right noenhanced front tc rgb '#c8500a'
 set label '165 %' at screen 0.493548,0.119298 right noenhanced front tc rgb '#c8500a'
 set label '2' at screen 0.0483871,0.0894737 right noenhanced front tc rgb '#202020'
-set label 'fibre -z' at screen 0.0612903,0.0894737 left noenhanced front tc rgb '#202020'
-set label '16.42 MPa' at screen 0.403226,0.0894737 right noenhanced front tc rgb '#202020'
-set label '164 %' at screen 0.493548,0.0894737 right noenhanced front tc rgb '#202020'
+set label 'top flange' at screen 0.0612903,0.0894737 left noenhanced front tc rgb '#202020'
+set label '-17.05 MPa' at screen 0.403226,0.0894737 right noenhanced front tc rgb '#202020'
+set label '165 %' at screen 0.493548,0.0894737 right noenhanced front tc rgb '#202020'
 set label '3' at screen 0.0483871,0.0596491 right noenhanced front tc rgb '#202020'
-set label 'web end +z' at screen 0.0612903,0.0596491 left noenhanced front tc rgb '#202020'
-set label '-14.26 MPa' at screen 0.403226,0.0596491 right noenhanced front tc rgb '#202020'
-set label '137 %' at screen 0.493548,0.0596491 right noenhanced front tc rgb '#202020'
+set label 'fibre -z' at screen 0.0612903,0.0596491 left noenhanced front tc rgb '#202020'
+set label '16.42 MPa' at screen 0.403226,0.0596491 right noenhanced front tc rgb '#202020'
+set label '164 %' at screen 0.493548,0.0596491 right noenhanced front tc rgb '#202020'
 set label '4' at screen 0.0483871,0.0298246 right noenhanced front tc rgb '#202020'
-set label 'web end -z' at screen 0.0612903,0.0298246 left noenhanced front tc rgb '#202020'
-set label '13.63 MPa' at screen 0.403226,0.0298246 right noenhanced front tc rgb '#202020'
+set label 'web end +z' at screen 0.0612903,0.0298246 left noenhanced front tc rgb '#202020'
+set label '-14.26 MPa' at screen 0.403226,0.0298246 right noenhanced front tc rgb '#202020'
 set label '137 %' at screen 0.493548,0.0298246 right noenhanced front tc rgb '#202020'
 set label '5' at screen 0.53871,0.119298 right noenhanced front tc rgb '#202020'
-set label 'neutral axis' at screen 0.551613,0.119298 left noenhanced front tc rgb '#202020'
-set label '-0.3171 MPa' at screen 0.893548,0.119298 right noenhanced front tc rgb '#202020'
-set label '19.3 %' at screen 0.983871,0.119298 right noenhanced front tc rgb '#202020'
+set label 'web end -z' at screen 0.551613,0.119298 left noenhanced front tc rgb '#202020'
+set label '13.63 MPa' at screen 0.893548,0.119298 right noenhanced front tc rgb '#202020'
+set label '137 %' at screen 0.983871,0.119298 right noenhanced front tc rgb '#202020'
 set label '6' at screen 0.53871,0.0894737 right noenhanced front tc rgb '#202020'
 set label 'seam +z throat' at screen 0.551613,0.0894737 left noenhanced front tc rgb '#202020'
 set label 'shear' at screen 0.893548,0.0894737 right noenhanced front tc rgb '#202020'
-set label '15.4 %' at screen 0.983871,0.0894737 right noenhanced front tc rgb '#202020'
+set label '15.2 %' at screen 0.983871,0.0894737 right noenhanced front tc rgb '#202020'
 set label '7' at screen 0.53871,0.0596491 right noenhanced front tc rgb '#202020'
 set label 'seam -z throat' at screen 0.551613,0.0596491 left noenhanced front tc rgb '#202020'
 set label 'shear' at screen 0.893548,0.0596491 right noenhanced front tc rgb '#202020'
-set label '15.4 %' at screen 0.983871,0.0596491 right noenhanced front tc rgb '#202020'
+set label '15.2 %' at screen 0.983871,0.0596491 right noenhanced front tc rgb '#202020'
+set label '8' at screen 0.53871,0.0298246 right noenhanced front tc rgb '#202020'
+set label 'neutral axis' at screen 0.551613,0.0298246 left noenhanced front tc rgb '#202020'
+set label '-0.3171 MPa' at screen 0.893548,0.0298246 right noenhanced front tc rgb '#202020'
+set label '6.5 %' at screen 0.983871,0.0298246 right noenhanced front tc rgb '#202020'
 set lmargin at screen 9.032258065e-02
 set rmargin at screen 5.677419355e-01
 set bmargin at screen 2.456140351e-01
@@ -77,6 +81,7 @@ $welds << e
 -2.000000000e+02 -2.500000000e+02
 e
 $places << e
+1.500000000e+02 3.000000000e+02
 0.000000000e+00 -3.000000000e+02
 1.750000000e+02 2.500000000e+02
 1.750000000e+02 -2.500000000e+02
@@ -86,10 +91,11 @@ $governing << e
 0.000000000e+00 3.000000000e+02
 e
 set label '1' at screen 0.340323,0.877637 left noenhanced front tc rgb '#c8500a'
-set label '2' at screen 0.340323,0.316233 left noenhanced front tc rgb '#0b5fa5'
-set label '3, 6' at screen 0.189785,0.830853 left noenhanced front tc rgb '#0b5fa5'
-set label '4, 7' at screen 0.189785,0.327042 left noenhanced front tc rgb '#0b5fa5'
-set label '5' at screen 0.172301,0.604386 left noenhanced front tc rgb '#0b5fa5'
+set label '2' at screen 0.21129,0.877637 left noenhanced front tc rgb '#0b5fa5'
+set label '3' at screen 0.340323,0.316233 left noenhanced front tc rgb '#0b5fa5'
+set label '4, 6' at screen 0.189785,0.830853 left noenhanced front tc rgb '#0b5fa5'
+set label '5, 7' at screen 0.189785,0.327042 left noenhanced front tc rgb '#0b5fa5'
+set label '8' at screen 0.172301,0.604386 left noenhanced front tc rgb '#0b5fa5'
 plot $loop0 using 1:2 with filledcurves closed fc rgb '#d5dde6' notitle, $loop0 using 1:2 with lines lw 1.1 lc rgb '#303030' notitle, $loop1 using 1:2 with filledcurves closed fc rgb '#ffffff' notitle, $loop1 using 1:2 with lines lw 1.1 lc rgb '#303030' notitle, $welds using 1:2 with points pt 9 ps 0.8 lc rgb '#303030' notitle, $places using 1:2 with points pt 7 ps 0.6 lc rgb '#0b5fa5' notitle, $governing using 1:2 with points pt 7 ps 0.9 lc rgb '#c8500a' notitle
 unset label
 unset arrow

@@ -101,15 +101,15 @@ set xtics 1.000000000e+00
 set ytics 2.000000000e+01
 set label 'utilisation [%], lines through the worst places of one kind' at screen 0.0193548,0.783276 left enhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.203072 to screen 0.264387,0.203072 nohead lw 1.6 dt 1 lc rgb '#0b5fa5'
-set label 'yield: 10.2 % at s = 4.2 m' at screen 0.27729,0.203072 left noenhanced front tc rgb '#202020'
+set label 'yield: 10.2 % at s = 4.2- m' at screen 0.27729,0.203072 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.172355 to screen 0.264387,0.172355 nohead lw 1.6 dt (9,4) lc rgb '#c8500a'
-set label 'fatigue: 165 % at s = 4.2 m' at screen 0.27729,0.172355 left noenhanced front tc rgb '#202020'
+set label 'fatigue: 165 % at s = 4.2- m' at screen 0.27729,0.172355 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.141638 to screen 0.264387,0.141638 nohead lw 1.6 dt (3,3) lc rgb '#00785a'
 set label 'shear fatigue: 23.4 % at s = 6.2- m' at screen 0.27729,0.141638 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.110922 to screen 0.264387,0.110922 nohead lw 1.6 dt (9,3,2,3) lc rgb '#a04f86'
-set label 'combined fatigue: 137 % at s = 4.2 m' at screen 0.27729,0.110922 left noenhanced front tc rgb '#202020'
+set label 'combined fatigue: 165 % at s = 4.2- m' at screen 0.27729,0.110922 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0802048 to screen 0.264387,0.0802048 nohead lw 1.6 dt (14,4) lc rgb '#8a6d00'
-set label 'stress range: 6.64 % at s = 4.2 m' at screen 0.27729,0.0802048 left noenhanced front tc rgb '#202020'
+set label 'stress range: 6.64 % at s = 4.2- m' at screen 0.27729,0.0802048 left noenhanced front tc rgb '#202020'
 set arrow from screen 0.216,0.0494881 to screen 0.264387,0.0494881 nohead lw 1.6 dt (2,5) lc rgb '#4a4a4a'
 set label 'weld: 1.18 % at s = 4.7- m' at screen 0.27729,0.0494881 left noenhanced front tc rgb '#202020'
 set label '' at screen 0.240194,0.0187713 point pt 6 ps 0.7 lw 1.3 lc rgb '#202020'
@@ -119,10 +119,14 @@ set label 's [m], from the start of the beam' at screen 0.529032,0.238908 center
 $u0_0 << e
 0.000000000e+00 7.067320340e-02
 1.500000000e+00 6.985308042e+00
-1.912522352e+00 7.073835876e+00
-2.695048568e+00 6.926631883e+00
+1.500000000e+00 6.985308042e+00
+3.127500000e+00 6.766801045e+00
+3.191000000e+00 6.740983830e+00
 3.200000000e+00 6.790142828e+00
 3.200000000e+00 6.813282654e+00
+3.209000000e+00 6.776471758e+00
+3.272500000e+00 6.916581396e+00
+4.200000000e+00 1.017924457e+01
 4.200000000e+00 1.017924457e+01
 4.700000000e+00 7.716650934e+00
 4.700000000e+00 5.030127677e+00
@@ -132,11 +136,15 @@ $u0_0 << e
 e
 $u0_1 << e
 0.000000000e+00 2.121611532e+00
+1.500000000e+00 2.196959775e+00
 1.500000000e+00 9.616588383e-01
-1.912522352e+00 7.517481532e-01
-2.695048568e+00 5.216492891e-01
+3.127500000e+00 4.437016337e-01
+3.191000000e+00 4.340201040e-01
 e
 $u0_2 << e
+3.209000000e+00 2.856129083e-01
+3.272500000e+00 2.980643436e-01
+4.200000000e+00 7.952287531e-01
 4.200000000e+00 2.301806116e+00
 4.700000000e+00 2.321784121e+00
 4.700000000e+00 1.545339693e+00
@@ -144,13 +152,32 @@ $u0_2 << e
 5.200000000e+00 2.705407879e+00
 6.200000000e+00 2.774313884e+00
 e
+$u0_3 << e
+3.200000000e+00 6.830556221e+00
+3.209000000e+00 6.793104846e+00
+3.272500000e+00 6.934300848e+00
+4.200000000e+00 1.023896451e+01
+4.200000000e+00 1.023819925e+01
+4.700000000e+00 7.795732295e+00
+4.700000000e+00 5.083954615e+00
+5.200000000e+00 3.468866584e+00
+5.200000000e+00 8.056484171e+00
+e
+$single0 << e
+1.500000000e+00 7.063656154e+00
+1.500000000e+00 6.987138262e+00
+e
 $u1_0 << e
 0.000000000e+00 5.412210660e-01
 1.500000000e+00 1.133272986e+02
-1.912522352e+00 1.146652767e+02
-2.695048568e+00 1.119934539e+02
+1.500000000e+00 1.133272986e+02
+3.127500000e+00 1.092170872e+02
+3.191000000e+00 1.087704178e+02
 3.200000000e+00 1.091892748e+02
 3.200000000e+00 1.092653312e+02
+3.209000000e+00 1.090899936e+02
+3.272500000e+00 1.113956034e+02
+4.200000000e+00 1.649356161e+02
 4.200000000e+00 1.649356161e+02
 4.700000000e+00 1.247340911e+02
 4.700000000e+00 8.158812714e+01
@@ -160,11 +187,15 @@ $u1_0 << e
 e
 $u2_0 << e
 0.000000000e+00 1.786182289e+01
+1.500000000e+00 1.847500068e+01
 1.500000000e+00 8.035916302e+00
-1.912522352e+00 6.241281131e+00
-2.695048568e+00 4.229208297e+00
+3.127500000e+00 3.507461339e+00
+3.191000000e+00 3.415400509e+00
 e
 $u2_1 << e
+3.209000000e+00 1.938762683e+00
+3.272500000e+00 2.064786790e+00
+4.200000000e+00 6.506607052e+00
 4.200000000e+00 1.931890912e+01
 4.700000000e+00 1.950345817e+01
 4.700000000e+00 1.299266892e+01
@@ -174,11 +205,15 @@ $u2_1 << e
 e
 $u2_2 << e
 0.000000000e+00 1.423768491e+01
+1.500000000e+00 1.472644982e+01
 1.500000000e+00 2.365850745e+00
-1.912522352e+00 7.537072208e-01
-2.695048568e+00 6.600782940e-01
+3.127500000e+00 1.009881165e+00
+3.191000000e+00 1.047511107e+00
 3.200000000e+00 1.113428726e+00
 3.200000000e+00 6.580706706e+00
+3.209000000e+00 6.495129602e+00
+3.272500000e+00 6.776799194e+00
+4.200000000e+00 1.522981262e+01
 4.200000000e+00 1.539913046e+01
 4.700000000e+00 1.554623477e+01
 4.700000000e+00 1.035647522e+01
@@ -188,12 +223,32 @@ $single2 << e
 3.200000000e+00 3.653858533e+00
 e
 $u3_0 << e
+1.500000000e+00 1.133272986e+02
+1.500000000e+00 1.133272986e+02
+3.127500000e+00 1.092170872e+02
+3.191000000e+00 1.087704178e+02
+3.200000000e+00 1.091892748e+02
+3.200000000e+00 1.092653312e+02
+3.209000000e+00 1.090899936e+02
+3.272500000e+00 1.113956034e+02
+4.200000000e+00 1.649356161e+02
+4.200000000e+00 1.649356161e+02
+4.700000000e+00 1.247340911e+02
+4.700000000e+00 8.158812714e+01
+5.200000000e+00 5.486796745e+01
+5.200000000e+00 1.296067137e+02
+e
+$u3_1 << e
 0.000000000e+00 1.139014793e+01
 1.500000000e+00 9.446838118e+01
-1.912522352e+00 9.823796606e+01
-2.695048568e+00 9.929899683e+01
+1.500000000e+00 9.446838118e+01
+3.127500000e+00 9.811812136e+01
+3.191000000e+00 9.788225481e+01
 3.200000000e+00 9.828423974e+01
 3.200000000e+00 9.836029614e+01
+3.209000000e+00 9.816013909e+01
+3.272500000e+00 9.994278127e+01
+4.200000000e+00 1.374911719e+02
 4.200000000e+00 1.374911719e+02
 4.700000000e+00 1.039899013e+02
 4.700000000e+00 6.801423690e+01
@@ -202,16 +257,20 @@ $u3_0 << e
 6.200000000e+00 1.489710397e+01
 e
 $single3 << e
-3.200000000e+00 1.037367573e+02
-3.200000000e+00 1.038128136e+02
+0.000000000e+00 1.786182289e+01
+6.200000000e+00 2.335315754e+01
 e
 $u4_0 << e
 0.000000000e+00 2.179495426e-02
 1.500000000e+00 4.563686532e+00
-1.912522352e+00 4.617566864e+00
-2.695048568e+00 4.509972651e+00
+1.500000000e+00 4.563686532e+00
+3.127500000e+00 4.398168456e+00
+3.191000000e+00 4.380181092e+00
 3.200000000e+00 4.397048449e+00
 3.200000000e+00 4.400111238e+00
+3.209000000e+00 4.393050402e+00
+3.272500000e+00 4.485897229e+00
+4.200000000e+00 6.641951755e+00
 4.200000000e+00 6.641951755e+00
 4.700000000e+00 5.023037686e+00
 4.700000000e+00 3.285551156e+00
@@ -221,11 +280,15 @@ $u4_0 << e
 e
 $u4_1 << e
 0.000000000e+00 1.407752618e+00
+1.500000000e+00 1.456079300e+00
 1.500000000e+00 6.333386171e-01
-1.912522352e+00 4.918971542e-01
-2.695048568e+00 3.333186700e-01
+3.127500000e+00 2.764352727e-01
+3.191000000e+00 2.691796372e-01
 e
 $u4_2 << e
+3.209000000e+00 1.528006553e-01
+3.272500000e+00 1.627330551e-01
+4.200000000e+00 5.128084163e-01
 4.200000000e+00 1.522590670e+00
 4.700000000e+00 1.537135625e+00
 4.700000000e+00 1.023997595e+00
@@ -235,11 +298,15 @@ $u4_2 << e
 e
 $u5_0 << e
 0.000000000e+00 1.084550647e+00
+1.500000000e+00 1.121694595e+00
 1.500000000e+00 1.878892161e-01
-1.912522352e+00 6.560627758e-02
-2.695048568e+00 5.781674063e-02
+3.127500000e+00 8.398317219e-02
+3.191000000e+00 8.679339582e-02
 3.200000000e+00 9.445987124e-02
 3.200000000e+00 5.190360336e-01
+3.209000000e+00 5.079346023e-01
+3.272500000e+00 5.296659770e-01
+4.200000000e+00 1.180610709e+00
 4.200000000e+00 1.173000073e+00
 4.700000000e+00 1.184171315e+00
 4.700000000e+00 7.888624524e-01
@@ -247,10 +314,9 @@ $u5_0 << e
 e
 set arrow from screen 0.678716,0.697752 to screen 0.678716,0.697581 nohead lw 1 lc rgb '#202020'
 set object circle at 4.200000000e+00,1.649356161e+02 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
-set label '165 %: fatigue at s = 4.2 m, fibre +z' at screen 0.274587,0.713871 left noenhanced front tc rgb '#c8500a'
-set label '137 %' at screen 0.710974,0.664098 left noenhanced front tc rgb '#a04f86'
-set arrow from screen 0.710974,0.651299 to screen 0.678716,0.630915 nohead lw 0.6 lc rgb '#a04f86'
-plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $single2 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
+set label '165 %: fatigue at s = 4.2- m, fibre +z' at screen 0.267039,0.713871 left noenhanced front tc rgb '#c8500a'
+set label '165 %' at screen 0.688394,0.713871 left noenhanced front tc rgb '#a04f86'
+plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $single0 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $single2 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $u3_1 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
 unset label
 unset arrow
 unset object

@@ -1,10 +1,10 @@
 # Redraw in the folder above: gnuplot plots/mechanism.gp; as PDF: gnuplot -e 'pdf = 1' plots/mechanism.gp
 if (!exists('pdf')) pdf = 0
 if (pdf) {
-  set terminal pdfcairo size 6.5000,7.9677 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
+  set terminal pdfcairo size 6.5000,6.8145 enhanced font 'Latin Modern Sans,7.5' fontscale 1 linewidth 1.25 dashlength 1.5 pointscale 1.0 rounded
   set output 'mechanism.pdf'
 } else {
-  set terminal svg size 620,760 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
+  set terminal svg size 620,650 dynamic enhanced font 'DejaVu Sans,12' background '#ffffff' rounded
   set output 'mechanism.svg'
 }
 set encoding utf8
@@ -14,19 +14,19 @@ set xtics offset 0,0.4
 set grid lc rgb '#e4e4e4' lw 0.7 lt 1
 unset key
 set multiplot
-set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: forces on the beam' at screen 0.5,0.0144737 center noenhanced front tc rgb '#505050'
+set label 'grey: t = 0.0000 s;  thin lines: paths over the cycle;  arrows: loads on the beam' at screen 0.5,0.0169231 center noenhanced front tc rgb '#505050'
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
-set bmargin at screen 5.723684211e-01
-set tmargin at screen 9.473684211e-01
-set xrange [-1.435891526e+00:1.435892585e+00]
-set yrange [-2.606867432e+00:6.154100156e-01]
-set xtics 1.000000000e+00
+set bmargin at screen 5.846153846e-01
+set tmargin at screen 9.384615385e-01
+set xrange [-2.349174614e+00:2.349174614e+00]
+set yrange [-3.123667029e+00:1.130743688e+00]
+set xtics 2.000000000e+00
 set ytics 5.000000000e-01
-set label 'x [m]' at screen 0.275806,0.527632 center noenhanced front tc rgb '#202020'
-set label '(1) t = 0.3321 s' at screen 0.00967742,0.984211 left noenhanced front tc rgb '#202020'
-set label 'most negative M' at screen 0.00967742,0.963158 left noenhanced front tc rgb '#0b5fa5'
-set label 'y [m]' at screen 0.0774194,0.936842 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.275806,0.532308 center noenhanced front tc rgb '#202020'
+set label '(1) t = 0.3321 s' at screen 0.00967742,0.981538 left noenhanced front tc rgb '#202020'
+set label 'most negative M' at screen 0.00967742,0.956923 left noenhanced front tc rgb '#0b5fa5'
+set label 'y [m]' at screen 0.0774194,0.926154 left noenhanced front tc rgb '#505050'
 $trace0_0_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -142,7 +142,7 @@ $trace0_1_0 << e
 -1.847759065e-01 7.653668647e-02
 -1.931851653e-01 5.176380902e-02
 -1.982889723e-01 2.610523844e-02
--2.000000000e-01 0.000000000e+00
+-2.000000000e-01 1.110223025e-16
 -1.982889723e-01 -2.610523844e-02
 -1.931851653e-01 -5.176380902e-02
 -1.847759065e-01 -7.653668647e-02
@@ -166,7 +166,7 @@ $trace0_1_0 << e
 1.847759065e-01 -7.653668647e-02
 1.931851653e-01 -5.176380902e-02
 1.982889723e-01 -2.610523844e-02
-2.000000000e-01 -2.220446049e-16
+2.000000000e-01 -1.110223025e-16
 1.982889723e-01 2.610523844e-02
 1.931851653e-01 5.176380902e-02
 1.847759065e-01 7.653668647e-02
@@ -182,53 +182,53 @@ $trace0_1_0 << e
 e
 $trace0_1_1 << e
 -1.680245322e-16 -1.400000000e+00
--1.040834086e-16 -1.401498050e+00
+-1.023486851e-16 -1.401498050e+00
 -6.938893904e-18 -1.405977274e+00
 -1.526556659e-16 -1.413392462e+00
--8.326672685e-17 -1.423666862e+00
+-7.632783294e-17 -1.423666862e+00
 -5.551115123e-17 -1.436690226e+00
--1.526556659e-16 -1.452316389e+00
+-1.387778781e-16 -1.452316389e+00
 -6.938893904e-17 -1.470360656e+00
--1.249000903e-16 -1.490597372e+00
+-1.110223025e-16 -1.490597372e+00
 -6.938893904e-17 -1.512758083e+00
 -6.938893904e-17 -1.536530714e+00
 -1.804112415e-16 -1.561560181e+00
 -1.387778781e-16 -1.587450787e+00
-0.000000000e+00 -1.613770658e+00
+-1.804112415e-16 -1.613770658e+00
 -9.714451465e-17 -1.640058332e+00
 -1.110223025e-16 -1.665831456e+00
 -1.804112415e-16 -1.690597372e+00
 -1.110223025e-16 -1.713865227e+00
 -2.775557562e-17 -1.735159101e+00
 -9.714451465e-17 -1.754031562e+00
--1.526556659e-16 -1.770077023e+00
+-1.457167720e-16 -1.770077023e+00
 -4.857225733e-17 -1.782944275e+00
--1.040834086e-16 -1.792347605e+00
--5.030698080e-17 -1.798075995e+00
+-1.110223025e-16 -1.792347605e+00
+-4.683753385e-17 -1.798075995e+00
 -2.165710823e-17 -1.800000000e+00
 -8.153200337e-17 -1.798075995e+00
--2.428612866e-17 -1.792347605e+00
+-2.775557562e-17 -1.792347605e+00
 -1.595945598e-16 -1.782944275e+00
 -1.457167720e-16 -1.770077023e+00
 -2.775557562e-17 -1.754031562e+00
 -9.714451465e-17 -1.735159101e+00
 -1.249000903e-16 -1.713865227e+00
--1.249000903e-16 -1.690597372e+00
+-1.110223025e-16 -1.690597372e+00
 -1.110223025e-16 -1.665831456e+00
 -1.249000903e-16 -1.640058332e+00
--1.387778781e-17 -1.613770658e+00
+0.000000000e+00 -1.613770658e+00
 -2.775557562e-17 -1.587450787e+00
 -1.665334537e-16 -1.561560181e+00
 -5.551115123e-17 -1.536530714e+00
 -5.551115123e-17 -1.512758083e+00
 -1.804112415e-16 -1.490597372e+00
--1.387778781e-17 -1.470360656e+00
+-4.163336342e-17 -1.470360656e+00
 0.000000000e+00 -1.452316389e+00
 0.000000000e+00 -1.436690226e+00
 -1.249000903e-16 -1.423666862e+00
 -1.179611964e-16 -1.413392462e+00
 -1.561251128e-16 -1.405977274e+00
--1.908195824e-17 -1.401498050e+00
+-2.081668171e-17 -1.401498050e+00
 -1.680245322e-16 -1.400000000e+00
 e
 $trace0_2_0 << e
@@ -283,7 +283,7 @@ $trace0_2_0 << e
 -8.572527594e-17 -1.400000000e+00
 e
 $rest0_guides << e
--1.037252664e-16 -1.693962153e+00 3.599998099e-17 5.879243062e-01
+-1.151739525e-16 -1.880933385e+00 5.889735312e-17 9.618667710e-01
 e
 $rest0_0 << e
 0.000000000e+00 0.000000000e+00
@@ -303,45 +303,45 @@ $rest0_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at0_guides << e
--1.172733199e-16 -1.915218658e+00 3.599998099e-17 5.879243062e-01
+-1.287219438e-16 -2.102188874e+00 5.889735312e-17 9.618667710e-01
 e
 $at0_0 << e
 0.000000000e+00 0.000000000e+00
--1.971823494e-01 -3.345326699e-02
+-1.971825182e-01 -3.345227203e-02
 e
 $at0_1_axis << e
--1.971823494e-01 -3.345326699e-02 1.971823494e-01 -1.587803238e+00
+-1.971825182e-01 -3.345227203e-02 1.971825182e-01 -1.587803217e+00
 e
 $at0_1 << e
--1.971823494e-01 -3.345326699e-02
--4.163336342e-17 -1.621256505e+00
+-1.971825182e-01 -3.345227203e-02
+-1.526556659e-16 -1.621255489e+00
 e
 $at0_2 << e
--9.927332944e-17 -1.621256505e+00
+-9.927326723e-17 -1.621255489e+00
 e
 $at0_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.247896,0.86971 to screen 0.247677,0.871855 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.27547,0.688862 to screen 0.275806,0.687071 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'A  30.30 kN' at screen 0.120671,0.88041 left noenhanced front tc rgb '#202020'
-set label 'P  25.50 kN' at screen 0.291599,0.705144 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.258833,0.839121 to screen 0.258613,0.841633 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.27547,0.71167 to screen 0.275806,0.709573 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'A  30.29 kN' at screen 0.131607,0.851632 left noenhanced front tc rgb '#202020'
+set label 'P  25.48 kN' at screen 0.291599,0.730707 left noenhanced front tc rgb '#202020'
 plot $trace0_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace0_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest0_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest0_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at0_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#0b5fa5' notitle, $at0_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#0b5fa5' notitle, $at0_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#0b5fa5' notitle, $at0_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#0b5fa5' notitle, $at0_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
 unset object
 set lmargin at screen 5.645161290e-01
 set rmargin at screen 9.741935484e-01
-set bmargin at screen 5.723684211e-01
-set tmargin at screen 9.473684211e-01
-set xrange [-1.435891526e+00:1.435892585e+00]
-set yrange [-2.606867432e+00:6.154100156e-01]
-set xtics 1.000000000e+00
+set bmargin at screen 5.846153846e-01
+set tmargin at screen 9.384615385e-01
+set xrange [-2.349174614e+00:2.349174614e+00]
+set yrange [-3.123667029e+00:1.130743688e+00]
+set xtics 2.000000000e+00
 set ytics 5.000000000e-01
-set label 'x [m]' at screen 0.769355,0.527632 center noenhanced front tc rgb '#202020'
-set label '(2) t = 0.5525 s' at screen 0.503226,0.984211 left noenhanced front tc rgb '#202020'
-set label 'lowest stress at the governing place' at screen 0.503226,0.963158 left noenhanced front tc rgb '#c8500a'
-set label 'y [m]' at screen 0.570968,0.936842 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.769355,0.532308 center noenhanced front tc rgb '#202020'
+set label '(2) t = 0.5500 s' at screen 0.503226,0.981538 left noenhanced front tc rgb '#202020'
+set label 'lowest stress at the governing place' at screen 0.503226,0.956923 left noenhanced front tc rgb '#c8500a'
+set label 'y [m]' at screen 0.570968,0.926154 left noenhanced front tc rgb '#505050'
 $trace1_0_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -457,7 +457,7 @@ $trace1_1_0 << e
 -1.847759065e-01 7.653668647e-02
 -1.931851653e-01 5.176380902e-02
 -1.982889723e-01 2.610523844e-02
--2.000000000e-01 0.000000000e+00
+-2.000000000e-01 1.110223025e-16
 -1.982889723e-01 -2.610523844e-02
 -1.931851653e-01 -5.176380902e-02
 -1.847759065e-01 -7.653668647e-02
@@ -481,7 +481,7 @@ $trace1_1_0 << e
 1.847759065e-01 -7.653668647e-02
 1.931851653e-01 -5.176380902e-02
 1.982889723e-01 -2.610523844e-02
-2.000000000e-01 -2.220446049e-16
+2.000000000e-01 -1.110223025e-16
 1.982889723e-01 2.610523844e-02
 1.931851653e-01 5.176380902e-02
 1.847759065e-01 7.653668647e-02
@@ -497,53 +497,53 @@ $trace1_1_0 << e
 e
 $trace1_1_1 << e
 -1.680245322e-16 -1.400000000e+00
--1.040834086e-16 -1.401498050e+00
+-1.023486851e-16 -1.401498050e+00
 -6.938893904e-18 -1.405977274e+00
 -1.526556659e-16 -1.413392462e+00
--8.326672685e-17 -1.423666862e+00
+-7.632783294e-17 -1.423666862e+00
 -5.551115123e-17 -1.436690226e+00
--1.526556659e-16 -1.452316389e+00
+-1.387778781e-16 -1.452316389e+00
 -6.938893904e-17 -1.470360656e+00
--1.249000903e-16 -1.490597372e+00
+-1.110223025e-16 -1.490597372e+00
 -6.938893904e-17 -1.512758083e+00
 -6.938893904e-17 -1.536530714e+00
 -1.804112415e-16 -1.561560181e+00
 -1.387778781e-16 -1.587450787e+00
-0.000000000e+00 -1.613770658e+00
+-1.804112415e-16 -1.613770658e+00
 -9.714451465e-17 -1.640058332e+00
 -1.110223025e-16 -1.665831456e+00
 -1.804112415e-16 -1.690597372e+00
 -1.110223025e-16 -1.713865227e+00
 -2.775557562e-17 -1.735159101e+00
 -9.714451465e-17 -1.754031562e+00
--1.526556659e-16 -1.770077023e+00
+-1.457167720e-16 -1.770077023e+00
 -4.857225733e-17 -1.782944275e+00
--1.040834086e-16 -1.792347605e+00
--5.030698080e-17 -1.798075995e+00
+-1.110223025e-16 -1.792347605e+00
+-4.683753385e-17 -1.798075995e+00
 -2.165710823e-17 -1.800000000e+00
 -8.153200337e-17 -1.798075995e+00
--2.428612866e-17 -1.792347605e+00
+-2.775557562e-17 -1.792347605e+00
 -1.595945598e-16 -1.782944275e+00
 -1.457167720e-16 -1.770077023e+00
 -2.775557562e-17 -1.754031562e+00
 -9.714451465e-17 -1.735159101e+00
 -1.249000903e-16 -1.713865227e+00
--1.249000903e-16 -1.690597372e+00
+-1.110223025e-16 -1.690597372e+00
 -1.110223025e-16 -1.665831456e+00
 -1.249000903e-16 -1.640058332e+00
--1.387778781e-17 -1.613770658e+00
+0.000000000e+00 -1.613770658e+00
 -2.775557562e-17 -1.587450787e+00
 -1.665334537e-16 -1.561560181e+00
 -5.551115123e-17 -1.536530714e+00
 -5.551115123e-17 -1.512758083e+00
 -1.804112415e-16 -1.490597372e+00
--1.387778781e-17 -1.470360656e+00
+-4.163336342e-17 -1.470360656e+00
 0.000000000e+00 -1.452316389e+00
 0.000000000e+00 -1.436690226e+00
 -1.249000903e-16 -1.423666862e+00
 -1.179611964e-16 -1.413392462e+00
 -1.561251128e-16 -1.405977274e+00
--1.908195824e-17 -1.401498050e+00
+-2.081668171e-17 -1.401498050e+00
 -1.680245322e-16 -1.400000000e+00
 e
 $trace1_2_0 << e
@@ -598,7 +598,7 @@ $trace1_2_0 << e
 -8.572527594e-17 -1.400000000e+00
 e
 $rest1_guides << e
--1.037252664e-16 -1.693962153e+00 3.599998099e-17 5.879243062e-01
+-1.151739525e-16 -1.880933385e+00 5.889735312e-17 9.618667710e-01
 e
 $rest1_0 << e
 0.000000000e+00 0.000000000e+00
@@ -618,45 +618,45 @@ $rest1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at1_guides << e
--1.277952412e-16 -2.087054673e+00 3.599998099e-17 5.879243062e-01
+-1.391983144e-16 -2.273280990e+00 5.889735312e-17 9.618667710e-01
 e
 $at1_0 << e
 0.000000000e+00 0.000000000e+00
--4.921692414e-02 -1.938496695e-01
+-5.176380902e-02 -1.931851653e-01
 e
 $at1_1_axis << e
--4.921692414e-02 -1.938496695e-01 4.921692414e-02 -1.599242850e+00
+-5.176380902e-02 -1.931851653e-01 5.176380902e-02 -1.599162440e+00
 e
 $at1_1 << e
--4.921692414e-02 -1.938496695e-01
--7.285838599e-17 -1.793092520e+00
+-5.176380902e-02 -1.931851653e-01
+-1.526556659e-16 -1.792347605e+00
 e
 $at1_2 << e
--1.097952508e-16 -1.793092520e+00
+-1.097496379e-16 -1.792347605e+00
 e
 $at1_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.759744,0.921053 to screen 0.762334,0.853189 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.771916,0.598684 to screen 0.769355,0.667073 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'A  955.7 kN' at screen 0.766195,0.931752 left noenhanced front tc rgb '#202020'
-set label 'P  963.1 kN' at screen 0.778367,0.609384 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.762117,0.907692 to screen 0.764841,0.828348 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.772048,0.615385 to screen 0.769355,0.695343 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'A  953.9 kN' at screen 0.768569,0.920203 left noenhanced front tc rgb '#202020'
+set label 'P  961.2 kN' at screen 0.7785,0.627895 left noenhanced front tc rgb '#202020'
 plot $trace1_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace1_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest1_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at1_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c8500a' notitle, $at1_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c8500a' notitle, $at1_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c8500a' notitle, $at1_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c8500a' notitle, $at1_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
 unset object
 set lmargin at screen 7.096774194e-02
 set rmargin at screen 4.806451613e-01
-set bmargin at screen 8.684210526e-02
-set tmargin at screen 4.618421053e-01
-set xrange [-1.435891526e+00:1.435892585e+00]
-set yrange [-2.606867432e+00:6.154100156e-01]
-set xtics 1.000000000e+00
+set bmargin at screen 1.015384615e-01
+set tmargin at screen 4.553846154e-01
+set xrange [-2.349174614e+00:2.349174614e+00]
+set yrange [-3.123667029e+00:1.130743688e+00]
+set xtics 2.000000000e+00
 set ytics 5.000000000e-01
-set label 'x [m]' at screen 0.275806,0.0421053 center noenhanced front tc rgb '#202020'
-set label '(3) t = 0.6470 s' at screen 0.00967742,0.498684 left noenhanced front tc rgb '#202020'
-set label 'highest stress at the governing place' at screen 0.00967742,0.477632 left noenhanced front tc rgb '#00785a'
-set label 'y [m]' at screen 0.0774194,0.451316 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.275806,0.0492308 center noenhanced front tc rgb '#202020'
+set label '(3) t = 0.6500 s' at screen 0.00967742,0.498462 left noenhanced front tc rgb '#202020'
+set label 'highest stress at the governing place' at screen 0.00967742,0.473846 left noenhanced front tc rgb '#00785a'
+set label 'y [m]' at screen 0.0774194,0.443077 left noenhanced front tc rgb '#505050'
 $trace2_0_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -772,7 +772,7 @@ $trace2_1_0 << e
 -1.847759065e-01 7.653668647e-02
 -1.931851653e-01 5.176380902e-02
 -1.982889723e-01 2.610523844e-02
--2.000000000e-01 0.000000000e+00
+-2.000000000e-01 1.110223025e-16
 -1.982889723e-01 -2.610523844e-02
 -1.931851653e-01 -5.176380902e-02
 -1.847759065e-01 -7.653668647e-02
@@ -796,7 +796,7 @@ $trace2_1_0 << e
 1.847759065e-01 -7.653668647e-02
 1.931851653e-01 -5.176380902e-02
 1.982889723e-01 -2.610523844e-02
-2.000000000e-01 -2.220446049e-16
+2.000000000e-01 -1.110223025e-16
 1.982889723e-01 2.610523844e-02
 1.931851653e-01 5.176380902e-02
 1.847759065e-01 7.653668647e-02
@@ -812,53 +812,53 @@ $trace2_1_0 << e
 e
 $trace2_1_1 << e
 -1.680245322e-16 -1.400000000e+00
--1.040834086e-16 -1.401498050e+00
+-1.023486851e-16 -1.401498050e+00
 -6.938893904e-18 -1.405977274e+00
 -1.526556659e-16 -1.413392462e+00
--8.326672685e-17 -1.423666862e+00
+-7.632783294e-17 -1.423666862e+00
 -5.551115123e-17 -1.436690226e+00
--1.526556659e-16 -1.452316389e+00
+-1.387778781e-16 -1.452316389e+00
 -6.938893904e-17 -1.470360656e+00
--1.249000903e-16 -1.490597372e+00
+-1.110223025e-16 -1.490597372e+00
 -6.938893904e-17 -1.512758083e+00
 -6.938893904e-17 -1.536530714e+00
 -1.804112415e-16 -1.561560181e+00
 -1.387778781e-16 -1.587450787e+00
-0.000000000e+00 -1.613770658e+00
+-1.804112415e-16 -1.613770658e+00
 -9.714451465e-17 -1.640058332e+00
 -1.110223025e-16 -1.665831456e+00
 -1.804112415e-16 -1.690597372e+00
 -1.110223025e-16 -1.713865227e+00
 -2.775557562e-17 -1.735159101e+00
 -9.714451465e-17 -1.754031562e+00
--1.526556659e-16 -1.770077023e+00
+-1.457167720e-16 -1.770077023e+00
 -4.857225733e-17 -1.782944275e+00
--1.040834086e-16 -1.792347605e+00
--5.030698080e-17 -1.798075995e+00
+-1.110223025e-16 -1.792347605e+00
+-4.683753385e-17 -1.798075995e+00
 -2.165710823e-17 -1.800000000e+00
 -8.153200337e-17 -1.798075995e+00
--2.428612866e-17 -1.792347605e+00
+-2.775557562e-17 -1.792347605e+00
 -1.595945598e-16 -1.782944275e+00
 -1.457167720e-16 -1.770077023e+00
 -2.775557562e-17 -1.754031562e+00
 -9.714451465e-17 -1.735159101e+00
 -1.249000903e-16 -1.713865227e+00
--1.249000903e-16 -1.690597372e+00
+-1.110223025e-16 -1.690597372e+00
 -1.110223025e-16 -1.665831456e+00
 -1.249000903e-16 -1.640058332e+00
--1.387778781e-17 -1.613770658e+00
+0.000000000e+00 -1.613770658e+00
 -2.775557562e-17 -1.587450787e+00
 -1.665334537e-16 -1.561560181e+00
 -5.551115123e-17 -1.536530714e+00
 -5.551115123e-17 -1.512758083e+00
 -1.804112415e-16 -1.490597372e+00
--1.387778781e-17 -1.470360656e+00
+-4.163336342e-17 -1.470360656e+00
 0.000000000e+00 -1.452316389e+00
 0.000000000e+00 -1.436690226e+00
 -1.249000903e-16 -1.423666862e+00
 -1.179611964e-16 -1.413392462e+00
 -1.561251128e-16 -1.405977274e+00
--1.908195824e-17 -1.401498050e+00
+-2.081668171e-17 -1.401498050e+00
 -1.680245322e-16 -1.400000000e+00
 e
 $trace2_2_0 << e
@@ -913,7 +913,7 @@ $trace2_2_0 << e
 -8.572527594e-17 -1.400000000e+00
 e
 $rest2_guides << e
--1.037252664e-16 -1.693962153e+00 3.599998099e-17 5.879243062e-01
+-1.151739525e-16 -1.880933385e+00 5.889735312e-17 9.618667710e-01
 e
 $rest2_0 << e
 0.000000000e+00 0.000000000e+00
@@ -933,45 +933,45 @@ $rest2_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at2_guides << e
--1.278032584e-16 -2.087185604e+00 3.599998099e-17 5.879243062e-01
+-1.391983144e-16 -2.273280990e+00 5.889735312e-17 9.618667710e-01
 e
 $at2_0 << e
 0.000000000e+00 0.000000000e+00
-4.875468702e-02 -1.939664417e-01
+5.176380902e-02 -1.931851653e-01
 e
 $at2_1_axis << e
-4.875468702e-02 -1.939664417e-01 -4.875468702e-02 -1.599257009e+00
+5.176380902e-02 -1.931851653e-01 -5.176380902e-02 -1.599162440e+00
 e
 $at2_1 << e
-4.875468702e-02 -1.939664417e-01
--4.857225733e-17 -1.793223451e+00
+5.176380902e-02 -1.931851653e-01
+-1.595945598e-16 -1.792347605e+00
 e
 $at2_2 << e
--1.098032679e-16 -1.793223451e+00
+-1.097496379e-16 -1.792347605e+00
 e
 $at2_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.282667,0.364322 to screen 0.282762,0.367649 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.27593,0.184333 to screen 0.275806,0.181532 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'A  46.84 kN' at screen 0.289118,0.375022 left noenhanced front tc rgb '#202020'
-set label 'P  39.45 kN' at screen 0.292059,0.200615 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.28022,0.34139 to screen 0.28032,0.345271 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.275937,0.215533 to screen 0.275806,0.212266 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'A  46.65 kN' at screen 0.286671,0.32888 left noenhanced front tc rgb '#202020'
+set label 'P  39.28 kN' at screen 0.292066,0.234571 left noenhanced front tc rgb '#202020'
 plot $trace2_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace2_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest2_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest2_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest2_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest2_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest2_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at2_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#00785a' notitle, $at2_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#00785a' notitle, $at2_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#00785a' notitle, $at2_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#00785a' notitle, $at2_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#00785a' notitle, $at2_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
 unset object
 set lmargin at screen 5.645161290e-01
 set rmargin at screen 9.741935484e-01
-set bmargin at screen 8.684210526e-02
-set tmargin at screen 4.618421053e-01
-set xrange [-1.435891526e+00:1.435892585e+00]
-set yrange [-2.606867432e+00:6.154100156e-01]
-set xtics 1.000000000e+00
+set bmargin at screen 1.015384615e-01
+set tmargin at screen 4.553846154e-01
+set xrange [-2.349174614e+00:2.349174614e+00]
+set yrange [-3.123667029e+00:1.130743688e+00]
+set xtics 2.000000000e+00
 set ytics 5.000000000e-01
-set label 'x [m]' at screen 0.769355,0.0421053 center noenhanced front tc rgb '#202020'
-set label '(4) t = 0.8679 s' at screen 0.503226,0.498684 left noenhanced front tc rgb '#202020'
-set label 'largest M' at screen 0.503226,0.477632 left noenhanced front tc rgb '#a04f86'
-set label 'y [m]' at screen 0.570968,0.451316 left noenhanced front tc rgb '#505050'
+set label 'x [m]' at screen 0.769355,0.0492308 center noenhanced front tc rgb '#202020'
+set label '(4) t = 0.8679 s' at screen 0.503226,0.498462 left noenhanced front tc rgb '#202020'
+set label 'largest M' at screen 0.503226,0.473846 left noenhanced front tc rgb '#a04f86'
+set label 'y [m]' at screen 0.570968,0.443077 left noenhanced front tc rgb '#505050'
 $trace3_0_0 << e
 0.000000000e+00 0.000000000e+00
 0.000000000e+00 0.000000000e+00
@@ -1087,7 +1087,7 @@ $trace3_1_0 << e
 -1.847759065e-01 7.653668647e-02
 -1.931851653e-01 5.176380902e-02
 -1.982889723e-01 2.610523844e-02
--2.000000000e-01 0.000000000e+00
+-2.000000000e-01 1.110223025e-16
 -1.982889723e-01 -2.610523844e-02
 -1.931851653e-01 -5.176380902e-02
 -1.847759065e-01 -7.653668647e-02
@@ -1111,7 +1111,7 @@ $trace3_1_0 << e
 1.847759065e-01 -7.653668647e-02
 1.931851653e-01 -5.176380902e-02
 1.982889723e-01 -2.610523844e-02
-2.000000000e-01 -2.220446049e-16
+2.000000000e-01 -1.110223025e-16
 1.982889723e-01 2.610523844e-02
 1.931851653e-01 5.176380902e-02
 1.847759065e-01 7.653668647e-02
@@ -1127,53 +1127,53 @@ $trace3_1_0 << e
 e
 $trace3_1_1 << e
 -1.680245322e-16 -1.400000000e+00
--1.040834086e-16 -1.401498050e+00
+-1.023486851e-16 -1.401498050e+00
 -6.938893904e-18 -1.405977274e+00
 -1.526556659e-16 -1.413392462e+00
--8.326672685e-17 -1.423666862e+00
+-7.632783294e-17 -1.423666862e+00
 -5.551115123e-17 -1.436690226e+00
--1.526556659e-16 -1.452316389e+00
+-1.387778781e-16 -1.452316389e+00
 -6.938893904e-17 -1.470360656e+00
--1.249000903e-16 -1.490597372e+00
+-1.110223025e-16 -1.490597372e+00
 -6.938893904e-17 -1.512758083e+00
 -6.938893904e-17 -1.536530714e+00
 -1.804112415e-16 -1.561560181e+00
 -1.387778781e-16 -1.587450787e+00
-0.000000000e+00 -1.613770658e+00
+-1.804112415e-16 -1.613770658e+00
 -9.714451465e-17 -1.640058332e+00
 -1.110223025e-16 -1.665831456e+00
 -1.804112415e-16 -1.690597372e+00
 -1.110223025e-16 -1.713865227e+00
 -2.775557562e-17 -1.735159101e+00
 -9.714451465e-17 -1.754031562e+00
--1.526556659e-16 -1.770077023e+00
+-1.457167720e-16 -1.770077023e+00
 -4.857225733e-17 -1.782944275e+00
--1.040834086e-16 -1.792347605e+00
--5.030698080e-17 -1.798075995e+00
+-1.110223025e-16 -1.792347605e+00
+-4.683753385e-17 -1.798075995e+00
 -2.165710823e-17 -1.800000000e+00
 -8.153200337e-17 -1.798075995e+00
--2.428612866e-17 -1.792347605e+00
+-2.775557562e-17 -1.792347605e+00
 -1.595945598e-16 -1.782944275e+00
 -1.457167720e-16 -1.770077023e+00
 -2.775557562e-17 -1.754031562e+00
 -9.714451465e-17 -1.735159101e+00
 -1.249000903e-16 -1.713865227e+00
--1.249000903e-16 -1.690597372e+00
+-1.110223025e-16 -1.690597372e+00
 -1.110223025e-16 -1.665831456e+00
 -1.249000903e-16 -1.640058332e+00
--1.387778781e-17 -1.613770658e+00
+0.000000000e+00 -1.613770658e+00
 -2.775557562e-17 -1.587450787e+00
 -1.665334537e-16 -1.561560181e+00
 -5.551115123e-17 -1.536530714e+00
 -5.551115123e-17 -1.512758083e+00
 -1.804112415e-16 -1.490597372e+00
--1.387778781e-17 -1.470360656e+00
+-4.163336342e-17 -1.470360656e+00
 0.000000000e+00 -1.452316389e+00
 0.000000000e+00 -1.436690226e+00
 -1.249000903e-16 -1.423666862e+00
 -1.179611964e-16 -1.413392462e+00
 -1.561251128e-16 -1.405977274e+00
--1.908195824e-17 -1.401498050e+00
+-2.081668171e-17 -1.401498050e+00
 -1.680245322e-16 -1.400000000e+00
 e
 $trace3_2_0 << e
@@ -1228,7 +1228,7 @@ $trace3_2_0 << e
 -8.572527594e-17 -1.400000000e+00
 e
 $rest3_guides << e
--1.037252664e-16 -1.693962153e+00 3.599998099e-17 5.879243062e-01
+-1.151739525e-16 -1.880933385e+00 5.889735312e-17 9.618667710e-01
 e
 $rest3_0 << e
 0.000000000e+00 0.000000000e+00
@@ -1248,29 +1248,29 @@ $rest3_grounds << e
 0.000000000e+00 0.000000000e+00
 e
 $at3_guides << e
--1.172733202e-16 -1.915218662e+00 3.599998099e-17 5.879243062e-01
+-1.287219437e-16 -2.102188873e+00 5.889735312e-17 9.618667710e-01
 e
 $at3_0 << e
 0.000000000e+00 0.000000000e+00
-1.971823487e-01 -3.345327142e-02
+1.971825184e-01 -3.345227132e-02
 e
 $at3_1_axis << e
-1.971823487e-01 -3.345327142e-02 -1.971823487e-01 -1.587803238e+00
+1.971825184e-01 -3.345227132e-02 -1.971825184e-01 -1.587803217e+00
 e
 $at3_1 << e
-1.971823487e-01 -3.345327142e-02
--5.551115123e-17 -1.621256509e+00
+1.971825184e-01 -3.345227132e-02
+-1.804112415e-16 -1.621255488e+00
 e
 $at3_2 << e
--9.927332972e-17 -1.621256509e+00
+-9.927326719e-17 -1.621255488e+00
 e
 $at3_grounds << e
 0.000000000e+00 0.000000000e+00
 e
-set arrow from screen 0.797265,0.384185 to screen 0.797484,0.386329 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set arrow from screen 0.769691,0.203334 to screen 0.769355,0.201545 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
-set label 'A  30.29 kN' at screen 0.803716,0.394884 left noenhanced front tc rgb '#202020'
-set label 'P  25.48 kN' at screen 0.78582,0.219616 left noenhanced front tc rgb '#202020'
+set arrow from screen 0.786329,0.356044 to screen 0.786548,0.358557 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set arrow from screen 0.769691,0.228593 to screen 0.769355,0.226496 lw 1.6 lc rgb '#202020' front size screen 0.012,20 filled
+set label 'A  30.29 kN' at screen 0.79278,0.368555 left noenhanced front tc rgb '#202020'
+set label 'P  25.48 kN' at screen 0.78582,0.24763 left noenhanced front tc rgb '#202020'
 plot $trace3_0_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_0_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_1_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_1_1 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $trace3_2_0 using 1:2 with lines lw 0.6 lc rgb '#9a9a9a' notitle, $rest3_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#c4c4c4' notitle, $rest3_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#c4c4c4' notitle, $rest3_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#c4c4c4' notitle, $rest3_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#c4c4c4' notitle, $rest3_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle, $at3_guides using 1:2:3:4 with vectors nohead lw 0.9 dt (2,3) lc rgb '#a04f86' notitle, $at3_0 using 1:2 with linespoints lw 1.6 pt 7 ps 0.5 lc rgb '#a04f86' notitle, $at3_1_axis using 1:2:3:4 with vectors nohead lw 4 lc rgb '#a04f86' notitle, $at3_1 using 1:2 with points pt 7 ps 0.5 lc rgb '#a04f86' notitle, $at3_2 using 1:2 with points pt 5 ps 1.1 lc rgb '#a04f86' notitle, $at3_grounds using 1:2 with points pt 9 ps 1.1 lc rgb '#505050' notitle
 unset label
 unset arrow
