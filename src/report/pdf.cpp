@@ -85,7 +85,7 @@ void write_pdf(const Document& document, const std::string& figures, const std::
     if (figures.empty() || !fs::is_regular_file(figure, error)) return false;
     const fs::path from = fs::absolute(figure, error);
     if (!error) fs::create_symlink(from, scratch.path() / (name + ".pdf"), error);
-    return !error;
+    return !error || error == std::errc::file_exists;  // a picture may be shown twice
   };
   write_file((scratch.path() / "report.tex").string(), latex_of(document, has_picture));
 
