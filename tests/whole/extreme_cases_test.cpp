@@ -165,7 +165,7 @@ TEST_CASE("what can hardly be meant is remarked, what is usual is not", "[extrem
   CHECK(remarks({}).empty());
   // 1 g in the place of 400 kg, and gravity alone: a factor of some millions.
   CHECK(has(remarks({"beam.density=1e-3 kg/m^3", "bodies.load.mass=1e-6 kg",
-                     "bodies.load.inertia=1e-9 kg m^2", "bodies.rod.mass=1e-6 kg"}),
+                     "bodies.load.inertia=1e-9 kg m^2", "bodies.rod.mass=1e-3 kg"}),
             "next to nothing loads the beam"));
   CHECK(has(remarks({"beam.density=78500 kg/m^3"}), "the density of the beam"));
   CHECK(has(remarks({"bodies.load.inertia=3e12 kg m^2", "model.demand=rigid"}),
