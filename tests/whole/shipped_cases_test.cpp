@@ -112,12 +112,11 @@ TEST_CASE("four-bar rocker: fails in the taper near the tip, passes where the co
   const std::string rocker = "sections/four-bar-rocker/rocker.toml";
   const Json document = verified(rocker, 1);
   check_governing(document, "fatigue", "fatigue/2.6614/fibre-z", 0.909198607329);  // [script]
-  // Along the taper the script looks at steps of its own; the search finds a little less.
-  CHECK(document["governing"]["yield"]["point"] == "fibre -z");
-  CHECK(document["governing"]["yield"]["safety_factor"].get<double>() ==
-        Approx(16.4981660898).epsilon(3e-4));
-  CHECK(document["governing"]["yield"]["safety_factor"].get<double>() <=
-        16.4981660898);  // [script]
+  // The script looks where fatigue governs; that the search finds a worse place for yield beside it
+  // is its own affair.
+  CHECK(factor_of(document, "yield/2.6614/fibre-z") ==
+        Approx(16.4981660898).epsilon(1e-6));  // [script]
+  CHECK(document["governing"]["yield"]["safety_factor"].get<double>() <= 16.4981660898);
   CHECK(factor_of(document, "fatigue/1.3-/fibre-z") == Approx(1.01140061595).epsilon(1e-6));
   CHECK(document["governing"]["fatigue"]["resisting"].get<double>() ==
         Approx(allowed(80, 2e7)).epsilon(1e-9));
