@@ -9,7 +9,8 @@ function(boxbeam_twin target)
     add_executable(${target}_sanitized)
   endif()
   foreach(property SOURCES INCLUDE_DIRECTORIES COMPILE_DEFINITIONS LINK_LIBRARIES
-          INTERFACE_INCLUDE_DIRECTORIES INTERFACE_LINK_LIBRARIES PRECOMPILE_HEADERS)
+          INTERFACE_INCLUDE_DIRECTORIES INTERFACE_LINK_LIBRARIES PRECOMPILE_HEADERS
+          UNITY_BUILD UNITY_BUILD_MODE)
     get_target_property(value ${target} ${property})
     if(NOT value)
       continue()

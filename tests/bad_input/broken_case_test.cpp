@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "project/small_case.hpp"
 
+namespace broken_case_test {
+
 using namespace bad_input;
 
 TEST_CASE("a file that is no case is refused", "[bad_input]") {
@@ -224,3 +226,5 @@ TEST_CASE("mutated cases are read or refused, never crash", "[bad_input]") {
   CHECK(read > 20);  // comments and texts may change freely
   CHECK(read < 420);
 }
+
+}  // namespace broken_case_test

@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace broken_history_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -179,3 +181,5 @@ TEST_CASE("mutated stress histories are read or refused, never crash", "[bad_inp
   CHECK(read > 300);
   CHECK(refused > 300);
 }
+
+}  // namespace broken_history_test

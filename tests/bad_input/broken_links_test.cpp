@@ -5,6 +5,8 @@
 #include "boxbeam/project/project.hpp"
 #include "catch.hpp"
 
+namespace broken_links_test {
+
 using namespace bad_input;
 
 namespace {
@@ -246,3 +248,5 @@ TEST_CASE("mutated cases of elastic links are read or refused, never crash",
   CHECK(read > 20);
   CHECK(read < 290);
 }
+
+}  // namespace broken_links_test

@@ -1,6 +1,8 @@
 #include "bad_input/broken_case.hpp"
 #include "catch.hpp"
 
+namespace broken_mechanism_test {
+
 using namespace bad_input;
 
 namespace {
@@ -235,3 +237,5 @@ TEST_CASE("a motion of unknown length is refused with both remedies", "[bad_inpu
            {"\"settle\" must not be below zero"}),
   });
 }
+
+}  // namespace broken_mechanism_test

@@ -1,6 +1,8 @@
 #include "bad_input/broken_case.hpp"
 #include "catch.hpp"
 
+namespace broken_value_test {
+
 using namespace bad_input;
 
 TEST_CASE("values that are no quantity of the wanted kind are refused", "[bad_input]") {
@@ -233,3 +235,5 @@ TEST_CASE("a beam that cannot be built is refused", "[bad_input]") {
                {"the stretch ends before it begins", "exchange \"from\" and \"to\""}),
   });
 }
+
+}  // namespace broken_value_test

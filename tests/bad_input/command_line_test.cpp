@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace command_line_test {
+
 extern char** environ;
 
 namespace {
@@ -248,3 +250,5 @@ TEST_CASE("an analysis that cannot be done names the instant and writes nothing"
     refused(arguments, {"the analysis cannot be done", "time ", " s\n", "residual"}, 3);
   }
 }
+
+}  // namespace command_line_test

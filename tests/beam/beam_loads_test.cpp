@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace beam_loads_test {
+
 using namespace boxbeam;
 using Eigen::Vector3d;
 
@@ -139,3 +141,5 @@ TEST_CASE("inertia of a rotation about the start: force -m a_c, moment -J alpha 
   CHECK(sum.moment.x() == Approx(0.0).margin(1e-9));
   CHECK(sum.moment.z() == Approx(0.0).margin(1e-9));
 }
+
+}  // namespace beam_loads_test

@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace cut_force_diagram_test {
+
 using namespace boxbeam;
 using Eigen::Vector3d;
 
@@ -286,3 +288,5 @@ TEST_CASE("pieces join without gaps and begin at every load") {
   }
   CHECK(diagram.pieces.back().end().value() == Approx(5.0));
 }
+
+}  // namespace cut_force_diagram_test

@@ -6,6 +6,8 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
 
+namespace tapered_beam_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -215,3 +217,5 @@ TEST_CASE("sides are written -, + and 0") {
   CHECK(std::string(to_text(Side::behind)) == "+");
   CHECK(std::string(to_text(Side::both)) == "0");
 }
+
+}  // namespace tapered_beam_test

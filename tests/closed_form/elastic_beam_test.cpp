@@ -9,6 +9,8 @@
 #include "support/continuous_beam.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace elastic_beam_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using test::Bar;
@@ -329,3 +331,5 @@ TEST_CASE("harmonic response of a beam driven at its end, to the order of its di
     }
   }
 }
+
+}  // namespace elastic_beam_test

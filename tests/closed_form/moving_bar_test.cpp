@@ -8,6 +8,8 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
 
+namespace moving_bar_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -141,3 +143,5 @@ TEST_CASE("rotary inertia of the sections enters as a distributed couple and kee
   const double without = plain.diagram(0.63).at({Length{}, Side::behind}).M_y.value();
   CHECK(with - without == Approx(more).epsilon(1e-9));
 }
+
+}  // namespace moving_bar_test

@@ -12,6 +12,8 @@
 #include "catch.hpp"
 #include "support/random_tree.hpp"
 
+namespace spinning_body_test {
+
 using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Vector3d;
@@ -160,3 +162,5 @@ TEST_CASE("a free body of three inertias, integrated, keeps energy and angular m
   CHECK(lowest < -0.9);  // it did turn over
   CHECK(worst < 1e-10);
 }
+
+}  // namespace spinning_body_test

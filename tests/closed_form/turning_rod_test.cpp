@@ -9,6 +9,8 @@
 #include "boxbeam/mechanism/spatial/rotation.hpp"
 #include "catch.hpp"
 
+namespace turning_rod_test {
+
 using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Vector3d;
@@ -197,3 +199,5 @@ TEST_CASE("a rod that spins up about its own axis: T = -rho (I_y + I_z) alpha (L
   }
   CHECK(Rod(0.0, 0.0, driver, true).joint(0.0).moment.z() == Approx(size).epsilon(1e-12));
 }
+
+}  // namespace turning_rod_test

@@ -11,6 +11,8 @@
 #include "support/elastic_beams.hpp"
 #include "support/frequency_count.hpp"
 
+namespace rigid_elements_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using test::Bar;
@@ -212,3 +214,5 @@ TEST_CASE("a joint in a node is exact, one between nodes has the error of the di
   CHECK(between > 0.1);
   CHECK(between < 10.0);
 }
+
+}  // namespace rigid_elements_test

@@ -2,6 +2,8 @@
 
 #include "catch.hpp"
 
+namespace code_points_test {
+
 using namespace boxbeam;
 
 TEST_CASE("code points of UTF-8 of one to four bytes", "[code_points]") {
@@ -37,3 +39,5 @@ TEST_CASE("what would not be seen is shown in one spelling", "[code_points]") {
   const std::string once = visible("\x1b\n");
   CHECK(visible(once) == once);
 }
+
+}  // namespace code_points_test

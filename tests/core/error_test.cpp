@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace error_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("an analysis error leaves out what is not known") {
   const AnalysisError error({"no driver", "", {}, {}, {}});
   CHECK(std::string(error.what()) == "no driver");
 }
+
+}  // namespace error_test

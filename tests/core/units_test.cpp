@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace units_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("a moment is force times lever arm") {
   const Moment moment = si<Force>(12e3) * si<Length>(0.25);
   CHECK(moment.value() == Approx(3e3).epsilon(1e-15));
 }
+
+}  // namespace units_test

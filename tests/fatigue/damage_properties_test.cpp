@@ -5,6 +5,8 @@
 #include "catch.hpp"
 #include "support/property.hpp"
 
+namespace damage_properties_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -87,3 +89,5 @@ TEST_CASE("property: more cycles, a weaker curve or another channel never raise 
               largest_factor(one.cycles, one.curve, {}));
   });
 }
+
+}  // namespace damage_properties_test

@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace damage_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -193,3 +195,5 @@ TEST_CASE("compression counts 60 %: +80/-60 MPa is a range of 116 MPa, EN 1993-1
   CHECK(range(-20, -80) == Approx(36).epsilon(1e-12));  // all compression: 60 %
   CHECK(range(50, 0) == Approx(50).epsilon(1e-12));
 }
+
+}  // namespace damage_test

@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace detail_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -151,3 +153,5 @@ TEST_CASE("the category of a row with an asterisk has it in its name", "[detail]
   weld.asterisk = true;
   CHECK(category_name_of(weld) == "36*");
 }
+
+}  // namespace detail_test

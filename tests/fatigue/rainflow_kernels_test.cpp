@@ -4,6 +4,8 @@
 #include "fatigue/plain_rainflow.hpp"
 #include "support/property.hpp"
 
+namespace rainflow_kernels_test {
+
 using namespace boxbeam;
 using plain::Numbers;
 using test::holds;
@@ -106,3 +108,5 @@ TEST_CASE("kernels: the fastest gives the numbers of the plain ones, bit for bit
     }
   });
 }
+
+}  // namespace rainflow_kernels_test

@@ -9,6 +9,8 @@
 #include "fatigue/plain_rainflow.hpp"
 #include "support/property.hpp"
 
+namespace rainflow_properties_test {
+
 using namespace boxbeam;
 using plain::Numbers;
 using plain::Tally;
@@ -248,3 +250,5 @@ TEST_CASE("every history: backwards, the same ranges") {
     }
   });
 }
+
+}  // namespace rainflow_properties_test

@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "fatigue/plain_rainflow.hpp"
 
+namespace rainflow_test {
+
 using namespace boxbeam;
 using plain::Numbers;
 using plain::Tally;
@@ -190,3 +192,5 @@ TEST_CASE("ranges up to the largest double do not overflow") {
   const double largest = std::nextafter(std::ldexp(1.0, 1023), 0.0);
   CHECK(counted({-largest, largest}) == Tally{{{2.0 * largest, 0.0}, 0.5}});
 }
+
+}  // namespace rainflow_test

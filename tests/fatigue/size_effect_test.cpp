@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace size_effect_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -53,3 +55,5 @@ TEST_CASE("a size factor begins at 1 without a jump and falls with the size", "[
           size_factor_of_eccentric_butt_weld(mm(20), mm(40), mm(0.1 * size)));
   }
 }
+
+}  // namespace size_effect_test

@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace sn_curve_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -125,3 +127,5 @@ TEST_CASE("only the categories of figure 7.1 are categories") {
   for (const int number : {0, 35, 91, 101, 120, 161, -90}) CHECK_FALSE(is_direct_category(number));
   CHECK(direct_categories() == "160, 140, 125, 112, 100, 90, 80, 71, 63, 56, 50, 45, 40, 36");
 }
+
+}  // namespace sn_curve_test

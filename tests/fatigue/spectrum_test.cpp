@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace spectrum_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -140,3 +142,5 @@ TEST_CASE("without cycles there is no damage and no spectrum") {
   CHECK(collector.spectrum().empty());
   CHECK(collector.largest().value() == 0.0);
 }
+
+}  // namespace spectrum_test

@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace cubic_spline_test {
+
 using namespace boxbeam;
 
 TEST_CASE("a clamped spline reproduces a cubic with zero slope at both ends") {
@@ -74,3 +76,5 @@ TEST_CASE("the shortest periodic spline has two intervals") {
   CHECK(spline.at(0.5).first == Approx(0.0).margin(1e-14));
   CHECK(spline.at(1.5).value == Approx(-1.0));
 }
+
+}  // namespace cubic_spline_test

@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "support/property.hpp"
 
+namespace decimal_test {
+
 using boxbeam::Decimal;
 
 namespace {
@@ -81,3 +83,5 @@ TEST_CASE("Eigen solves in decimal numbers (Forsythe and Moler's system, three d
   CHECK(static_cast<double>(y) == 1.0);
   CHECK(static_cast<double>((right[0] - y) / matrix(0, 0)) == 0.0);
 }
+
+}  // namespace decimal_test

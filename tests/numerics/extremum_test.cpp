@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace extremum_test {
+
 using namespace boxbeam;
 
 // What the search promises: the place to 2^-22 of the bracket, the value of a smooth function to
@@ -61,3 +63,5 @@ TEST_CASE("where the function only rises, the upper end is approached") {
   CHECK(top.at == Approx(5.0).margin(3.0 * place));
   CHECK(top.at <= 5.0);
 }
+
+}  // namespace extremum_test

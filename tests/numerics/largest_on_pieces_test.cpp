@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace largest_on_pieces_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -90,3 +92,5 @@ TEST_CASE("a jump that nobody told of is found to a millionth of the piece") {
       search({{0.0, 1.0}}, [](std::size_t, double x) { return x < 0.437 ? 1.0 + x : 1.437 - x; });
   CHECK(found.largest[0] == Approx(1.437).epsilon(1e-4));
 }
+
+}  // namespace largest_on_pieces_test

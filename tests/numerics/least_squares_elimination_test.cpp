@@ -10,6 +10,8 @@
 
 #include "catch.hpp"
 
+namespace least_squares_elimination_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -87,3 +89,5 @@ TEST_CASE("columns that depend on each other are refused, and the next matrix is
   CHECK_FALSE(elimination.factor(dependent.values));  // nor does it get used to it
   CHECK(elimination.factor(tall.values));
 }
+
+}  // namespace least_squares_elimination_test

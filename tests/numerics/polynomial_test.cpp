@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace polynomial_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -89,3 +91,5 @@ TEST_CASE("interpolation agrees with any function at equal steps") {
 TEST_CASE("interpolation of degree zero takes the value at the start") {
   CHECK(interpolate<0>([](double x) { return 3.0 + x; }, 2.0)(1.0) == 3.0);
 }
+
+}  // namespace polynomial_test

@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace table_curve_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -126,3 +128,5 @@ TEST_CASE("where a curve is not smooth, and what jumps there") {
   CHECK(curve(Interpolation::pchip).breaks(0.0, 5.0).front().order == 2);
   CHECK(curve(Interpolation::cubic).breaks(0.0, 5.0).front().order == 3);
 }
+
+}  // namespace table_curve_test

@@ -5,6 +5,8 @@
 #include "catch.hpp"
 #include "comparison.hpp"
 
+namespace oracle_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,3 +43,5 @@ TEST_CASE("the oracle would notice a side dropped, a detail's end ignored and a 
   CHECK(shown[1] >= cases / 20);
   CHECK(shown[2] >= cases / 4);
 }
+
+}  // namespace oracle_test

@@ -8,6 +8,8 @@
 #include "boxbeam/section/wall_stretches.hpp"
 #include "catch.hpp"
 
+namespace section_stress_test {
+
 /// The oracle's stresses against hand formulas, and against the program's own, from which they are
 /// calculated apart.
 namespace {
@@ -143,3 +145,5 @@ TEST_CASE("the oracle's shear flow is the program's in crooked, tapered and nest
   const Tapered nested = tapered(wide, narrow, true);
   compare_with_program(nested.section, nested.taper);
 }
+
+}  // namespace section_stress_test

@@ -2,6 +2,8 @@
 
 #include "catch.hpp"
 
+namespace case_document_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -225,3 +227,5 @@ TEST_CASE("files that a case names count as lines of hashes behind its own") {
         "dd4c94500b7f4b04c4f318d9e8288b1597ad4802136426f104b905ac8811a446");
   CHECK(document.problem_at({"folder/one.csv", 1, 1}, "wrong").source_line == "1, 2");
 }
+
+}  // namespace case_document_test

@@ -8,6 +8,8 @@
 #include "boxbeam/project/sn_catalogue.hpp"
 #include "catch.hpp"
 
+namespace detail_catalogue_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -403,3 +405,5 @@ TEST_CASE("changes read as a designer would say them", "[detail_catalogue]") {
   CHECK(to_text(FactChange{"convexity", FactRange{.to = 0.1, .with_to = false}}) ==
         "convexity under 0.1");
 }
+
+}  // namespace detail_catalogue_test

@@ -3,6 +3,8 @@
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "catch.hpp"
 
+namespace detail_reader_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -138,3 +140,5 @@ TEST_CASE("what is wrong is said with what to write", "[detail_reader]") {
   CHECK(contains(complaint("row = \"8.2/6\"\nraise_asterisk = true\n"), "has no asterisk"));
   CHECK(contains(complaint("row = \"8.2/6\"\nsize = 1\n"), "unknown key \"size\""));
 }
+
+}  // namespace detail_reader_test

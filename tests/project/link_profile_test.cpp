@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace link_profile_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -74,3 +76,5 @@ TEST_CASE("a link of a turned profile bends freely sideways", "[flexible]") {
   const auto stretches = link_stretches_of(beam, E, G);
   CHECK(stretches[0].EI(0.4) == Approx(E * I_1 * I_2 / I_z).epsilon(1e-9));
 }
+
+}  // namespace link_profile_test

@@ -7,6 +7,8 @@
 #include "boxbeam/core/error.hpp"
 #include "catch.hpp"
 
+namespace named_resistance_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("what there is not is refused by name", "[bad_input]") {
   CHECK_THROWS_AS(resistance_named("DVN:C", StressKind::direct, {}), InputError);
   CHECK_THROWS_AS(resistance_named("8.3/5", StressKind::shear, {}), InputError);
 }
+
+}  // namespace named_resistance_test

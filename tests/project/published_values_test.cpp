@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace published_values_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -141,3 +143,5 @@ TEST_CASE("a table of published values that is not there is said", "[published][
   CHECK_THROWS_AS(read_published("/nonexistent/published.csv"), InputError);
   CHECK_THROWS_AS(read_published("/tmp"), InputError);
 }
+
+}  // namespace published_values_test

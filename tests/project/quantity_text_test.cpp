@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace quantity_text_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -202,3 +204,5 @@ TEST_CASE("signs that look like a minus are named") {
   CHECK(look_alike_sign_in("-1.5 m").empty());
   CHECK(look_alike_sign_in("Stra\u00dfe \u2013x").empty());
 }
+
+}  // namespace quantity_text_test

@@ -1,5 +1,7 @@
 #include "project/small_case.hpp"
 
+namespace read_bodies_test {
+
 using namespace small_case;
 using namespace boxbeam;
 
@@ -17,3 +19,5 @@ TEST_CASE("a sketch gives the origin of the body's axes, the body its centre of 
   CHECK(mechanism.bodies[arm].start_velocity.isZero(0.0));
   CHECK(mechanism.bodies[arm].sketch.centre.x() == Approx(0.5).epsilon(1e-14));
 }
+
+}  // namespace read_bodies_test

@@ -9,6 +9,8 @@
 #include "project/small_chain.hpp"
 #include "support/program.hpp"
 
+namespace read_chain_test {
+
 using namespace boxbeam;
 using namespace small_chain;
 using Eigen::Matrix3d;
@@ -309,3 +311,5 @@ TEST_CASE("bodies that cannot be are refused", "[bad_input]") {
   CHECK_THAT(problem_with("C = [\"0 m\", \"0 m\", \"0 m\"]", "C = [\"0 m\", \"0 m\"]"),
              Catch::Contains("three values, x, y and z"));
 }
+
+}  // namespace read_chain_test

@@ -3,6 +3,8 @@
 
 #include "project/small_case.hpp"
 
+namespace read_drivers_test {
+
 using namespace small_case;
 using namespace boxbeam;
 using planar::Coordinate;
@@ -170,3 +172,5 @@ TEST_CASE("nothing drives a mechanism without drivers, but a force over a durati
   CHECK(contains(problem_of(free).message, "nothing drives the mechanism"));
   CHECK_NOTHROW(read(free + for_a_second));
 }
+
+}  // namespace read_drivers_test

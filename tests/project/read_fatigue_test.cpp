@@ -4,6 +4,8 @@
 #include "project/small_case.hpp"
 #include "support/changed_rig.hpp"
 
+namespace read_fatigue_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -238,3 +240,5 @@ TEST_CASE("a hot-spot row wants the ratio of its stress to the nominal one, and 
   };
   CHECK(factor_with("2.6") == Approx(factor_with("1.3") / 2.0).epsilon(1e-12));
 }
+
+}  // namespace read_fatigue_test

@@ -11,6 +11,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace read_flexible_test {
+
 using namespace boxbeam;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -225,3 +227,5 @@ TEST_CASE("a planar case may say which model it wants", "[flexible]") {
   CHECK(project.model.shear_modulus == 8.1e10);
   CHECK(project.model.retardation == Approx(1e-4));
 }
+
+}  // namespace read_flexible_test

@@ -2,6 +2,8 @@
 
 #include "project/small_case.hpp"
 
+namespace read_forces_test {
+
 using namespace small_case;
 using namespace boxbeam;
 
@@ -112,3 +114,5 @@ TEST_CASE("forces have names of their own") {
   CHECK(contains(problem.message, "\"pivot\" is already the name of a joint"));
   CHECK(contains(problem.hint, "give the force another name"));
 }
+
+}  // namespace read_forces_test

@@ -2,6 +2,8 @@
 
 #include "project/small_case.hpp"
 
+namespace read_joints_test {
+
 // Points are written in the axes of the drawing and stand from the centre of mass when read: the
 // arm's centre lies 0.5 m from A, the rod's 0.5 m from P.
 using namespace small_case;
@@ -166,3 +168,5 @@ TEST_CASE("a mechanism of too few equations wants a duration") {
   CHECK(free.duration.length == 4.0);
   CHECK(free.duration.settle == 0.5);
 }
+
+}  // namespace read_joints_test

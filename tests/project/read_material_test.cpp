@@ -1,5 +1,7 @@
 #include "project/small_case.hpp"
 
+namespace read_material_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -55,3 +57,5 @@ TEST_CASE("[material] a plate of 100 mm is beyond EN 1993-1-1, not beyond both s
     CHECK(error.problems().front().hint.find("its table ends at 80 mm") != std::string::npos);
   }
 }
+
+}  // namespace read_material_test

@@ -7,6 +7,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace read_sections_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -125,3 +127,5 @@ TEST_CASE("every profile of the catalogue can be, and EN 10210's heaviest square
     CHECK(properties_of({profile->profile, {}}).area.value() > 0.0);
   }
 }
+
+}  // namespace read_sections_test

@@ -3,6 +3,8 @@
 #include "project/small_case.hpp"
 #include "support/changed_rig.hpp"
 
+namespace read_situations_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -170,3 +172,5 @@ TEST_CASE("the published chain knows one situation only") {
           "\n" + run + "[[situations]]\nname = \"other\"\ncycles = 1\n"),
       "[[situations]]\nname = \"run\"", "knows one situation only", "use rigorous dynamics");
 }
+
+}  // namespace read_situations_test

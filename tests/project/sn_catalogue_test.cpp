@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace sn_catalogue_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -116,3 +118,5 @@ TEST_CASE("what is not in the catalogue is not found", "[sn_catalogue]") {
   CHECK_FALSE(curve_of_same_strength("EN 1993-1-9", StressKind::direct, si<Stress>(35e6)));
   CHECK_FALSE(curve_of_same_strength("EN 1993-1-9 hot spot", StressKind::shear, si<Stress>(1e9)));
 }
+
+}  // namespace sn_catalogue_test

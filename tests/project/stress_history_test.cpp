@@ -9,6 +9,8 @@
 #include "support/program.hpp"
 #include "support/property.hpp"
 
+namespace stress_history_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -168,3 +170,5 @@ TEST_CASE("numbers are rounded exactly") {
     RC_ASSERT(read_text("sigma [Pa]\n-" + text + "\n").normal == Numbers{-value});
   });
 }
+
+}  // namespace stress_history_test

@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace table_reader_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -278,3 +280,5 @@ TEST_CASE("no problem, no error") {
   CHECK(r.list.empty());
   CHECK_NOTHROW(r.list.raise());
 }
+
+}  // namespace table_reader_test

@@ -3,6 +3,8 @@
 #include "project/small_case.hpp"
 #include "support/program.hpp"
 
+namespace time_tables_test {
+
 using namespace small_case;
 using namespace boxbeam;
 
@@ -222,3 +224,5 @@ TEST_CASE("the hash of a case covers its tables") {
   CHECK(project.tables.front().sha256 ==
         "b2e2635c90b2c92588aa2513ddd2753b93be4ed52c89d21d0726ffedf6d0d42f");
 }
+
+}  // namespace time_tables_test

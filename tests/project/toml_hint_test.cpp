@@ -2,6 +2,8 @@
 #include "boxbeam/project/case_document.hpp"
 #include "catch.hpp"
 
+namespace toml_hint_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("what is no TOML is answered by what stands there") {
     CHECK(problem.hint == row.hint);
   }
 }
+
+}  // namespace toml_hint_test

@@ -17,6 +17,8 @@
 #include "support/program.hpp"
 #include "support/svg_text.hpp"
 
+namespace accuracy_test {
+
 using namespace boxbeam;
 using study::Chart;
 using study::Map;
@@ -344,3 +346,5 @@ TEST_CASE("the terminal's table says how each default stands to what is needed",
   const std::string maps = accuracy_text({{&study::topics()[0], {{}, {invented_map("m", 2)}, ""}}});
   CHECK(holds(maps, "method 1 (for comparison)"));
 }
+
+}  // namespace accuracy_test

@@ -13,6 +13,8 @@
 #include "support/program.hpp"
 #include "support/rig.hpp"
 
+namespace comparison_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -437,3 +439,5 @@ TEST_CASE("a comparison of one value is said in the singular", "[compare]") {
   CHECK(contains(text, "1 value: 1 within"));
   CHECK_FALSE(contains(text, "1 values"));
 }
+
+}  // namespace comparison_test

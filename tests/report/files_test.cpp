@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace files_test {
+
 using namespace boxbeam;
 namespace fs = std::filesystem;
 
@@ -41,3 +43,5 @@ TEST_CASE("what cannot be written is said, and what stood there stays") {
   CHECK_THROWS_AS(write_file("/dev/full", "x"), OutputError);
   CHECK(test::read_file(file) == "kept");
 }
+
+}  // namespace files_test

@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace format_test {
+
 using namespace boxbeam;
 using text::Quantity;
 
@@ -113,3 +115,5 @@ TEST_CASE("zero is 0 in every quantity, and the unit stands behind the number", 
     CHECK(text::with_unit(quantity, 0.0) == (unit.empty() ? number : number + " " + unit));
   }
 }
+
+}  // namespace format_test

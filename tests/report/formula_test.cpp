@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/formula_value.hpp"
 
+namespace formula_test {
+
 using boxbeam::report::is_formula;
 using boxbeam::report::latex_of_formula;
 using boxbeam::report::mathml_of_formula;
@@ -198,3 +200,5 @@ TEST_CASE("A long formula comes in pieces for browsers", "[report][formula]") {
   CHECK(mathml_pieces_of_formula("no formula!") ==
         std::vector<std::string>{"<mtext>no formula!</mtext>"});
 }
+
+}  // namespace formula_test

@@ -13,6 +13,8 @@
 #include "support/program.hpp"
 #include "support/property.hpp"
 
+namespace html_writer_test {
+
 using namespace boxbeam;
 using namespace boxbeam::report;
 
@@ -392,3 +394,5 @@ TEST_CASE("the bar of a sheet is drawn to 200 %, and words say what its colour s
   CHECK(drawn);
   CHECK(test::elements_named(page, "h3").at(0).text == "title FAILS");
 }
+
+}  // namespace html_writer_test

@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace latex_writer_test {
+
 using namespace boxbeam::report;
 
 namespace {
@@ -154,3 +156,5 @@ TEST_CASE("a figure that was not drawn is left out", "[report][latex]") {
   CHECK(contains(latex, "\\takefigure{there.pdf}"));
   CHECK_FALSE(contains(latex, "missing"));
 }
+
+}  // namespace latex_writer_test

@@ -17,6 +17,8 @@
 #include "support/property.hpp"
 #include "support/shipped_cases.hpp"
 
+namespace pdf_test {
+
 using namespace boxbeam::report;
 using boxbeam::report_of;
 using boxbeam::ReportLevel;
@@ -434,3 +436,5 @@ TEST_CASE("where pdflatex fails its first error is shown and its log kept", "[re
   CHECK(fs::exists(folder.path() / "out" / "report.log"));
   CHECK_FALSE(fs::exists(path));
 }
+
+}  // namespace pdf_test

@@ -15,6 +15,8 @@
 #include "support/rig.hpp"
 #include "support/svg_text.hpp"
 
+namespace plots_test {
+
 using namespace boxbeam;
 using test::has;
 using test::SvgText;
@@ -345,3 +347,5 @@ TEST_CASE("where gnuplot fails its first words are told and nothing is left") {
   fs::permissions(fake, fs::perms::owner_all);
   CHECK(words_of_draw_with(tools.path().string()).find("no terminal today") != std::string::npos);
 }
+
+}  // namespace plots_test

@@ -16,6 +16,8 @@
 #include "support/rig.hpp"
 #include "support/shipped_cases.hpp"
 
+namespace report_test {
+
 using namespace boxbeam;
 using namespace boxbeam::report;
 
@@ -445,3 +447,5 @@ TEST_CASE("the date is that of SOURCE_DATE_EPOCH, else today in UTC", "[report]"
   CHECK(std::regex_match(report_date(), date));
   if (before != nullptr) ::setenv("SOURCE_DATE_EPOCH", kept.c_str(), 1);
 }
+
+}  // namespace report_test

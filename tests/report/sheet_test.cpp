@@ -18,6 +18,8 @@
 #include "support/program.hpp"
 #include "support/rig.hpp"
 
+namespace sheet_test {
+
 using namespace boxbeam;
 using report::Sheet;
 using report::Step;
@@ -502,3 +504,5 @@ TEST_CASE("A first moment says what it is of, and beta which of the table it is"
   });
   CHECK(factors == std::set<std::string>{"beta_1", "beta_2"});
 }
+
+}  // namespace sheet_test

@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace text_writer_test {
+
 using namespace boxbeam::report;
 
 namespace {
@@ -232,3 +234,5 @@ TEST_CASE("chapters are counted, and blocks stand apart but below their subheadi
   CHECK(text.find("\n1 Chapter\n---------\n  Under\n  one\n\n  two\n\n2 Second\n--------\n"
                   "  three\n") != std::string::npos);
 }
+
+}  // namespace text_writer_test

@@ -6,6 +6,8 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
 
+namespace level_shear_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -112,3 +114,5 @@ TEST_CASE("an open section carries torsion in its walls alone", "[section]") {
     CHECK(point.influence.shear[cut_force::T] == Approx(point.torsion->face));
   }
 }
+
+}  // namespace level_shear_test

@@ -7,6 +7,8 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
 
+namespace point_stress_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -111,3 +113,5 @@ TEST_CASE("stress is linear: doubled cut forces double it, sums add") {
   const PointStress bending = stress_at(level, cut(0, 2e4, 3e5));
   CHECK((axial.normal + bending.normal).value() == Approx(one.normal.value()).epsilon(1e-14));
 }
+
+}  // namespace point_stress_test

@@ -12,6 +12,8 @@
 #include "catch.hpp"
 #include "section/random_sections.hpp"
 
+namespace section_points_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -299,3 +301,5 @@ TEST_CASE("the rounded corners of a rolled tube are stretches on the rounding") 
   for (const SectionPoint& point : points_of(field, PointSet::in_space))
     CHECK_FALSE(point.name.starts_with("corner"));
 }
+
+}  // namespace section_points_test

@@ -7,6 +7,8 @@
 #include "boxbeam/section/level_shear.hpp"
 #include "catch.hpp"
 
+namespace section_properties_test {
+
 using namespace boxbeam;
 using std::numbers::pi;
 
@@ -255,3 +257,5 @@ TEST_CASE("shear lag takes material out beside holes, and never gives any back")
     }
   }
 }
+
+}  // namespace section_properties_test

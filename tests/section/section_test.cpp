@@ -3,6 +3,8 @@
 #include "boxbeam/section/section_defect.hpp"
 #include "catch.hpp"
 
+namespace section_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -171,3 +173,5 @@ TEST_CASE("only boxes with the same stiffeners taper into each other", "[section
   stiff.stiffeners.push_back({BoxPlate::top_flange, mm(-40), mm(100), mm(10)});
   CHECK(is_symmetric_about_z({stiff, {}}));
 }
+
+}  // namespace section_test

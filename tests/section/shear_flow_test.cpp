@@ -13,6 +13,8 @@
 #include "catch.hpp"
 #include "section/random_sections.hpp"
 
+namespace shear_flow_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("rolled tubes: the flow at the flats is V S/(2 I) with the exact corne
     }
   }
 }
+
+}  // namespace shear_flow_test

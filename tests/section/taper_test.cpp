@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "section/random_sections.hpp"
 
+namespace taper_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -112,3 +114,5 @@ TEST_CASE("a prismatic piece has the same shear with and without its taper", "[s
     }
   }
 }
+
+}  // namespace taper_test

@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "section/random_sections.hpp"
 
+namespace torsion_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -210,3 +212,5 @@ TEST_CASE("nested profiles twist alike: constants add", "[section]") {
   CHECK(torsion_properties_of({outer, inner}).I_T->value() * 1e12 ==
         Approx(constant_of(outer) + constant_of(inner)).epsilon(1e-12));
 }
+
+}  // namespace torsion_test

@@ -10,6 +10,8 @@
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "catch.hpp"
 
+namespace aliasing_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -175,3 +177,5 @@ TEST_CASE("what cannot be resolved is refused") {
   CHECK_THROWS_AS(solve_motion(mechanism), AnalysisError);
   std::cout << "stability: slider-crank r/l = 1 - 1e-9: refused, its peak is too sharp\n";
 }
+
+}  // namespace aliasing_test

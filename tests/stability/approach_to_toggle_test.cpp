@@ -13,6 +13,8 @@
 #include "boxbeam/mechanism/planar/instant_solver.hpp"
 #include "catch.hpp"
 
+namespace approach_to_toggle_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -154,3 +156,5 @@ TEST_CASE("at the dead point and beyond nothing is returned") {
   std::cout << "stability: dead point and up to 0.1 rad beyond, 60 times: " << refused
             << " refused, " << wrong << " wrong\n";
 }
+
+}  // namespace approach_to_toggle_test

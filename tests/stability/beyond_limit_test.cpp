@@ -16,6 +16,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace beyond_limit_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -262,3 +264,5 @@ TEST_CASE("a reach that holds all the way is not limited") {
   std::cout << "stability: 6 crank angles up to 1e-6 rad before the limit: " << wrong
             << " wrongly called out of reach\n";
 }
+
+}  // namespace beyond_limit_test

@@ -13,6 +13,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace branch_jump_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -174,3 +176,5 @@ TEST_CASE("the rig at full stroke keeps its branch") {
     CHECK(tally.right > 4 * tally.refused);
   }
 }
+
+}  // namespace branch_jump_test

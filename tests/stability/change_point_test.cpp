@@ -12,6 +12,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace change_point_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -256,3 +258,5 @@ TEST_CASE("a stroke too long by nanometres is refused, not passed as a change po
   std::cout << "stability: rig and four-bar 1e-9 .. 1e-3 m (rad) beyond their reach, 80 motions: "
             << refused << " refused, " << passed << " passed as if they could\n";
 }
+
+}  // namespace change_point_test

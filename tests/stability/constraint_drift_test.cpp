@@ -9,6 +9,8 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "catch.hpp"
 
+namespace constraint_drift_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -99,3 +101,5 @@ TEST_CASE("without projection they drift (negative control)") {
   CHECK(coarse_projected.position < 1e-12);
   CHECK(fine.position > 1e-12);
 }
+
+}  // namespace constraint_drift_test

@@ -15,6 +15,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace pivot_order_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -349,3 +351,5 @@ TEST_CASE("tall and singular matrices: rank, rows left over and columns without 
             << " tall matrices: all redundant rows left over, solutions within " << worst << "; "
             << singular << " singular ones: all ranks found\n";
 }
+
+}  // namespace pivot_order_test

@@ -14,6 +14,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace random_starts_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -222,3 +224,5 @@ TEST_CASE("close to a dead point both assemblies are listed, as far as they are 
   std::cout << "stability: assemblies 1e-2 .. 1e-10 rad before a dead point: both listed " << both
             << " times of 5\n";
 }
+
+}  // namespace random_starts_test

@@ -13,6 +13,8 @@
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "catch.hpp"
 
+namespace rank_loss_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -328,3 +330,5 @@ TEST_CASE("an aligned slider-crank with r = l: the rank falls, and is said") {
   std::cout << "stability: aligned slider-crank r = l: two freedoms, one driver; gap "
             << freedom.gap << "; its velocities are refused\n";
 }
+
+}  // namespace rank_loss_test

@@ -17,6 +17,8 @@
 #include "support/elastic_beams.hpp"
 #include "support/frequency_count.hpp"
 
+namespace rigid_elements_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using test::Bar;
@@ -527,3 +529,5 @@ TEST_CASE("10 000 elements in vibration: round-off against ten times fewer") {
   CHECK(std::abs(tips[1] / tips[0] - 1.0) < 1e-7);
   CHECK(std::abs(tips[2] / tips[0] - 1.0) < 1e-7);
 }
+
+}  // namespace rigid_elements_test

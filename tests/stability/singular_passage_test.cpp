@@ -8,6 +8,8 @@
 #include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
 
+namespace singular_passage_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -66,3 +68,5 @@ TEST_CASE("states within a passage are interpolated, and the way goes on from it
     CHECK(error_of(solver.advance(1.5, at)) < 1e-6);
   }
 }
+
+}  // namespace singular_passage_test

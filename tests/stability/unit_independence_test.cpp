@@ -13,6 +13,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace unit_independence_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -271,3 +273,5 @@ TEST_CASE("units: what is refused in metres is refused in millimetres") {
   std::cout << "stability: crank angles beyond the limit in m and mm: " << refused
             << " of 6 refused, none before the limit\n";
 }
+
+}  // namespace unit_independence_test

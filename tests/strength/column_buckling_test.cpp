@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace column_buckling_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -88,3 +90,5 @@ TEST_CASE("column: Euler's force, slenderness and resistance of a bar by hand") 
   CHECK(buckling_resistance(area, yield, critical, BucklingCurve::c, 1.1).value() ==
         Approx(0.5863 * 376e3 / 1.1).epsilon(3e-4));
 }
+
+}  // namespace column_buckling_test

@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace compressed_section_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -123,3 +125,5 @@ TEST_CASE("a nested profile is judged as well as the one around it") {
   CHECK((of.area - of.effective).value() ==
         Approx(4.0 * 166.0 * 2.0 * (1.0 - rho_of(83.0)) * 1e-6).epsilon(1e-9));
 }
+
+}  // namespace compressed_section_test

@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace effective_width_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -157,3 +159,5 @@ TEST_CASE("effective width: twice the plate, twice the width; never more than is
     CHECK(outstand.b_e2.value() == 0.0);
   }
 }
+
+}  // namespace effective_width_test

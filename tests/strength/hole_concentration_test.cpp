@@ -8,6 +8,8 @@
 
 #include "catch.hpp"
 
+namespace hole_concentration_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -274,3 +276,5 @@ TEST_CASE("holes in space are known in boxes and rectangular tubes, by their own
   CHECK(unknown_hole_stress_of(solid, HoleCase::in_plane_bending));
   CHECK(unknown_hole_stress_of(solid, HoleCase::out_of_plane_bending));
 }
+
+}  // namespace hole_concentration_test

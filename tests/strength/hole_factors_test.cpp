@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace hole_factors_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -118,3 +120,5 @@ TEST_CASE("nominal stress of plate bending: the net width times h^2/6") {
   CHECK(plate_bending_nominal_stress(bending, m(0.3), m(0.02), m(0.05)).value() ==
         Approx(60e6).epsilon(1e-12));
 }
+
+}  // namespace hole_factors_test

@@ -5,6 +5,8 @@
 #include "boxbeam/project/catalogue.hpp"
 #include "catch.hpp"
 
+namespace material_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -160,3 +162,5 @@ TEST_CASE("a steel of another name is not found") {
   const auto names = steel_names();
   CHECK(std::find(names.begin(), names.end(), "S355") != names.end());
 }
+
+}  // namespace material_test

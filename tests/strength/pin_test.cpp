@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace pin_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -108,3 +110,5 @@ TEST_CASE("pin: the standard's outline (type B) satisfies the rule for any outli
     }
   }
 }
+
+}  // namespace pin_test

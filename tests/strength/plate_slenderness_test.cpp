@@ -5,6 +5,8 @@
 #include "boxbeam/project/catalogue.hpp"
 #include "catch.hpp"
 
+namespace plate_slenderness_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("between corners sharper than rolled ones a tube's plate is as long as
   CHECK(plate_slenderness_of(folded, *find_steel("S355")).front().ratio ==
         Approx((300.0 - 16.0) / 8.0).epsilon(1e-12));
 }
+
+}  // namespace plate_slenderness_test

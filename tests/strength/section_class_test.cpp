@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace section_class_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("a slenderness on a limit still belongs to its class") {
   CHECK(class_of(30.0, limits) == 3);
   CHECK(class_of(30.1, limits) == 4);
 }
+
+}  // namespace section_class_test

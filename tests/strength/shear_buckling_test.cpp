@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace shear_buckling_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -41,3 +43,5 @@ TEST_CASE("shear buckling: at the limit a long web of steel buckles at eta times
     CHECK(std::sqrt(355 / std::sqrt(3.0) / critical) == Approx(0.83 / eta).epsilon(0.005));
   }
 }
+
+}  // namespace shear_buckling_test

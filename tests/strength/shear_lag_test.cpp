@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace shear_lag_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -83,3 +85,5 @@ TEST_CASE("beta: a flange works less over a support than in the span") {
           shear_lag_factor(kappa, BendingRegion::hogging));
   }
 }
+
+}  // namespace shear_lag_test

@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace taper_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("wedge: without taper the beam formula is exact, and the series joins 
   CHECK(wedge_bending_ratio(0.0) == 1.0);
   CHECK(wedge_bending_ratio(4.999e-3) == Approx(wedge_bending_ratio(5e-3)).epsilon(1e-8));
 }
+
+}  // namespace taper_test

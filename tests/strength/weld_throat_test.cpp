@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace weld_throat_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -81,3 +83,5 @@ TEST_CASE("weld: the second condition governs where the direct stress is almost 
   const auto sheared = directional_utilisation({MPa(0), MPa(100), MPa(0)}, S235);
   CHECK(sheared.largest() == sheared.combined);
 }
+
+}  // namespace weld_throat_test

@@ -8,6 +8,8 @@
 #include "stability/benches.hpp"
 #include "support/rig.hpp"
 
+namespace arithmetic_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -73,3 +75,5 @@ TEST_CASE("operations of dense elimination are the textbook's 2/3 n^3 and 2 n^2"
   CHECK(solver.factor_operations() == Approx(2.0 / 3.0 * 15 * 15 * 15));
   CHECK(solver.solve_operations() == Approx(2.0 * 15 * 15));
 }
+
+}  // namespace arithmetic_test

@@ -6,8 +6,10 @@
 
 #include "boxbeam/study/topics.hpp"
 #include "catch.hpp"
-#include "support/chart_points.hpp"
+#include "study/charts.hpp"
 #include "support/program.hpp"
+
+namespace critical_instants_test {
 
 using namespace boxbeam;
 using namespace boxbeam::study;
@@ -90,3 +92,5 @@ TEST_CASE("peaks over time of other cases, twice the same", "[study]") {
     CHECK(test::errors_of(once) == test::errors_of(critical_instants(scenes, {true})));
   }
 }
+
+}  // namespace critical_instants_test

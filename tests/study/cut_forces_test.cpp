@@ -3,8 +3,10 @@
 
 #include "boxbeam/study/topics.hpp"
 #include "catch.hpp"
-#include "support/chart_points.hpp"
+#include "study/charts.hpp"
 #include "support/program.hpp"
+
+namespace cut_forces_test {
 
 using namespace boxbeam;
 using namespace boxbeam::study;
@@ -81,3 +83,5 @@ TEST_CASE("cut forces of an even beam have no chart of jumps, of two runs the sa
   CHECK_THROWS_AS(test::chart_named(once, "cut-forces-jumps"), std::out_of_range);
   CHECK(test::errors_of(once) == test::errors_of(cut_forces(scenes, {true})));
 }
+
+}  // namespace cut_forces_test

@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "study/charts.hpp"
 
+namespace driven_scene_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -53,3 +55,5 @@ TEST_CASE("an error is seen in every quantity, and none in the reference itself"
   instants[2].lambda *= std::numeric_limits<long double>::quiet_NaN();
   CHECK(std::isnan(error_of(Quantity::reaction, instants)));
 }
+
+}  // namespace driven_scene_test

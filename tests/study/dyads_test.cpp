@@ -7,6 +7,8 @@
 #include "catch.hpp"
 #include "stability/benches.hpp"
 
+namespace dyads_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -99,3 +101,5 @@ TEST_CASE("a platform on three rods has no dyad, and says which body") {
   const planar::State state = solver.solve_from_sketch(0.0, sketch_of(mechanism));
   CHECK(plan_dyads(mechanism, state.q).failure == "no dyad: platform");
 }
+
+}  // namespace dyads_test

@@ -7,6 +7,8 @@
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
 
+namespace integration_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -157,3 +159,5 @@ TEST_CASE("chart integration: orders, failures, the default", "[study]") {
 
   check_same_errors(result, integration(reference_scenes(), {true}));
 }
+
+}  // namespace integration_test

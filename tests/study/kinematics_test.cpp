@@ -3,6 +3,8 @@
 #include "boxbeam/study/topics.hpp"
 #include "study/charts.hpp"
 
+namespace kinematics_test {
+
 using namespace boxbeam::study;
 
 namespace {
@@ -91,3 +93,5 @@ TEST_CASE("kinematics has nothing to say of elastic links, and says so") {
   CHECK(result.charts.empty());
   CHECK(result.not_applicable.find("elastic links") != std::string::npos);
 }
+
+}  // namespace kinematics_test

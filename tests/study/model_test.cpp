@@ -6,8 +6,10 @@
 #include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/chart_points.hpp"
+#include "study/charts.hpp"
 #include "support/program.hpp"
+
+namespace model_test {
 
 using namespace boxbeam;
 using namespace boxbeam::study;
@@ -72,3 +74,5 @@ TEST_CASE("models of another case", "[study][model]") {
   REQUIRE(default_point(cost) != nullptr);
   CHECK(default_point(cost)->error <= cost.needed_high);
 }
+
+}  // namespace model_test

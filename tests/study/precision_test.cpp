@@ -3,6 +3,8 @@
 #include "boxbeam/study/topics.hpp"
 #include "study/charts.hpp"
 
+namespace precision_test {
+
 using namespace boxbeam::study;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("precision on the sledge rig: errors are units of round-off, the same 
 TEST_CASE("precision on another shipped mechanism") {
   check_precision(precision(test::shipped_scene("slider-crank-press/press.toml"), {true}));
 }
+
+}  // namespace precision_test

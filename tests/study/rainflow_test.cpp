@@ -5,6 +5,8 @@
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
 
+namespace rainflow_test {
+
 using namespace boxbeam::study;
 
 TEST_CASE("chart rainflow: orders of classes, and that the program needs none", "[study]") {
@@ -58,3 +60,5 @@ TEST_CASE("chart rainflow: orders of classes, and that the program needs none", 
     }
   }
 }
+
+}  // namespace rainflow_test

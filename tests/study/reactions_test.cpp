@@ -3,6 +3,8 @@
 #include "boxbeam/study/topics.hpp"
 #include "study/charts.hpp"
 
+namespace reactions_test {
+
 using namespace boxbeam::study;
 
 namespace {
@@ -50,3 +52,5 @@ TEST_CASE("reactions of the sledge rig: methods, tolerances, and the same errors
 TEST_CASE("reactions of another shipped mechanism") {
   check_reactions(reactions(test::shipped_scene("four-bar-rocker/rocker.toml"), {true}));
 }
+
+}  // namespace reactions_test

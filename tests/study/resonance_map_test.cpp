@@ -6,7 +6,9 @@
 #include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/chart_points.hpp"
+#include "study/charts.hpp"
+
+namespace resonance_map_test {
 
 using namespace boxbeam::study;
 
@@ -34,3 +36,5 @@ TEST_CASE(
   CHECK(map.panels[2].count(Outcome::wrong) > 0);
   CHECK(test::errors_of({{}, {resonance_map({}, {true})}, ""}) == test::errors_of({{}, {map}, ""}));
 }
+
+}  // namespace resonance_map_test

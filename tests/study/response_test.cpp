@@ -5,8 +5,10 @@
 #include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/chart_points.hpp"
+#include "study/charts.hpp"
 #include "support/program.hpp"
+
+namespace response_test {
 
 using namespace boxbeam;
 using namespace boxbeam::study;
@@ -70,3 +72,5 @@ TEST_CASE("charts of the response of another case, and of one without elastic li
       response(scenes_of(read_project(test::project_file("sections/sledge-rig/rig.toml"))), {true});
   CHECK(rigid.charts.size() == 2);
 }
+
+}  // namespace response_test

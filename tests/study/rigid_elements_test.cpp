@@ -10,8 +10,10 @@
 #include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/chart_points.hpp"
+#include "study/charts.hpp"
 #include "support/program.hpp"
+
+namespace rigid_elements_test {
 
 using namespace boxbeam;
 using namespace boxbeam::study;
@@ -131,3 +133,5 @@ TEST_CASE("charts of rigid elements of another case, and of one without elastic 
       scenes_of(read_project(test::project_file("sections/sledge-rig/rig.toml"))), {true});
   CHECK(rigid.charts.size() == 4);
 }
+
+}  // namespace rigid_elements_test

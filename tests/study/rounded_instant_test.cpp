@@ -9,6 +9,8 @@
 #include "study/charts.hpp"
 #include "support/csv.hpp"
 
+namespace rounded_instant_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -130,3 +132,5 @@ TEST_CASE("thesis E.3 next to turning points: lost as by omega to two digits") {
     CHECK(state.acceleration == Approx(-4.84).epsilon(1e-4));
   }
 }
+
+}  // namespace rounded_instant_test

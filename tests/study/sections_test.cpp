@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace sections_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -77,3 +79,5 @@ TEST_CASE("torsion by elements: seven digits, against published and independent 
   const double fine = torsion_constant_by_elements(0.4, 1.0, 0.05, 32);
   CHECK(std::abs(fine / coarse - 1.0) < 1e-5);
 }
+
+}  // namespace sections_test

@@ -6,7 +6,9 @@
 #include "boxbeam/study/topics.hpp"
 #include "boxbeam/study/trials.hpp"
 #include "catch.hpp"
-#include "support/chart_points.hpp"
+#include "study/charts.hpp"
+
+namespace stiff_joint_map_test {
 
 using namespace boxbeam::study;
 
@@ -33,3 +35,5 @@ TEST_CASE("the map of stiff joints: boxbeam loses nothing, absolute coordinates 
   CHECK(test::errors_of({{}, {stiff_joint_map({}, {true})}, ""}) ==
         test::errors_of({{}, {map}, ""}));
 }
+
+}  // namespace stiff_joint_map_test

@@ -2,6 +2,8 @@
 
 #include "catch.hpp"
 
+namespace stopwatch_test {
+
 using namespace boxbeam::study;
 
 TEST_CASE("alternatives are measured by turns, each as often as the others", "[study]") {
@@ -26,3 +28,5 @@ TEST_CASE("alternatives are measured by turns, each as often as the others", "[s
   }
   CHECK(times_of({}, effort).empty());
 }
+
+}  // namespace stopwatch_test

@@ -3,6 +3,8 @@
 #include "boxbeam/study/topics.hpp"
 #include "catch.hpp"
 
+namespace thin_section_map_test {
+
 using namespace boxbeam::study;
 
 namespace {
@@ -63,3 +65,5 @@ TEST_CASE("tapers from gentle slopes to steps and wedges: never silently wrong",
   CHECK(cell_at(map.panels[3], 1.0, 1e-6).outcome == Outcome::wrong);
   CHECK(cell_at(map.panels[3], 1.0, 0.1).outcome == Outcome::solved);
 }
+
+}  // namespace thin_section_map_test

@@ -5,6 +5,8 @@
 #include "boxbeam/study/toggle.hpp"
 #include "study/charts.hpp"
 
+namespace toggle_map_test {
+
 using namespace boxbeam::study;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("the map of toggles is the same twice") {
     }
   }
 }
+
+}  // namespace toggle_map_test

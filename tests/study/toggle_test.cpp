@@ -7,6 +7,8 @@
 #include "stability/benches.hpp"
 #include "study/charts.hpp"
 
+namespace toggle_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -45,3 +47,5 @@ TEST_CASE("a crank that turns round has no toggle: the four-bar stands in for it
   CHECK(toggle_scene_of(test::shipped_scene("slider-crank-press/press.toml")).name ==
         four_bar_before_toggle().name);
 }
+
+}  // namespace toggle_test

@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace topics_test {
+
 using namespace boxbeam;
 using namespace boxbeam::study;
 
@@ -47,3 +49,5 @@ TEST_CASE("a case stands for the scenes of its own kind only", "[study]") {
   CHECK(own.flexible->sha256 ==
         read_project(test::project_file("sections/drill-truck/truck.toml")).sha256);
 }
+
+}  // namespace topics_test

@@ -14,6 +14,8 @@
 #include "catch.hpp"
 #include "support/balance.hpp"
 
+namespace andrews_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 using namespace boxbeam::study;
@@ -109,3 +111,5 @@ TEST_CASE("Andrews' mechanism after 0.03 s") {
     CHECK(solver.steps() < 1000);
   }
 }
+
+}  // namespace andrews_test

@@ -4,6 +4,8 @@
 #include "boxbeam/fatigue/damage.hpp"
 #include "catch.hpp"
 
+namespace anvilate_miner_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -44,3 +46,5 @@ TEST_CASE("the same with gamma_Mf = 1.15 and 1.35 on the whole curve, EN 1993-1-
   CHECK(damage(56, 1.35) == Approx(6.506931).margin(1e-6));
   CHECK(damage(90, 1.35) == Approx(1.203694).margin(1e-6));
 }
+
+}  // namespace anvilate_miner_test

@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "validation/counted.hpp"
 
+namespace astm_e1049_test {
+
 using namespace boxbeam;
 using namespace published;
 
@@ -34,3 +36,5 @@ TEST_CASE("ASTM E1049, figure 7, a repeating history: full cycles of 4, 3, 7 and
   // The same period as figure 6 cuts it.
   CHECK(counted(figure_6, {Counting::periodic}) == from_highest);
 }
+
+}  // namespace astm_e1049_test

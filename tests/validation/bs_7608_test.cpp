@@ -3,6 +3,8 @@
 #include "boxbeam/project/sn_catalogue.hpp"
 #include "catch.hpp"
 
+namespace bs_7608_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -62,3 +64,5 @@ TEST_CASE("BS 7608: from 1e7 cycles on the slope is larger by 2, IACS rules 5.2.
 TEST_CASE("BS 7608: classes that were not read in a source say so", "[sn_catalogue]") {
   for (const char* name : {"E", "F", "F2", "G", "W1 (2014)"}) CHECK(curve_of(name).unconfirmed);
 }
+
+}  // namespace bs_7608_test

@@ -4,6 +4,8 @@
 #include "boxbeam/strength/column_buckling.hpp"
 #include "catch.hpp"
 
+namespace buckling_curves_test {
+
 using namespace boxbeam;
 
 TEST_CASE("buckling curves: tabulated reduction factors at lambda 0.5, 1 and 2", "[validation]") {
@@ -20,3 +22,5 @@ TEST_CASE("buckling curves: tabulated reduction factors at lambda 0.5, 1 and 2",
     }
   }
 }
+
+}  // namespace buckling_curves_test

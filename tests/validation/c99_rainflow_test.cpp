@@ -4,6 +4,8 @@
 #include "catch.hpp"
 #include "validation/counted.hpp"
 
+namespace c99_rainflow_test {
+
 using namespace boxbeam;
 using namespace published;
 
@@ -32,3 +34,5 @@ TEST_CASE("C99 rainflow: a series that is all residue") {
   CHECK(counted(series, {Counting::four_point, Residue::half_cycles}) == halves(series));
   CHECK(counted(series, {Counting::astm}) == halves(series));
 }
+
+}  // namespace c99_rainflow_test

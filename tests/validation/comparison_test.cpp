@@ -15,6 +15,8 @@
 #include "support/csv.hpp"
 #include "support/rig.hpp"
 
+namespace comparison_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -323,3 +325,5 @@ TEST_CASE("the comparison table of the rig's README is complete and right") {
     CHECK(seen[key] == 1);
   }
 }
+
+}  // namespace comparison_test

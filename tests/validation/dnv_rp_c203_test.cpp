@@ -3,6 +3,8 @@
 #include "boxbeam/project/sn_catalogue.hpp"
 #include "catch.hpp"
 
+namespace dnv_rp_c203_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -90,3 +92,5 @@ TEST_CASE("DNV-RP-C203 has no cut-off: a small range still damages, one below EN
   CHECK(std::isinf(
       cycles_to_failure(find_curve("EN 1993-1-9", "100").value(), small, Loading::spectrum)));
 }
+
+}  // namespace dnv_rp_c203_test

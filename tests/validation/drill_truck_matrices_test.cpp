@@ -17,6 +17,8 @@
 #include "boxbeam/mechanism/flexible/matrices.hpp"
 #include "catch.hpp"
 
+namespace drill_truck_matrices_test {
+
 using namespace boxbeam::flexible;
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -462,3 +464,5 @@ TEST_CASE("The vectors H of the paper vanish from the unstressed posture on, and
     CHECK(relative_difference(K * (q - unstressed), K * q + H) < 10.0 * tolerance);
   }
 }
+
+}  // namespace drill_truck_matrices_test

@@ -9,6 +9,8 @@
 #include "support/program.hpp"
 #include "support/timoshenko_frame.hpp"
 
+namespace drill_truck_test {
+
 using namespace boxbeam;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -246,3 +248,5 @@ TEST_CASE("drill truck: joints within parts leave no order, and the stated error
     CHECK(seen < static_cast<int>(joints.size()));
   }
 }
+
+}  // namespace drill_truck_test

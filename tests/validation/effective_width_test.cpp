@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace effective_width_test {
+
 using namespace boxbeam;
 
 TEST_CASE("effective width: b/t = 60 in even compression, b/t = 150 in bending", "[validation]") {
@@ -23,3 +25,5 @@ TEST_CASE("effective width: b/t = 60 in even compression, b/t = 150 in bending",
   CHECK(web.b_eff.value() == Approx(0.75 * 0.6907).epsilon(1e-4));
   CHECK(web.b_e1.value() == Approx(0.4 * 0.75 * 0.6907).epsilon(1e-4));
 }
+
+}  // namespace effective_width_test

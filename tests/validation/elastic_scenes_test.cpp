@@ -20,6 +20,8 @@
 #include "support/program.hpp"
 #include "support/random_scene.hpp"
 
+namespace elastic_scenes_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -169,3 +171,5 @@ TEST_CASE("stated and true error of many scenes", "[.elastic_scenes_table]") {
              covered, refused, buckling);
   CHECK(covered >= 0.99 * judged);
 }
+
+}  // namespace elastic_scenes_test

@@ -3,6 +3,8 @@
 #include "boxbeam/project/sn_catalogue.hpp"
 #include "catch.hpp"
 
+namespace en_1993_1_9_curves_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("the strongest curves are direct 160 and shear 100, as Altair HyperLif
   CHECK(strongest.branches[1].until == 1e8);
   CHECK(MPa(shear("100").reference) == 100.0);
 }
+
+}  // namespace en_1993_1_9_curves_test

@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace fillet_weld_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -27,3 +29,5 @@ TEST_CASE("fillet weld: 283.2 mm of 4.2 mm throat in S275 carry 265 kN, 150 kN u
                         si<ForcePerLength>(150e3 / 0.2832)};
   CHECK(simplified_utilisation(force, 0.0042 * metre, S275) == Approx(0.566).margin(5e-4));
 }
+
+}  // namespace fillet_weld_test

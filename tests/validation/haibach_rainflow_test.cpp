@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "validation/counted.hpp"
 
+namespace haibach_rainflow_test {
+
 using namespace boxbeam;
 using namespace published;
 
@@ -25,3 +27,5 @@ TEST_CASE("Haibach, figure 3.3-30 as one period: the residue closes to 5-2 and 6
   CHECK(counted(history, {Counting::periodic}) == closed);
   CHECK(counted(history, {Counting::four_point, Residue::repeated}) == closed);
 }
+
+}  // namespace haibach_rainflow_test

@@ -6,6 +6,8 @@
 #include "boxbeam/section/shear_flow.hpp"
 #include "catch.hpp"
 
+namespace hibbeler_box_test {
+
 using namespace boxbeam;
 
 TEST_CASE("Hibbeler's box girder: I 125.1667e-6 m^4, q_A 13.033 and q_B 9.437 kN/m",
@@ -42,3 +44,5 @@ TEST_CASE("Hibbeler's box girder: I 125.1667e-6 m^4, q_A 13.033 and q_B 9.437 kN
   CHECK(q(0) == Approx(13.033e3).epsilon(1e-4));
   CHECK(q(1) == Approx(9.437e3).epsilon(1e-4));
 }
+
+}  // namespace hibbeler_box_test

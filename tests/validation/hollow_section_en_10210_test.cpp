@@ -5,6 +5,8 @@
 #include "boxbeam/section/torsion.hpp"
 #include "catch.hpp"
 
+namespace hollow_section_en_10210_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -33,3 +35,5 @@ TEST_CASE("SHS 100 x 5: A 18.73 cm^2, I 279.4 cm^4, I_T 439.4 cm^4", "[validatio
   CHECK(p.I_z.value() * 1e8 == Approx(279.4).margin(0.1));
   CHECK(torsion_properties_of(section).I_T->value() * 1e8 == Approx(439.4).margin(0.1));
 }
+
+}  // namespace hollow_section_en_10210_test

@@ -7,6 +7,8 @@
 #include "boxbeam/strength/hole_factors.hpp"
 #include "catch.hpp"
 
+namespace howland_hole_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -51,3 +53,5 @@ TEST_CASE("Peterson's membrane factor against Roark's and Heywood's fits", "[val
     if (a > 0.45) CHECK(heywood(a) < membrane_concentration(a));
   }
 }
+
+}  // namespace howland_hole_test

@@ -4,6 +4,8 @@
 #include "boxbeam/strength/hole_factors.hpp"
 #include "catch.hpp"
 
+namespace in_plane_hole_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -41,3 +43,5 @@ TEST_CASE("in-plane bending: the hole governs from d/D = 0.5, by finite elements
     CHECK(governs_here == governs_there);
   }
 }
+
+}  // namespace in_plane_hole_test

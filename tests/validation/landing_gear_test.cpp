@@ -15,6 +15,8 @@
 #include "support/moving.hpp"
 #include "support/random_tree.hpp"
 
+namespace landing_gear_test {
+
 using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Vector3d;
@@ -278,3 +280,5 @@ TEST_CASE("landing gear: the source's a_C, completed with d(w_i)/dt = a_i + w_g 
     CHECK((acceleration - a_C(a_i) - w_g.cross(w_i).cross(CB)).norm() < 1e-11);
   }
 }
+
+}  // namespace landing_gear_test

@@ -3,6 +3,8 @@
 #include "catch.hpp"
 #include "validation/counted.hpp"
 
+namespace lee_barkey_kang_test {
+
 using namespace boxbeam;
 using namespace published;
 
@@ -22,3 +24,5 @@ TEST_CASE("Lee, Barkey, Kang: the residue behind itself closes (2, -1), (-4, 3) 
   CHECK(counted(history, {Counting::four_point, Residue::repeated}) == closed);
   CHECK(counted(history, {Counting::periodic}) == closed);
 }
+
+}  // namespace lee_barkey_kang_test

@@ -18,6 +18,8 @@
 #include "catch.hpp"
 #include "support/balance.hpp"
 
+namespace linkage_closed_form_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -894,3 +896,5 @@ TEST_CASE("hydraulic cylinder: a driver of length lifts a boom") {
   CHECK(force_error < 1e-12 * largest);
   CHECK(worst_imbalance(mechanism, motion) < 1e-13);
 }
+
+}  // namespace linkage_closed_form_test

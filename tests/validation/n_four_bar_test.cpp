@@ -20,6 +20,8 @@
 #include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
 
+namespace n_four_bar_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -147,3 +149,5 @@ TEST_CASE("N-four-bar: one revolution takes the exact period") {
   // One turn, clockwise.
   CHECK(state.q[2] == Approx(-3.0 * std::acos(0.0)).epsilon(1e-6));
 }
+
+}  // namespace n_four_bar_test

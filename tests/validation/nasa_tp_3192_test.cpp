@@ -6,6 +6,8 @@
 #include "boxbeam/strength/hole_factors.hpp"
 #include "catch.hpp"
 
+namespace nasa_tp_3192_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -47,3 +49,5 @@ TEST_CASE("NASA TP-3192, bending: with its width, d/w = 0.2, on the safe side by
     CHECK(gross < 1.15 * row.bending);
   }
 }
+
+}  // namespace nasa_tp_3192_test

@@ -5,6 +5,8 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
 
+namespace peery_i_section_test {
+
 using namespace boxbeam;
 
 TEST_CASE("Peery's I-section: I 43.3 in^4, stress 55 427 psi, as a path and as a polygon",
@@ -35,3 +37,5 @@ TEST_CASE("Peery's I-section: I 43.3 in^4, stress 55 427 psi, as a path and as a
     CHECK(stress / (pound / (inch * inch)) == Approx(55427).epsilon(1e-3));
   }
 }
+
+}  // namespace peery_i_section_test

@@ -11,6 +11,8 @@
 #include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
 
+namespace pendulum_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -235,3 +237,5 @@ TEST_CASE("a block on an incline, with Coulomb and viscous friction") {
     CHECK(std::abs(state.q.head<2>().dot(down) - x) < 1e-9);
   }
 }
+
+}  // namespace pendulum_test

@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace pin_connection_test {
+
 using namespace boxbeam;
 
 TEST_CASE("pin of 16 mm, S235: resistances as printed", "[validation]") {
@@ -19,3 +21,5 @@ TEST_CASE("pin of 16 mm, S235: resistances as printed", "[validation]") {
   const auto service = replaceable_pin_utilisation(force, si<Stress>(210e9), joint, strength);
   CHECK(pin_moment(force, joint).value() / service.bending == Approx(76.0).margin(0.5));
 }
+
+}  // namespace pin_connection_test

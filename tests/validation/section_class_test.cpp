@@ -5,6 +5,8 @@
 
 #include "catch.hpp"
 
+namespace section_class_test {
+
 using namespace boxbeam;
 
 TEST_CASE("section class: web with eps = 0.8375, c = 799.9 mm, t = 25.9 mm", "[validation]") {
@@ -30,3 +32,5 @@ TEST_CASE("section class: S355, flange of a box and web in bending", "[validatio
   CHECK(web.class_2 == Approx(67.5).margin(0.05));
   CHECK(web.class_3 == Approx(100.9).margin(0.05));
 }
+
+}  // namespace section_class_test

@@ -10,6 +10,8 @@
 #include "support/csv.hpp"
 #include "support/program.hpp"
 
+namespace sledge_kinematics_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -150,3 +152,5 @@ TEST_CASE("thesis E.3: the sound accelerations") {
   }
   CHECK(compared == 4);
 }
+
+}  // namespace sledge_kinematics_test

@@ -7,6 +7,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace sledge_loads_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -86,3 +88,5 @@ TEST_CASE("thesis 4.8.2 corrected: at 1e8 cycles category 100 holds 40.5 MPa, no
   CHECK(strength_at(thesis, 1e8, Loading::spectrum).value() == Approx(54.9e6).margin(5e4));
   CHECK(knee_of(en).value() == Approx(73.7e6).margin(5e4));
 }
+
+}  // namespace sledge_loads_test

@@ -7,6 +7,8 @@
 #include "boxbeam/fatigue/damage.hpp"
 #include "catch.hpp"
 
+namespace tempest_miner_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("150 MPa at 1e6 cycles, m = 5, limit 60 MPa: 0.65536 + 0.77760 + 0 = 1
   CHECK(damage_of(cycles_of({{120, 2e6}, {90, 1e7}, {50, 1e7}}), curve, {}) ==
         Approx(1.4330).margin(5e-5));
 }
+
+}  // namespace tempest_miner_test

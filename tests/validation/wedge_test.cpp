@@ -11,6 +11,8 @@
 #include "boxbeam/section/section_points.hpp"
 #include "catch.hpp"
 
+namespace wedge_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -78,3 +80,5 @@ TEST_CASE("wedge: shear and inclined normal stress carry V", "[validation]") {
   }
   CHECK(sum == Approx(P).epsilon(1e-5));
 }
+
+}  // namespace wedge_test

@@ -9,6 +9,8 @@
 #include "support/rig.hpp"
 #include "support/tip_loaded.hpp"
 
+namespace beam_cuts_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -117,3 +119,5 @@ TEST_CASE("where a hole begins and ends the web is whole, and the beam is looked
     CHECK_FALSE(cut_at(cuts, s)->sides);
   }
 }
+
+}  // namespace beam_cuts_test

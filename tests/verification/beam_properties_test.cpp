@@ -5,6 +5,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace beam_properties_test {
+
 using namespace boxbeam;
 
 TEST_CASE("pieces of the beam lie between its named places and make up the whole") {
@@ -65,3 +67,5 @@ TEST_CASE("sections at the verified stations: by hand at the pivot") {
   }
   CHECK(pivots == 2);
 }
+
+}  // namespace beam_properties_test

@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace chain_motion_result_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -214,3 +216,5 @@ TEST_CASE("a motion that does not repeat is shown to its end, one that repeats i
   REQUIRE(closed.states.size() == 12);
   CHECK(closed.states.back().time == Approx(0.2 * std::numbers::pi * 11.0 / 12.0));
 }
+
+}  // namespace chain_motion_result_test

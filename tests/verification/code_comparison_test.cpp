@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace code_comparison_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -157,3 +159,5 @@ TEST_CASE("EN 1993-1-9 beside itself gives the same place and factor, on the who
   CHECK(verification.codes[2].safety_factor / own.safety_factor ==
         Approx(std::pow(0.5, 0.15) * std::pow(10.0, 7.835 / 5.0) / cut_off).epsilon(1e-9));
 }
+
+}  // namespace code_comparison_test

@@ -7,6 +7,8 @@
 #include "catch.hpp"
 #include "support/shipped_cases.hpp"
 
+namespace critical_instants_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -85,3 +87,5 @@ TEST_CASE("where a quantity has both extremes at one instant, the larger one nam
     CHECK(of.why.find("least negative M_y") == std::string::npos);
   }
 }
+
+}  // namespace critical_instants_test

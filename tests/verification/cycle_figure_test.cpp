@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace cycle_figure_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -348,3 +350,5 @@ TEST_CASE("the Newton chain knows no force of the driver") {
       std::get<planar::Driven>(planar_of(project).joints.back().kind).driver);
   CHECK(largest(lines.front().speed) == Approx(exciter.amplitude * exciter.omega).epsilon(1e-3));
 }
+
+}  // namespace cycle_figure_test

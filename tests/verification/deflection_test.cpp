@@ -11,6 +11,8 @@
 #include "support/clamped_beam.hpp"
 #include "support/rig.hpp"
 
+namespace deflection_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -341,3 +343,5 @@ TEST_CASE("a demand on deflection that cannot be is refused at its place") {
   refused("limit = \"5 mm\"\nagainst = \"axis\" # here\n", "# here", "does not say from which line",
           "\"tangent\"");
 }
+
+}  // namespace deflection_test

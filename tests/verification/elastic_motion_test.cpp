@@ -16,6 +16,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace elastic_motion_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -398,3 +400,5 @@ TEST_CASE("the vibration of a large motion is that of integration over time", "[
           Approx(integrated[i]).margin(1e-4 * size));
   }
 }
+
+}  // namespace elastic_motion_test

@@ -12,6 +12,8 @@
 #include "support/held_bar.hpp"
 #include "support/rig.hpp"
 
+namespace gates_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -255,3 +257,5 @@ TEST_CASE("a demanded model beyond the tolerance blocks, a chosen one does not",
   choice.weighed.front().found = 0.009;
   CHECK(model_gates_of(project, choice).empty());
 }
+
+}  // namespace gates_test

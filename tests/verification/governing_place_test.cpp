@@ -17,6 +17,8 @@
 #include "support/rig.hpp"
 #include "support/tip_loaded.hpp"
 
+namespace governing_place_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -454,3 +456,5 @@ TEST_CASE("no station is worse than the worst one reported, on random beams in s
     check_nothing_worse(project, {}, 30);
   }
 }
+
+}  // namespace governing_place_test

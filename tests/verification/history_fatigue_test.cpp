@@ -11,6 +11,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace history_fatigue_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -111,3 +113,5 @@ TEST_CASE("a history whose ranges are below the cut-off lives without limit") {
   demand.demand.loading = Loading::constant_amplitude;
   CHECK(fatigue_of_history(demand).damage == 0.0);
 }
+
+}  // namespace history_fatigue_test

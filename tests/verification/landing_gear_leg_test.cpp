@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace landing_gear_leg_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -172,3 +174,5 @@ TEST_CASE("a situation that hangs bodies up otherwise verifies the same beam") {
     CHECK(value_of(found, which) == Approx(value_of(expected, which)).epsilon(1e-12).margin(1e-6));
   }
 }
+
+}  // namespace landing_gear_leg_test

@@ -12,6 +12,8 @@
 #include "catch.hpp"
 #include "support/random_tree.hpp"
 
+namespace load_breaks_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -324,3 +326,5 @@ TEST_CASE("a load that grows while it slides over a station is largest where den
     }
   }
 }
+
+}  // namespace load_breaks_test

@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace load_history_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -161,3 +163,5 @@ TEST_CASE("an open history may have its extreme at its end") {
   CHECK(low == Approx(3.0).epsilon(1e-12));
   CHECK(high == Approx(4.0).epsilon(1e-12));
 }
+
+}  // namespace load_history_test

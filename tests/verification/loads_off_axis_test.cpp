@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace loads_off_axis_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -147,3 +149,5 @@ TEST_CASE("what holds a beam beside its axis, and nothing else: a hung beam of o
         Approx(std::abs(behind.M)).epsilon(1e-9));
   CHECK(record.of[cut_force::N].largest.value == Approx(behind.N).epsilon(1e-9));
 }
+
+}  // namespace loads_off_axis_test

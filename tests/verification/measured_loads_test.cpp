@@ -4,6 +4,8 @@
 #include "boxbeam/verification/verify.hpp"
 #include "support/changed_rig.hpp"
 
+namespace measured_loads_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("measured loads and an elastic model contradict each other") {
   test::check_refused(text + "\n[model]\nloads = \"recorded\" # here\n", "# here", "recorded",
                       "measured");
 }
+
+}  // namespace measured_loads_test

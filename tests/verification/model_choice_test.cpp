@@ -19,6 +19,8 @@
 #include "support/elastic_beams.hpp"
 #include "support/rig.hpp"
 
+namespace model_choice_test {
+
 using namespace boxbeam;
 using test::Chance;
 using test::infinite;
@@ -385,3 +387,5 @@ TEST_CASE("where no model is good enough, what stands against it is named", "[mo
   slender.model.tolerance = 1e-6;
   CHECK_THROWS_WITH(choose_model(slender), Catch::Contains("what the beam's rotation couples"));
 }
+
+}  // namespace model_choice_test

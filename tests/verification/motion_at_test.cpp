@@ -7,6 +7,8 @@
 #include "boxbeam/verification/motion_result.hpp"
 #include "catch.hpp"
 
+namespace motion_at_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -51,3 +53,5 @@ TEST_CASE("a time outside the motion is refused with how long it lasts") {
   CHECK_THROWS_WITH(motion_of(n_four_bar_over(2, 1.0), {1.5}), Catch::Contains("0 s to 1 s"));
   CHECK_THROWS_WITH(motion_of(n_four_bar_over(2, 1.0), {-0.5}), Catch::Contains("0 s to 1 s"));
 }
+
+}  // namespace motion_at_test

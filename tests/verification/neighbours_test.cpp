@@ -11,6 +11,8 @@
 #include "support/changed_rig.hpp"
 #include "support/held_bar.hpp"
 
+namespace neighbours_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -398,3 +400,5 @@ TEST_CASE("pins and rods that cannot be are refused at their place") {
   test::check_refused(replaced(rod_lines, "curve", "net_area = \"33 cm^2\"\ncurve"), "net_area",
                       "larger than the whole section, 3276", "less the holes");
 }
+
+}  // namespace neighbours_test

@@ -6,6 +6,8 @@
 
 #include "catch.hpp"
 
+namespace peak_over_time_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -80,3 +82,5 @@ TEST_CASE("a jump between two instants is on neither side's way") {
   CHECK(peak.value == Approx(1.5).epsilon(1e-12));
   CHECK(peak.at == Approx(0.5).epsilon(1e-9));
 }
+
+}  // namespace peak_over_time_test

@@ -9,6 +9,8 @@
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "catch.hpp"
 
+namespace planar_links_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -150,3 +152,5 @@ TEST_CASE("a gearbox that couples two turns by moments alone is named as what li
   of.mechanism.joints.push_back({"gearbox", gearbox});
   CHECK(obstacle_to_links(of.mechanism) == "gearbox");
 }
+
+}  // namespace planar_links_test

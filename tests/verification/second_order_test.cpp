@@ -13,6 +13,8 @@
 #include "catch.hpp"
 #include "support/slider_crank.hpp"
 
+namespace second_order_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -125,3 +127,5 @@ TEST_CASE("a rod that buckles across the plane of motion does not pass", "[secon
   CHECK(verification.verdict != Verdict::pass);
   CHECK(blocked(verification, "across it"));
 }
+
+}  // namespace second_order_test

@@ -6,6 +6,8 @@
 #include "support/cantilever.hpp"
 #include "support/rig.hpp"
 
+namespace section_figure_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -132,3 +134,5 @@ TEST_CASE("without cut forces there is no section to draw, and without figures n
   CHECK(plain.cycles.empty());
   CHECK(plain.drivers.empty());
 }
+
+}  // namespace section_figure_test

@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace situations_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -290,3 +292,5 @@ TEST_CASE("the governing situation is named: strength in the storm, fatigue in n
   REQUIRE(verification.motions.size() == 2);
   CHECK(verification.motions[1].period.value() == Approx(1.0 / 0.7 / 1.3).epsilon(1e-12));
 }
+
+}  // namespace situations_test

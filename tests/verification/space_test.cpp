@@ -13,6 +13,8 @@
 #include "catch.hpp"
 #include "support/cantilever.hpp"
 
+namespace space_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -368,3 +370,5 @@ TEST_CASE("in space every fibre has direct stress to be verified; seams have the
   }
   CHECK(seams == 4);
 }
+
+}  // namespace space_test

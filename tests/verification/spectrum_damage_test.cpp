@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "support/shipped_cases.hpp"
 
+namespace spectrum_damage_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -95,3 +97,5 @@ TEST_CASE("of elastic links the loads are prescribed, and nothing else at rest i
   CHECK(caption_of(truck, "mechanism").find("unloaded") != std::string::npos);
   CHECK(caption_of(case_of("rig.toml"), "mechanism").find("at t = 0 ") != std::string::npos);
 }
+
+}  // namespace spectrum_damage_test

@@ -8,6 +8,8 @@
 #include "support/program.hpp"
 #include "support/table_cantilever.hpp"
 
+namespace table_loads_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -89,3 +91,5 @@ TEST_CASE("beyond its ends a table says nothing unless it holds or repeats") {
   const Written late("time [s], force [kN]\n1, 0\n2, 20\n3, 0\n");
   CHECK(says(late.refused("interpolation = \"linear\""), "from 1 s to 3 s"));
 }
+
+}  // namespace table_loads_test

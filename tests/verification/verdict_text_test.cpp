@@ -17,6 +17,8 @@
 #include "support/clamped_beam.hpp"
 #include "support/held_bar.hpp"
 
+namespace verdict_text_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -173,3 +175,5 @@ TEST_CASE("the terminal names the chosen model before its checks") {
   CHECK(contains(first, "model"));
   CHECK(contains(first, said.verification.model.reason.substr(0, 12)));
 }
+
+}  // namespace verdict_text_test

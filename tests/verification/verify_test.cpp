@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace verify_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -279,3 +281,5 @@ TEST_CASE("every check has an id of its own") {
   for (const CheckResult& result : rig().checks) ids.insert(result.check.id);
   CHECK(ids.size() == rig().checks.size());
 }
+
+}  // namespace verify_test

@@ -10,6 +10,8 @@
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "catch.hpp"
 
+namespace viscous_vibration_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -124,3 +126,5 @@ TEST_CASE("what rigid bodies are estimated to miss contains the viscous part", "
   CHECK(estimate.without_modes.front() ==
         Approx(std::abs(of.transmissibility(zeta) - 1.0)).epsilon(1e-3));
 }
+
+}  // namespace viscous_vibration_test

@@ -10,6 +10,8 @@
 #include "support/program.hpp"
 #include "support/table_cantilever.hpp"
 
+namespace weld_checks_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -98,3 +100,5 @@ TEST_CASE("what a weld cannot go around, and where it cannot be, is refused", "[
                   InputError);
   CHECK_THROWS_AS(read(around_the_box + "[[welds]]\n" + around_the_box), InputError);
 }
+
+}  // namespace weld_checks_test

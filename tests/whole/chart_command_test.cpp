@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace chart_command_test {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -167,3 +169,5 @@ TEST_CASE("chart: a folder that cannot be written is said in one line", "[chart]
   CHECK(result.exit_code == 4);
   CHECK(result.err.find("cannot be made") != std::string::npos);
 }
+
+}  // namespace chart_command_test

@@ -5,6 +5,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace compare_command_test {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -101,3 +103,5 @@ TEST_CASE("compare: a broken table is refused with file, line and column", "[com
   CHECK(test::run_program({"compare", rig, "/nonexistent.csv"}).exit_code == 2);
   CHECK(test::run_program({"compare", rig}).exit_code == 2);
 }
+
+}  // namespace compare_command_test

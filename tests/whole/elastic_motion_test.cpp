@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace elastic_motion_test {
+
 using namespace boxbeam;
 using Json = nlohmann::ordered_json;
 
@@ -119,3 +121,5 @@ TEST_CASE("motion of elastic links as tables", "[flexible]") {
     CHECK(text.find(said) != std::string::npos);
   }
 }
+
+}  // namespace elastic_motion_test

@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace exciter_force_test {
+
 using Json = nlohmann::json;
 
 namespace {
@@ -135,3 +137,5 @@ TEST_CASE("what lasts no longer than asked for is not shown beyond") {
   CHECK(motion.exit_code == 3);
   CHECK(motion.err.find("the motion lasts from 8 s to 8.4 s") != std::string::npos);
 }
+
+}  // namespace exciter_force_test

@@ -5,6 +5,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace explain_command_test {
+
 using Json = nlohmann::json;
 
 namespace {
@@ -152,3 +154,5 @@ TEST_CASE("validate, motion, section and errors show what a user's text would do
     CHECK((result.err + result.out).find('\x1b') == std::string::npos);
   }
 }
+
+}  // namespace explain_command_test

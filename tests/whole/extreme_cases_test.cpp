@@ -18,6 +18,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace extreme_cases_test {
+
 using namespace boxbeam;
 using Json = nlohmann::json;
 
@@ -215,3 +217,5 @@ TEST_CASE("factors on the command line are numbers", "[extreme]") {
   CHECK(test::run_program({"fatigue", history, "--detail", "71", "--gamma-Mf", "1.35"}).exit_code ==
         0);
 }
+
+}  // namespace extreme_cases_test

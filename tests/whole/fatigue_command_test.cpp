@@ -9,6 +9,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace fatigue_command_test {
+
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -203,3 +205,5 @@ TEST_CASE("fatigue: what is wrong is said, with exit code 2", "[bad_input]") {
   const std::string shear = folder.write("shear.csv", "sigma [MPa], tau [MPa]\n0, 0\n9, 9\n0, 0\n");
   check_refused({"fatigue", shear, "--detail", "56"}, "no detail resists it");
 }
+
+}  // namespace fatigue_command_test

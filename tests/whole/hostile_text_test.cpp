@@ -10,6 +10,8 @@
 #include "support/latex.hpp"
 #include "support/program.hpp"
 
+namespace hostile_text_test {
+
 // What a user may write between quotation marks goes through every writer and comes out as written,
 // and none of them takes it for markup of its own.
 
@@ -177,3 +179,5 @@ TEST_CASE("hostile text comes out of every writer as it was written", "[whole][h
     CHECK(holds(text, long_word));
   }
 }
+
+}  // namespace hostile_text_test

@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace init_command_test {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -112,3 +114,5 @@ TEST_CASE("init: a file alone is that of a planar case", "[init]") {
   CHECK(test::run_program({"init", "my.toml", "other.toml"}, folder.path()).exit_code == 2);
   CHECK_FALSE(fs::exists(folder.path() / "other.toml"));
 }
+
+}  // namespace init_command_test

@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace program_test {
+
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -251,3 +253,5 @@ TEST_CASE("the committed reports are those of the committed cases") {
     }
   }
 }
+
+}  // namespace program_test

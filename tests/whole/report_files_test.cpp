@@ -20,6 +20,8 @@
 #include "support/program.hpp"
 #include "support/shipped_cases.hpp"
 
+namespace report_files_test {
+
 using namespace boxbeam;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
@@ -395,3 +397,5 @@ TEST_CASE("without gnuplot no form speaks of figures that are not there", "[file
   CHECK(test::read_file(out + "/report.txt").find(".svg") == std::string::npos);
   CHECK(fs::exists(out + "/report.html"));
 }
+
+}  // namespace report_files_test

@@ -5,6 +5,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace schema_command_test {
+
 TEST_CASE("schema: of the case by default, of every document by name", "[schema]") {
   const test::ProgramResult of_case = test::run_program({"schema"});
   CHECK(of_case.exit_code == 0);
@@ -27,3 +29,5 @@ TEST_CASE("schema: another document is refused with those that there are", "[sch
   CHECK(result.out.empty());
   CHECK(result.err.find("{case,results,motion,fatigue,section,comparison}") != std::string::npos);
 }
+
+}  // namespace schema_command_test

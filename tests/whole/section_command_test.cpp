@@ -5,6 +5,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace section_command_test {
+
 using Json = nlohmann::json;
 
 TEST_CASE("section RHS 200x100x8: EN 10210-2's properties in SI") {
@@ -57,3 +59,5 @@ TEST_CASE("section: wrong words are exit code 2 with a hint") {
   CHECK(test::run_program({"section"}).exit_code == 2);
   CHECK(test::run_program({"section", "SHS 100x5", "--steel", "S1"}).exit_code == 2);
 }
+
+}  // namespace section_command_test

@@ -12,6 +12,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace shipped_cases_test {
+
 using Json = nlohmann::json;
 
 namespace {
@@ -241,3 +243,5 @@ TEST_CASE("sledge rig by its details: root and toe of the weld at the box end de
           document["codes"][0]["safety_factor"].get<double>());
   }
 }
+
+}  // namespace shipped_cases_test

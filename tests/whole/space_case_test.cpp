@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace space_case_test {
+
 using namespace boxbeam;
 using Json = nlohmann::ordered_json;
 
@@ -164,3 +166,5 @@ TEST_CASE("the report of a case in space has all six cut forces and its figures"
     CHECK(std::filesystem::exists(out + "/plots/" + name + ".gp"));
   }
 }
+
+}  // namespace space_case_test

@@ -17,6 +17,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace whole_outputs_test {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -210,3 +212,5 @@ TEST_CASE("a working folder that is gone is an error with a cause", "[outputs]")
   CHECK(from_gone("--out '" + out.string() + "'") == 1);
   CHECK(fs::exists(out / "report.pdf"));
 }
+
+}  // namespace whole_outputs_test

@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace driver_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -76,3 +78,5 @@ TEST_CASE("what repeats, what ends, and how fast it changes") {
   CHECK_FALSE(step.repeats);
   CHECK(step.end == 2.5);
 }
+
+}  // namespace driver_test

@@ -4,6 +4,8 @@
 
 #include "catch.hpp"
 
+namespace rough_times_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -43,3 +45,5 @@ TEST_CASE("a closed motion goes on over its end, and smooth functions have no ro
   const Driver step = StepDriver{0.0, 1.0, 0.2, 0.6};
   CHECK_FALSE(RoughTimes({{&spline, false}, {&step, false}}, 0.0, 1.0, true).between(-1.0, 2.0));
 }
+
+}  // namespace rough_times_test

@@ -9,6 +9,8 @@
 #include "boxbeam/mechanism/flexible/response.hpp"
 #include "catch.hpp"
 
+namespace axial_force_test {
+
 using namespace boxbeam;
 
 namespace {
@@ -128,3 +130,5 @@ TEST_CASE("tension raises and compression lowers the frequency of a pinned beam"
           Approx(first * std::sqrt(1.0 + part)).epsilon(5e-4));
   }
 }
+
+}  // namespace axial_force_test

@@ -11,6 +11,8 @@
 #include "support/dense_structure.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace dynamic_stiffness_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using test::Chance;
@@ -279,3 +281,5 @@ TEST_CASE("what damps in the material only is a structure of complex moduli") {
   const double size = statics.motion[0].cwiseAbs().maxCoeff();
   CHECK((vibration.motion[0] * viscous - statics.motion[0]).cwiseAbs().maxCoeff() < 1e-9 * size);
 }
+
+}  // namespace dynamic_stiffness_test

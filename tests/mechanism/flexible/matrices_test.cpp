@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace matrices_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using Eigen::Index;
@@ -199,3 +201,5 @@ TEST_CASE("K of a bending link of two parts in the coordinates of the source",
   const MatrixXd expected = 5.0 * shear.transpose() * shear + 3.0 * turn.transpose() * turn;
   CHECK((K - expected).cwiseAbs().maxCoeff() < 1e-14);
 }
+
+}  // namespace matrices_test

@@ -10,6 +10,8 @@
 #include "support/elastic_balance.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace modal_response_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using Eigen::Index;
@@ -298,3 +300,5 @@ TEST_CASE("Motions without strain must all be among the modes", "[flexible][moda
   CHECK_NOTHROW(harmonic_response(modal_model_of(structure, 3), 1.0));
   CHECK_THROWS_AS(harmonic_response({&structure, {}, {}}, 1.0), AnalysisError);
 }
+
+}  // namespace modal_response_test

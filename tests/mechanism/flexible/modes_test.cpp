@@ -11,6 +11,8 @@
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace modes_test {
+
 using namespace boxbeam::flexible;
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -419,3 +421,5 @@ TEST_CASE("two dozen modes are found, however many parts") {
     CHECK(DynamicStiffness<double>(structure, beyond, 0.0).frequencies_below() == 24);
   }
 }
+
+}  // namespace modes_test

@@ -8,6 +8,8 @@
 #include "support/elastic_balance.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace response_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using test::Chance;
@@ -280,3 +282,5 @@ TEST_CASE("what has no damping says so") {
   mechanism.joints[0].damping[1] = 1.0;
   CHECK(is_damped(structure_of(mechanism)));
 }
+
+}  // namespace response_test

@@ -7,6 +7,8 @@
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace shape_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using test::Bar;
@@ -157,3 +159,5 @@ TEST_CASE("a vibrating axis between its nodes is that of a division sixteen time
     CHECK(std::abs(along(coarse, x) - along(fine, x)) < 3.0 * of_nodes + 1e-6 * size);
   }
 }
+
+}  // namespace shape_test

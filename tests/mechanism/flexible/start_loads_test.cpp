@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+namespace start_loads_test {
+
 using namespace boxbeam;
 
 TEST_CASE(
@@ -41,3 +43,5 @@ TEST_CASE(
     }
   }
 }
+
+}  // namespace start_loads_test

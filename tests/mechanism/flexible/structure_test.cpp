@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"
 
+namespace structure_test {
+
 using namespace boxbeam;
 using namespace boxbeam::flexible;
 using test::Bar;
@@ -430,3 +432,5 @@ TEST_CASE("a place in the world, and the mass of a link that is taken as rigid")
           Approx(exact.second - exact.first * exact.first / exact.mass).epsilon(1e-11));
   }
 }
+
+}  // namespace structure_test

@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace beam_loads_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -72,3 +74,5 @@ TEST_CASE("a joint stands exactly where the segments meet") {
   CHECK(loads.points[0].s == project.beam.segments[1].end());
   CHECK(cut_forces_of(loads).pieces.size() == project.beam.segments.size());
 }
+
+}  // namespace beam_loads_test

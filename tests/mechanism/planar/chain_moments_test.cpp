@@ -6,6 +6,8 @@
 #include "support/csv.hpp"
 #include "support/rig.hpp"
 
+namespace chain_moments_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -40,3 +42,5 @@ TEST_CASE("a chain through pieces of the beam has no moments from there") {
   }
   CHECK_FALSE(known);
 }
+
+}  // namespace chain_moments_test

@@ -7,6 +7,8 @@
 
 #include "catch.hpp"
 
+namespace constraints_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -155,3 +157,5 @@ TEST_CASE("a point of the ground does not move") {
   CHECK(velocity_of(fixed, q, q).norm() == 0.0);
   CHECK(acceleration_of(fixed, q, q, q).norm() == 0.0);
 }
+
+}  // namespace constraints_test

@@ -6,6 +6,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace equivalent_mass_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -49,3 +51,5 @@ TEST_CASE("a body without influence cannot be adjusted") {
   CHECK_THROWS_AS(equivalent_mass_of(planar_of(project), motion, joint, lower_rod, blade, 1.0),
                   AnalysisError);
 }
+
+}  // namespace equivalent_mass_test

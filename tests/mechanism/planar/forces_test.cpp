@@ -10,6 +10,8 @@
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "catch.hpp"
 
+namespace forces_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -143,3 +145,5 @@ TEST_CASE("a moment taken by the two ends of a guide presses twice") {
   // The driver balances friction and the force: on the block -lambda of its row.
   CHECK(-state.lambda[2] == Approx(friction - 40.0).epsilon(1e-9));
 }
+
+}  // namespace forces_test

@@ -11,6 +11,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace motion_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -249,3 +251,5 @@ TEST_CASE("an instant that lies in a change point is found where the motion has 
     CHECK(std::abs(finder.at(motion.states[i].time).q[5]) < 1e-9);
   }
 }
+
+}  // namespace motion_test

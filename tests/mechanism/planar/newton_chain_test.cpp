@@ -6,6 +6,8 @@
 #include "support/csv.hpp"
 #include "support/rig.hpp"
 
+namespace newton_chain_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -66,3 +68,5 @@ TEST_CASE("the chain through the pieces of one beam body uses their own masses")
   CHECK(chain.steps[2].mass == Approx(7800.0 * (0.11 + 0.045 + 0.045 + 1.5 * A_t)).epsilon(1e-12));
   CHECK(chain.steps[3].mass == Approx(7800.0 * (0.135 + 0.187)).epsilon(1e-12));
 }
+
+}  // namespace newton_chain_test

@@ -8,6 +8,8 @@
 #include "catch.hpp"
 #include "support/rig.hpp"
 
+namespace reactions_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -143,3 +145,5 @@ TEST_CASE("the rank does not depend on the unit of length") {
   CHECK(metres.by_rank == millimetres.by_rank);
   CHECK(metres.condition == Approx(millimetres.condition).epsilon(1e-9));
 }
+
+}  // namespace reactions_test

@@ -7,6 +7,8 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "catch.hpp"
 
+namespace rubbing_motion_test {
+
 using namespace boxbeam;
 using namespace boxbeam::planar;
 
@@ -118,3 +120,5 @@ TEST_CASE("a rubbing block moves as an own integration says, whatever turns roun
     }
   }
 }
+
+}  // namespace rubbing_motion_test

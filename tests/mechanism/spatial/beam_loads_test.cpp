@@ -10,6 +10,8 @@
 #include "catch.hpp"
 #include "support/random_tree.hpp"
 
+namespace beam_loads_test {
+
 using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Vector3d;
@@ -205,3 +207,5 @@ TEST_CASE("a line force acts between its ends, whichever comes first, and nowher
     CHECK(imbalance_of(loads).moment.norm() < 1e-12);
   }
 }
+
+}  // namespace beam_loads_test

@@ -10,6 +10,8 @@
 #include "support/moving.hpp"
 #include "support/random_tree.hpp"
 
+namespace chain_test {
+
 using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Vector3d;
@@ -270,3 +272,5 @@ TEST_CASE("a state that is used again is as a new one") {
     CHECK(joints[i].moment == expected[i].moment);
   }
 }
+
+}  // namespace chain_test

@@ -12,6 +12,8 @@
 #include "catch.hpp"
 #include "support/random_tree.hpp"
 
+namespace loads_off_axis_test {
+
 using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Vector3d;
@@ -275,3 +277,5 @@ TEST_CASE("a load at a point of another body that is fixed to the beam keeps its
     }
   }
 }
+
+}  // namespace loads_off_axis_test

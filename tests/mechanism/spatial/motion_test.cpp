@@ -8,6 +8,8 @@
 #include "boxbeam/core/error.hpp"
 #include "catch.hpp"
 
+namespace motion_test {
+
 using namespace boxbeam;
 using namespace boxbeam::spatial;
 using Eigen::Vector3d;
@@ -139,3 +141,5 @@ TEST_CASE("what 24 576 instants cannot resolve is an error that says so") {
 TEST_CASE("where no duration follows from the drivers it must be given") {
   CHECK_THROWS_AS(motion_of(arm_and_wheel(PolynomialDriver{{0.0, 1.0}}, 0.0)), AnalysisError);
 }
+
+}  // namespace motion_test

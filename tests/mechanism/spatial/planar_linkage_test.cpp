@@ -10,6 +10,8 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "catch.hpp"
 
+namespace planar_linkage_test {
+
 using namespace boxbeam;
 using Eigen::Vector3d;
 
@@ -177,3 +179,5 @@ TEST_CASE("an open linkage in a plane: motion, reactions and cut forces of the p
     }
   }
 }
+
+}  // namespace planar_linkage_test

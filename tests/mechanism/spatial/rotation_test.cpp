@@ -11,6 +11,8 @@
 #include "support/moving.hpp"
 #include "support/random_tree.hpp"
 
+namespace rotation_test {
+
 using namespace boxbeam::spatial;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -139,3 +141,5 @@ TEST_CASE("one step towards the nearest rotation squares the error") {
     }
   }
 }
+
+}  // namespace rotation_test
