@@ -73,7 +73,8 @@ Steps yield_steps(const Project& project, const Check& check, const CheckBasis& 
 }
 
 /// Both extremes of a stress and their range.
-Steps range_steps(const Project& project, const CheckBasis& basis, bool shear) {
+/// `factor`: of the detail, on the direct stress.
+Steps range_steps(const Project& project, const CheckBasis& basis, bool shear, double factor) {
   const StressPoint& point = basis.point;
   Steps steps = shear ? shear_section_steps(project, point) : normal_section_steps(project, point);
   const auto stress = [&](const std::string& symbol, const Extreme& extreme, const CutForces& cut) {
@@ -85,7 +86,6 @@ Steps range_steps(const Project& project, const CheckBasis& basis, bool shear) {
   const std::string name = shear ? "tau" : "sigma";
   stress(name + "_max", basis.highest, basis.cut_at_highest);
   stress(name + "_min", basis.lowest, basis.cut_at_lowest);
-  const double factor = shear ? 1.0 : point.detail->stress_factor;
   const StressSum difference =
       difference_of(basis.highest.value / factor, basis.lowest.value / factor);
   Step range{"d_" + name,
@@ -132,7 +132,7 @@ Steps compression_steps(const CheckBasis& basis) {
 
 Steps fatigue_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   const bool shear = check.criterion == Criterion::shear_fatigue;
-  Steps steps = range_steps(project, basis, shear);
+  Steps steps = range_steps(project, basis, shear, shear ? 1.0 : basis.point.detail->stress_factor);
   if (!shear && basis.point.compression_reduced) append(steps, compression_steps(basis));
   for (const SnCurve& curve : basis.curves) {
     append(steps,
@@ -146,7 +146,7 @@ Steps stress_range_steps(const Project& project, const Check& check, const Check
   const double f_y = basis.point.yield_strength.value();
   // Which of the two ranges governs shows in the limit.
   const bool shear = check.resisting.value() < 1.4 * f_y;
-  Steps steps = range_steps(project, basis, shear);
+  Steps steps = range_steps(project, basis, shear, shear ? 1.0 : basis.point.range_factor);
   steps.push_back(yield_strength_step(project, basis.point.yield_strength, basis.point.plate));
   const std::string limit = text::MPa(check.resisting.value());
   steps.push_back({"limit",

@@ -49,9 +49,8 @@ CutForceFunction normal_stress(const StressPoint& point) {
   return [&point](const CutForces& cut) { return stress_at(point.influence, cut).normal.value(); };
 }
 
-/// The normal stress that the detail of a point is judged by.
-CutForceFunction detail_stress(const StressPoint& point) {
-  const double factor = point.detail->stress_factor;
+/// The normal stress of a point times a factor of its details.
+CutForceFunction detail_stress(const StressPoint& point, double factor) {
   return [&point, factor](const CutForces& cut) {
     return factor * stress_at(point.influence, cut).normal.value();
   };
@@ -130,7 +129,8 @@ std::vector<Channel> channels_of(const Project& project,
     if (largest_range_of(channel.spectrum) >= nothing) channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
-    add(detail_stress(point), StressKind::direct, point.detail->detail, point.compression_reduced);
+    add(detail_stress(point, point.detail->stress_factor), StressKind::direct, point.detail->detail,
+        point.compression_reduced);
   }
   if (point.shear_detail != nullptr && criterion != Criterion::fatigue) {
     add(shear_stress(point), StressKind::shear, *point.shear_detail, false);
@@ -239,8 +239,9 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   };
 
   const bool shear = criterion == Criterion::shear_fatigue;
-  CheckResult result = start(criterion, project, point, in(upper ? highest : lowest),
-                             shear ? shear_stress(point) : detail_stress(point));
+  CheckResult result =
+      start(criterion, project, point, in(upper ? highest : lowest),
+            shear ? shear_stress(point) : detail_stress(point, point.detail->stress_factor));
   Check& check = result.check;
   CheckBasis& basis = *result.basis;
   check.situation = project.situations[governing].name;
@@ -308,7 +309,8 @@ std::optional<CheckResult> check_range(const Project& project,
       basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
     }
   };
-  if (point.detail != nullptr) look(detail_stress(point), most * point.yield_strength);
+  if (point.detail != nullptr)
+    look(detail_stress(point, point.range_factor), most * point.yield_strength);
   if (point.shear_detail != nullptr) {
     look(shear_stress(point), most / std::numbers::sqrt3 * point.yield_strength);
   }

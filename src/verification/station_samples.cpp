@@ -219,7 +219,8 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   if (range) {
     constexpr double most = 1.5;
     double largest = 0.0;
-    if (direct) largest = largest_range_of(*project_, direct_turns);
+    if (direct)
+      largest = point.range_factor / stress_factor * largest_range_of(*project_, direct_turns);
     if (along) {
       largest = std::max(largest, std::numbers::sqrt3 * largest_range_of(*project_, shear_turns));
     }

@@ -184,6 +184,7 @@ class StressPoints {
     point.detail = detail.detail;
     point.in_plate = detail.in_plate;
     point.compression_reduced = detail.compression_reduced;
+    point.range_factor = detail.range_factor;
   }
 
   const Detail* if_asked(const Detail& detail) const {
@@ -195,6 +196,7 @@ class StressPoints {
     if (!input.detail || !project_->fatigue.asked) return resist(point, DetailPlace::fibres);
     point.detail = &*input.detail;
     point.compression_reduced = input.detail->detail.compression_reduced;
+    point.range_factor = input.detail->stress_factor;
   }
 
   static void append(std::vector<HoleEdge>& edges, const std::vector<HoleEdge>& others) {
@@ -261,8 +263,9 @@ ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, D
                           Length plate) {
   ResistingDetail weakest;
   bool reduced = true;
-  double least = 0.0;
+  double least = 0.0, range_factor = 0.0;
   const auto look_at = [&](const BeamDetail& stretch) {
+    range_factor = std::max(range_factor, stretch.stress_factor);
     ResistingDetail here{&stretch, {}, false};
     if (auto detail = in_plate(stretch.detail, plate)) {
       auto own = std::make_shared<BeamDetail>(stretch);
@@ -287,6 +290,7 @@ ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, D
   // Just behind the end of a stretch the beam's own detail holds again.
   if (!inside) look_at(fatigue.beam);
   weakest.compression_reduced = reduced;
+  weakest.range_factor = range_factor;
   return weakest;
 }
 

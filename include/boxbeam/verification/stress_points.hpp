@@ -53,6 +53,7 @@ struct StressPoint {
   const BeamDetail* detail = nullptr;
   std::shared_ptr<const BeamDetail> in_plate;  ///< keeps `detail` where it is that of one plate
   bool compression_reduced = false;  ///< whether compression counts 60 % of direct stress, 7.2.1
+  double range_factor = 1.0;         ///< on the direct stress whose range is limited, 8(1)
   const Detail* shear_detail = nullptr;
   bool yield = true;                ///< whether the equivalent stress is looked at
   bool on_throat = false;           ///< the throat of a seam: only its shear stress has a meaning
@@ -65,6 +66,7 @@ struct ResistingDetail {
   const BeamDetail* detail = nullptr;
   std::shared_ptr<const BeamDetail> in_plate;  ///< keeps it where it is that of one plate
   bool compression_reduced = false;
+  double range_factor = 1.0;  ///< the largest stress factor of all details there
 };
 
 /// The weakest detail of the stretches that a station lies in, each with the strength that it has
