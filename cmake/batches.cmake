@@ -18,6 +18,4 @@ function(boxbeam_batches target size)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${id}_${batch}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # A local name may be that of a neighbour's constant; within a source, builds without batches look.
-  target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()

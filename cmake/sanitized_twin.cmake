@@ -10,7 +10,7 @@ function(boxbeam_twin target)
   endif()
   foreach(property SOURCES INCLUDE_DIRECTORIES COMPILE_DEFINITIONS LINK_LIBRARIES
           INTERFACE_INCLUDE_DIRECTORIES INTERFACE_LINK_LIBRARIES PRECOMPILE_HEADERS
-          UNITY_BUILD UNITY_BUILD_MODE COMPILE_OPTIONS)
+          UNITY_BUILD UNITY_BUILD_MODE)
     get_target_property(value ${target} ${property})
     if(NOT value)
       continue()
