@@ -13,12 +13,14 @@ namespace boxbeam {
 namespace {
 
 /// The largest value near an instant that is as high as its neighbours: of the parabola through the
-/// three. Without it the largest sample would change from place to place, and what varies smoothly
-/// along the beam or a wall would have many small maxima.
-double peak_near(const std::vector<double>& values, std::size_t i, double sign, bool closed) {
+/// three, where nothing jumps or bends between them. Without it the largest sample would change
+/// from place to place, and what varies smoothly along the beam or a wall would have many small
+/// maxima.
+double peak_near(const std::vector<double>& values, std::size_t i, double sign,
+                 const std::vector<bool>& begins) {
   const std::size_t n = values.size();
   const double at = sign * values[i];
-  if (!closed && (i == 0 || i + 1 == n)) return at;
+  if (begins[i] || begins[(i + 1) % n]) return at;
   const double rise = at - sign * values[(i + n - 1) % n];
   const double fall = at - sign * values[(i + 1) % n];
   if (rise < 0.0 || fall < 0.0 || rise + fall <= 0.0) return at;
@@ -26,18 +28,19 @@ double peak_near(const std::vector<double>& values, std::size_t i, double sign, 
   return at + step * step / (8.0 * (rise + fall));
 }
 
-double largest_of(const std::vector<double>& values, bool closed) {
+double largest_of(const std::vector<double>& values, const std::vector<bool>& begins) {
   double largest = 0.0;
   const std::size_t n = values.size();
   for (std::size_t i = 0; i < n; ++i) {
     const bool peak = values[i] >= values[(i + n - 1) % n] && values[i] >= values[(i + 1) % n];
-    if (peak || !closed) largest = std::max(largest, peak_near(values, i, 1.0, closed));
+    largest = std::max(largest, peak ? peak_near(values, i, 1.0, begins) : values[i]);
   }
   return largest;
 }
 
 /// The turning points of a stress in order of time, without their instants.
-SituationTurns turns_among(const std::vector<double>& values, bool closed) {
+SituationTurns turns_among(const std::vector<double>& values, bool closed,
+                           const std::vector<bool>& begins) {
   SituationTurns of;
   const std::size_t n = values.size();
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -69,7 +72,7 @@ SituationTurns turns_among(const std::vector<double>& values, bool closed) {
   brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
   for (const auto& [i, maximum] : brackets) {
     const double sign = maximum ? 1.0 : -1.0;
-    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, closed), maximum});
+    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, begins), maximum});
   }
   return of;
 }
@@ -122,12 +125,25 @@ StationSamples::StationSamples(const Project& project,
     if (acts[k]) acting_.push_back(k);
   }
   for (const SituationHistory& at : histories) {
-    Run run{index_of(project, *at.situation), at.situation->load_factor, at.history.closed(), {}};
+    Run run{
+        index_of(project, *at.situation), at.situation->load_factor, at.history.closed(), {}, {}};
     run.cuts.reserve(at.history.samples().size() * acting_.size());
-    for (const CutForces& cut : at.history.samples()) {
+    const auto add = [&](const CutForces& cut, bool begins) {
       const auto values = each(cut);
       for (const std::size_t k : acting_) run.cuts.push_back(values[k]);
+      run.begins.push_back(begins);
+    };
+    const std::vector<StationHistory::Passage> passages = at.history.passages();
+    auto passage = passages.begin();
+    for (std::size_t i = 0; i < at.history.samples().size(); ++i) {
+      for (; passage != passages.end() && passage->instant == i; ++passage) {
+        add(passage->before, false);
+        add(passage->behind, true);
+      }
+      add(at.history.samples()[i], at.history.begins_piece(i));
     }
+    if (!run.closed) run.begins.front() = true;
+    if (acting_.empty()) run.begins.assign(1, true);
     runs_.push_back(std::move(run));
   }
 }
@@ -154,7 +170,7 @@ double StationSamples::largest_cut_force(cut_force::Index which, double sign) co
   factors[which] = sign;
   double largest = 0.0;
   for (const Run& run : runs_)
-    largest = std::max(largest, largest_of(stresses_in(run, factors), run.closed));
+    largest = std::max(largest, largest_of(stresses_in(run, factors), run.begins));
   return largest;
 }
 
@@ -186,18 +202,18 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       std::vector<double> of(normal.size());
       for (std::size_t i = 0; i < of.size(); ++i)
         of[i] = std::sqrt(normal[i] * normal[i] + 3.0 * shear[i] * shear[i]);
-      equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.closed));
+      equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.begins));
     }
     if (weld) {
       std::vector<double> of(shear.size());
       for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::abs(shear[i]);
-      throat = std::max(throat, run.load_factor * largest_of(of, run.closed));
+      throat = std::max(throat, run.load_factor * largest_of(of, run.begins));
     }
     if (direct) {
       for (double& stress : normal) stress *= stress_factor;
-      direct_turns[run.situation] = turns_among(normal, run.closed);
+      direct_turns[run.situation] = turns_among(normal, run.closed, run.begins);
     }
-    if (along) shear_turns[run.situation] = turns_among(shear, run.closed);
+    if (along) shear_turns[run.situation] = turns_among(shear, run.closed, run.begins);
   }
 
   Utilisations found;

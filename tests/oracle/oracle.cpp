@@ -59,11 +59,9 @@ Cut as_array(const CutForces& cut) {
           cut.T.value(), cut.M_y.value(), cut.M_z.value()};
 }
 
-double times_cut(const Factors& factors, const Cut& cut) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < cut.size(); ++k) sum += factors[k] * cut[k];
-  return sum;
-}
+/// The cut forces over the instants of a situation, each in a column; and a stress of them.
+using Cuts = Eigen::Array<double, Eigen::Dynamic, cut_force::count>;
+using Stresses = Eigen::ArrayXd;
 
 /// What a place's stresses can reach at most, by the box around all cut forces.
 struct Bounds {
@@ -220,23 +218,26 @@ class Search {
   void look_at(const Station& station) {
     if (cuts_a_hole(station)) return;
     const LocalSection section = section_at(station);
-    cuts_.clear();
+    cuts_.resize(sampled_.size());
     Bounds bounds;
     bounds.low.fill(std::numeric_limits<double>::infinity());
     bounds.high.fill(-std::numeric_limits<double>::infinity());
-    for (const Run& run : sampled_) {
-      std::vector<Cut>& of = cuts_.emplace_back();
-      of.reserve(run.diagrams.size());
-      for (const CutForceDiagram& diagram : run.diagrams) {
-        const Cut cut = as_array(diagram.at(station));
-        for (std::size_t k = 0; k < cut.size(); ++k) {
-          bounds.low[k] = std::min(bounds.low[k], cut[k]);
-          bounds.high[k] = std::max(bounds.high[k], cut[k]);
-          bounds.most[k] = std::max(bounds.most[k], run.load_factor * std::abs(cut[k]));
-        }
-        of.push_back(cut);
+    for (std::size_t r = 0; r < sampled_.size(); ++r) {
+      const Run& run = sampled_[r];
+      Cuts& of = cuts_[r];
+      of.resize(static_cast<Eigen::Index>(run.diagrams.size()), Eigen::NoChange);
+      for (Eigen::Index i = 0; i < of.rows(); ++i) {
+        const Cut cut = as_array(run.diagrams[static_cast<std::size_t>(i)].at(station));
+        of.row(i) = Eigen::Map<const Eigen::Array<double, 1, cut_force::count>>(cut.data());
+      }
+      for (std::size_t k = 0; k < cut_force::count; ++k) {
+        const auto column = of.col(static_cast<Eigen::Index>(k));
+        bounds.low[k] = std::min(bounds.low[k], column.minCoeff());
+        bounds.high[k] = std::max(bounds.high[k], column.maxCoeff());
+        bounds.most[k] = std::max(bounds.most[k], run.load_factor * column.abs().maxCoeff());
       }
     }
+    for (std::size_t k = 0; k < cut_force::count; ++k) acts_[k] = bounds.most[k] > 0.0;
     station_ = station;
     known_.clear();
     for (const Place& place : places_of(section, density_.around)) look_at(place, bounds);
@@ -313,6 +314,16 @@ class Search {
     found_.worst[criterion] = {utilisation, station_, place};
   }
 
+  /// A stress over the instants of a run: of the cut forces that act.
+  Stresses stresses_in(std::size_t run, const Factors& factors) const {
+    Stresses sum = Stresses::Zero(cuts_[run].rows());
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      if (acts_[k] && factors[k] != 0.0)
+        sum += factors[k] * cuts_[run].col(static_cast<Eigen::Index>(k));
+    }
+    return sum;
+  }
+
   void look_at(const Place& place, const Bounds& bounds, const BeamDetail* own = nullptr) {
     const FatigueInput& fatigue = project_.fatigue;
     const bool throat = place.kind == PlaceKind::throat;
@@ -323,7 +334,7 @@ class Search {
       look_at_weld(place, bounds);
     Resisting direct;
     if (!throat) direct = detail_here(place);
-    if (own != nullptr) direct = {own, own->detail.compression_reduced};
+    if (own != nullptr) direct = {own, own->detail.compression_reduced, own->stress_factor};
     // The whole edge of a hole carries no shear.
     const Detail* shear = edge ? nullptr : (throat ? &fatigue.throat : &fatigue.shear);
     look_at_ranges(place, bounds, direct, shear);
@@ -347,11 +358,10 @@ class Search {
     if (!beats(Criterion::yield, per * std::sqrt(normal * normal + 3.0 * along * along))) return;
     double most = 0.0;
     for (std::size_t r = 0; r < sampled_.size(); ++r) {
-      for (const Cut& cut : cuts_[r]) {
-        const double sigma = times_cut(place.normal, cut), tau = times_cut(place.shear, cut);
-        most = std::max(most, sampled_[r].load_factor * sampled_[r].load_factor *
-                                  (sigma * sigma + 3.0 * tau * tau));
-      }
+      const double squared =
+          (stresses_in(r, place.normal).square() + 3.0 * stresses_in(r, place.shear).square())
+              .maxCoeff();
+      most = std::max(most, sampled_[r].load_factor * sampled_[r].load_factor * squared);
     }
     ++found_.evaluations;
     note(Criterion::yield, per * std::sqrt(most), place.name);
@@ -364,9 +374,8 @@ class Search {
     if (!beats(Criterion::weld, per * bounds.size_of(place.shear))) return;
     double most = 0.0;
     for (std::size_t r = 0; r < sampled_.size(); ++r) {
-      for (const Cut& cut : cuts_[r]) {
-        most = std::max(most, sampled_[r].load_factor * std::abs(times_cut(place.shear, cut)));
-      }
+      const double largest = stresses_in(r, place.shear).abs().maxCoeff();
+      most = std::max(most, sampled_[r].load_factor * largest);
     }
     ++found_.evaluations;
     note(Criterion::weld, per * most, place.name);
@@ -376,15 +385,12 @@ class Search {
   // cycles
 
   /// A stress over the instants of each situation that runs, by its index in the case.
-  using Histories = std::vector<std::vector<double>>;
+  using Histories = std::vector<Stresses>;
 
   Histories histories_of(const Factors& factors, double times) const {
     Histories histories(project_.situations.size());
-    for (std::size_t r = 0; r < sampled_.size(); ++r) {
-      std::vector<double>& of = histories[sampled_[r].situation];
-      of.reserve(cuts_[r].size());
-      for (const Cut& cut : cuts_[r]) of.push_back(times * times_cut(factors, cut));
-    }
+    for (std::size_t r = 0; r < sampled_.size(); ++r)
+      histories[sampled_[r].situation] = times * stresses_in(r, factors);
     return histories;
   }
 
@@ -393,10 +399,9 @@ class Search {
     const Situation& situation = project_.situations[i];
     double low = std::numeric_limits<double>::infinity(), high = -low;
     const auto take = [&](std::size_t of) {
-      for (const double value : histories[of]) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
+      if (histories[of].size() == 0) return;
+      low = std::min(low, histories[of].minCoeff());
+      high = std::max(high, histories[of].maxCoeff());
     };
     if (situation.between.empty()) take(i);
     for (const std::size_t part : situation.between) take(part);
@@ -424,11 +429,11 @@ class Search {
         const auto [low, high] = extremes(histories, i);
         cycles = {{si<Stress>(high - low), si<Stress>(0.5 * (high + low)), 1.0}};
       } else {
-        std::vector<double> history = histories[i];
+        std::vector<double> history(histories[i].begin(), histories[i].end());
         for (const std::size_t part : situation.between) {
-          const std::vector<double>& of = histories[part];
+          const Stresses& of = histories[part];
           history.insert(history.end(), of.begin(), of.end());
-          if (closed(part)) history.push_back(of.front());
+          if (closed(part)) history.push_back(of[0]);
         }
         cycles = count_cycles(history, {Counting::periodic});
       }
@@ -464,7 +469,7 @@ class Search {
       note(Criterion::stress_range, gamma * largest_range(histories_of(factors, times)) / limit,
            place.name);
     };
-    if (direct.detail != nullptr) look(place.normal, direct.detail->stress_factor, 1.5 * f_y);
+    if (direct.detail != nullptr) look(place.normal, direct.range_factor, 1.5 * f_y);
     if (shear != nullptr) look(place.shear, 1.0, 1.5 / std::numbers::sqrt3 * f_y);
   }
 
@@ -481,9 +486,11 @@ class Search {
       if (situation.cycles == 0.0) continue;
       double turns = 2.0;
       const auto count = [&](std::size_t of) {
-        const std::vector<double>& h = histories[of];
-        for (std::size_t k = 1; k + 1 < h.size(); ++k)
-          turns += (h[k] > h[k - 1]) != (h[k + 1] > h[k]) ? 1.0 : 0.0;
+        const Stresses& h = histories[of];
+        int changes = 0;
+        for (Eigen::Index k = 1; k + 1 < h.size(); ++k)
+          changes += (h[k] > h[k - 1]) != (h[k + 1] > h[k]) ? 1 : 0;
+        turns += changes;
       };
       if (situation.between.empty()) count(i);
       if (situation.in_order) {
@@ -535,14 +542,18 @@ class Search {
       of_direct = histories_of(place.normal, times);
       const double range = largest_range(of_direct);
       direct_counts = range >= nothing;
-      by_direct = bound_exactly(direct.detail->detail, place.plate, per * range,
-                                2.0 * cycles_in(of_direct));
+      by_direct = bound_of(direct.detail->detail, range, 2.0 * reckoned_cycles * all_cycles_);
+      if (together || beats(Criterion::fatigue, by_direct))
+        by_direct = bound_exactly(direct.detail->detail, place.plate, per * range,
+                                  2.0 * cycles_in(of_direct));
     }
     if (shear_may) {
       of_shear = histories_of(place.shear, 1.0);
       const double range = largest_range(of_shear);
       shear_counts = range >= nothing;
-      by_shear = bound_exactly(*shear, place.plate, per * range, 2.0 * cycles_in(of_shear));
+      by_shear = bound_of(*shear, range, 2.0 * reckoned_cycles * all_cycles_);
+      if (together || beats(Criterion::shear_fatigue, by_shear))
+        by_shear = bound_exactly(*shear, place.plate, per * range, 2.0 * cycles_in(of_shear));
     }
     const bool want_direct = direct_counts && beats(Criterion::fatigue, by_direct);
     const bool want_shear = shear_counts && beats(Criterion::shear_fatigue, by_shear);
@@ -616,7 +627,7 @@ class Search {
         if (c_flange / t > 72.0 / 1.2 * eps(t)) gate("flange that may buckle in shear");
     }
     const Plane plane = plane_of({section.here, {}, {}, section.space, 1.0, 1.0}, false, false);
-    const auto stress = [&](const Cut& cut, double y, double z) {
+    const auto stress = [&](const auto& cut, double y, double z) {
       double sum = 0.0;
       const double forces[] = {cut[cut_force::N], cut[cut_force::M_y], cut[cut_force::M_z]};
       for (std::size_t k = 0; k < 3; ++k)
@@ -629,13 +640,13 @@ class Search {
       if (ratio <= 42.0 * e) continue;
       const double y = side * 0.5 * (W - t);
       double largest = 0.0;
-      for (const auto& run : cuts_) {
-        for (const Cut& cut : run)
+      for (const Cuts& run : cuts_) {
+        for (const auto& cut : run.rowwise())
           largest = std::max({largest, std::abs(stress(cut, y, 0.5 * H - top)),
                               std::abs(stress(cut, y, -0.5 * H + bottom))});
       }
-      for (const auto& run : cuts_) {
-        for (const Cut& cut : run) {
+      for (const Cuts& run : cuts_) {
+        for (const auto& cut : run.rowwise()) {
           const double up = -stress(cut, y, 0.5 * H - top), low = -stress(cut, y, bottom - 0.5 * H);
           const double most = std::max(up, low);
           if (most <= 0.01 * largest) continue;  // compression that does not matter
@@ -764,8 +775,9 @@ class Search {
     double plate;
     Resisting resisting;
   };
-  std::vector<Known> known_;            ///< details of the station looked at
-  std::vector<std::vector<Cut>> cuts_;  ///< at the station looked at, by run
+  std::vector<Known> known_;                   ///< details of the station looked at
+  std::vector<Cuts> cuts_;                     ///< at the station looked at, by run
+  std::array<bool, cut_force::count> acts_{};  ///< whether a cut force is not always zero there
   Findings found_;
 };
 

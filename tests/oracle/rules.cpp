@@ -12,7 +12,7 @@ Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate)
   const FatigueInput& fatigue = project_->fatigue;
   const double s = station.s.value();
   Resisting weakest;
-  double least = 0.0;
+  double least = 0.0, largest = 0.0;
   bool reduced = true;
   for (const BeamDetail& stretch : fatigue.details) {
     const double from = stretch.from.value(), to = stretch.to.value();
@@ -25,13 +25,16 @@ Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate)
                        (stretch.on == DetailPlace::seams && kind == PlaceKind::seam);
     if (!here || !meant) continue;
     reduced = reduced && stretch.detail.compression_reduced;
+    largest = std::max(largest, stretch.stress_factor);
     const double strength = strength_at(stretch.detail, plate, 2e6) / stretch.stress_factor;
     if (weakest.detail != nullptr && strength >= least) continue;
     weakest.detail = &stretch;
     least = strength;
   }
-  if (weakest.detail == nullptr) return {&fatigue.beam, fatigue.beam.detail.compression_reduced};
+  if (weakest.detail == nullptr)
+    return {&fatigue.beam, fatigue.beam.detail.compression_reduced, fatigue.beam.stress_factor};
   weakest.compression_reduced = reduced;
+  weakest.range_factor = largest;
   return weakest;
 }
 

@@ -17,6 +17,8 @@ namespace oracle {
 struct Resisting {
   const boxbeam::BeamDetail* detail = nullptr;
   bool compression_reduced = false;
+  double range_factor =
+      1.0;  ///< on the stress whose range is limited: the largest of all stretches
 };
 
 class Rules {

@@ -58,6 +58,8 @@ class StationSamples {
     double load_factor = 1.0;
     bool closed = true;
     std::vector<double> cuts;  ///< of each instant the cut forces that act
+    /// Whether something jumps or bends between an instant and the one before it.
+    std::vector<bool> begins;
   };
 
   std::vector<double> stresses_in(const Run& run,
