@@ -9,9 +9,10 @@
 #include "catch.hpp"
 #include "support/program.hpp"
 
+extern char** environ;
+
 namespace command_line_test {
 
-extern char** environ;
 
 namespace {
 
