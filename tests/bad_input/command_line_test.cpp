@@ -13,7 +13,6 @@ extern char** environ;
 
 namespace command_line_test {
 
-
 namespace {
 
 using Words = std::vector<std::string>;
