@@ -10,6 +10,8 @@
 #include <numeric>
 #include <optional>
 
+#include "csv_text.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -162,12 +164,6 @@ std::string small_letters(std::string_view word) {
   std::transform(small.begin(), small.end(), small.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return small;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
 }
 
 }  // namespace

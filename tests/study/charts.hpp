@@ -16,11 +16,10 @@ namespace test {
 
 inline const boxbeam::study::Chart& chart_named(const boxbeam::study::TopicResult& result,
                                                 const std::string& name) {
-  const auto found = std::find_if(result.charts.begin(), result.charts.end(),
-                                  [&](const auto& chart) { return chart.name == name; });
-  INFO("chart " << name);
-  REQUIRE(found != result.charts.end());
-  return *found;
+  for (const boxbeam::study::Chart& chart : result.charts) {
+    if (chart.name == name) return chart;
+  }
+  throw std::out_of_range("no chart " + name);
 }
 
 /// Slope of the line of least squares through (log parameter, log error) of the points between two
