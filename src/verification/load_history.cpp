@@ -363,7 +363,7 @@ std::vector<StationHistory::Passage> StationHistory::passages() const {
     const std::vector<CutForcePiece> pieces = loads_->diagram_at(at).pieces;
     if (border + 1 >= pieces.size()) continue;
     const CutForceDiagram both{{pieces[border], pieces[border + 1]}};
-    Passage passage{i, both.at({pieces[border].end(), Side::before}),
+    Passage passage{i, at, both.at({pieces[border].end(), Side::before}),
                     both.at({pieces[border].end(), Side::behind})};
     if (from > to) std::swap(passage.before, passage.behind);
     found.push_back(passage);

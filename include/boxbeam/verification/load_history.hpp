@@ -117,6 +117,7 @@ class StationHistory {
   /// before that and just behind.
   struct Passage {
     std::size_t instant;
+    Time time;
     CutForces before, behind;
   };
   /// In order of time. As far as a load passes once between two instants.
