@@ -46,8 +46,6 @@ CutForces sum_of(const CutForces& a, double factor, const CutForces& b) {
           a.T + factor * b.T, a.M_y + factor * b.M_y, a.M_z + factor * b.M_z};
 }
 
-double sum_of(double a, double factor, double b) { return a + factor * b; }
-
 double force_in(const CutForces& cut) {
   return std::max({std::abs(cut.N.value()), std::abs(cut.V_y.value()), std::abs(cut.V_z.value())});
 }
@@ -59,10 +57,9 @@ double moment_in(const CutForces& cut) {
 /// Value at u of the polynomial through the nodes. Barycentric formula; weights of Chebyshev points
 /// alternate in sign and are halved at the ends. Source: Berrut and Trefethen, SIAM Review 46
 /// (2004).
-template <class Value>
-Value interpolate(const std::array<Value, LoadHistory::nodes>& values, double u) {
+CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, double u) {
   double sum = 0.0;
-  Value result{};
+  CutForces result{};
   for (std::size_t k = 0; k <= last_node; ++k) {
     const double distance = u - node(k);
     if (distance == 0.0) return values[k];
@@ -71,7 +68,7 @@ Value interpolate(const std::array<Value, LoadHistory::nodes>& values, double u)
     sum += weight;
     result = sum_of(result, weight, values[k]);
   }
-  return sum_of(Value{}, 1.0 / sum, result);
+  return sum_of({}, 1.0 / sum, result);
 }
 
 /// The last coefficients of the Chebyshev series of the polynomial through the nodes: how much of
@@ -331,44 +328,6 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
     from = high;
   }
   add(end);
-}
-
-std::vector<StationHistory::Passage> StationHistory::passages() const {
-  std::vector<Passage> found;
-  const std::size_t n = loads_->instants();
-  for (std::size_t i = closed() ? 0 : 1; i < n; ++i) {
-    const std::size_t previous = i > 0 ? i - 1 : n - 1;
-    if (loads_->begins_piece(i)) continue;
-    const std::size_t from = borders_before(loads_->diagram(previous), station_);
-    const std::size_t to = borders_before(loads_->diagram(i), station_);
-    if (from == to) continue;
-    const double end = loads_->time_of(i).value();
-    const double begin = (loads_->time_of(previous) - (i > 0 ? Time{} : loads_->period())).value();
-    const LoadHistory::Bracket& bracket = loads_->bracket({si<Time>(begin), si<Time>(end)});
-    // How far behind the station the border is that comes over it.
-    const std::size_t border = std::min(from, to);
-    std::array<double, LoadHistory::nodes> behind{};
-    for (std::size_t k = 0; k <= last_node; ++k) {
-      const std::vector<CutForcePiece>& pieces = bracket[k].pieces;
-      behind[k] = (pieces[std::min(border, pieces.size() - 1)].end() - station_.s).value();
-    }
-    double low = -1.0, high = 1.0;
-    const double sign = behind.front() > behind.back() ? 1.0 : -1.0;
-    constexpr int bisections = 48;
-    for (int k = 0; k < bisections; ++k) {
-      const double half = 0.5 * (low + high);
-      (sign * interpolate(behind, half) > 0.0 ? low : high) = half;
-    }
-    const Time at = si<Time>(0.5 * (begin + end) + 0.5 * (end - begin) * low);
-    const std::vector<CutForcePiece> pieces = loads_->diagram_at(at).pieces;
-    if (border + 1 >= pieces.size()) continue;
-    const CutForceDiagram both{{pieces[border], pieces[border + 1]}};
-    Passage passage{i, at, both.at({pieces[border].end(), Side::before}),
-                    both.at({pieces[border].end(), Side::behind})};
-    if (from > to) std::swap(passage.before, passage.behind);
-    found.push_back(passage);
-  }
-  return found;
 }
 
 const std::vector<StationHistory::Piece>& StationHistory::pieces_of(std::size_t instant) const {

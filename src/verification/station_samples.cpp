@@ -12,62 +12,32 @@
 namespace boxbeam {
 namespace {
 
-/// The instants of a history: when they are, and whether something jumps or bends between one and
-/// the one before it.
-struct Instants {
-  const std::vector<double>& times;
-  const std::vector<bool>& begins;
-  double period;
-
-  /// Of an instant so many steps on, over the end of a history that repeats.
-  std::size_t beside(std::size_t i, long steps) const {
-    const auto n = static_cast<long>(times.size());
-    return static_cast<std::size_t>((static_cast<long>(i) + steps + n) % n);
-  }
-  double time_beside(std::size_t i, long steps) const {
-    const long at = static_cast<long>(i) + steps;
-    const auto n = static_cast<long>(times.size());
-    return times[beside(i, steps)] + (at < 0 ? -period : at >= n ? period : 0.0);
-  }
-};
-
 /// The largest value near an instant that is as high as its neighbours: of the parabola through the
-/// three, or on the one side of a place where the history jumps or bends. Without it the largest
-/// sample would change from place to place, and what varies smoothly along the beam or a wall would
-/// have many small maxima.
-double peak_near(const std::vector<double>& values, std::size_t i, double sign,
-                 const Instants& of) {
+/// three. Without it the largest sample would change from place to place, and what varies smoothly
+/// along the beam or a wall would have many small maxima.
+double peak_near(const std::vector<double>& values, std::size_t i, double sign, bool closed) {
+  const std::size_t n = values.size();
   const double at = sign * values[i];
-  if (values.size() < 3) return at;
-  const bool jumps_before = of.begins[i], jumps_behind = of.begins[of.beside(i, 1)];
-  if (jumps_before && jumps_behind) return at;
-  const long first = jumps_before ? 0 : (jumps_behind ? -2 : -1);
-  if (jumps_before && of.begins[of.beside(i, 2)]) return at;
-  if (jumps_behind && of.begins[of.beside(i, -1)]) return at;
-  const auto value = [&](long step) { return sign * values[of.beside(i, first + step)]; };
-  const double t0 = of.time_beside(i, first), t1 = of.time_beside(i, first + 1),
-               t2 = of.time_beside(i, first + 2);
-  const double slope = (value(1) - value(0)) / (t1 - t0);
-  const double bend = ((value(2) - value(1)) / (t2 - t1) - slope) / (t2 - t0);
-  if (!(bend < 0.0)) return at;
-  const double top = 0.5 * (t0 + t1) - 0.5 * slope / bend;
-  if (!(top > t0 && top < t2)) return at;
-  return std::max(at, value(0) + (top - t0) * (slope + bend * (top - t1)));
+  if (!closed && (i == 0 || i + 1 == n)) return at;
+  const double rise = at - sign * values[(i + n - 1) % n];
+  const double fall = at - sign * values[(i + 1) % n];
+  if (rise < 0.0 || fall < 0.0 || rise + fall <= 0.0) return at;
+  const double step = rise - fall;
+  return at + step * step / (8.0 * (rise + fall));
 }
 
-double largest_of(const std::vector<double>& values, const Instants& instants) {
+double largest_of(const std::vector<double>& values, bool closed) {
   double largest = 0.0;
   const std::size_t n = values.size();
   for (std::size_t i = 0; i < n; ++i) {
     const bool peak = values[i] >= values[(i + n - 1) % n] && values[i] >= values[(i + 1) % n];
-    largest = std::max(largest, peak ? peak_near(values, i, 1.0, instants) : values[i]);
+    if (peak || !closed) largest = std::max(largest, peak_near(values, i, 1.0, closed));
   }
   return largest;
 }
 
 /// The turning points of a stress in order of time, without their instants.
-SituationTurns turns_among(const std::vector<double>& values, bool closed,
-                           const Instants& instants) {
+SituationTurns turns_among(const std::vector<double>& values, bool closed) {
   SituationTurns of;
   const std::size_t n = values.size();
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -99,7 +69,7 @@ SituationTurns turns_among(const std::vector<double>& values, bool closed,
   brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
   for (const auto& [i, maximum] : brackets) {
     const double sign = maximum ? 1.0 : -1.0;
-    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, instants), maximum});
+    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, closed), maximum});
   }
   return of;
 }
@@ -152,28 +122,12 @@ StationSamples::StationSamples(const Project& project,
     if (acts[k]) acting_.push_back(k);
   }
   for (const SituationHistory& at : histories) {
-    Run run;
-    run.situation = index_of(project, *at.situation);
-    run.load_factor = at.situation->load_factor;
-    run.closed = at.history.closed();
-    run.period = at.history.period().value();
+    Run run{index_of(project, *at.situation), at.situation->load_factor, at.history.closed(), {}};
     run.cuts.reserve(at.history.samples().size() * acting_.size());
-    const auto add = [&](Time time, const CutForces& cut, bool begins) {
-      run.times.push_back(time.value());
+    for (const CutForces& cut : at.history.samples()) {
       const auto values = each(cut);
       for (const std::size_t k : acting_) run.cuts.push_back(values[k]);
-      run.begins.push_back(begins);
-    };
-    const std::vector<StationHistory::Passage> passages = at.history.passages();
-    auto passage = passages.begin();
-    for (std::size_t i = 0; i < at.history.samples().size(); ++i) {
-      for (; passage != passages.end() && passage->instant == i; ++passage) {
-        add(passage->time, passage->before, false);
-        add(passage->time, passage->behind, true);
-      }
-      add(at.history.time_of(i), at.history.samples()[i], at.history.begins_piece(i));
     }
-    if (!run.closed) run.begins.front() = true;
     runs_.push_back(std::move(run));
   }
 }
@@ -200,8 +154,7 @@ double StationSamples::largest_cut_force(cut_force::Index which, double sign) co
   factors[which] = sign;
   double largest = 0.0;
   for (const Run& run : runs_)
-    largest = std::max(largest,
-                       largest_of(stresses_in(run, factors), {run.times, run.begins, run.period}));
+    largest = std::max(largest, largest_of(stresses_in(run, factors), run.closed));
   return largest;
 }
 
@@ -233,23 +186,18 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       std::vector<double> of(normal.size());
       for (std::size_t i = 0; i < of.size(); ++i)
         of[i] = std::sqrt(normal[i] * normal[i] + 3.0 * shear[i] * shear[i]);
-      equivalent = std::max(equivalent,
-                            run.load_factor * largest_of(of, {run.times, run.begins, run.period}));
+      equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.closed));
     }
     if (weld) {
       std::vector<double> of(shear.size());
       for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::abs(shear[i]);
-      throat =
-          std::max(throat, run.load_factor * largest_of(of, {run.times, run.begins, run.period}));
+      throat = std::max(throat, run.load_factor * largest_of(of, run.closed));
     }
     if (direct) {
       for (double& stress : normal) stress *= stress_factor;
-      direct_turns[run.situation] =
-          turns_among(normal, run.closed, {run.times, run.begins, run.period});
+      direct_turns[run.situation] = turns_among(normal, run.closed);
     }
-    if (along)
-      shear_turns[run.situation] =
-          turns_among(shear, run.closed, {run.times, run.begins, run.period});
+    if (along) shear_turns[run.situation] = turns_among(shear, run.closed);
   }
 
   Utilisations found;

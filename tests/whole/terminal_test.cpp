@@ -208,7 +208,9 @@ TEST_CASE("width: on a terminal of 80 columns no line is broken by it", "[termin
   const std::string out = folder.path().string();
   const std::string history = folder.write("h.csv", "sigma [MPa], tau [MPa]\n0,1\n90,9\n0,1\n");
   const auto longest = [](const std::string& shown) {
-    std::istringstream lines(std::regex_replace(shown, std::regex("\033\\[[0-9;]*[mK]|\r"), ""));
+    // Progress is taken back from its line.
+    const std::string lasting = std::regex_replace(shown, std::regex("\r[^\r\n]*\033\\[K"), "");
+    std::istringstream lines(std::regex_replace(lasting, std::regex("\033\\[[0-9;]*[mK]|\r"), ""));
     std::size_t most = 0;
     for (std::string line; std::getline(lines, line);) {
       // What a path makes long cannot be helped.

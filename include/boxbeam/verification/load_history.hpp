@@ -113,19 +113,6 @@ class StationHistory {
   Time time_of(std::size_t instant) const { return loads_->time_of(instant); }
   const std::vector<CutForces>& samples() const { return samples_; }
 
-  /// A load slides over the station between an instant and the one before it: the cut forces just
-  /// before that and just behind.
-  struct Passage {
-    std::size_t instant;
-    Time time;
-    CutForces before, behind;
-  };
-  /// In order of time. As far as a load passes once between two instants.
-  std::vector<Passage> passages() const;
-
-  /// Whether the loads may jump or bend between an instant and the one before it.
-  bool begins_piece(std::size_t instant) const { return loads_->begins_piece(instant); }
-
   /// The turning points of `f` in order of time. Each is bracketed by instants between which
   /// nothing is known to jump or bend and found by Brent's method on the cut forces interpolated
   /// through the Chebyshev points of the bracket (degree 8: for a smooth motion the interpolation

@@ -57,11 +57,7 @@ class StationSamples {
     std::size_t situation = 0;
     double load_factor = 1.0;
     bool closed = true;
-    double period = 0.0;        ///< [s]
-    std::vector<double> times;  ///< of the instants [s]
-    std::vector<double> cuts;   ///< of each instant the cut forces that act
-    /// Whether something jumps or bends between an instant and the one before it.
-    std::vector<bool> begins;
+    std::vector<double> cuts;  ///< of each instant the cut forces that act
   };
 
   std::vector<double> stresses_in(const Run& run,
