@@ -25,7 +25,7 @@ TEST_CASE("a random case is the same for the same number and another for another
 }
 
 TEST_CASE("the oracle would notice a side dropped, a detail's end ignored and a grid of 24",
-          "[oracle]") {
+          "[oracle][unsanitized]") {
   const Scratch scratch;
   constexpr int cases = 40;
   std::array<int, oracle::faults.size()> shown{};

@@ -256,7 +256,7 @@ TEST_CASE("a step too long for a line is broken before its equals signs", "[repo
   }
 }
 
-TEST_CASE("a summary is two pages, three at most", "[report][pdf][shipped]") {
+TEST_CASE("a summary is two pages, three at most", "[report][pdf][shipped][unsanitized]") {
   if (!test::has_pdflatex() || !test::has_pdftotext()) return;
   for (const std::string& path : test::shipped_paths()) {
     const test::TemporaryFolder folder;

@@ -87,7 +87,8 @@ std::string words_of_draw_with(const std::string& tools, bool also_path = true) 
 
 }  // namespace
 
-TEST_CASE("every figure of every case is drawn without a warning, and its script draws it again") {
+TEST_CASE("every figure of every case is drawn without a warning, and its script draws it again",
+          "[unsanitized]") {
   for (const std::string& path : shipped) {
     CAPTURE(path);
     const Drawn& figures = drawn(path);
@@ -272,7 +273,8 @@ TEST_CASE("the same case draws the same bytes") {
   }
 }
 
-TEST_CASE("names stand in figures as the user wrote them, whatever gnuplot would make of them") {
+TEST_CASE("names stand in figures as the user wrote them, whatever gnuplot would make of them",
+          "[unsanitized]") {
   const test::TemporaryFolder folder;
   const std::string touched = (folder.path() / "touched").string();
   // What a shell, gnuplot's strings, its enhanced text, formats or XML would take apart.

@@ -268,7 +268,8 @@ TEST_CASE("where not every situation is offered, the moving picture says so", "[
   }
 }
 
-TEST_CASE("joint forces grow without bound at resonance only where nothing damps", "[report]") {
+TEST_CASE("joint forces grow without bound at resonance only where nothing damps",
+          "[report][unsanitized]") {
   const std::string path = test::project_file("sections/drill-truck/truck.toml");
   for (const bool damped : {false, true}) {
     const std::vector<std::string> set =

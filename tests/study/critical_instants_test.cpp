@@ -80,7 +80,7 @@ TEST_CASE("peaks over time: sampling of order 2, a parabola of order 4, the prog
   }
 }
 
-TEST_CASE("peaks over time of other cases, twice the same", "[study]") {
+TEST_CASE("peaks over time of other cases, twice the same", "[study][unsanitized]") {
   for (const char* path :
        {"sections/landing-gear/retraction.toml", "sections/templates/flexible.toml"}) {
     CAPTURE(path);

@@ -103,7 +103,7 @@ TEST_CASE("integrators: their orders on the pendulum", "[study]") {
   CHECK(std::log2(fehlberg(20) / fehlberg(40)) == Approx(8.0).margin(0.5));
 }
 
-TEST_CASE("chart integration: orders, failures, the default", "[study]") {
+TEST_CASE("chart integration: orders, failures, the default", "[study][unsanitized]") {
   const TopicResult result = integration(reference_scenes(), {true});
   REQUIRE(result.charts.size() == 5);
   const Chart& pendulum = result.charts[0];

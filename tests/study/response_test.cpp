@@ -22,7 +22,7 @@ double error_of(const Chart& chart, const std::string& method, double parameter)
 }  // namespace
 
 TEST_CASE("charts of the response: static correction is what makes few modes enough",
-          "[study][response]") {
+          "[study][response][unsanitized]") {
   const TopicResult result = response(reference_scenes(), {true});
   REQUIRE(result.charts.size() == 4);
   CHECK(test::failures_in(result) == 0);
