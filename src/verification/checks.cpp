@@ -178,13 +178,13 @@ std::string id_of(Criterion criterion, const Station& station, const std::string
 std::optional<CheckResult> check_yield(const Project& project,
                                        const std::vector<SituationHistory>& histories,
                                        const StressPoint& point) {
-  const SituationHistory* worst = nullptr;
+  const SituationHistory* worst = &histories.front();
   TurningPoint largest;
   for (const SituationHistory& at : histories) {
     TurningPoint in = at.history.largest(
         [&](const CutForces& cut) { return stress_at(point.influence, cut).von_mises().value(); });
     in.value *= at.situation->load_factor;
-    if (worst != nullptr && in.value <= largest.value) continue;
+    if (in.value <= largest.value) continue;
     worst = &at;
     largest = in;
   }
