@@ -98,8 +98,10 @@ std::vector<Break> TableCurve::breaks(double from, double until) const {
   }
   const double first = std::floor((from - x_.front()) / length);
   const double last = std::floor((until - x_.front()) / length);
-  for (double period = first; period <= last; period += 1.0) {
-    for (std::size_t i = 0; i < x_.size(); ++i) take(x_[i] + period * length);
+  const auto periods = static_cast<std::size_t>(std::max(0.0, last - first + 1.0));
+  for (std::size_t k = 0; k < periods; ++k) {
+    const double shift = (first + static_cast<double>(k)) * length;
+    for (const double at : x_) take(at + shift);
   }
   return breaks;
 }

@@ -21,8 +21,6 @@
 namespace boxbeam::program {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// In the order of the calculation, whatever the user's.
 std::vector<const study::Topic*> topics_of(const ChartOptions& options) {
   const auto is_wanted = [&](const std::string& name) {

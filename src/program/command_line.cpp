@@ -137,7 +137,7 @@ std::string usage_of(const Command& command) {
 }
 
 std::string shape_of(const Argument& option) {
-  const std::string name =
+  std::string name =
       option.brief.empty() ? option.name : fmt::format("{}, {}", option.brief, option.name);
   if (option.value.empty()) return name;
   if (option.words.empty()) return name + " " + option.value;

@@ -48,7 +48,7 @@ std::optional<Stress> yield_strength_by(const FatigueOptions& options,
     throw InputError("the yield strength of a steel depends on the plate's thickness",
                      "add --thickness \"20 mm\", or write --yield \"355 MPa\"");
   }
-  const auto strength = yield_strength_of(*steel, *thickness);
+  auto strength = yield_strength_of(*steel, *thickness);
   if (!strength) {
     throw InputError(fmt::format("{} has no yield strength for this thickness", options.steel),
                      "write --yield \"265 MPa\"");

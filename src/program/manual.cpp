@@ -33,7 +33,7 @@ std::string entry(const std::string& term, const std::string& says) {
 }
 
 std::string term_of(const Argument& option) {
-  const std::string name =
+  std::string name =
       option.brief.empty() ? bold(option.name) : bold(option.brief) + ", " + bold(option.name);
   if (option.value.empty()) return name;
   if (option.words.empty()) return name + " " + italic(option.value);

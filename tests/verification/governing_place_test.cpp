@@ -353,6 +353,30 @@ TEST_CASE("a given stress is judged by the detail at its place") {
   CHECK(resisting() > 1.5 * strength / (demand.gamma_Ff * demand.gamma_Mf));
 }
 
+TEST_CASE("the range that is limited takes the largest stress factor of the details at a place") {
+  // Category 36 resists least, 36 < 160/1.5, so fatigue is judged by it; but where the stress
+  // is 1.5 times the nominal one its range is 1.5 x 20 kN x 4 m / W of 1.5 f_y.
+  Project project = test::planar_cantilever(4.0, taper_sections, taper_segment, {{4.0}},
+                                            fatigue_lines(160, "2e6", 1.35));
+  BeamDetail weak = project.fatigue.beam;
+  weak.from = si<Length>(0.0);
+  weak.to = si<Length>(0.05);
+  weak.detail.curve = en_1993_1_9_direct(36);
+  BeamDetail concentrated = weak;
+  concentrated.detail.curve = en_1993_1_9_direct(160);
+  concentrated.stress_factor = 1.5;
+  project.fatigue.details = {weak, concentrated};
+  const double range = 20e3 * 4.0 / modulus_of(0.3);
+  const double f_y = yield_strength_of(project.material, si<Length>(0.012)).value().value();
+  const Verification verification = verify(project);
+  const CheckResult* limited = verification.governing(Criterion::stress_range);
+  REQUIRE(limited != nullptr);
+  CHECK(limited->check.utilisation() == Approx(range / f_y).epsilon(1e-4));
+  const CheckResult* fatigue = verification.governing(Criterion::fatigue);
+  REQUIRE(fatigue != nullptr);
+  CHECK(fatigue->check.utilisation() == Approx(range / (36e6 / 1.35)).epsilon(1e-4));
+}
+
 TEST_CASE("webs of which one is stiffened are two webs") {
   // c/t = 276/2 = 138, above 124 eps = 100.9 of pure bending: both are slender, and the bar on the
   // left one turns the axis of bending, so that they are not alike.

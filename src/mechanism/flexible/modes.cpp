@@ -271,7 +271,7 @@ std::optional<SmallProblem> few_motions(const Problem& problem, Index most) {
 /// the round-off of high modes, what it takes from low ones: made good by Rayleigh and Ritz.
 Found all_modes(const SmallProblem& of) {
   const Index size = of.flexibility.rows();
-  const Found none{MatrixXd(of.basis.rows(), 0), VectorXd(0)};
+  Found none{MatrixXd(of.basis.rows(), 0), VectorXd(0)};
   if (size == 0) return none;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> root(of.flexibility);
   const MatrixXd R =
