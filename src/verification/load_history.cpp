@@ -46,6 +46,8 @@ CutForces sum_of(const CutForces& a, double factor, const CutForces& b) {
           a.T + factor * b.T, a.M_y + factor * b.M_y, a.M_z + factor * b.M_z};
 }
 
+double sum_of(double a, double factor, double b) { return a + factor * b; }
+
 double force_in(const CutForces& cut) {
   return std::max({std::abs(cut.N.value()), std::abs(cut.V_y.value()), std::abs(cut.V_z.value())});
 }
@@ -57,9 +59,10 @@ double moment_in(const CutForces& cut) {
 /// Value at u of the polynomial through the nodes. Barycentric formula; weights of Chebyshev points
 /// alternate in sign and are halved at the ends. Source: Berrut and Trefethen, SIAM Review 46
 /// (2004).
-CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, double u) {
+template <class Value>
+Value interpolate(const std::array<Value, LoadHistory::nodes>& values, double u) {
   double sum = 0.0;
-  CutForces result{};
+  Value result{};
   for (std::size_t k = 0; k <= last_node; ++k) {
     const double distance = u - node(k);
     if (distance == 0.0) return values[k];
@@ -68,7 +71,7 @@ CutForces interpolate(const std::array<CutForces, LoadHistory::nodes>& values, d
     sum += weight;
     result = sum_of(result, weight, values[k]);
   }
-  return sum_of({}, 1.0 / sum, result);
+  return sum_of(Value{}, 1.0 / sum, result);
 }
 
 /// The last coefficients of the Chebyshev series of the polynomial through the nodes: how much of
@@ -328,6 +331,55 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
     from = high;
   }
   add(end);
+}
+
+std::vector<StationHistory::Passage> StationHistory::passages() const {
+  std::vector<Passage> found;
+  const std::size_t n = loads_->instants();
+  for (std::size_t i = closed() ? 0 : 1; i < n; ++i) {
+    const std::size_t previous = i > 0 ? i - 1 : n - 1;
+    if (loads_->begins_piece(i)) continue;
+    const std::size_t from = borders_before(loads_->diagram(previous), station_);
+    const std::size_t to = borders_before(loads_->diagram(i), station_);
+    if (from == to) continue;
+    const Time begin = loads_->time_of(previous) - (i > 0 ? Time{} : loads_->period());
+    const std::size_t first = found.size();
+    for (std::size_t border = std::min(from, to); border < std::max(from, to); ++border) {
+      if (auto passage = passage_of(border, {begin, loads_->time_of(i)}, from > to)) {
+        passage->instant = i;
+        found.push_back(*passage);
+      }
+    }
+    std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+              [](const Passage& a, const Passage& b) { return a.time < b.time; });
+  }
+  return found;
+}
+
+std::optional<StationHistory::Passage> StationHistory::passage_of(std::size_t border,
+                                                                  const LoadHistory::Reach& within,
+                                                                  bool forwards) const {
+  const LoadHistory::Bracket& bracket = loads_->bracket(within);
+  std::array<double, LoadHistory::nodes> ahead{};  // of the station the border is
+  for (std::size_t k = 0; k <= last_node; ++k) {
+    const std::vector<CutForcePiece>& pieces = bracket[k].pieces;
+    ahead[k] = (pieces[std::min(border, pieces.size() - 1)].end() - station_.s).value();
+    if (forwards) ahead[k] = -ahead[k];
+  }
+  double low = -1.0, high = 1.0;
+  constexpr int bisections = 48;
+  for (int k = 0; k < bisections; ++k) {
+    const double half = 0.5 * (low + high);
+    (interpolate(ahead, half) > 0.0 ? low : high) = half;
+  }
+  const Time at = 0.5 * (within.from + within.to) + 0.5 * low * (within.to - within.from);
+  const std::vector<CutForcePiece> pieces = loads_->diagram_at(at).pieces;
+  if (border + 1 >= pieces.size()) return std::nullopt;
+  const CutForceDiagram both{{pieces[border], pieces[border + 1]}};
+  Passage passage{0, at, both.at({pieces[border].end(), Side::before}),
+                  both.at({pieces[border].end(), Side::behind})};
+  if (forwards) std::swap(passage.before, passage.behind);
+  return passage;
 }
 
 const std::vector<StationHistory::Piece>& StationHistory::pieces_of(std::size_t instant) const {

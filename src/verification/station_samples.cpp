@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "boxbeam/fatigue/damage.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
@@ -12,38 +13,92 @@
 namespace boxbeam {
 namespace {
 
-/// The largest value near an instant that is as high as its neighbours: of the parabola through the
-/// three. Without it the largest sample would change from place to place, and what varies smoothly
-/// along the beam or a wall would have many small maxima.
-double peak_near(const std::vector<double>& values, std::size_t i, double sign, bool closed) {
-  const std::size_t n = values.size();
+/// Steps on from an instant within the piece of the history it belongs to, between whose instants
+/// nothing jumps or bends.
+class Neighbours {
+ public:
+  Neighbours(const SampledInstants& of, std::size_t instant) : of_(&of), instant_(instant) {}
+
+  struct Place {
+    std::size_t instant = 0;
+    double time = 0.0;  ///< beyond the end of a history that repeats its time goes on
+  };
+
+  /// The next instant in a direction (1 or -1) that lies apart from the one before it by more than
+  /// a part of `step`: two that almost coincide tell nothing of a slope.
+  std::optional<Place> next(Place from, long direction, double step) const {
+    constexpr double apart = 0.05;
+    const auto n = static_cast<long>(of_->times.size());
+    Place place = from;
+    double turned = from.time - of_->times[from.instant];
+    for (;;) {
+      const long to = static_cast<long>(place.instant) + direction;
+      const auto at = static_cast<std::size_t>((to + n) % n);
+      if (at == instant_ || of_->begins[direction > 0 ? at : place.instant]) return std::nullopt;
+      if (to < 0) turned -= of_->period;
+      if (to >= n) turned += of_->period;
+      place = {at, of_->times[at] + turned};
+      if (std::abs(place.time - from.time) > apart * step) return place;
+    }
+  }
+
+ private:
+  const SampledInstants* of_;
+  std::size_t instant_;
+};
+
+/// The largest value near an instant that is as high as its neighbours: of the parabola through
+/// it and one on each side, or, where the history jumps or bends beside it, two on the other side.
+/// Without it the largest sample would change from place to place, and what varies smoothly along
+/// the beam or a wall would have many small maxima.
+double peak_near(const std::vector<double>& values, std::size_t i, double sign,
+                 const SampledInstants& of) {
   const double at = sign * values[i];
-  if (!closed && (i == 0 || i + 1 == n)) return at;
-  const double rise = at - sign * values[(i + n - 1) % n];
-  const double fall = at - sign * values[(i + 1) % n];
-  if (rise < 0.0 || fall < 0.0 || rise + fall <= 0.0) return at;
-  const double step = rise - fall;
-  return at + step * step / (8.0 * (rise + fall));
+  const double step = of.period / static_cast<double>(values.size());
+  const Neighbours neighbours(of, i);
+  using Place = Neighbours::Place;
+  const Place own{i, of.times[i]};
+  const std::optional<Place> before = neighbours.next(own, -1, step);
+  const std::optional<Place> behind = neighbours.next(own, 1, step);
+  std::optional<Place> further;
+  if (before && behind) {
+    further = behind;
+  } else if (before) {
+    further = neighbours.next(*before, -1, step);
+  } else if (behind) {
+    further = neighbours.next(*behind, 1, step);
+  }
+  if (!further) return at;
+  const Place& near = before ? *before : *behind;
+  const auto rise_to = [&](const Place& place) { return sign * values[place.instant] - at; };
+  const double h = near.time - own.time, k = further->time - own.time;
+  const double bend = (rise_to(near) / h - rise_to(*further) / k) / (h - k);
+  const double slope = rise_to(near) / h - bend * h;
+  if (!(bend < 0.0)) return at;
+  const double top = -0.5 * slope / bend;
+  const double first = std::min({h, k, 0.0}), last = std::max({h, k, 0.0});
+  if (!(top > first && top < last)) return at;
+  return std::max(at, at + top * (slope + bend * top));
 }
 
-double largest_of(const std::vector<double>& values, bool closed) {
+double largest_of(const std::vector<double>& values, const SampledInstants& instants) {
   double largest = 0.0;
   const std::size_t n = values.size();
   for (std::size_t i = 0; i < n; ++i) {
     const bool peak = values[i] >= values[(i + n - 1) % n] && values[i] >= values[(i + 1) % n];
-    if (peak || !closed) largest = std::max(largest, peak_near(values, i, 1.0, closed));
+    largest = std::max(largest, peak ? peak_near(values, i, 1.0, instants) : values[i]);
   }
   return largest;
 }
 
 /// The turning points of a stress in order of time, without their instants.
-SituationTurns turns_among(const std::vector<double>& values, bool closed) {
+SituationTurns turns_among(const std::vector<double>& values, const SampledInstants& instants) {
   SituationTurns of;
   const std::size_t n = values.size();
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double noise = 1e-9 * std::max(std::abs(*low), std::abs(*high));
   of.begin = values.front();
-  of.end = closed ? values.front() : values.back();
+  of.end = instants.closed ? values.front() : values.back();
   if (!(*high - *low > noise)) {
     of.turns.push_back({Time{}, *high, true});
     return of;
@@ -69,7 +124,7 @@ SituationTurns turns_among(const std::vector<double>& values, bool closed) {
   brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
   for (const auto& [i, maximum] : brackets) {
     const double sign = maximum ? 1.0 : -1.0;
-    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, closed), maximum});
+    of.turns.push_back({Time{}, sign * peak_near(values, i, sign, instants), maximum});
   }
   return of;
 }
@@ -122,12 +177,27 @@ StationSamples::StationSamples(const Project& project,
     if (acts[k]) acting_.push_back(k);
   }
   for (const SituationHistory& at : histories) {
-    Run run{index_of(project, *at.situation), at.situation->load_factor, at.history.closed(), {}};
+    Run run{index_of(project, *at.situation), at.situation->load_factor, {}, {}};
+    SampledInstants& instants = run.instants;
+    instants.closed = at.history.closed();
+    instants.period = at.history.period().value();
     run.cuts.reserve(at.history.samples().size() * acting_.size());
-    for (const CutForces& cut : at.history.samples()) {
+    const auto add = [&](Time time, const CutForces& cut, bool begins) {
       const auto values = each(cut);
       for (const std::size_t k : acting_) run.cuts.push_back(values[k]);
+      instants.times.push_back(time.value());
+      instants.begins.push_back(begins);
+    };
+    const std::vector<StationHistory::Passage> passages = at.history.passages();
+    auto passage = passages.begin();
+    for (std::size_t i = 0; i < at.history.samples().size(); ++i) {
+      for (; passage != passages.end() && passage->instant == i; ++passage) {
+        add(passage->time, passage->before, false);
+        add(passage->time, passage->behind, true);
+      }
+      add(at.history.time_of(i), at.history.samples()[i], at.history.begins_piece(i));
     }
+    if (!instants.closed) instants.begins.front() = true;
     runs_.push_back(std::move(run));
   }
 }
@@ -135,7 +205,7 @@ StationSamples::StationSamples(const Project& project,
 std::vector<double> StationSamples::stresses_in(
     const Run& run, const std::array<double, cut_force::count>& factors) const {
   const std::size_t forces = acting_.size();
-  if (forces == 0) return {0.0};
+  if (forces == 0) return std::vector<double>(run.instants.times.size(), 0.0);
   std::array<double, cut_force::count> of{};
   for (std::size_t j = 0; j < forces; ++j) of[j] = factors[acting_[j]];
   std::vector<double> stresses(run.cuts.size() / forces);
@@ -154,7 +224,7 @@ double StationSamples::largest_cut_force(cut_force::Index which, double sign) co
   factors[which] = sign;
   double largest = 0.0;
   for (const Run& run : runs_)
-    largest = std::max(largest, largest_of(stresses_in(run, factors), run.closed));
+    largest = std::max(largest, largest_of(stresses_in(run, factors), run.instants));
   return largest;
 }
 
@@ -186,18 +256,18 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
       std::vector<double> of(normal.size());
       for (std::size_t i = 0; i < of.size(); ++i)
         of[i] = std::sqrt(normal[i] * normal[i] + 3.0 * shear[i] * shear[i]);
-      equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.closed));
+      equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.instants));
     }
     if (weld) {
       std::vector<double> of(shear.size());
       for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::abs(shear[i]);
-      throat = std::max(throat, run.load_factor * largest_of(of, run.closed));
+      throat = std::max(throat, run.load_factor * largest_of(of, run.instants));
     }
     if (direct) {
       for (double& stress : normal) stress *= stress_factor;
-      direct_turns[run.situation] = turns_among(normal, run.closed);
+      direct_turns[run.situation] = turns_among(normal, run.instants);
     }
-    if (along) shear_turns[run.situation] = turns_among(shear, run.closed);
+    if (along) shear_turns[run.situation] = turns_among(shear, run.instants);
   }
 
   Utilisations found;

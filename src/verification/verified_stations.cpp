@@ -222,9 +222,9 @@ double top_near(const std::vector<SearchedPlace>& places, const LocalMaximum& ma
 
 /// The places inside a piece that the exact checks decide among, ascending. Maxima of several
 /// functions close together are one place, where none of them is lower than half the tolerance.
-/// Where a load slides, the value between its places is too low, and the top counts all the same.
-std::vector<Length> chosen_in(std::vector<SearchedPlace> places, const std::vector<double>& largest,
-                              double tolerance, bool slid_over, AlongBeam& along) {
+std::vector<Length> chosen_in(const std::vector<SearchedPlace>& places,
+                              const std::vector<double>& largest, double tolerance,
+                              AlongBeam& along) {
   std::vector<SearchedPlace> chosen;
   for (const LocalMaximum& maximum : local_maxima_of(places, largest, along)) {
     const double value = value_of(places[maximum.place], maximum.function);
@@ -235,49 +235,12 @@ std::vector<Length> chosen_in(std::vector<SearchedPlace> places, const std::vect
     const double top = top_near(places, maximum);
     SearchedPlace polished{top, along.at({si<Length>(top), Side::both})};
     const bool higher = value_of(polished, maximum.function) >= value;
-    if (slid_over || !higher) chosen.push_back(places[maximum.place]);
-    if (slid_over || higher) chosen.push_back(std::move(polished));
+    chosen.push_back(higher ? std::move(polished) : places[maximum.place]);
   }
   std::vector<Length> stations;
   for (const SearchedPlace& place : chosen) stations.push_back(si<Length>(place.at));
   std::sort(stations.begin(), stations.end());
   return stations;
-}
-
-/// The places of loads that slide along the beam, at every instant, ascending.
-std::vector<double> slides_of(const std::deque<SituationRun>& runs) {
-  std::vector<double> slides;
-  for (const SituationRun& run : runs) {
-    std::map<double, std::size_t> visits;
-    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-      for (const CutForcePiece& piece : run.loads.diagram(i).pieces) ++visits[piece.start.value()];
-    }
-    for (const auto& [s, count] : visits) {
-      if (count < run.loads.instants()) slides.push_back(s);
-    }
-  }
-  std::sort(slides.begin(), slides.end());
-  return slides;
-}
-
-/// The places of a piece at which a load stands that slides over it, and its ends; nothing where
-/// none does. Where it stands the bending moment has a peak over time that is no parabola through
-/// neighbouring instants: only at its own places, which it passes at an instant, is the largest
-/// value known without solving for the passage.
-std::vector<SearchedPlace> where_loads_slide(const std::vector<double>& slides,
-                                             const std::vector<SearchedPlace>& places,
-                                             AlongBeam& along) {
-  const double from = places.front().at, to = places.back().at;
-  const auto first = std::upper_bound(slides.begin(), slides.end(), from);
-  const auto last = std::lower_bound(first, slides.end(), to);
-  if (first == last) return {};
-  std::vector<SearchedPlace> passed{places.front()};
-  for (auto s = first; s != last; ++s) {
-    if (*s - passed.back().at < 1e-6 * (to - from)) continue;
-    passed.push_back({*s, along.at({si<Length>(*s), Side::both})});
-  }
-  passed.push_back(places.back());
-  return passed;
 }
 
 /// The stations of a cut.
@@ -338,16 +301,11 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
   };
   const PieceSearchResult found = largest_on_pieces(search);
 
-  const std::vector<double> slides = slides_of(runs);
   VerifiedStations verified;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     for (const Station& station : stations_of(cuts[i], beam)) verified.stations.push_back(station);
     if (i + 1 == cuts.size()) break;
-    const std::vector<SearchedPlace>& searched = found.pieces[i];
-    std::vector<SearchedPlace> passed = where_loads_slide(slides, searched, along);
-    const bool slid_over = !passed.empty();
-    for (const Length& s : chosen_in(slid_over ? std::move(passed) : searched, found.largest,
-                                     search.tolerance, slid_over, along))
+    for (const Length& s : chosen_in(found.pieces[i], found.largest, search.tolerance, along))
       verified.stations.push_back({s, Side::both});
   }
   // Of the utilisations: the places of extreme cut forces are for the eye.

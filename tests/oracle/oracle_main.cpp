@@ -1,10 +1,9 @@
 // Compares the program with the oracle over many random cases; see scripts/oracle.sh.
 //
 //   boxbeam_oracle [--from NUMBER] [--cases COUNT] [--every STEP] [--density full|coarse]
-//                  [--keep FOLDER] [--open "NUMBER:CRITERION,.."] [--verbose]
+//                  [--keep FOLDER] [--verbose]
 //
-// Exit code 0: they agree on all; 1: they do not; 2: wrong usage. Misses that are named open are
-// shown and counted, but do not decide the exit code.
+// Exit code 0: they agree on all; 1: they do not; 2: wrong usage.
 
 #include <fmt/format.h>
 
@@ -14,8 +13,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <set>
-#include <sstream>
 #include <string>
 
 #include "comparison.hpp"
@@ -31,7 +28,6 @@ struct Arguments {
   std::uint64_t every = 1;
   oracle::Density density = oracle::coarse;
   std::string keep;
-  std::set<std::string> open;  ///< "73:stress range"
   bool verbose = false;
 };
 
@@ -67,10 +63,7 @@ Arguments arguments_of(int argc, char** argv) {
       arguments.every = std::max<std::uint64_t>(1, number());
     else if (key == "--keep")
       arguments.keep = value;
-    else if (key == "--open") {
-      std::istringstream named(value);
-      for (std::string one; std::getline(named, one, ',');) arguments.open.insert(one);
-    } else if (key == "--density" && (value == "full" || value == "coarse"))
+    else if (key == "--density" && (value == "full" || value == "coarse"))
       arguments.density = value == "full" ? oracle::full : oracle::coarse;
     else
       refuse(fmt::format("\"{} {}\" is not known", key, value));
@@ -83,7 +76,7 @@ struct Tally {
   std::map<Outcome::Kind, long> kinds;
   std::map<std::string, long> misses;
   std::map<std::string, double> most;  ///< excess
-  long verdicts = 0, disagreeing = 0, open = 0, evaluations = 0;
+  long verdicts = 0, disagreeing = 0, evaluations = 0;
   std::array<long, oracle::faults.size()> shown{};
 };
 
@@ -94,7 +87,6 @@ int main(int argc, char** argv) {
   const fs::path scratch =
       fs::temp_directory_path() / fmt::format("boxbeam-oracle-{}", arguments.from);
   Tally tally;
-  std::set<std::string> open = arguments.open;
   const auto begin = std::chrono::steady_clock::now();
   for (std::uint64_t i = 0; i < arguments.cases; ++i) {
     const std::uint64_t number = arguments.from + i * arguments.every;
@@ -104,15 +96,7 @@ int main(int argc, char** argv) {
     tally.evaluations += outcome.findings.evaluations;
     const bool refused = outcome.kind == Outcome::Kind::refused;
     const bool agrees = !refused && outcome.comparison.agrees();
-    const bool known =
-        !refused && outcome.comparison.verdict.empty() &&
-        std::all_of(
-            outcome.comparison.misses.begin(), outcome.comparison.misses.end(),
-            [&](const oracle::Miss& miss) {
-              return open.erase(fmt::format("{}:{}", number, boxbeam::to_text(miss.criterion))) > 0;
-            });
-    if (!agrees && known) ++tally.open;
-    if (!agrees && !known) ++tally.disagreeing;
+    if (!agrees) ++tally.disagreeing;
     if (refused) fmt::print("case {} is refused: {}\n", number, outcome.why);
     if (outcome.kind == Outcome::Kind::not_analysed && arguments.verbose)
       fmt::print("case {} is not analysed: {}\n", number, outcome.why);
@@ -151,8 +135,6 @@ int main(int argc, char** argv) {
       tally.kinds[Outcome::Kind::not_analysed], tally.kinds[Outcome::Kind::not_covered],
       tally.kinds[Outcome::Kind::refused], tally.disagreeing, tally.verdicts, tally.evaluations,
       seconds);
-  if (tally.open > 0) fmt::print("  open: {} cases\n", tally.open);
-  for (const std::string& none : open) fmt::print("  named open, but no miss: {}\n", none);
   for (const auto& [name, count] : tally.misses)
     fmt::print("  {}: {} misses, at most {:.3f} %\n", name, count, 100.0 * tally.most[name]);
   for (std::size_t k = 0; k < tally.shown.size(); ++k)

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -113,6 +114,19 @@ class StationHistory {
   Time time_of(std::size_t instant) const { return loads_->time_of(instant); }
   const std::vector<CutForces>& samples() const { return samples_; }
 
+  /// A load slides over the station between an instant and the one before it: the cut forces just
+  /// before that and just behind.
+  struct Passage {
+    std::size_t instant;
+    Time time;
+    CutForces before, behind;
+  };
+  /// In order of time. A load that passes twice between two instants is not seen.
+  std::vector<Passage> passages() const;
+
+  /// Whether the loads may jump or bend between an instant and the one before it.
+  bool begins_piece(std::size_t instant) const { return loads_->begins_piece(instant); }
+
   /// The turning points of `f` in order of time. Each is bracketed by instants between which
   /// nothing is known to jump or bend and found by Brent's method on the cut forces interpolated
   /// through the Chebyshev points of the bracket (degree 8: for a smooth motion the interpolation
@@ -138,6 +152,8 @@ class StationHistory {
     bool jump = false;
   };
   const std::vector<Piece>& pieces_of(std::size_t instant) const;
+  std::optional<Passage> passage_of(std::size_t border, const LoadHistory::Reach& within,
+                                    bool forwards) const;
   void divide_at_passages(const LoadHistory::Reach& reach, std::vector<Piece>& pieces) const;
   void add_smooth(const Piece& piece, int halvings, bool keep, std::vector<Piece>& pieces) const;
   Piece piece_between(double from, double to, bool keep) const;

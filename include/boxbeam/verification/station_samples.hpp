@@ -26,6 +26,15 @@ inline constexpr std::array stress_criteria{Criterion::yield,         Criterion:
                                             Criterion::shear_fatigue, Criterion::combined_fatigue,
                                             Criterion::stress_range,  Criterion::weld};
 
+/// The instants at which a history is known: those of the loads, and both sides of each passage of
+/// a load that slides over the station.
+struct SampledInstants {
+  std::vector<double> times;  ///< [s]
+  std::vector<bool> begins;   ///< something jumps or bends between an instant and the one before it
+  bool closed = true;
+  double period = 0.0;  ///< [s]
+};
+
 /// The cut forces of one station at the instants of every motion, against which many places of its
 /// section are judged.
 ///
@@ -56,7 +65,7 @@ class StationSamples {
   struct Run {
     std::size_t situation = 0;
     double load_factor = 1.0;
-    bool closed = true;
+    SampledInstants instants;
     std::vector<double> cuts;  ///< of each instant the cut forces that act
   };
 
