@@ -37,16 +37,19 @@ SectionPoint fibre(const StressField& field, const std::string& name, bool inner
   return wall_point(field, name, place, 0.0, z.value(), 0.0, plate);
 }
 
-/// A place on a web, at its mid-line, in space on its outer face. `seam`: whether it is its end,
-/// where the flange is welded on.
-SectionPoint web_point(const StressField& field, const std::string& name, WallPart web, double z,
-                       bool seam, PointSet set = PointSet::in_plane) {
-  const WallPlace place = nearest(field.flow->at.graph, web, false, z);
+/// A place on a web, at its mid-line, in space on its outer face. `end`: where the flange is
+/// joined.
+SectionPoint web_point(const StressField& field, const std::string& name, WallPart web, bool inner,
+                       double z, bool end, PointSet set = PointSet::in_plane) {
+  const WallPlace place = nearest(field.flow->at.graph, web, inner, z);
   const Wall& wall = field.flow->at.graph.walls[place.wall];
   const double y = set == PointSet::in_space ? outer_face_of(wall) : wall.start.x();
-  const Length plate = beside_inner(field.section, si<Length>(wall.thickness), si<Length>(z));
+  const Length own = si<Length>(wall.thickness);
+  const Length plate = inner ? own : beside_inner(field.section, own, si<Length>(z));
   SectionPoint point = wall_point(field, name, place, y, z, 0.0, plate);
-  if (const auto* box = std::get_if<Box>(&field.section.outer); box != nullptr && seam) {
+  point.web_end = end;
+  const auto* box = std::get_if<Box>(inner ? &*field.section.inner : &field.section.outer);
+  if (box != nullptr && end) {
     const double throat =
         box->seam_throat.value() > 0.0 ? box->seam_throat.value() : wall.thickness;
     // The weld carries the flow of the mid-line.
@@ -114,9 +117,8 @@ void add_box_points(const StressField& field, bool inner, PointSet set,
                                     nearest(graph, flange, inner, y), y, outer.value(), 0.0,
                                     wall_at(profile, outer)));
       }
-      if (!inner) {
-        points.push_back(web_point(field, "web end " + at, web, clear.value(), true, set));
-      }
+      points.push_back(
+          web_point(field, before + "web end " + at, web, inner, clear.value(), true, set));
     }
     const WallPlace half = nearest(graph, web, inner, 0.0);
     if (!space || graph.walls[half.wall].solid) {
@@ -253,17 +255,24 @@ void add_fibres(const StressField& field, bool inner, PointSet set,
   }
 }
 
+/// In the plane: of webs that are stressed alike, of one.
+void add_web_ends(const StressField& field, bool inner, std::vector<SectionPoint>& points) {
+  const Profile& profile = inner ? *field.section.inner : field.section.outer;
+  if (!has_webs(profile)) return;
+  const std::string name = inner ? "inner web end " : "web end ";
+  for (const double up : {1.0, -1.0}) {
+    const Length z = up > 0.0 ? clear_top_of(profile) : clear_bottom_of(profile);
+    points.push_back(
+        web_point(field, name + signed_axis(up, 'z'), WallPart::left_web, inner, z.value(), true));
+  }
+}
+
 void add_hollow_points(const StressField& field, PointSet set, std::vector<SectionPoint>& points) {
   const Profile& outer = field.section.outer;
   const Length middle = si<Length>(field.sums.z / field.sums.area);
   add_fibres(field, false, set, points);
-  if (has_webs(outer) && set == PointSet::in_plane) {
-    points.push_back(
-        web_point(field, "web end +z", WallPart::left_web, clear_top_of(outer).value(), true));
-    points.push_back(
-        web_point(field, "web end -z", WallPart::left_web, clear_bottom_of(outer).value(), true));
-  }
   if (set == PointSet::in_plane) {
+    add_web_ends(field, false, points);
     // In a hole at mid-height there is no neutral fibre.
     for (SectionPoint& point : points_at_level(field, "neutral axis", middle, set)) {
       points.push_back(std::move(point));
@@ -276,7 +285,7 @@ void add_hollow_points(const StressField& field, PointSet set, std::vector<Secti
   add_stiffener_points(field, points);
   if (!field.section.inner) return;
   add_fibres(field, true, set, points);
-  if (set == PointSet::in_plane) return;
+  if (set == PointSet::in_plane) return add_web_ends(field, true, points);
   if (has_webs(*field.section.inner))
     add_box_points(field, true, set, points);
   else if (set == PointSet::all)
@@ -330,8 +339,8 @@ std::vector<SectionPoint> points_at_level_in_space(const StressField& field,
   if (has_webs(outer)) {
     if (z >= clear_bottom_of(outer) && z <= clear_top_of(outer)) {
       const PointSet set = PointSet::in_space;
-      return {web_point(field, left, WallPart::left_web, z.value(), false, set),
-              web_point(field, right, WallPart::right_web, z.value(), false, set)};
+      return {web_point(field, left, WallPart::left_web, false, z.value(), false, set),
+              web_point(field, right, WallPart::right_web, false, z.value(), false, set)};
     }
     std::vector<SectionPoint> points;
     const Extent extent = extent_of(outer);
@@ -393,10 +402,10 @@ std::vector<SectionPoint> points_at_level(const StressField& field, const std::s
   }
   if (has_webs(outer) && z >= clear_bottom_of(outer) && z <= clear_top_of(outer)) {
     if (set == PointSet::in_plane) {
-      return {web_point(field, name, WallPart::left_web, z.value(), false)};
+      return {web_point(field, name, WallPart::left_web, false, z.value(), false)};
     }
-    return {web_point(field, name + " +y", WallPart::left_web, z.value(), false),
-            web_point(field, name + " -y", WallPart::right_web, z.value(), false)};
+    return {web_point(field, name + " +y", WallPart::left_web, false, z.value(), false),
+            web_point(field, name + " -y", WallPart::right_web, false, z.value(), false)};
   }
   SectionPoint point = std::holds_alternative<Plate>(outer)
                            ? plate_point(field, name, extent_of(outer).y_high.value(), z.value())

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -77,34 +78,91 @@ std::vector<Web> plates_of(const Profile& profile) {
           {"bottom flange", {right, bottom}, {left, bottom}, box.bottom_flange, true}};
 }
 
-/// The stress distribution over a web with the lowest limit of class 3.
+/// The stress over a web that comes nearest to its limit of class 3.
 struct WorstStress {
   double psi = -1.0;
-  double limit = 0.0;
-  bool compressed = false;
+  double most = 0.0;   ///< compression [Pa], with load factor and required safety factor
+  double limit = 0.0;  ///< of c/t; 0 where nothing is compressed
+};
+
+/// Compression at the ends of a web at an instant [Pa].
+struct EndStress {
+  double low = 0.0, high = 0.0;
+  double most() const { return std::max(low, high); }
+};
+
+/// Where between two instants the stress distribution may be the most even one that has a class:
+/// the larger compression reaches `least`, or both are equal. Between instants stresses count as
+/// linear, so that psi runs one way between these places.
+std::array<EndStress, 4> between(const EndStress& a, const EndStress& b, double least) {
+  std::array<EndStress, 4> places{b, b, b, b};
+  const auto place = [&](std::size_t k, double from, double to) {
+    if (from * to >= 0.0) return;
+    const double part = from / (from - to);
+    places[k] = {a.low + part * (b.low - a.low), a.high + part * (b.high - a.high)};
+  };
+  place(1, a.low - least, b.low - least);
+  place(2, a.high - least, b.high - least);
+  place(3, a.low - a.high, b.low - b.high);
+  return places;
+}
+
+/// The limit of class 3 as it is for a part that is not stressed up to its yield strength: epsilon
+/// grows by sqrt((f_y/gamma_M0)/sigma_com,Ed), EN 1993-1-1, 5.5.2(9); but not where members are
+/// verified for buckling, 5.5.2(10).
+class Class3Limit {
+ public:
+  Class3Limit(const StrengthDemand& demand, Stress yield, bool member_buckles)
+      : per_stress_(demand.gamma_M0 / yield.value()),
+        epsilon_(epsilon_of(yield)),
+        member_buckles_(member_buckles) {}
+
+  double epsilon() const { return epsilon_; }
+  double at(double psi, double design_stress) const {
+    const double used = member_buckles_ ? 1.0 : std::min(1.0, per_stress_ * design_stress);
+    return internal_part_limits(1.0, psi, epsilon_).class_3 / std::sqrt(used);
+  }
+
+ private:
+  double per_stress_, epsilon_;
+  bool member_buckles_;
 };
 
 WorstStress worst_over(const std::vector<SituationHistory>& histories,
                        const StressInfluence& at_low, const StressInfluence& at_high,
-                       double epsilon) {
+                       double required, const Class3Limit& limit) {
+  const auto stress_in = [&](const CutForces& cut) {
+    return EndStress{-stress_at(at_low, cut).normal.value(),
+                     -stress_at(at_high, cut).normal.value()};
+  };
   double largest = 0.0;
   for (const SituationHistory& at : histories) {
     for (const CutForces& cut : at.history.samples()) {
-      largest = std::max({largest, std::abs(stress_at(at_low, cut).normal.value()),
-                          std::abs(stress_at(at_high, cut).normal.value())});
+      const EndStress stress = stress_in(cut);
+      largest = std::max({largest, std::abs(stress.low), std::abs(stress.high)});
     }
   }
+  const double least = negligible * largest;
   WorstStress worst;
   for (const SituationHistory& at : histories) {
-    for (const CutForces& cut : at.history.samples()) {
-      const double low = -stress_at(at_low, cut).normal.value();
-      const double high = -stress_at(at_high, cut).normal.value();
-      const double most = std::max(low, high);
-      if (most <= negligible * largest) continue;
-      const double psi = std::min(low, high) / most;
-      const double limit = internal_part_limits(1.0, psi, epsilon).class_3;
-      if (worst.compressed && limit >= worst.limit) continue;
-      worst = {psi, limit, true};
+    const double factor = required * at.situation->load_factor;
+    const auto take = [&](const EndStress& stress) {
+      constexpr double rounding = 1e-9;
+      const double most = stress.most();
+      if (most < (1.0 - rounding) * least || most <= 0.0) return;
+      const double psi = std::min(stress.low, stress.high) / most;
+      const double here = limit.at(psi, factor * most);
+      if (worst.limit == 0.0 || here < worst.limit) worst = {psi, factor * most, here};
+    };
+    const std::vector<CutForces>& samples = at.history.samples();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const EndStress here = stress_in(samples[i]);
+      if (at.history.begins_piece(i) || (i == 0 && !at.history.closed())) {
+        take(here);
+        continue;
+      }
+      const EndStress before = stress_in(i > 0 ? samples[i - 1] : samples.back());
+      for (const EndStress& stress : between(before, here, least)) take(stress);
     }
   }
   return worst;
@@ -140,7 +198,7 @@ std::string class_4_text(double ratio, double limit, const std::string& effectiv
 
 void look_at_class(const Project& project, const std::string& segment, const Profile& profile,
                    bool alike, const AreaSums& sums, const std::vector<SituationHistory>& histories,
-                   GateList& gates) {
+                   bool member_buckles, GateList& gates) {
   const std::vector<Web> webs = in_space(project) ? plates_of(profile) : webs_of(profile, alike);
   for (const SlenderPlate& plate : slender_plates_of(profile, project.material)) {
     gates.add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
@@ -149,25 +207,29 @@ void look_at_class(const Project& project, const std::string& segment, const Pro
   for (const Web& web : webs) {
     const auto yield = yield_strength_of(project.material, web.thickness);
     if (!yield) continue;
-    const double epsilon = epsilon_of(*yield);
+    const Class3Limit class_3(project.strength, *yield, member_buckles);
     const auto at = [&](const SectionPlace& end) {
       return normal_influence(sums, end.y.value(), end.z.value());
     };
     const double ratio = web.depth() / web.thickness;
     // A flange counts as evenly compressed, on the safe side, see slender_plates_of.
-    const WorstStress worst =
-        web.flange ? WorstStress{} : worst_over(histories, at(web.low), at(web.high), epsilon);
-    if (worst.compressed && ratio > worst.limit) {
+    const WorstStress worst = web.flange ? WorstStress{}
+                                         : worst_over(histories, at(web.low), at(web.high),
+                                                      project.strength.required, class_3);
+    if (worst.limit > 0.0 && ratio > worst.limit) {
       const auto effective =
-          internal_effective_width(web.depth(), web.thickness, worst.psi, epsilon);
+          internal_effective_width(web.depth(), web.thickness, worst.psi, class_3.epsilon());
+      const std::string stress =
+          fmt::format("; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
+                      member_buckles ? "" : " (5.5.2(9))");
       gates.add("class",
                 {segment, web.name,
                  class_4_text(ratio, worst.limit,
-                              effective ? fmt::format("; with psi = {:.2f}, rho = {:.3g} of its "
-                                                      "compressed width is effective (EN 1993-1-5, "
-                                                      "4.4)",
-                                                      worst.psi, effective->rho)
-                                        : ""),
+                              stress + (effective ? fmt::format(", rho = {:.3g} of its compressed "
+                                                                "width is effective at yield (EN "
+                                                                "1993-1-5, 4.4)",
+                                                                effective->rho)
+                                                  : "")),
                  true},
                 ratio / worst.limit);
     }
@@ -218,10 +280,41 @@ void look_at_yield(const std::vector<CheckResult>& checks, GateList& gates) {
 
 }  // namespace
 
+double class_3_use_at(const Project& project, const Station& station,
+                      const std::vector<SituationHistory>& histories) {
+  const Section section = judged_section_at(project, station);
+  const bool alike = is_symmetric_about_z(section);
+  std::optional<AreaSums> sums;
+  double largest = 0.0;
+  const auto look_at = [&](const Profile& profile) {
+    for (const Web& web : in_space(project) ? plates_of(profile) : webs_of(profile, alike)) {
+      const auto yield = yield_strength_of(project.material, web.thickness);
+      if (web.flange || !yield) continue;
+      const double ratio = web.depth() / web.thickness;
+      if (ratio <= internal_part_limits(1.0, 1.0, epsilon_of(*yield)).class_3) continue;
+      if (!sums) sums = sums_of(outline_of(section, {}));
+      const auto at = [&](const SectionPlace& end) {
+        return normal_influence(*sums, end.y.value(), end.z.value());
+      };
+      const WorstStress worst =
+          worst_over(histories, at(web.low), at(web.high), project.strength.required,
+                     Class3Limit(project.strength, *yield, false));
+      if (worst.limit > 0.0) largest = std::max(largest, ratio / worst.limit);
+    }
+  };
+  look_at(section.outer);
+  if (section.inner) look_at(*section.inner);
+  return largest;
+}
+
 std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
                            const std::vector<Station>& stations,
-                           const std::vector<CheckResult>& checks) {
+                           const std::vector<CheckResult>& checks, const ModelChoice& model) {
   GateList gates;
+  const SecondOrderEstimate& second_order = model.second_order;
+  const bool member_buckles =
+      second_order.in_plane.part > no_buckling_below ||
+      (second_order.across && second_order.across->part > no_buckling_below);
   const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   for (const Station& station : stations) {
     const Section section = judged_section_at(project, station);
@@ -229,9 +322,10 @@ std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun
     const std::vector<SituationHistory> histories = histories_at(runs, station);
     const AreaSums sums = sums_of(outline_of(section, {}));
     const bool alike = is_symmetric_about_z(section);
-    look_at_class(project, segment, section.outer, alike, sums, histories, gates);
+    look_at_class(project, segment, section.outer, alike, sums, histories, member_buckles, gates);
     if (section.inner)
-      look_at_class(project, segment, *section.inner, alike, sums, histories, gates);
+      look_at_class(project, segment, *section.inner, alike, sums, histories, member_buckles,
+                    gates);
     const ShearLags lags = shear_lags_at(zones, section, station);
     look_at_shear_lag(segment, "flange", lags.flanges, gates);
     look_at_shear_lag(segment, "web as flange of M_z", lags.webs, gates);

@@ -68,15 +68,15 @@ class StressPoints {
     const bool walls = std::holds_alternative<ThinWalled>(field_.section.outer);
     const bool space = set_ == PointSet::in_space;
     for (const SectionPoint& place : points_of(field_, set_)) {
-      const bool seam = place.name.starts_with("web end");
       // In space nothing is neutral.
       const bool neutral = !space && !walls && place.name.starts_with("neutral axis");
       StressPoint& point = add(place);
-      if (!neutral) resist(point, seam ? DetailPlace::seams : DetailPlace::fibres);
+      if (!neutral) resist(point, place.web_end ? DetailPlace::seams : DetailPlace::fibres);
       point.shear_detail = if_asked(fatigue.shear);
       if (!place.on_throat) continue;
       SectionPoint throat = place;
-      throat.name = "seam" + place.name.substr(std::string("web end").size()) + " throat";
+      throat.name.replace(throat.name.find("web end"), 7, "seam");
+      throat.name += " throat";
       throat.influence = *place.on_throat;
       StressPoint& on_throat = add(throat);
       on_throat.influence.normal = {};

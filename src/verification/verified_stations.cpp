@@ -8,6 +8,7 @@
 
 #include "boxbeam/numerics/largest_on_pieces.hpp"
 #include "boxbeam/verification/beam_cuts.hpp"
+#include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
@@ -86,26 +87,32 @@ double largest_force_of(const std::deque<SituationRun>& runs) {
 }
 
 /// Along the beam as functions: the utilisations, each of a point of the section and a criterion,
-/// and the largest and smallest cut forces, whose own places the results show. Each criterion is a
-/// group, and each extreme of a cut force.
+/// the largest and smallest cut forces, whose own places the results show, and the slenderness of
+/// the webs under their stress. Each criterion is a group, and each of the others.
 class AlongBeam {
  public:
+  /// Functions that are groups of their own.
+  static constexpr std::size_t beside_criteria = 2 * cut_force::count + 1;
+  static constexpr std::size_t groups = stress_criteria.size() + beside_criteria;
+
   AlongBeam(const Project& project, const std::deque<SituationRun>& runs,
             const std::vector<BendingZone>& zones)
       : project_(&project), runs_(&runs), zones_(&zones) {
     // What is so small beside the largest force is the rounding of sums.
     constexpr double part = 1e-5;
     nothing_ = part * largest_force_of(runs);
-    for (std::size_t k = 0; k < 2 * cut_force::count; ++k)
+    for (std::size_t k = 0; k < beside_criteria; ++k)
       group_of_.push_back(stress_criteria.size() + k);
   }
 
   FunctionValues at(const Station& station) {
     ++evaluations_;
-    const StationSamples samples(*project_, histories_at(*runs_, station));
+    const std::vector<SituationHistory> histories = histories_at(*runs_, station);
+    const StationSamples samples(*project_, histories);
     const std::vector<StressPoint> points = stress_points_at(*project_, *zones_, station);
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
+    values[2 * cut_force::count] = class_3_use_at(*project_, station, histories);
     const auto add = [&](const std::string& name, const Utilisations& found) {
       const std::vector<std::size_t>& functions = functions_of(name);
       if (values.size() < group_of_.size()) values.resize(group_of_.size());
@@ -268,7 +275,7 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
   }
   AlongBeam along(project, runs, zones);
   PieceSearch search;
-  search.known.resize(stress_criteria.size() + 2 * cut_force::count);
+  search.known.resize(AlongBeam::groups);
   for (const BeamCut& cut : cuts) {
     if (!cut.alone) continue;
     for (const Station& station : stations_of(cut, beam)) {

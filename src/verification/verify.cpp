@@ -253,7 +253,7 @@ Verification verify(const Project& project, Figures figures) {
   sort_worst_first(result.checks);
   look_for_fatigue(project, result);
   if (computed) {
-    std::vector<Gate> of_beam = gates_of(project, runs, stations, result.checks);
+    std::vector<Gate> of_beam = gates_of(project, runs, stations, result.checks, model);
     result.gates.insert(result.gates.begin(), of_beam.begin(), of_beam.end());
   }
   for (Gate& gate : model_gates_of(project, model)) result.gates.push_back(std::move(gate));

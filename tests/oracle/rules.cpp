@@ -14,25 +14,27 @@ Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate)
   Resisting weakest;
   double least = 0.0, largest = 0.0;
   bool reduced = true;
-  for (const BeamDetail& stretch : fatigue.details) {
-    const double from = stretch.from.value(), to = stretch.to.value();
-    bool here = s > from && s < to;
-    if (s == from) here = station.side != Side::before || from == to;
-    if (s == to) here = station.side != Side::behind || from == to;
-    if (s == from && s == 0.0) here = true;
-    const bool meant = stretch.on == DetailPlace::section ||
-                       (stretch.on == DetailPlace::fibres && kind == PlaceKind::fibre) ||
-                       (stretch.on == DetailPlace::seams && kind == PlaceKind::seam);
-    if (!here || !meant) continue;
+  bool beside = true;  // no stretch goes on from here to the side looked at
+  const auto look_at = [&](const BeamDetail& stretch) {
     reduced = reduced && stretch.detail.compression_reduced;
     largest = std::max(largest, stretch.stress_factor);
     const double strength = strength_at(stretch.detail, plate, 2e6) / stretch.stress_factor;
-    if (weakest.detail != nullptr && strength >= least) continue;
+    if (weakest.detail != nullptr && strength >= least) return;
     weakest.detail = &stretch;
     least = strength;
+  };
+  for (const BeamDetail& stretch : fatigue.details) {
+    const double from = stretch.from.value(), to = stretch.to.value();
+    const bool meant = stretch.on == DetailPlace::section ||
+                       (stretch.on == DetailPlace::fibres && kind == PlaceKind::fibre) ||
+                       (stretch.on == DetailPlace::seams && kind == PlaceKind::seam);
+    // A toe at the very end of a stretch sees the stress of either side.
+    if (!meant || s < from || s > to) continue;
+    look_at(stretch);
+    const bool before = s > from || s == 0.0, behind = s < to;
+    if (station.side == Side::before ? before : behind) beside = false;
   }
-  if (weakest.detail == nullptr)
-    return {&fatigue.beam, fatigue.beam.detail.compression_reduced, fatigue.beam.stress_factor};
+  if (beside) look_at(fatigue.beam);
   weakest.compression_reduced = reduced;
   weakest.range_factor = largest;
   return weakest;

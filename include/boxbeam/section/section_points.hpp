@@ -32,6 +32,7 @@ struct SectionPoint {
   StressInfluence prismatic;  ///< shear by V S/(I t), for comparison; the same without taper
   /// On a seam of a box: the shear on the throat of the weld, q/a, a the throat of the whole seam.
   std::optional<StressInfluence> on_throat;
+  bool web_end = false;                               ///< where a web meets its flange
   std::optional<WallTorsion> torsion = std::nullopt;  ///< in walls: what its c_T is made of
 };
 
@@ -43,11 +44,11 @@ enum class PointSet {
 };
 
 /// The named places of a section. In plane: "fibre +z", "fibre -z", of boxes and rectangular tubes
-/// "web end +z", "web end -z", "neutral axis", and "inner fibre +z", "inner fibre -z" of an inner
-/// profile. All: besides them corners, webs on both sides and flanges beside them ("web end +y
-/// +z"), faces of the webs ("fibre +y"), every 45 degrees of a round tube, ends, middle and neutral
-/// axis of every wall of a path on both faces, every corner of a polygon. Sections that are not
-/// symmetric about z always give all in the plane. A place in a hole is left out.
+/// "web end +z", "web end -z", "neutral axis", and "inner fibre +z", "inner web end -z" .. of an
+/// inner profile. All: besides them corners, webs on both sides and flanges beside them ("web end
+/// +y +z"), faces of the webs ("fibre +y"), every 45 degrees of a round tube, ends, middle and
+/// neutral axis of every wall of a path on both faces, every corner of a polygon. Sections that are
+/// not symmetric about z always give all in the plane. A place in a hole is left out.
 ///
 /// In space: of boxes and rectangular tubes the corners, the middles of the four faces and the ends
 /// of the webs on their outer faces ("corner +y +z", "fibre +y", "web end +y -z"), edges of

@@ -19,15 +19,22 @@ struct Gate {
   bool blocks = false;
 };
 
-/// Section class with the stress that is there (EN 1993-1-1, table 5.2; class 4 with its effective
-/// width, EN 1993-1-5, 4.4), need of a shear buckling check (EN 1993-1-5, 5.1(2)), shear lag (EN
-/// 1993-1-5, 3.1; reduces the stresses' flanges, does not block), stress above yield. Each plate of
-/// a segment once, where it is worst. In space both webs under their own stress of N, M_y and M_z,
-/// the flanges as in the plane evenly compressed, all four plates in shear (V_y, T). A plate counts
-/// as compressed in an instant where its compression is more than 1 % of its largest stress.
+/// Section class with the stress that is there (EN 1993-1-1, table 5.2 and 5.5.2(9); class 4 with
+/// its effective width, EN 1993-1-5, 4.4), need of a shear buckling check (EN 1993-1-5, 5.1(2)),
+/// shear lag (EN 1993-1-5, 3.1; reduces the stresses' flanges, does not block), stress above yield.
+/// Each plate of a segment once, where it is worst. In space both webs under their own stress of N,
+/// M_y and M_z, the flanges as in the plane evenly compressed, all four plates in shear (V_y, T). A
+/// web counts as compressed in an instant where its compression is more than 1 % of its largest
+/// stress. Where the beam as a member may buckle (N/N_cr above 0.04) the limits of table 5.2 hold
+/// as they are, 5.5.2(10).
 std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
                            const std::vector<Station>& stations,
-                           const std::vector<CheckResult>& checks);
+                           const std::vector<CheckResult>& checks, const ModelChoice& model);
+
+/// The largest c/t of a web at a station, over its limit of class 3 under its stress (5.5.2(9)); 0
+/// where all would do in even compression. By it the search finds the place that gates_of looks at.
+double class_3_use_at(const Project& project, const Station& station,
+                      const std::vector<SituationHistory>& histories);
 
 /// What the model of the mechanism leaves out of the checks: pins and rods of a planar case, whose
 /// forces are those of rigid bodies, beside a beam that vibrates; a demanded model that is found or
