@@ -1,11 +1,13 @@
 #include "boxbeam/section/section_properties.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "boxbeam/section/level_shear.hpp"
 #include "catch.hpp"
+#include "section/random_sections.hpp"
 
 namespace section_properties_test {
 
@@ -122,6 +124,40 @@ TEST_CASE("nested profiles act together: their properties add") {
   CHECK(I_z(p) == Approx(I_z(a) + I_z(b)).epsilon(1e-14));
   CHECK(p.W_y.value() == Approx(p.I_y.value() / 0.3).epsilon(1e-14));
   CHECK(width_at(both, {}, mm(0)).value() == Approx(0.1 + 0.112).epsilon(1e-12));
+}
+
+TEST_CASE("a flat plate that leans by 30 degrees resists most about the axis square to it") {
+  // About its long axis L t^3/12, about the one square to it t L^3/12.
+  const double L = 0.3, t = 0.01, lean = pi / 6;
+  const SectionPlace end{si<Length>(L * std::cos(lean)), si<Length>(L * std::sin(lean))};
+  const SectionProperties p =
+      properties_of({ThinWalled{{SectionPlace{}, end}, {{0, 1, si<Length>(t), {}, {}}}}, {}});
+  CHECK(p.I_1.value() == Approx(t * L * L * L / 12).epsilon(1e-12));
+  CHECK(p.I_2.value() == Approx(L * t * t * t / 12).epsilon(1e-9));
+  CHECK(std::cos(p.principal_angle - (lean - pi / 2)) == Approx(1.0).epsilon(1e-12));
+}
+
+TEST_CASE("a section turned back by its principal angle has I_1 about y, I_2 about z, no I_yz") {
+  // A tensor of second moments in its own axes is diagonal; the integrals are those of the turned
+  // outline, which know no formula of principal axes.
+  test::RandomSections random(2);
+  double largest = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    ThinWalled path = random.path();
+    const SectionProperties p = properties_of({path, {}});
+    CHECK(p.I_1 >= p.I_2);
+    const double c = std::cos(p.principal_angle), s = std::sin(p.principal_angle);
+    for (SectionPlace& node : path.nodes) {
+      node = {c * node.y + s * node.z, c * node.z - s * node.y};
+    }
+    const SectionProperties turned = properties_of({path, {}});
+    CAPTURE(i, p.principal_angle);
+    largest = std::max(largest, std::abs(p.principal_angle));
+    CHECK(turned.I_y.value() == Approx(p.I_1.value()).epsilon(1e-9));
+    CHECK(turned.I_z.value() == Approx(p.I_2.value()).epsilon(1e-9));
+    CHECK(std::abs(turned.I_yz.value()) < 1e-9 * p.I_1.value());
+  }
+  CHECK(largest > 0.1);  // some are far from symmetric
 }
 
 TEST_CASE("net section of the sledge rig's hub by hand") {
