@@ -1,5 +1,8 @@
 #include "boxbeam/section/section.hpp"
 
+#include <tuple>
+
+#include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/section/section_defect.hpp"
 #include "catch.hpp"
 
@@ -119,6 +122,40 @@ TEST_CASE("height, clear height and the wall at a level follow the drawing") {
   CHECK(height_of(round) == mm(200));
   CHECK(clear_top_of(round).value() == Approx(0.09).epsilon(1e-15));
   CHECK(wall_at(round, mm(95)) == mm(10));
+}
+
+TEST_CASE("the webs of a box with unlike flanges end at each flange's own inner face") {
+  // 600 mm high: the top flange of 30 mm ends at 270 mm, the bottom one of 80 mm at -220 mm.
+  const Profile unlike = Box{mm(400), mm(600), mm(30), mm(80), mm(10), mm(20)};
+  CHECK(clear_top_of(unlike).value() == Approx(0.27).epsilon(1e-12));
+  CHECK(clear_bottom_of(unlike).value() == Approx(-0.22).epsilon(1e-12));
+  CHECK(wall_at(unlike, mm(265)) == mm(20));
+  CHECK(wall_at(unlike, mm(275)) == mm(30));
+  CHECK(wall_at(unlike, mm(-215)) == mm(20));
+  CHECK(wall_at(unlike, mm(-225)) == mm(80));
+}
+
+TEST_CASE("of two plates beside each other the weaker decides, which is the thicker") {
+  // S355 by EN 10025-2, table 7: 355 MPa up to 16 mm, 345 MPa up to 40 mm, 335 MPa up to 63 mm.
+  const auto yield_at = [](const Section& section, double z) {
+    return yield_strength_of(*find_steel("S355", SteelSource::en_10025_2), wall_at(section, mm(z)))
+               .value()
+               .value() *
+           1e-6;
+  };
+  const Profile thin = box(400, 600, 50, 12), stout = box(400, 600, 50, 30);
+  for (const auto& [outer, inner_web, weaker] :
+       {std::tuple(thin, 20.0, 345.0), {thin, 10.0, 355.0}, {stout, 10.0, 345.0}}) {
+    const Section nested{outer, box(290, 400, 14, inner_web)};
+    CAPTURE(inner_web);
+    CHECK(yield_at(nested, 0) == Approx(weaker));
+    CHECK(yield_at(nested, -180) == Approx(weaker));
+    // Above the inner box the web stands alone, and beyond it the flange.
+    CHECK(yield_at(nested, 220) == Approx(yield_at({outer, {}}, 220)));
+    CHECK(yield_at(nested, 290) == Approx(335.0));
+  }
+  CHECK(beside_inner({thin, box(290, 400, 14, 20)}, mm(12), mm(0)) == mm(20));
+  CHECK(beside_inner({thin, box(290, 400, 14, 20)}, mm(12), mm(220)) == mm(12));
 }
 
 TEST_CASE("stiffeners lie inside the box and not in one another", "[section]") {
