@@ -4,9 +4,11 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/section/torsion.hpp"
@@ -33,16 +35,26 @@ Eigen::Matrix2d own_moments(const WallGraph& graph) {
   return own;
 }
 
-/// Transverse forces of the flows per V_y and V_z: V (1 - I_own/I), for any axes
-/// 1 - own I^-1 in (y, z).
+/// Second moments of y y, y z; z y, z z.
+Eigen::Matrix2d moments_of(const SectionProperties& p) {
+  Eigen::Matrix2d I;
+  I << p.I_z.value(), p.I_yz.value(), p.I_yz.value(), p.I_y.value();
+  return I;
+}
+
+/// Transverse forces of the flows per V_y and V_z, for any axes (sum I_c - own) I^-1 in (y, z).
+///
+/// I_c is of each profile about its own centroid, since dM_c/dx = V_c for each as a beam of its
+/// own, where what passes between them is spread over its material. What passes between them works
+/// at the distance of the centroids: the rest of V is with what ties them together. One profile
+/// alone carries V (1 - I_own/I).
 void check_forces(const Section& section) {
   const auto flow = shear_flow_of(section, {}, {});
   REQUIRE(flow);
-  const SectionProperties p = properties_of(section);
-  Eigen::Matrix2d I;  // of y y, y z; z y, z z
-  I << p.I_z.value(), p.I_yz.value(), p.I_yz.value(), p.I_y.value();
+  Eigen::Matrix2d bent = moments_of(properties_of({section.outer, {}}));
+  if (section.inner) bent += moments_of(properties_of({*section.inner, {}}));
   const Eigen::Matrix2d expected =
-      Eigen::Matrix2d::Identity() - own_moments(flow->at.graph) * I.inverse();
+      (bent - own_moments(flow->at.graph)) * moments_of(properties_of(section)).inverse();
   const auto sums = resultants_of(*flow);
   const Eigen::Index columns[] = {cut_force::V_y, cut_force::V_z};
   for (Eigen::Index row = 0; row < 2; ++row) {
@@ -59,6 +71,24 @@ void check_forces(const Section& section) {
   CHECK(std::abs(sums(2, cut_force::V_z)) < 1e-9);
 }
 
+/// What flows into a node along its walls flows out of it again.
+void check_nodes(const Section& section) {
+  const ShearFlow flow = *shear_flow_of(section, {}, {});
+  const WallGraph& graph = flow.at.graph;
+  std::vector<CutFactors> into(graph.nodes.size(), CutFactors::Zero());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < graph.walls.size(); ++i) {
+    into[graph.walls[i].from] -= flow_at(flow, i, 0.0);
+    into[graph.walls[i].to] += flow_at(flow, i, 1.0);
+    largest = std::max(largest, std::abs(flow_at(flow, i, 0.5)[cut_force::V_z]));
+  }
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    CAPTURE(i);
+    CHECK(std::abs(into[i][cut_force::V_y]) < 1e-9 * largest);
+    CHECK(std::abs(into[i][cut_force::V_z]) < 1e-9 * largest);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("wall flows sum to V less the walls' own bending, and to T: random boxes", "[section]") {
@@ -68,6 +98,7 @@ TEST_CASE("wall flows sum to V less the walls' own bending, and to T: random box
     if (defect_of(section)) continue;
     CAPTURE(i);
     check_forces(section);
+    check_nodes(section);
   }
 }
 
@@ -78,6 +109,7 @@ TEST_CASE("the same for branched paths of two cells", "[section]") {
     REQUIRE_FALSE(defect_of(section));
     CAPTURE(i);
     check_forces(section);
+    check_nodes(section);
   }
 }
 
@@ -90,11 +122,38 @@ TEST_CASE("the same for nested boxes that do not share a centroid", "[section]")
                                     random.length(0.004, 0.01), random.length(0.004, 0.01));
     const Section section{outer, inner};
     REQUIRE_FALSE(defect_of(section));
-    const auto sums = resultants_of(*shear_flow_of(section, {}, {}));
     CAPTURE(i);
-    // What passes from one profile to the other leaves the sum along z.
-    CHECK(sums(2, cut_force::T) == Approx(1.0).epsilon(1e-9));
-    CHECK(sums(1, cut_force::V_z) == Approx(1.0).epsilon(0.05));
+    check_forces(section);
+    check_nodes(section);
+  }
+}
+
+TEST_CASE("an open path carries T in its walls alone, each by its s t^3/3", "[section]") {
+  test::RandomSections random(13);
+  for (int i = 0; i < 20; ++i) {
+    ThinWalled path = random.path();
+    // Without the middle wall and one side no cell is left.
+    std::erase_if(path.walls, [](const ThinWall& wall) {
+      return (wall.from == 5 && wall.to == 4) || (wall.from == 3 && wall.to == 0);
+    });
+    const Section open{path, {}};
+    REQUIRE_FALSE(defect_of(open));
+    const ShearFlow flow = *shear_flow_of(open, {}, {});
+    REQUIRE(flow.at.cells.cells.empty());
+    CAPTURE(i);
+    check_forces(open);
+    check_nodes(open);
+    // tau = T t/I_T on the faces, I_T = sum s t^3/3 (Saint-Venant).
+    double I_T = 0.0;
+    for (const ThinWall& wall : path.walls) {
+      const SectionPlace a = path.nodes[wall.from], b = path.nodes[wall.to];
+      I_T += hypot(b.y - a.y, b.z - a.z).value() * std::pow(wall.thickness.value(), 3) / 3.0;
+    }
+    for (std::size_t k = 0; k < flow.at.graph.walls.size(); ++k) {
+      const WallTorsion torsion = wall_torsion_of(flow, k, 1.0);
+      CHECK(torsion.I_w == Approx(I_T).epsilon(1e-12));
+      CHECK(torsion.face == Approx(torsion.thickness / I_T).epsilon(1e-12));
+    }
   }
 }
 
