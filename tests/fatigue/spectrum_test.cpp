@@ -97,6 +97,38 @@ TEST_CASE("too many sizes are sorted into bins that keep count and damage") {
   }
 }
 
+TEST_CASE("bins put together when a larger range comes keep cycles, damage and means") {
+  // Many small ranges are in bins when the largest comes last, which halves the number of bins of
+  // the others several times. EN 1993-1-9, category 56: knee 56 (2/5)^(1/3) MPa, slopes 3 and 5.
+  SpectrumCollector collector(curve, {}, false);
+  const double knee = 56.0 * std::cbrt(0.4);
+  double exact = 0.0, ranges = 0.0, means = 0.0, cycles = 0.0;
+  const auto put = [&](double range, double mean, double count) {
+    add(collector, {range}, {mean}, count);
+    exact += count / (5e6 * std::pow(knee / range, range < knee ? 5.0 : 3.0));
+    ranges += count * range * 1e6;
+    means += count * mean * 1e6;
+    cycles += count;
+  };
+  for (int i = 0; i < 20000; ++i) put(25.0 + i * 1e-3, i * 1e-4, i % 3 == 0 ? 0.5 : 1.0);
+  REQUIRE(collector.binned());
+  const std::size_t fine = collector.spectrum().size();
+  for (const double range : {100.0, 400.0}) put(range, -7.0, 1.0);
+  const std::vector<SpectrumBin> spectrum = collector.spectrum();
+  CHECK(spectrum.size() < fine);
+  CHECK(spectrum.front().range.value() == Approx(400e6).epsilon(1e-12));
+  double range_sum = 0.0, mean_sum = 0.0;
+  for (const SpectrumBin& bin : spectrum) {
+    range_sum += bin.count * bin.range.value();
+    mean_sum += bin.count * bin.mean.value();
+  }
+  CHECK(sum_of(spectrum, &SpectrumBin::damage) == Approx(exact).epsilon(1e-10));
+  CHECK(sum_of(spectrum, &SpectrumBin::count) == Approx(cycles).epsilon(1e-12));
+  CHECK(range_sum == Approx(ranges).epsilon(1e-10));
+  CHECK(mean_sum == Approx(means).epsilon(1e-10));
+  CHECK(collector.damage() == Approx(exact).epsilon(1e-10));
+}
+
 TEST_CASE("a spectrum asked for between two gatherings changes nothing") {
   SpectrumCollector asked(curve, {}, false), left(curve, {}, false);
   std::mt19937 random(9);
