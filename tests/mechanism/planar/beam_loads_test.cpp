@@ -2,6 +2,7 @@
 
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
@@ -27,6 +28,27 @@ TEST_CASE("the loads on the rig's beam are in balance at every instant") {
   for (const State& state : solve_motion(planar_of(project), 24).states) {
     const BeamLoads loads = beam_loads_of(planar_of(project), state, body);
     REQUIRE(loads.points.size() == 3);
+    const Imbalance open = imbalance_of(loads);
+    double largest = 0.0;
+    for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
+    CHECK(open.force.norm() < 1e-11 * largest);
+    CHECK(open.moment.norm() < 1e-11 * largest * 6.2);
+  }
+}
+
+TEST_CASE("a force beside the axis turns the beam: balance, and the couple by hand") {
+  // 40 kN along the beam, 0.3 m to the left of its axis: 12 kN m clockwise, positive about y, which
+  // points into the plane.
+  const Project& project = test::rig();
+  Mechanism mechanism = planar_of(project);
+  mechanism.forces.push_back(
+      {"push", PointForce{{project.beam_body, {0.5, 0.3}}, 0.0, true, PolynomialDriver{{40e3}}}});
+  const BeamBody body = beam_body_of(project.beam, project.beam_body);
+  for (const State& state : solve_motion(mechanism, 24).states) {
+    const BeamLoads loads = beam_loads_of(mechanism, state, body);
+    const PointLoad& push = loads.points.back();
+    CHECK(push.force.x() == Approx(40e3).epsilon(1e-12));
+    CHECK(push.moment.y() == Approx(12e3).epsilon(1e-12));
     const Imbalance open = imbalance_of(loads);
     double largest = 0.0;
     for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
