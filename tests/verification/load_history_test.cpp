@@ -3,9 +3,14 @@
 #include "boxbeam/verification/load_history.hpp"
 
 #include <cmath>
+#include <deque>
 #include <numbers>
+#include <string>
+#include <utility>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 #include "catch.hpp"
 #include "support/rig.hpp"
 
@@ -41,6 +46,34 @@ LoadHistory pulled(const TaperedBeam& beam, double period, std::size_t instants,
 }
 
 double axial(const CutForces& cut) { return cut.N.value(); }
+
+/// A bar AB of 1 m that is pushed along by its end A, one end (`led`) on a line through a pin of
+/// the ground in the bar's slot; the pin stands in the bar's middle at first, and `stroke` nearer
+/// to A in the end.
+Project pushed_through(const std::string& stroke, const std::string& led) {
+  return parse_project(
+      "bar.toml",
+      "[case]\nname = \"bar\"\nkind = \"planar\"\n"
+      "[mechanism]\ngravity = [\"0 m/s^2\", \"-10 m/s^2\"]\n"
+      "[bodies.bar]\npoints = { A = [\"0 m\", \"0 m\"], B = [\"1 m\", \"0 m\"] }\n"
+      "sketch = { at = [\"-0.5 m\", \"0 m\"] }\n"
+      "[joints.line]\nkind = \"pin in slot\"\npoint = \"bar." +
+          led +
+          "\"\nthrough = [\"0 m\", \"0 m\"]\n"
+          "direction = \"0 deg\"\n"
+          "[joints.slot]\nkind = \"pin in slot\"\npoint = \"ground\"\nat = [\"0 m\", \"0 m\"]\n"
+          "guide = \"bar.A\"\ndirection = \"0 deg\"\n"
+          "[drivers.push]\nkind = \"polynomial\"\npoint = \"bar.A\"\ncoordinate = \"x\"\n"
+          "coefficients = [\"-0.5 m\", \"" +
+          stroke +
+          "/s\"]\n[motion]\nduration = \"1 s\"\n"
+          "[sections.tube]\nkind = \"round tube\"\ndiameter = \"100 mm\"\nwall = \"5 mm\"\n"
+          "[beam]\nbody = \"bar\"\ndensity = \"8000 kg/m^3\"\n"
+          "[[beam.segments]]\nlength = \"1 m\"\nsection = \"tube\"\n"
+          "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n"
+          "[fatigue]\ncategory = 100\ncycles = 1e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
+          "required = 1.0\n");
+}
 
 }  // namespace
 
@@ -137,6 +170,39 @@ TEST_CASE("a load that slides along the beam: M peaks as it passes a station (in
     const double most = history.largest(shear).value;
     CHECK(std::max(std::abs(least), std::abs(most)) ==
           Approx(P * std::max(s_0, L - s_0) / L).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("a joint that slides along the beam bears on it, beyond either end it is an error") {
+  // The pin stands where the bar was pushed to, s = 0.5 m - stroke. At s = 0.1 m weight W and both
+  // bearings balance: W 0.5/0.1 on the pin, the rest at A.
+  const Project held = pushed_through("0.4 m", "A");
+  const std::deque<SituationRun> runs = run_situations(held);
+  const BeamLoads loads = runs.front().loads.loads_at(1.0 * second);
+  const double W = 8000.0 * 10.0 * pi / 4.0 * (0.1 * 0.1 - 0.09 * 0.09);
+  bool found = false;
+  for (const PointLoad& load : loads.points) {
+    if (load.s.value() < 0.05) continue;
+    found = true;
+    CHECK(load.s.value() == Approx(0.1).epsilon(1e-9));
+    CHECK(load.force.z() == Approx(5.0 * W).epsilon(1e-9));
+  }
+  CHECK(found);
+  // Led by the far end, since nothing holds a bar that is led where the pin stands.
+  for (const auto& [stroke, led] : {std::pair("0.6 m", "B"), {"-0.6 m", "A"}}) {
+    const Project off = pushed_through(stroke, led);
+    CAPTURE(stroke);
+    try {
+      run_situations(off);
+      FAIL("the joint has left the beam");
+    } catch (const AnalysisError& error) {
+      CHECK(error.failure().what.find("a joint slides off the beam") != std::string::npos);
+      CHECK(error.failure().what.find("the beam goes from 0 to 1 m") != std::string::npos);
+      CHECK(error.failure().where == "beam");
+      // The way to either end is 0.5 m, at 0.6 m/s.
+      REQUIRE(error.failure().time);
+      CHECK(*error.failure().time > 0.5 / 0.6);
+    }
   }
 }
 
