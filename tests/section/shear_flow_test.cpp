@@ -46,7 +46,7 @@ Eigen::Matrix2d moments_of(const SectionProperties& p) {
 ///
 /// I_c is of each profile about its own centroid, since dM_c/dx = V_c for each as a beam of its
 /// own, where what passes between them is spread over its material. What passes between them works
-/// at the distance of the centroids: the rest of V is with what ties them together. One profile
+/// at the distance of the centroids, and what ties them together carries the rest of V. One profile
 /// alone carries V (1 - I_own/I).
 void check_forces(const Section& section) {
   const auto flow = shear_flow_of(section, {}, {});
