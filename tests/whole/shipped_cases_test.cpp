@@ -244,4 +244,16 @@ TEST_CASE("sledge rig by its details: root and toe of the weld at the box end de
   }
 }
 
+TEST_CASE(
+    "a sketch that leads to a singular position is answered by that, not by a missing driver") {
+  // Turned this far, the second arm comes to lie where the platform may turn about one point.
+  const test::ProgramResult result =
+      test::run_program({"motion", test::project_file("sections/scissor-lift/lift.toml"), "--at",
+                         "1", "--set", "bodies.other_arm.sketch.angle=\"60 deg\""});
+  INFO(result.err);
+  CHECK(result.code == 3);
+  CHECK(result.err.find("in the position that the sketch leads to") != std::string::npos);
+  CHECK(result.err.find("draw the sketch nearer") != std::string::npos);
+}
+
 }  // namespace shipped_cases_test

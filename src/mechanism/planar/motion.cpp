@@ -39,10 +39,16 @@ std::variant<InstantSolver, FreeSolver> solver_for(const Mechanism& mechanism,
     names +=
         (names.empty() ? "body " : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
   }
+  // By count they may do: then the position that the sketch led to may be a singular one.
+  const bool enough = mechanism.equations() >= mechanism.coordinates();
   throw AnalysisError(
-      {fmt::format("the motion is not determined: {} {} no driver moves; add a driver, or give "
+      {fmt::format("the motion is not determined: {} {} no driver moves{}; {}add a driver, or give "
                    "[motion] duration to let the forces move it",
-                   freedom.undriven, freedom.undriven == 1 ? "freedom that" : "freedoms that"),
+                   freedom.undriven, freedom.undriven == 1 ? "freedom that" : "freedoms that",
+                   enough ? " in the position that the sketch leads to" : "",
+                   enough ? "draw the sketch nearer to the position that is meant, for joints and "
+                            "drivers are enough by their number; else "
+                          : ""),
        names,
        {},
        {},
