@@ -251,7 +251,7 @@ TEST_CASE(
       test::run_program({"motion", test::project_file("sections/scissor-lift/lift.toml"), "--at",
                          "1", "--set", "bodies.other_arm.sketch.angle=\"60 deg\""});
   INFO(result.err);
-  CHECK(result.code == 3);
+  CHECK(result.exit_code == 3);
   CHECK(result.err.find("in the position that the sketch leads to") != std::string::npos);
   CHECK(result.err.find("draw the sketch nearer") != std::string::npos);
 }
