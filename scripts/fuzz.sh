@@ -3,16 +3,23 @@
 # something was found.
 #
 #   scripts/fuzz.sh [SECONDS] [case|case-reader|history|comparison]...     default: 60, all
+#   scripts/fuzz.sh --executions N [case|case-reader|history|comparison]...
 #
 # The time is shared: half of it goes to whole cases that are verified, the rest to the readers under
-# libFuzzer with the address sanitizer. Findings stand in build-fuzz/findings.
+# libFuzzer with the address sanitizer. With --executions each of them runs N times, however long
+# that takes. Findings stand in build-fuzz/findings.
 #   BOXBEAM_FUZZ_SEED=N scripts/fuzz.sh ..     another seed than 1 for the cases
 set -u
 . "$(dirname "$0")/common.sh"
 cd "$root" || exit 4
 
 seconds=60
-if [ $# -gt 0 ] && [[ $1 =~ ^[0-9]+$ ]]; then
+executions=
+if [ "${1:-}" = --executions ]; then
+  [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || { echo "--executions wants a number" >&2; exit 2; }
+  executions=$2
+  shift 2
+elif [ $# -gt 0 ] && [[ $1 =~ ^[0-9]+$ ]]; then
   seconds=$1
   shift
 fi
@@ -44,7 +51,9 @@ for name in "${wanted[@]}"; do
     # In the folder of the tests, whose library is there already.
     if [ ! -f build/build.ninja ]; then configure build -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_BENCH=OFF; fi
     build build boxbeam_case_fuzzer
-    build/tests/boxbeam_case_fuzzer --time "$share" --jobs "$jobs" --seed "${BOXBEAM_FUZZ_SEED:-1}" \
+    limit=(--time "$share")
+    [ -z "$executions" ] || limit=(--count "$executions")
+    build/tests/boxbeam_case_fuzzer "${limit[@]}" --jobs "$jobs" --seed "${BOXBEAM_FUZZ_SEED:-1}" \
       --out "$findings/case" sections tests/fuzz/corpus/case || failed=1
     continue
   fi
@@ -54,15 +63,17 @@ for name in "${wanted[@]}"; do
   build $folder "boxbeam_fuzz_$reader"
   mkdir -p "$findings/$name" "$folder/corpus/$name"
   corpora=("$folder/corpus/$name" "tests/fuzz/corpus/$name")
-  limit=4096
+  longest=4096
   if [ "$reader" = case ]; then
-    limit=32768
+    longest=32768
     rm -rf $folder/corpus/shipped && mkdir -p $folder/corpus/shipped
     for file in sections/*/*.toml; do cp "$file" "$folder/corpus/shipped/${file//\//-}"; done
     corpora+=("$folder/corpus/shipped")
   fi
+  limit="-max_total_time=$share"
+  [ -z "$executions" ] || limit="-runs=$executions"
   log=$findings/$name.log
-  "$folder/tests/fuzz/boxbeam_fuzz_$reader" -max_total_time="$share" -max_len=$limit -timeout=20 \
+  "$folder/tests/fuzz/boxbeam_fuzz_$reader" "$limit" -max_len=$longest -timeout=20 \
     -rss_limit_mb=4096 -print_final_stats=1 -dict="tests/fuzz/$reader.dict" \
     -artifact_prefix="$findings/$name/" "${corpora[@]}" >"$log" 2>&1
   code=$?

@@ -1,10 +1,13 @@
-// Changes the shipped cases at random, verifies them in process and says where a promise is broken.
+// Changes small and shipped cases at random, verifies them in process and says where a promise is
+// broken.
 //
-//     case_fuzzer [--time SECONDS | --count N] [--seed S] [--jobs J] [--out DIR] FOLDER...
+//     case_fuzzer [--time SECONDS | --count N] [--seed S] [--jobs J] [--out DIR] [--origins]
+//                 FOLDER...
 //     case_fuzzer --one NUMBER FOLDER...      the case of a number, and how it ends
 //
-// FOLDER: cases to begin from. Cases run in processes of their own, so that a crash ends one and
-// not the run. Ends with 1 where something was found; each finding stands in DIR as a case file.
+// FOLDER: cases to begin from; --origins says what became of those of each, and their time. Cases
+// run in processes of their own, so that a crash ends one and not the run. Ends with 1 where
+// something was found; each finding stands in DIR as a case file.
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -33,8 +36,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int seconds_of_a_case = 20;      // of processor time
-constexpr std::uint64_t report_every = 8;  // cases
+constexpr int seconds_of_a_case = 20;       // of processor time
+constexpr std::uint64_t report_every = 16;  // cases
 constexpr std::size_t kinds_of_answers = 1 << 16;
 constexpr rlim_t memory = rlim_t{4} << 30;
 
@@ -45,8 +48,17 @@ struct Options {
   unsigned jobs = 1;
   std::string out = "findings";
   bool one = false;
+  bool origins = false;
   std::vector<std::string> folders;
 };
+
+/// What became of the cases that were begun from an origin.
+struct OfOrigin {
+  std::atomic<std::uint64_t> executions{0};
+  std::atomic<std::uint64_t> verified{0};      ///< neither refused nor impossible
+  std::atomic<std::uint64_t> microseconds{0};  ///< of processor time
+};
+constexpr std::size_t most_origins = 256;
 
 /// What the processes tell each other.
 struct Shared {
@@ -56,6 +68,7 @@ struct Shared {
   std::atomic<std::uint64_t> slowest_number{0};
   std::atomic<double> slowest{0.0};
   std::array<std::atomic<std::uint64_t>, 64> at_work{};  ///< case number + 1, by job
+  std::array<OfOrigin, most_origins> origins{};
 };
 
 /// The words without numbers and names: what kind of answer it is.
@@ -102,17 +115,21 @@ void work(const Options& options, const std::vector<fuzz::Origin>& origins, Shar
     if (index >= options.count) return;
     const std::uint64_t number = options.seed + index;
     shared.at_work[job] = number + 1;
+    const double begun = processor_time();
     const fuzz::Mutant mutant = fuzz::mutant_of(origins, number);
     itimerval timer{};
     timer.it_value.tv_sec = seconds_of_a_case;
     ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
-    const double begun = processor_time();
     const fuzz::Outcome outcome = fuzz::outcome_of(mutant, number % report_every == 0);
     const double took = processor_time() - begun;
     if (took > shared.slowest) {
       shared.slowest = took;
       shared.slowest_number = number;
     }
+    OfOrigin& of = shared.origins[mutant.origin];
+    ++of.executions;
+    of.microseconds += static_cast<std::uint64_t>(1e6 * took);
+    if (outcome.ending >= fuzz::Ending::pass) ++of.verified;
     ++shared.endings[static_cast<std::size_t>(outcome.ending)];
     shared.answers[kind_of(outcome.words)] = 1;
     if (outcome.ending == fuzz::Ending::broken) keep(options, mutant, number, outcome.words);
@@ -130,8 +147,8 @@ std::string end_of(int status) {
 
 int run(const Options& options) {
   const std::vector<fuzz::Origin> origins = fuzz::origins_in(options.folders);
-  if (origins.empty()) {
-    fmt::print(stderr, "no cases to begin from\n");
+  if (origins.empty() || origins.size() > most_origins) {
+    fmt::print(stderr, "{} cases to begin from, 1 to {} can be\n", origins.size(), most_origins);
     return 2;
   }
   void* const memory_of_all =
@@ -170,6 +187,11 @@ int run(const Options& options) {
       start(job);
     else
       --running;
+  }
+  for (std::size_t i = 0; options.origins && i < origins.size(); ++i) {
+    const OfOrigin& of = shared.origins[i];
+    fmt::print("{}: {} executions, {} verified, {:.1f} s\n", origins[i].path, of.executions.load(),
+               of.verified.load(), 1e-6 * static_cast<double>(of.microseconds));
   }
   const auto ended = [&](fuzz::Ending ending) {
     return shared.endings[static_cast<std::size_t>(ending)].load();
@@ -214,6 +236,10 @@ int main(int argc, char** argv) {
     const std::string value = i + 1 < argc ? argv[i + 1] : "";
     if (!word.starts_with("--")) {
       options.folders.push_back(word);
+      continue;
+    }
+    if (word == "--origins") {
+      options.origins = true;
       continue;
     }
     ++i;

@@ -8,7 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "boxbeam/report/case_schema.hpp"
 
 namespace fuzz {
 namespace {
@@ -25,6 +29,19 @@ bool chance(Random& random, std::size_t one_in) { return below(random, one_in) =
 template <class Values>
 const auto& one_of(Random& random, const Values& values) {
   return values[below(random, std::size(values))];
+}
+
+/// Nearly always one of the small cases, which are verified in milliseconds and together use every
+/// key; so rarely a large one, such as those that are shipped, that these take no more of the time.
+const Origin& some_origin(Random& random, const std::vector<Origin>& origins) {
+  constexpr std::size_t one_large_in = 64;
+  const auto large =
+      std::find_if(origins.begin(), origins.end(), [](const Origin& of) { return !of.small; });
+  const auto small_ones = static_cast<std::size_t>(large - origins.begin());
+  if (small_ones == 0) return one_of(random, origins);
+  if (small_ones < origins.size() && chance(random, one_large_in))
+    return origins[small_ones + below(random, origins.size() - small_ones)];
+  return origins[below(random, small_ones)];
 }
 
 /// A node with what stands around it.
@@ -67,12 +84,97 @@ constexpr std::array wild_texts{"",       "0",   "-0 m",     "1e308 m", "1e-300 
 constexpr std::array wild_numbers{0.0,  -1.0, 1.0,  2.0,   0.5,  1e-9,  1e9,  1e15,   -1e-3,
                                   1e20, 3.0,  16.0, 1e-20, 71.0, 1e300, 0.99, 1000.0, 2000.0};
 
-/// A quantity with another number in front of its unit, any other text as one of the wild ones.
+/// What the schema of a case says of a key: its words, or what kind of value it wants.
+struct SchemaKey {
+  std::string name;
+  nlohmann::json schema;
+};
+
+/// The keys that stand beside each other in a table, of every table of the schema.
+const std::vector<std::vector<SchemaKey>>& tables_of_schema() {
+  static const std::vector<std::vector<SchemaKey>> tables = [] {
+    std::vector<std::vector<SchemaKey>> all;
+    const std::function<void(const nlohmann::json&)> collect = [&](const nlohmann::json& schema) {
+      if (schema.is_object() && schema.contains("properties")) {
+        std::vector<SchemaKey>& table = all.emplace_back();
+        for (const auto& [name, of] : schema["properties"].items()) table.push_back({name, of});
+      }
+      if (schema.is_structured()) {
+        for (const nlohmann::json& part : schema) collect(part);
+      }
+    };
+    collect(nlohmann::json::parse(boxbeam::schema_of("case")));
+    return all;
+  }();
+  return tables;
+}
+
+/// Every word that the schema knows.
+const std::vector<std::string>& words_of_schema() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> all;
+    for (const auto& table : tables_of_schema()) {
+      for (const SchemaKey& key : table) {
+        for (const nlohmann::json& word : key.schema.value("enum", nlohmann::json::array())) {
+          if (word.is_string()) all.push_back(word.get<std::string>());
+        }
+      }
+    }
+    return all;
+  }();
+  return words;
+}
+
+Node value_for(Random& random, const SchemaKey& key) {
+  constexpr std::array quantities{"10 mm", "0.2 m", "5 deg", "1 kN", "2 MPa", "1 s", "3 kg", "0 m"};
+  Node node;
+  const nlohmann::json words = key.schema.value("enum", nlohmann::json::array());
+  const nlohmann::json type = key.schema.value("type", nlohmann::json("string"));
+  if (!words.empty() && one_of(random, words).is_string()) {
+    node.kind = Node::Kind::text;
+    node.text = words[below(random, words.size())].get<std::string>();
+  } else if (type == "boolean") {
+    node.kind = Node::Kind::boolean;
+    node.boolean = chance(random, 2);
+  } else if (type == "number" || type == "integer") {
+    node.kind = Node::Kind::number;
+    node.number = one_of(random, wild_numbers);
+  } else {
+    node.kind = Node::Kind::text;
+    node.text = one_of(random, quantities);
+  }
+  return node;
+}
+
+/// A key of the schema that may stand beside one of a table's own.
+void add_key(Random& random, Node& table) {
+  if (table.members.empty()) return;
+  const std::string& beside = one_of(random, table.members).key;
+  std::vector<const std::vector<SchemaKey>*> fitting;
+  for (const auto& keys : tables_of_schema()) {
+    if (std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return key.name == beside; }))
+      fitting.push_back(&keys);
+  }
+  if (fitting.empty()) return;
+  const SchemaKey& key = one_of(random, *one_of(random, fitting));
+  std::erase_if(table.members, [&](const Node::Member& of) { return of.key == key.name; });
+  Node::Member& added = table.members.emplace_back();
+  added.key = key.name;
+  added.value = value_for(random, key);
+}
+
+/// A quantity with another number in front of its unit, any other text as a word of the schema
+/// or a wild one.
 void change_text(Random& random, Node& node) {
   double number = 0.0;
   const auto [end, error] =
       std::from_chars(node.text.data(), node.text.data() + node.text.size(), number);
-  if (error != std::errc{} || chance(random, 12)) {
+  const bool is_word = error != std::errc{};
+  if (is_word && chance(random, 2)) {
+    node.text = one_of(random, words_of_schema());
+    return;
+  }
+  if (is_word || chance(random, 12)) {
     node.text = one_of(random, wild_texts);
     return;
   }
@@ -132,19 +234,27 @@ void copy(Random& random, const Site& site) {
   }
 }
 
-/// Something of another case under the same key in the place of this, or beside it.
+/// What stands in a tree under a key and is of a kind, items under the key of their array.
+void collect_alike(const Node& node, const std::string& key, const Site& site,
+                   std::vector<const Node*>& alike) {
+  const auto look_at = [&](const Node& of, const std::string& its_key) {
+    if (its_key == site.key && of.kind == site.node->kind) alike.push_back(&of);
+    collect_alike(of, its_key, site, alike);
+  };
+  for (const Node::Member& member : node.members) look_at(member.value, member.key);
+  for (const Node& item : node.items) look_at(item, key);
+}
+
+/// Something of another case under the same key in the place of this.
 void splice(Random& random, const std::vector<Origin>& origins, const Site& site) {
-  Node other = one_of(random, origins).tree;
-  std::vector<Site> sites = sites_of(other);
-  std::erase_if(sites, [&](const Site& of) {
-    return of.key != site.key || of.node->kind != site.node->kind;
-  });
-  if (!sites.empty()) *site.node = Node(*one_of(random, sites).node);
+  std::vector<const Node*> alike;
+  collect_alike(some_origin(random, origins).tree, "", site, alike);
+  if (!alike.empty()) *site.node = Node(*one_of(random, alike));
 }
 
 /// A whole part of another case, [model] or one of its forces, in a part of that name.
 void take_part(Random& random, const std::vector<Origin>& origins, Node& tree) {
-  const Node& other = one_of(random, origins).tree;
+  const Node& other = some_origin(random, origins).tree;
   if (other.members.empty()) return;
   const Node::Member& part = one_of(random, other.members);
   const auto here = std::find_if(tree.members.begin(), tree.members.end(),
@@ -181,6 +291,11 @@ void mutate(Random& random, const std::vector<Origin>& origins, Node& tree) {
     case 5:
       if (!values.empty()) splice(random, origins, one_of(random, values));
       break;
+    case 6: {
+      std::erase_if(sites, [](const Site& of) { return of.node->kind != Node::Kind::table; });
+      if (!sites.empty()) add_key(random, *one_of(random, sites).node);
+      break;
+    }
     default:
       if (!values.empty()) change_value(random, *one_of(random, values).node);
   }
@@ -296,25 +411,21 @@ std::vector<Origin> origins_in(const std::vector<std::string>& folders) {
   for (const std::string& path : paths) {
     std::ifstream file(path, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(file), {});
-    origins.push_back({path, boxbeam::parse_document(path, text, {}).root});
+    const bool small = path.find("/small/") != std::string::npos;
+    origins.push_back({path, boxbeam::parse_document(path, text, {}).root, small});
   }
+  std::stable_partition(origins.begin(), origins.end(), [](const Origin& of) { return of.small; });
   return origins;
 }
 
 Mutant mutant_of(const std::vector<Origin>& origins, std::uint64_t number) {
   Random random(number * 0x9e3779b97f4a7c15U + 1);
-  // Half of them are made of the templates, which are small and quickly verified.
-  std::vector<const Origin*> from;
-  const bool small = chance(random, 2);
-  for (const Origin& origin : origins) {
-    if (!small || origin.path.find("/templates/") != std::string::npos) from.push_back(&origin);
-  }
-  const Origin& origin = from.empty() ? one_of(random, origins) : *one_of(random, from);
+  const Origin& origin = some_origin(random, origins);
   Node tree = origin.tree;
   int changes = 1;
   while (changes < 6 && chance(random, 2)) ++changes;
   for (int i = 0; i < changes; ++i) mutate(random, origins, tree);
-  return {origin.path, toml_of(tree)};
+  return {origin.path, toml_of(tree), static_cast<std::size_t>(&origin - origins.data())};
 }
 
 }  // namespace fuzz

@@ -51,22 +51,23 @@ const std::set<std::string>& nullable_names() {
   return names;
 }
 
-/// The first thing in the results that is no number where one is promised, "" where none is.
-std::string trouble_in(const Json& node, const std::string& name, const std::string& path) {
-  if (node.is_null()) return nullable_names().count(name) == 1 ? "" : path + " is null";
+/// The first thing in the results that is no number where one is promised, "" where none is. The
+/// path to it is put together on the way back only: nearly always there is none to be named.
+std::string trouble_in(const Json& node, const std::string& name) {
+  if (node.is_null()) return nullable_names().count(name) == 1 ? "" : " is null";
   if (node.is_number_float()) {
     const double value = node.get<double>();
-    if (!(std::abs(value) < 1e250)) return fmt::format("{} is {}", path, value);
+    if (!(std::abs(value) < 1e250)) return fmt::format(" is {}", value);
   }
   if (node.is_object()) {
     for (const auto& [key, member] : node.items()) {
-      std::string trouble = trouble_in(member, key, path + "." + key);
-      if (!trouble.empty()) return trouble;
+      const std::string trouble = trouble_in(member, key);
+      if (!trouble.empty()) return "." + key + trouble;
     }
   } else if (node.is_array()) {
     for (const Json& item : node) {
-      std::string trouble = trouble_in(item, item.is_null() ? "[]" : name, path + "[]");
-      if (!trouble.empty()) return trouble;
+      const std::string trouble = trouble_in(item, item.is_null() ? "[]" : name);
+      if (!trouble.empty()) return "[]" + trouble;
     }
   }
   return "";
@@ -104,8 +105,7 @@ Outcome outcome_of(const Mutant& mutant, bool with_report) {
     const Verification verification =
         verify(project, with_report ? Figures::with : Figures::without);
     std::string trouble = trouble_in_checks(verification);
-    if (trouble.empty())
-      trouble = trouble_in(Json::parse(results_json(project, verification)), "", "");
+    if (trouble.empty()) trouble = trouble_in(Json::parse(results_json(project, verification)), "");
     if (trouble.empty() && with_report) {
       trouble = trouble_in_text(
           report::text_of(report_of(project, verification, ReportLevel::governing)), mutant.text);
