@@ -55,6 +55,18 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
     table.problem("around", "a weld is known around boxes, rectangular and round tubes",
                   "name the section of such a profile");
   }
+  if (table.problems().size() == before && known) {
+    // The ring of the throat has a hollow only where it is thinner than the profile that it is
+    // around.
+    const Extent extent = extent_of(weld.around);
+    const Length size = std::min(extent.y_high - extent.y_low, extent.z_high - extent.z_low);
+    if (weld.throat >= size) {
+      table.problem(
+          "throat",
+          fmt::format("the throat is no smaller than the profile, {:.6g} mm", size.value() * 1e3),
+          "write the throat of the weld, such as \"5 mm\"");
+    }
+  }
   if (table.problems().empty()) {
     weld.thickness = thickest_at(project.beam, weld.s);
     if (!yield_strength_of(project.material, weld.thickness) ||

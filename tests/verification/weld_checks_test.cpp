@@ -101,4 +101,15 @@ TEST_CASE("what a weld cannot go around, and where it cannot be, is refused", "[
   CHECK_THROWS_AS(read(around_the_box + "[[welds]]\n" + around_the_box), InputError);
 }
 
+TEST_CASE("a throat that fills the profile it goes around is refused", "[bad_input]") {
+  // The box is 100 mm wide: beyond, the throat's ring has no hollow.
+  const auto with_throat = [](const std::string& throat) {
+    std::string weld = around_the_box;
+    return weld.replace(weld.find("6 mm"), 4, throat);
+  };
+  CHECK_THROWS_AS(read(with_throat("100 mm")), InputError);
+  CHECK_THROWS_AS(read(with_throat("20 m")), InputError);
+  CHECK_FALSE(verify(read(with_throat("99 mm"))).checks.empty());
+}
+
 }  // namespace weld_checks_test
