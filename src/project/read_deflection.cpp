@@ -58,7 +58,8 @@ std::optional<planar::Attachment> point_on_beam(const planar::Joint& joint, int 
 }
 
 std::vector<Support> supports_of(const Project& project, const planar::Mechanism& mechanism) {
-  if (project.beam_body == planar::ground) return {};
+  // A beam whose segments could not be read has no centre; that is said already.
+  if (project.beam_body == planar::ground || project.beam.segments.empty()) return {};
   const Length centre = mass_properties_of(project.beam).centre;
   const std::vector<Length> places = places_of(project.beam);
   struct Place : Support {

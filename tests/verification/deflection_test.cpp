@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/core/error.hpp"
 #include "support/changed_rig.hpp"
 #include "support/clamped_beam.hpp"
 #include "support/rig.hpp"
@@ -342,6 +343,15 @@ TEST_CASE("a demand on deflection that cannot be is refused at its place") {
   refused("limit = \"5 mm\"\n", "[deflection]", "does not say from which line", "\"chord\"");
   refused("limit = \"5 mm\"\nagainst = \"axis\" # here\n", "# here", "does not say from which line",
           "\"tangent\"");
+}
+
+TEST_CASE("a deflection of a beam without segments is refused like the beam", "[bad_input]") {
+  std::string text = test::read_file(test::project_file("sections/templates/planar.toml"));
+  const std::size_t from = text.find("\n[[beam.segments]]");
+  const std::size_t to = text.find("\n[material]");
+  REQUIRE(from < to);
+  text.replace(from, to - from, "\n[deflection]\nlimit = \"5 mm\"\n");
+  CHECK_THROWS_AS(parse_project("case.toml", text), InputError);
 }
 
 }  // namespace deflection_test
