@@ -144,4 +144,25 @@ TEST_CASE("rotary inertia of the sections enters as a distributed couple and kee
   CHECK(with - without == Approx(more).epsilon(1e-9));
 }
 
+TEST_CASE("rotary inertia of a section without symmetry keeps the balance in the plane") {
+  // Its I_yz turns the bar out of the plane, for which a plane mechanism has no reactions: forces
+  // and moments about all three axes sum to nothing.
+  Bar bar(HarmonicDriver{0.4, 0.7, 3.0, 0.2}, 9.81);
+  bar.beam.rotary_inertia = true;
+  for (Section* section : {&bar.beam.segments[0].from, &bar.beam.segments[0].to}) {
+    Box box = symmetric_box(si<Length>(0.08), si<Length>(0.1), si<Length>(6e-3), si<Length>(6e-3));
+    box.bottom_flange = si<Length>(5e-3);
+    box.left_web = si<Length>(4e-3);
+    *section = {box, {}};
+  }
+  const MassProperties mass = mass_properties_of(bar.beam);
+  REQUIRE(std::abs(mass.tensor(1, 2)) > 1e-5);
+  bar.body = beam_body_of(bar.beam, 0);
+  bar.mechanism.bodies[0].mass = mass.mass.value();
+  bar.mechanism.bodies[0].inertia = mass.inertia.value();
+  const Imbalance open = imbalance_of(beam_loads_of(bar.mechanism, bar.state(0.63), bar.body));
+  CHECK(open.force.norm() < 1e-9);
+  CHECK(open.moment.norm() < 1e-9);
+}
+
 }  // namespace moving_bar_test

@@ -47,6 +47,9 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
                         beam.centre * Eigen::Vector3d(-omega * omega, 0.0, alpha);
   loads.lines = weight_and_inertia(*beam.beam, beam.distribution,
                                    in_beam_axes(mechanism.gravity, angle), motion);
+  // What keeps a plane mechanism in its plane is no part of it, and takes the couples that I_yz
+  // gives out of the plane where they arise.
+  for (LineLoad& line : loads.lines) line.couple[0] = line.couple[2] = {};
   return loads;
 }
 
