@@ -28,8 +28,10 @@ constexpr double singular = 1e-6;         ///< nothing is known any more
 constexpr double error_near_singular = 1e-8;
 constexpr double error_of_passage = 1e-6;
 
-/// Solutions of the equations of motion times coordinates, at most: some ten seconds.
+/// Solutions of the equations of motion times coordinates, at most: some ten seconds. Of few
+/// coordinates a solution costs as much as of `fewest_coordinates`.
 constexpr double most_work = 5e7;
+constexpr double fewest_coordinates = 9.0;
 
 /// Where steps end because drivers or forces bend or jump there: just before and just behind each
 /// such time between two, in their direction.
@@ -270,8 +272,8 @@ State FreeSolver::advance(double time, const State& known) {
   const std::vector<double> stops = stops_between(*mechanism_, state.time, time);
   auto stop = stops.begin();
   while (direction * (time - state.time) > smallest) {
-    if (static_cast<double>(equations_.evaluations()) * static_cast<double>(state.q.size()) >
-        most_work) {
+    const double coordinates = std::max(fewest_coordinates, static_cast<double>(state.q.size()));
+    if (static_cast<double>(equations_.evaluations()) * coordinates > most_work) {
       throw AnalysisError(
           {fmt::format(
                "the motion under the applied forces takes too much work: {} steps have not "

@@ -304,16 +304,18 @@ Motion solve_motion(const Mechanism& mechanism) {
     const Misfit reactions =
         misfit_of(motion, rough, &State::lambda, equations.row_scale().cwiseInverse(), 0.0);
     const auto count = static_cast<double>(motion.states.size());
-    const bool turns_seen = count >= 8.0 * motion.period * fastest_turn(motion) / turn;
+    // More instants can only show faster turns, so that some motions are too fast already here.
+    const double wanted = 8.0 * motion.period * fastest_turn(motion) / turn;
+    const bool turns_seen = count >= wanted;
     if (accelerations.value < enough && reactions.value < enough && turns_seen) return motion;
-    if (2.0 * count > most) {
+    if (2.0 * count > most || wanted > most) {
       const Misfit& worst = accelerations.value > reactions.value ? accelerations : reactions;
       throw AnalysisError(
           {fmt::format("accelerations or reactions change too fast to be resolved with {} instants "
                        "in the time looked at; the mechanism passes close to a dead point, slides "
                        "back and forth against much friction with a small creep velocity, or the "
                        "time is too long",
-                       motion.states.size()),
+                       most),
            nearest_dead_point(mechanism, motion),
            worst.time,
            {},
