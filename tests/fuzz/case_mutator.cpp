@@ -221,7 +221,8 @@ void remove(const Site& site) {
 /// A copy beside the original, of a member under a name of its own.
 void copy(Random& random, const Site& site) {
   const auto at = static_cast<std::ptrdiff_t>(site.index);
-  const std::size_t times = chance(random, 30) ? 40 : 1;
+  // Forty of a segment take seconds.
+  const std::size_t times = chance(random, 300) ? 40 : 1;
   for (std::size_t i = 0; i < times; ++i) {
     if (site.parent->kind == Node::Kind::array) {
       const Node same = site.parent->items[site.index];
