@@ -51,9 +51,9 @@ for name in "${wanted[@]}"; do
     # In the folder of the tests, whose library is there already.
     if [ ! -f build/build.ninja ]; then configure build -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_BENCH=OFF; fi
     build build boxbeam_case_fuzzer
-    limit=(--time "$share")
-    [ -z "$executions" ] || limit=(--count "$executions")
-    build/tests/boxbeam_case_fuzzer "${limit[@]}" --jobs "$jobs" --seed "${BOXBEAM_FUZZ_SEED:-1}" \
+    how_long=(--time "$share")
+    [ -z "$executions" ] || how_long=(--count "$executions")
+    build/tests/boxbeam_case_fuzzer "${how_long[@]}" --jobs "$jobs" --seed "${BOXBEAM_FUZZ_SEED:-1}" \
       --out "$findings/case" sections tests/fuzz/corpus/case || failed=1
     continue
   fi
