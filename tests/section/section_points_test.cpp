@@ -1,7 +1,8 @@
 // Stress at named places: hand formulas, one sign of each cut force.
 
 #include "boxbeam/section/section_points.hpp"
-#include "boxbeam/section/wall_stretches.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 
 #include "boxbeam/section/torsion.hpp"
+#include "boxbeam/section/wall_stretches.hpp"
 #include "catch.hpp"
 #include "section/random_sections.hpp"
 
@@ -103,6 +105,29 @@ TEST_CASE("seam of a box: q/a on the throat, q/t_w at full penetration", "[secti
   welded.seam_throat = mm(8);
   CHECK(seam(welded).on_throat->shear[cut_force::V_z] == Approx(q / 0.008).epsilon(1e-12));
   CHECK(seam(welded).influence.shear[cut_force::V_z] == Approx(q / 0.05).epsilon(1e-12));
+}
+
+TEST_CASE("an inner box has seams of its own, in the plane and in space", "[section]") {
+  // V S/(2 I) by hand: each of two boxes about one centre carries its own flow.
+  Box inner = symmetric_box(mm(200), mm(300), mm(20), mm(10));
+  inner.seam_throat = mm(4);
+  const Section nested{symmetric_box(mm(400), mm(600), mm(50), mm(50)), inner};
+  const double I = 4.075e-3 + (200.0 * 300 * 300 * 300 - 180.0 * 260 * 260 * 260) / 12.0 * 1e-12;
+  const double q = 0.5 * 200 * 20 * 140e-9 / I;
+  const StressField field = stress_field_of(nested, {}, {});
+  const auto throat = [&](PointSet set, const std::string& name) {
+    const std::optional<StressInfluence> seam = point_of(field, set, name).on_throat;
+    REQUIRE(seam);
+    return seam->shear[cut_force::V_z];
+  };
+  CHECK(throat(PointSet::in_plane, "inner web end +z") == Approx(q / 0.004).epsilon(1e-9));
+  CHECK(throat(PointSet::in_plane, "inner web end -z") == Approx(q / 0.004).epsilon(1e-9));
+  for (const char* at : {"+y +z", "+y -z", "-y +z", "-y -z"}) {
+    CHECK(throat(PointSet::in_space, fmt::format("inner web end {}", at)) ==
+          Approx(q / 0.004).epsilon(1e-9));
+  }
+  const double outer = 0.5 * 400 * 50 * 275e-9 / I;
+  CHECK(throat(PointSet::in_plane, "web end +z") == Approx(outer / 0.05).epsilon(1e-9));
 }
 
 TEST_CASE("plate: 1.5 V/A in the middle both ways, torsion by the series", "[section]") {
