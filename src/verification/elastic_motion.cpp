@@ -172,12 +172,14 @@ ElasticBody elastic_body_of(const Project& project, int parts) {
   return elastic;
 }
 
-LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic) {
+LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial) {
   auto finder = std::make_shared<planar::StateFinder>(*rigid.mechanism, *rigid.motion);
-  return [rigid, elastic, finder](Time time) {
+  return [rigid, elastic, finder, axial = std::move(axial)](Time time) {
     BeamLoads loads = rigid.loads(time);
+    const BeamLoads borne = axial ? axial(time) : loads;
     const BeamLoads bent =
-        second_order_of(standing_posture(rigid, elastic, finder->at(time.value()), loads)).loads;
+        second_order_of(standing_posture(rigid, elastic, finder->at(time.value()), loads, &borne))
+            .loads;
     loads.lines = on_stretches_of(loads.lines, bent.lines);
     add_mode(loads, 1.0, bent);
     return loads;

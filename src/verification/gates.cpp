@@ -404,6 +404,13 @@ void look_at_second_order(const Project& project, const ModelChoice& model,
   }
 }
 
+/// What its loads leave unbalanced is known of a vibrating beam only after it was chosen.
+bool is_beyond_tolerance(const Project& project, const ModelChoice& model) {
+  if (is_flexible(project) || model.weighed.empty()) return false;
+  if (model.chosen.level == ModelLevel::rigid) return false;
+  return model.weighed.back().found.value_or(0.0) > model.tolerance;
+}
+
 }  // namespace
 
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
@@ -417,7 +424,16 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                      true});
   }
   look_at_second_order(project, model, gates);
-  // What was chosen is within the tolerance already.
+  if (project.model.demand == ModelDemand::automatic && is_beyond_tolerance(project, model)) {
+    gates.push_back(
+        {"", "",
+         fmt::format("{} of the governing stress is not in balance with the motion of the beam as "
+                     "far bent as it is, tolerance {}: its vibration is not proven, for it is "
+                     "computed about the motion of the rigid beam",
+                     percent_text(*model.weighed.back().found), percent_text(model.tolerance)),
+         true});
+  }
+  // What was chosen else is within the tolerance already.
   if (project.model.demand == ModelDemand::automatic || model.weighed.empty()) return gates;
   const ModelEstimate& demanded = model.weighed.back();
   const double error = demanded.found.value_or(demanded.error);

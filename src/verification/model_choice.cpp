@@ -7,6 +7,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
+#include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
@@ -448,6 +449,34 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
   return choice;
 }
 
+/// States what the chosen model's loads leave unbalanced when the beam bends as far as it does.
+void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid,
+                   const std::deque<SituationRun>& by_model, ModelChoice& choice) {
+  if (choice.weighed.empty() || !not_estimated(project, rigid).empty()) return;
+  const ElasticBody elastic = elastic_body_of(project, 8);
+  double unbalanced = 0.0;
+  for (std::size_t i = 0; i < rigid.size(); ++i) {
+    // Series of Fourier have no second derivative where something jumps or bends.
+    const std::string obstacle =
+        by_model[i].loads.span().breaks.empty()
+            ? obstacle_to_balance(planar_in(project, *rigid[i].situation), elastic.body)
+            : "its loads jump or bend at points of a table or ends of a step";
+    if (!obstacle.empty()) {
+      choice.reason +=
+          fmt::format("; what it leaves unbalanced on the bent beam is not known: {}", obstacle);
+      return;
+    }
+    unbalanced =
+        std::max(unbalanced, error_by_balance(rigid_motion_of(project, rigid[i]), elastic,
+                                              static_cast<std::size_t>(choice.chosen.modes),
+                                              by_model[i].loads));
+  }
+  ModelEstimate& last = choice.weighed.back();
+  last.found = std::max(last.found.value_or(last.error), unbalanced);
+  choice.reason += fmt::format("; on the beam as far bent as it is, {} of the stress is unbalanced",
+                               percent_text(unbalanced));
+}
+
 }  // namespace
 
 ModelledRuns run_by_chosen_model(const Project& project) {
@@ -461,6 +490,7 @@ ModelledRuns run_by_chosen_model(const Project& project) {
   ModelChoice model = choose_planar(project, rigid);
   if (model.chosen.level == ModelLevel::rigid) return {std::move(model), std::move(rigid)};
   std::deque<SituationRun> runs = run_situations(project, model.chosen);
+  weigh_balance(project, rigid, runs, model);
   return {std::move(model), std::move(runs)};
 }
 

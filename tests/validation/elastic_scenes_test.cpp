@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -36,10 +37,17 @@ double governing_stress(const Project& project, const std::deque<SituationRun>& 
   return stress_history(runs.front().loads, places).cwiseAbs().maxCoeff();
 }
 
+/// Whether the verdict says that the beam's vibration is not known well enough.
+bool says_not_proven(const std::vector<Gate>& gates) {
+  return std::any_of(gates.begin(), gates.end(), [](const Gate& gate) {
+    return gate.blocks && gate.finding.find("vibration is not proven") != std::string::npos;
+  });
+}
+
 /// What the chosen model states to miss, and what it misses of the corotational beam.
 struct Missed {
   ModelChoice choice;
-  bool refused = false, buckles = false;
+  bool refused = false, buckles = false, not_proven = false, settled = true;
   double stated = 0.0, by_model = 0.0, by_beam = 0.0;
   double missed() const { return by_model / by_beam - 1.0; }
 };
@@ -59,7 +67,15 @@ Missed missed_by(const Project& project) {
   if (result.buckles) return result;
   const ModelEstimate& last = result.choice.weighed.back();
   result.stated = last.found.value_or(last.error);
-  const test::CorotationalStress beam = test::corotational_stress(project);
+  result.not_proven = says_not_proven(model_gates_of(project, result.choice));
+  // What the start sets off near a resonance takes many periods to die away, and of a resonance a
+  // coarse step misses the frequency.
+  test::CorotationalOptions options;
+  options.steps = 600;
+  options.tolerance = 3e-4;
+  options.most_periods = 150;
+  const test::CorotationalStress beam = test::corotational_stress(project, options);
+  result.settled = beam.settled;
   result.by_beam = beam.governing;
   return result;
 }
@@ -69,9 +85,10 @@ void print(const std::string& name, const Missed& of) {
     fmt::print("{:28} {}\n", name, of.refused ? "refused" : "buckles, blocked");
     return;
   }
-  fmt::print("{:28} {:13} N/N_cr {:6.3f}  stated {:8.5f}  missed {:+9.5f}  {:9.4f} MPa\n", name,
+  fmt::print("{:28} {:13} N/N_cr {:6.3f}  stated {:8.5f}  missed {:+9.5f}  {:9.4f} MPa{}{}\n", name,
              to_text(of.choice.chosen.level), of.choice.second_order.in_plane.part, of.stated,
-             of.missed(), of.by_beam * 1e-6);
+             of.missed(), of.by_beam * 1e-6, of.not_proven ? ", not proven" : "",
+             of.settled ? "" : ", does not settle");
 }
 
 }  // namespace
@@ -137,7 +154,7 @@ TEST_CASE("beams in mechanisms by chance have the stress of corotational beams",
 }
 
 // Hidden, for it takes minutes: run it by name; BOXBEAM_SCENES and BOXBEAM_SEED change the number
-// of scenes and where they begin.
+// of scenes and where they begin. Not judged are those that the verdict says are not proven.
 TEST_CASE("stated and true error of many scenes", "[.elastic_scenes_table]") {
   const auto number = [](const char* name, unsigned otherwise) {
     const char* text = std::getenv(name);
@@ -145,7 +162,8 @@ TEST_CASE("stated and true error of many scenes", "[.elastic_scenes_table]") {
   };
   const unsigned scenes = number("BOXBEAM_SCENES", 200);
   const unsigned seed = number("BOXBEAM_SEED", 20261);
-  unsigned judged = 0, covered = 0, within = 0, refused = 0, buckling = 0;
+  unsigned judged = 0, covered = 0, within = 0, refused = 0, buckling = 0, unsettled = 0;
+  unsigned not_proven = 0, not_proven_covered = 0;
   for (unsigned i = 0; i < scenes; ++i) {
     const test::RandomScene of = test::random_scene(seed + i);
     Missed missed;
@@ -163,12 +181,24 @@ TEST_CASE("stated and true error of many scenes", "[.elastic_scenes_table]") {
     refused += missed.refused ? 1 : 0;
     buckling += missed.buckles ? 1 : 0;
     if (missed.refused || missed.buckles) continue;
+    if (!missed.settled) {
+      ++unsettled;
+      continue;
+    }
+    const bool is_covered = std::abs(missed.missed()) <= std::max(missed.stated, 0.01);
+    if (missed.not_proven) {
+      ++not_proven;
+      not_proven_covered += is_covered ? 1 : 0;
+      continue;
+    }
     ++judged;
     within += std::abs(missed.missed()) <= 0.01 ? 1 : 0;
-    covered += std::abs(missed.missed()) <= std::max(missed.stated, 0.01) ? 1 : 0;
+    covered += is_covered ? 1 : 0;
   }
-  fmt::print("{} judged, {} within 1 %, {} covered, {} refused, {} buckle\n", judged, within,
-             covered, refused, buckling);
+  fmt::print(
+      "{} judged, {} within 1 %, {} covered; {} whose verdict says that their vibration is not "
+      "proven, {} covered; {} refused, {} buckle, {} whose corotational beam does not settle\n",
+      judged, within, covered, not_proven, not_proven_covered, refused, buckling, unsettled);
   CHECK(covered >= 0.99 * judged);
 }
 

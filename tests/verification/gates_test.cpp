@@ -277,4 +277,22 @@ TEST_CASE("a demanded model beyond the tolerance blocks, a chosen one does not",
   CHECK(model_gates_of(project, choice).empty());
 }
 
+TEST_CASE("a beam whose vibration is not in balance as far bent as it is does not pass",
+          "[model_choice]") {
+  ModelChoice choice;
+  choice.tolerance = 0.01;
+  choice.weighed = {{{}, "", 0.004, 0.02}};
+  const Project project = test::rig();
+  for (const ModelLevel level : {ModelLevel::modal, ModelLevel::quasi_static}) {
+    choice.chosen.level = level;
+    const std::vector<Gate> gates = model_gates_of(project, choice);
+    REQUIRE(gates.size() == 1);
+    CHECK(gates.front().blocks);
+    CHECK(contains(gates.front().finding, "2 % of the governing stress is not in balance"));
+    CHECK(contains(gates.front().finding, "vibration is not proven"));
+  }
+  choice.weighed.front().found = 0.009;
+  CHECK(model_gates_of(project, choice).empty());
+}
+
 }  // namespace gates_test

@@ -23,7 +23,8 @@ struct RigidMotion {
 
 /// Loads on the beam at any time by theory of the second order: those of the rigid beam and what
 /// static bending under them adds, posture by posture (`second_order_of`).
-LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic);
+/// `axial`: loads whose axial force the beam bears; nothing: those of the rigid beam.
+LoadsAt bent_statically(const RigidMotion& rigid, const ElasticBody& elastic, LoadsAt axial = {});
 
 /// Elastic vibration of the beam in a large periodic motion of its mechanism, by theory of the
 /// second order.

@@ -35,9 +35,11 @@ struct ElasticModel {
 /// A model that was weighed.
 struct ModelEstimate {
   ElasticModel model;
-  std::string basis;            ///< what the estimate rests on, in words with its numbers
-  double error = 0.0;           ///< estimated, of the governing stress, relative
-  std::optional<double> found;  ///< the same against the next better model, after the solve
+  std::string basis;   ///< what the estimate rests on, in words with its numbers
+  double error = 0.0;  ///< estimated, of the governing stress, relative
+  /// The same after the solve: against the next better model or, of a beam that bends, by what its
+  /// loads leave unbalanced on the bent beam, the larger.
+  std::optional<double> found;
 };
 
 /// A harmonic of the loads that drive the beam.
