@@ -34,7 +34,7 @@ struct Cut {
 
 Cut operator-(Cut a, const Cut& b) { return {a.N - b.N, a.V - b.V, a.from - b.from, a.to - b.to}; }
 
-/// A periodic function and its derivatives, a row for each instant.
+/// Derivatives of periodic functions, a row for each instant.
 struct Periodic {
   MatrixXd first, second;
 };
@@ -67,6 +67,7 @@ Periodic derivatives(const MatrixXd& samples, double rate) {
           filtered(samples, rate, [](C s) { return s * s; })};
 }
 
+/// A mechanism whose beam is bent as a model's loads strain it, and what balances it.
 class Bending {
  public:
   Bending(const RigidMotion& rigid, const ElasticBody& elastic, const LoadHistory& model)

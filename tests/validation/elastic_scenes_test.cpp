@@ -68,12 +68,9 @@ Missed missed_by(const Project& project) {
   const ModelEstimate& last = result.choice.weighed.back();
   result.stated = last.found.value_or(last.error);
   result.not_proven = says_not_proven(model_gates_of(project, result.choice));
-  // What the start sets off near a resonance takes many periods to die away, and of a resonance a
-  // coarse step misses the frequency.
+  // Near a resonance a coarse step, which lowers the frequency, is an error of its own.
   test::CorotationalOptions options;
   options.steps = 600;
-  options.tolerance = 3e-4;
-  options.most_periods = 150;
   const test::CorotationalStress beam = test::corotational_stress(project, options);
   result.settled = beam.settled;
   result.by_beam = beam.governing;
@@ -154,7 +151,11 @@ TEST_CASE("beams in mechanisms by chance have the stress of corotational beams",
 }
 
 // Hidden, for it takes minutes: run it by name; BOXBEAM_SCENES and BOXBEAM_SEED change the number
-// of scenes and where they begin. Not judged are those that the verdict says are not proven.
+// of scenes and where they begin. Not judged are scenes whose verdict says that their vibration is
+// not proven. Of the 200 from seed 20261 these are 11, of which 5 miss more than 1 %, and 182 are
+// judged; of those from seed 31000, 14, of which 8 do, and 171. All that are judged are within 1 %;
+// with those that are not, the stated error covers 193 of 193 and 183 of 185. In the median it is
+// 1.4 times the true one.
 TEST_CASE("stated and true error of many scenes", "[.elastic_scenes_table]") {
   const auto number = [](const char* name, unsigned otherwise) {
     const char* text = std::getenv(name);
@@ -200,6 +201,8 @@ TEST_CASE("stated and true error of many scenes", "[.elastic_scenes_table]") {
       "proven, {} covered; {} refused, {} buckle, {} whose corotational beam does not settle\n",
       judged, within, covered, not_proven, not_proven_covered, refused, buckling, unsettled);
   CHECK(covered >= 0.99 * judged);
+  // A verdict that says nothing of most beams would cover all.
+  if (scenes >= 100) CHECK(judged >= 0.9 * (judged + not_proven));
 }
 
 }  // namespace elastic_scenes_test
