@@ -293,8 +293,8 @@ void add_hollow_points(const StressField& field, PointSet set, std::vector<Secti
 }
 
 /// The set with which a section shows all that its shape asks for.
-PointSet fitting(PointSet set, const Section& section) {
-  return set == PointSet::in_plane && !is_symmetric_about_z(section) ? PointSet::all : set;
+PointSet fitting(PointSet set, const StressField& field) {
+  return set == PointSet::in_plane && !is_mirrored(field) ? PointSet::all : set;
 }
 
 /// The walls of a path that a level crosses, on both faces; of a wall along it the middle.
@@ -372,9 +372,15 @@ StressField stress_field_of(const Section& section, const std::vector<Hole>& hol
   return field;
 }
 
+bool is_mirrored(const StressField& field) {
+  return is_symmetric_about_z(field.section) &&
+         std::all_of(field.taper.begin(), field.taper.end(),
+                     [](const NearbySection& near) { return is_symmetric_about_z(near.section); });
+}
+
 std::vector<SectionPoint> points_of(const StressField& field, PointSet set) {
   const Profile& outer = field.section.outer;
-  set = fitting(set, field.section);
+  set = fitting(set, field);
   std::vector<SectionPoint> points;
   if (std::holds_alternative<Plate>(outer))
     add_plate_points(field, set, points);
@@ -392,7 +398,7 @@ std::vector<SectionPoint> points_at_level(const StressField& field, const std::s
   if (in_hole(field, z)) return {};
   if (set == PointSet::in_space) return points_at_level_in_space(field, name, z);
   const Profile& outer = field.section.outer;
-  set = fitting(set, field.section);
+  set = fitting(set, field);
   if (const auto* tube = std::get_if<RoundTube>(&outer)) {
     const double radius = 0.5 * (tube->diameter - tube->wall).value();
     const double angle = std::asin(std::clamp(z.value() / radius, -1.0, 1.0));

@@ -1,8 +1,10 @@
 #include "boxbeam/verification/load_history.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -359,27 +361,54 @@ std::vector<StationHistory::Passage> StationHistory::passages() const {
 std::optional<StationHistory::Passage> StationHistory::passage_of(std::size_t border,
                                                                   const LoadHistory::Reach& within,
                                                                   bool forwards) const {
+  // How far the border still has to go, below zero when it has passed. Which border it is is told
+  // by their order, which changes where a load slides over one that stays: there this has a kink,
+  // and where that one is the station itself, a level.
+  constexpr double least = 1e-300;
+  const auto left_in = [&](const CutForceDiagram& diagram) {
+    const std::vector<CutForcePiece>& pieces = diagram.pieces;
+    const std::size_t count = borders_before(diagram, station_);
+    const bool passed = forwards ? count <= border : count > border;
+    const Length to_go = pieces[std::min(border, pieces.size() - 1)].end() - station_.s;
+    const double left = std::max(std::abs(to_go.value()), least);
+    return passed ? -left : left;
+  };
   const LoadHistory::Bracket& bracket = loads_->bracket(within);
-  std::array<double, LoadHistory::nodes> ahead{};  // of the station the border is
-  for (std::size_t k = 0; k <= last_node; ++k) {
-    const std::vector<CutForcePiece>& pieces = bracket[k].pieces;
-    ahead[k] = (pieces[std::min(border, pieces.size() - 1)].end() - station_.s).value();
-    if (forwards) ahead[k] = -ahead[k];
-  }
-  double low = -1.0, high = 1.0;
-  constexpr int bisections = 48;
-  for (int k = 0; k < bisections; ++k) {
+  std::array<double, LoadHistory::nodes> left{};
+  std::transform(bracket.begin(), bracket.end(), left.begin(), left_in);
+  std::size_t k = 1;
+  while (k < last_node && left[k] > 0.0) ++k;
+  if (left[k - 1] < 0.0 || left[k] > 0.0) return std::nullopt;
+
+  const double begin = within.from.value(), end = within.to.value();
+  const auto time_at = [&](double u) {
+    return si<Time>(0.5 * (begin + end) + 0.5 * (end - begin) * u);
+  };
+  // On either side of the passage, this near; nearer, what stands beside a border counts as on it.
+  constexpr double near = 1e-5;
+  CutForceDiagram before, behind;
+  const auto look_at = [&](double u) {
+    CutForceDiagram at = loads_->diagram_at(time_at(u));
+    const double value = left_in(at);
+    (value > 0.0 ? before : behind) = std::move(at);
+    return value;
+  };
+  double low = node(k - 1), high = node(k);
+  constexpr int bisections = 32;
+  for (int i = 0; i < bisections; ++i) {
     const double half = 0.5 * (low + high);
-    (interpolate(ahead, half) > 0.0 ? low : high) = half;
+    (interpolate(left, half) > 0.0 ? low : high) = half;
   }
-  const Time at = 0.5 * (within.from + within.to) + 0.5 * low * (within.to - within.from);
-  const std::vector<CutForcePiece> pieces = loads_->diagram_at(at).pieces;
-  if (border + 1 >= pieces.size()) return std::nullopt;
-  const CutForceDiagram both{{pieces[border], pieces[border + 1]}};
-  Passage passage{0, at, both.at({pieces[border].end(), Side::before}),
-                  both.at({pieces[border].end(), Side::behind})};
-  if (forwards) std::swap(passage.before, passage.behind);
-  return passage;
+  double passed_at = low;
+  if (!(look_at(low - near) > 0.0 && look_at(low + near) < 0.0)) {
+    std::uintmax_t most = 100;
+    const auto [from, to] = boost::math::tools::toms748_solve(
+        look_at, node(k - 1), node(k), left[k - 1], left[k],
+        [](double a, double b) { return b - a <= near; }, most);
+    passed_at = 0.5 * (from + to);
+    if (!(look_at(from - near) > 0.0 && look_at(to + near) < 0.0)) return std::nullopt;
+  }
+  return Passage{0, time_at(passed_at), before.at(station_), behind.at(station_)};
 }
 
 const std::vector<StationHistory::Piece>& StationHistory::pieces_of(std::size_t instant) const {

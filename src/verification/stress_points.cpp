@@ -90,7 +90,7 @@ class StressPoints {
   void add_stretches() {
     // Beside a hole in a solid its edge and the points beside it are looked at.
     if (!field_.flow && !field_.holes.empty()) return;
-    const bool mirrored = set_ == PointSet::in_plane && is_symmetric_about_z(field_.section);
+    const bool mirrored = set_ == PointSet::in_plane && is_mirrored(field_);
     const auto field = std::make_shared<const StressField>(field_);
     for (const WallStretch& stretch : wall_stretches_of(field_)) {
       bool only_end = false;
@@ -121,8 +121,7 @@ class StressPoints {
                                 : membrane_concentration(a) / (1.0 - a);
       const EdgeConcentration concentration{hole.name, hole_case, a, factor, 0.0};
       // The webs of a box that is no mirror image of itself are stressed unlike in the plane too.
-      const bool unlike = !is_symmetric_about_z(field_.section) &&
-                          hole_case != HoleCase::published_exponential &&
+      const bool unlike = !is_mirrored(field_) && hole_case != HoleCase::published_exponential &&
                           !unknown_hole_stress_of(field_.section, hole_case);
       if (set_ == PointSet::in_space || unlike) {
         stop_where(unknown_hole_stress_of(field_.section, hole_case));

@@ -705,7 +705,9 @@ class Gathering {
     }
     const Box box = *box_of(profile);
     const BoxSizes s(box);
-    const bool symmetric = boxbeam::is_symmetric_about_z(section_.here);
+    bool symmetric = boxbeam::is_symmetric_about_z(section_.here);
+    for (const auto& [near, weight] : section_.nearby)
+      symmetric = symmetric && boxbeam::is_symmetric_about_z(near);
     const bool on_face = section_.space || !symmetric;
     const auto* welded = std::get_if<Box>(&profile);
     for (const double side : {1.0, -1.0}) {
