@@ -23,8 +23,8 @@ struct StressField {
 StressField stress_field_of(const Section& section, const std::vector<Hole>& holes,
                             const Taper& taper);
 
-/// Whether both halves of a section beside y = 0 are stressed alike in the plane: it mirrors itself,
-/// and so do the sections that it tapers to.
+/// Whether both halves of a section beside y = 0 are stressed alike in the plane: it mirrors
+/// itself, and so do the sections that it tapers to.
 bool is_mirrored(const StressField& field);
 
 /// A place in a section whose stress is to be verified.
