@@ -94,6 +94,25 @@ TEST_CASE("a force through a corner of the axis turns the section: unlike webs",
   CHECK(names_of(unlike, PointSet::in_plane) == names_of(unlike, PointSet::all));
 }
 
+TEST_CASE("a section that mirrors itself and tapers to one that does not is looked at whole") {
+  // The right web grows along the beam: at its start both are alike, their shear is not.
+  Box grown = symmetric_box(mm(400), mm(600), mm(20), mm(20));
+  const Section here{grown, {}};
+  grown.right_web = mm(30);
+  const Taper taper{{Section{grown, {}}, 1.0}, {here, -1.0}};
+  const StressField prismatic = stress_field_of(here, {}, {});
+  const StressField tapered = stress_field_of(here, {}, taper);
+  CHECK(is_mirrored(prismatic));
+  CHECK_FALSE(is_mirrored(tapered));
+  CHECK(points_of(prismatic, PointSet::in_plane).size() <
+        points_of(prismatic, PointSet::all).size());
+  CHECK(points_of(tapered, PointSet::in_plane).size() == points_of(tapered, PointSet::all).size());
+  const auto shear = [&](const char* name) {
+    return point_of(tapered, PointSet::in_plane, name).influence.shear[cut_force::M_y];
+  };
+  CHECK(std::abs(shear("web end +y +z")) != Approx(std::abs(shear("web end -y +z"))).epsilon(1e-3));
+}
+
 TEST_CASE("seam of a box: q/a on the throat, q/t_w at full penetration", "[section]") {
   Box welded = symmetric_box(mm(400), mm(600), mm(50), mm(50));
   const double q = 0.5 * 400 * 50 * 275e-9 / 4.075e-3;  // V S/(2 I) by hand
