@@ -117,8 +117,8 @@ void add_box_points(const StressField& field, bool inner, PointSet set,
                                     nearest(graph, flange, inner, y), y, outer.value(), 0.0,
                                     wall_at(profile, outer)));
       }
-      points.push_back(
-          web_point(field, before + "web end " + at, web, inner, clear.value(), true, set));
+      points.push_back(web_point(field, fmt::format("{}web end {}", before, at), web, inner,
+                                 clear.value(), true, set));
     }
     const WallPlace half = nearest(graph, web, inner, 0.0);
     if (!space || graph.walls[half.wall].solid) {

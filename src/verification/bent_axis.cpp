@@ -59,6 +59,9 @@ struct Ends {
   { f(of.at, of.turns ? Hold::angle : Hold::point); }
 };
 
+template <class F>
+Ends(F) -> Ends<F>;
+
 /// Calls `f(attachment, hold)` for every end of a joint or force that is on a body.
 template <class Mechanism, class F>
 void for_each_end(Mechanism& mechanism, int body, const F& f) {

@@ -242,7 +242,8 @@ std::vector<Length> chosen_in(const std::vector<SearchedPlace>& places,
     const double top = top_near(places, maximum);
     SearchedPlace polished{top, along.at({si<Length>(top), Side::both})};
     const bool higher = value_of(polished, maximum.function) >= value;
-    chosen.push_back(higher ? std::move(polished) : places[maximum.place]);
+    if (!higher) polished = places[maximum.place];
+    chosen.push_back(std::move(polished));
   }
   std::vector<Length> stations;
   for (const SearchedPlace& place : chosen) stations.push_back(si<Length>(place.at));
