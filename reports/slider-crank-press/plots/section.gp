@@ -99,7 +99,7 @@ $places << e
 1.150000000e+02 -2.000000000e+01
 e
 $governing << e
-1.150000000e+02 1.999999974e+01
+1.150000000e+02 1.999999973e+01
 e
 set label '1, 7' at screen 0.148678,0.645311 left noenhanced front tc rgb '#c8500a'
 set label '2' at screen 0.200828,0.88118 left noenhanced front tc rgb '#0b5fa5'
@@ -116,7 +116,7 @@ set lmargin at screen 6.645161290e-01
 set rmargin at screen 9.677419355e-01
 set bmargin at screen 2.674616695e-01
 set tmargin at screen 9.148211244e-01
-set xrange [-9.880438917e+01:2.313448907e+01]
+set xrange [-9.880438916e+01:2.313448907e+01]
 set yrange [-2.196875000e+02:2.196875000e+02]
 set xtics 5.000000000e+01
 set ytics 5.000000000e+01
@@ -200,7 +200,7 @@ $low << e
 e
 set arrow from screen 0.910213,0.267462 to screen 0.910213,0.914821 nohead lw 0.9 lc rgb '#505050'
 $point << e
--7.691792385e+01 1.999999974e+01
+-7.691792383e+01 1.999999973e+01
 e
 set label '-76.92 (1)' at screen 0.728619,0.636871 left noenhanced front tc rgb '#c8500a'
 set label '1.184' at screen 0.846383,0.334831 left noenhanced front tc rgb '#0b5fa5'

@@ -102,28 +102,19 @@ $u0_0 << e
 1.600000000e+00 1.207507993e+01
 e
 $u0_1 << e
-2.500000000e-01 1.023902450e+01
-6.988704486e-01 1.092593835e+01
-7.800000000e-01 1.105870381e+01
-e
-$u0_2 << e
-8.200000000e-01 1.112521915e+01
-1.350000000e+00 1.207966760e+01
-e
-$u0_3 << e
 0.000000000e+00 1.021217398e+01
 2.500000000e-01 1.022524140e+01
 2.500000000e-01 1.022524188e+01
 6.988704486e-01 1.090571223e+01
 7.800000000e-01 1.103799663e+01
 e
-$u0_4 << e
+$u0_2 << e
 8.200000000e-01 1.110435199e+01
 1.350000000e+00 1.206150861e+01
 1.350000000e+00 1.206150916e+01
 1.600000000e+00 1.207508526e+01
 e
-$u0_5 << e
+$u0_3 << e
 0.000000000e+00 1.021216934e+01
 2.500000000e-01 1.023094149e+01
 2.500000000e-01 1.023902450e+01
@@ -136,9 +127,7 @@ $u0_5 << e
 1.600000000e+00 1.207508310e+01
 e
 $single0 << e
-2.500000000e-01 1.023228204e+01
 8.000000000e-01 3.344257585e+01
-1.350000000e+00 1.206929783e+01
 e
 $u1_0 << e
 6.988704486e-01 6.353547914e+01
@@ -225,7 +214,7 @@ set arrow from screen 0.529032,0.697752 to screen 0.529032,0.697581 nohead lw 1 
 set object circle at 8.000000000e-01,1.942894362e+02 size screen 0.008 front fs empty border lc rgb '#202020' lw 1.4
 set label '194 %: fatigue at s = 0.8 m, hole oil edge' at screen 0.53871,0.713871 left noenhanced front tc rgb '#c8500a'
 set label '98.6 %' at screen 0.828722,0.516455 left noenhanced front tc rgb '#a04f86'
-plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_4 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_4 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_5 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_5 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $single0 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $single4 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
+plot 100 with lines lw 1.3 dt (6,3) lc rgb '#202020' notitle, $u0_0 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with lines lw 1.6 dt 1 lc rgb '#0b5fa5' notitle, $u0_3 using 1:2 with points pt 7 ps 0.3 lc rgb '#0b5fa5' notitle, $single0 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#0b5fa5' notitle, $u1_0 using 1:2 with lines lw 1.6 dt (9,4) lc rgb '#c8500a' notitle, $u1_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#c8500a' notitle, $single1 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#c8500a' notitle, $u2_0 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_1 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_1 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u2_2 using 1:2 with lines lw 1.6 dt (3,3) lc rgb '#00785a' notitle, $u2_2 using 1:2 with points pt 7 ps 0.3 lc rgb '#00785a' notitle, $u3_0 using 1:2 with lines lw 1.6 dt (9,3,2,3) lc rgb '#a04f86' notitle, $u3_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#a04f86' notitle, $single3 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#a04f86' notitle, $u4_0 using 1:2 with lines lw 1.6 dt (14,4) lc rgb '#8a6d00' notitle, $u4_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#8a6d00' notitle, $single4 using 1:2 with points pt 6 ps 0.7 lw 1.3 lc rgb '#8a6d00' notitle, $u5_0 using 1:2 with lines lw 1.6 dt (2,5) lc rgb '#4a4a4a' notitle, $u5_0 using 1:2 with points pt 7 ps 0.3 lc rgb '#4a4a4a' notitle
 unset label
 unset arrow
 unset object
