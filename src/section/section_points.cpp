@@ -37,26 +37,33 @@ SectionPoint fibre(const StressField& field, const std::string& name, bool inner
   return wall_point(field, name, place, 0.0, z.value(), 0.0, plate);
 }
 
-/// A place on a web, at its mid-line, in space on its outer face. `end`: where the flange is
-/// joined.
+/// A place on a web, at its mid-line, in space on its outer face.
 SectionPoint web_point(const StressField& field, const std::string& name, WallPart web, bool inner,
-                       double z, bool end, PointSet set = PointSet::in_plane) {
+                       double z, PointSet set = PointSet::in_plane) {
   const WallPlace place = nearest(field.flow->at.graph, web, inner, z);
   const Wall& wall = field.flow->at.graph.walls[place.wall];
   const double y = set == PointSet::in_space ? outer_face_of(wall) : wall.start.x();
   const Length own = si<Length>(wall.thickness);
   const Length plate = inner ? own : beside_inner(field.section, own, si<Length>(z));
-  SectionPoint point = wall_point(field, name, place, y, z, 0.0, plate);
-  point.web_end = end;
+  return wall_point(field, name, place, y, z, 0.0, plate);
+}
+
+/// Where a web is joined to its flange, by a seam if it is of a box. `at`: which end.
+SectionPoint web_end(const StressField& field, const std::string& at, WallPart web, bool inner,
+                     double z, PointSet set = PointSet::in_plane) {
+  const std::string before = inner ? "inner " : "";
+  SectionPoint point = web_point(field, before + "web end " + at, web, inner, z, set);
+  point.web_end = true;
   const auto* box = std::get_if<Box>(inner ? &*field.section.inner : &field.section.outer);
-  if (box != nullptr && end) {
-    const double throat =
-        box->seam_throat.value() > 0.0 ? box->seam_throat.value() : wall.thickness;
-    // The weld carries the flow of the mid-line.
-    StressInfluence weld = point.influence;
-    set_shear(weld, flow_at(*field.flow, place.wall, place.fraction) / throat);
-    point.on_throat = weld;
-  }
+  if (box == nullptr) return point;
+  const WallPlace place = nearest(field.flow->at.graph, web, inner, z);
+  const double throat = box->seam_throat.value() > 0.0
+                            ? box->seam_throat.value()
+                            : field.flow->at.graph.walls[place.wall].thickness;
+  // The weld carries the flow of the mid-line, and no normal stress counts in it.
+  StressInfluence weld;
+  set_shear(weld, flow_at(*field.flow, place.wall, place.fraction) / throat);
+  point.throat = SeamThroat{before + "seam " + at + " throat", weld};
   return point;
 }
 
@@ -117,8 +124,7 @@ void add_box_points(const StressField& field, bool inner, PointSet set,
                                     nearest(graph, flange, inner, y), y, outer.value(), 0.0,
                                     wall_at(profile, outer)));
       }
-      points.push_back(web_point(field, fmt::format("{}web end {}", before, at), web, inner,
-                                 clear.value(), true, set));
+      points.push_back(web_end(field, at, web, inner, clear.value(), set));
     }
     const WallPlace half = nearest(graph, web, inner, 0.0);
     if (!space || graph.walls[half.wall].solid) {
@@ -259,11 +265,9 @@ void add_fibres(const StressField& field, bool inner, PointSet set,
 void add_web_ends(const StressField& field, bool inner, std::vector<SectionPoint>& points) {
   const Profile& profile = inner ? *field.section.inner : field.section.outer;
   if (!has_webs(profile)) return;
-  const std::string name = inner ? "inner web end " : "web end ";
   for (const double up : {1.0, -1.0}) {
     const Length z = up > 0.0 ? clear_top_of(profile) : clear_bottom_of(profile);
-    points.push_back(
-        web_point(field, name + signed_axis(up, 'z'), WallPart::left_web, inner, z.value(), true));
+    points.push_back(web_end(field, signed_axis(up, 'z'), WallPart::left_web, inner, z.value()));
   }
 }
 
@@ -339,8 +343,8 @@ std::vector<SectionPoint> points_at_level_in_space(const StressField& field,
   if (has_webs(outer)) {
     if (z >= clear_bottom_of(outer) && z <= clear_top_of(outer)) {
       const PointSet set = PointSet::in_space;
-      return {web_point(field, left, WallPart::left_web, false, z.value(), false, set),
-              web_point(field, right, WallPart::right_web, false, z.value(), false, set)};
+      return {web_point(field, left, WallPart::left_web, false, z.value(), set),
+              web_point(field, right, WallPart::right_web, false, z.value(), set)};
     }
     std::vector<SectionPoint> points;
     const Extent extent = extent_of(outer);
@@ -408,10 +412,10 @@ std::vector<SectionPoint> points_at_level(const StressField& field, const std::s
   }
   if (has_webs(outer) && z >= clear_bottom_of(outer) && z <= clear_top_of(outer)) {
     if (set == PointSet::in_plane) {
-      return {web_point(field, name, WallPart::left_web, false, z.value(), false)};
+      return {web_point(field, name, WallPart::left_web, false, z.value())};
     }
-    return {web_point(field, name + " +y", WallPart::left_web, false, z.value(), false),
-            web_point(field, name + " -y", WallPart::right_web, false, z.value(), false)};
+    return {web_point(field, name + " +y", WallPart::left_web, false, z.value()),
+            web_point(field, name + " -y", WallPart::right_web, false, z.value())};
   }
   SectionPoint point = std::holds_alternative<Plate>(outer)
                            ? plate_point(field, name, extent_of(outer).y_high.value(), z.value())

@@ -18,15 +18,17 @@ double epsilon_of(Stress yield_strength) { return std::sqrt(235e6 / yield_streng
 ClassLimits internal_part_limits(double alpha, double psi, double epsilon) {
   assert(alpha >= 0.0 && alpha <= 1.0);
   assert(psi <= 1.0);
+  // The branches do not meet; in pure bending rounding must not choose between them.
+  constexpr double rounding = 1e-9;
   ClassLimits limits;
-  if (alpha > 0.5) {
+  if (alpha > 0.5 + rounding) {
     limits.class_1 = 396.0 * epsilon / (13.0 * alpha - 1.0);
     limits.class_2 = 456.0 * epsilon / (13.0 * alpha - 1.0);
   } else {
     limits.class_1 = 36.0 * epsilon / alpha;
     limits.class_2 = 41.5 * epsilon / alpha;
   }
-  limits.class_3 = psi > -1.0 ? 42.0 * epsilon / (0.67 + 0.33 * psi)
+  limits.class_3 = psi > -1.0 + rounding ? 42.0 * epsilon / (0.67 + 0.33 * psi)
                               : 62.0 * epsilon * (1.0 - psi) * std::sqrt(-psi);
   return limits;
 }

@@ -7,9 +7,9 @@
 #include <complex>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <unsupported/Eigen/FFT>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
@@ -80,7 +80,7 @@ class Bending {
         s_(axis_.nodes()),
         straight_(axis_.straight()) {}
 
-  BalanceDefect defect() {
+  std::optional<BalanceDefect> defect() {
     const auto n = static_cast<Index>(states_->size());
     const double rate = two_pi / rigid_->motion->period;
     const auto elements = static_cast<Index>(elements_.size());
@@ -110,9 +110,10 @@ class Bending {
       const planar::State& state = state_at(i);
       const VectorXd row = strains.row(i);
       axes.push_back(axis_.bent(DividedAxis::Strains::Map(row.data(), 3, elements)));
-      const VectorXd q = assembled(axis_.with(axes.back()), state);
-      apart.row(i) << (q - state.q).transpose(),
-          (places(q, axes.back()) - places(state.q, straight_)).transpose();
+      const std::optional<VectorXd> q = assembled(axis_.with(axes.back()), state);
+      if (!q) return std::nullopt;
+      apart.row(i) << (*q - state.q).transpose(),
+          (places(*q, axes.back()) - places(state.q, straight_)).transpose();
       measure(axes.back(), result);
     }
     const Periodic rates = derivatives(apart, rate);
@@ -159,8 +160,9 @@ class Bending {
     return cuts;
   }
 
-  /// Newton's method from the rigid position.
-  VectorXd assembled(const planar::Mechanism& mechanism, const planar::State& state) const {
+  /// Newton's method from the rigid position; none where it comes to no end.
+  std::optional<VectorXd> assembled(const planar::Mechanism& mechanism,
+                                    const planar::State& state) const {
     planar::ConstraintEquations equations(mechanism);
     equations.set_time(state.time);
     VectorXd q = state.q;
@@ -177,11 +179,7 @@ class Bending {
       if (change.cwiseAbs().maxCoeff() < closed * (1.0 + q.cwiseAbs().maxCoeff())) return q;
     }
     if (q.allFinite() && phi.cwiseAbs().maxCoeff() < 1e-9) return q;
-    throw AnalysisError({"the mechanism cannot be assembled with its beam as far bent as it is",
-                         "beam",
-                         state.time,
-                         {},
-                         {}});
+    return std::nullopt;
   }
 
   /// Middles of the elements in the world and angles of their sections.
@@ -363,20 +361,21 @@ std::string obstacle_to_balance(const planar::Mechanism& mechanism, int beam) {
   return obstacle_to_bent_axis(mechanism, beam);
 }
 
-BalanceDefect balance_defect_of(const RigidMotion& rigid, const ElasticBody& elastic,
-                                const LoadHistory& model) {
+std::optional<BalanceDefect> balance_defect_of(const RigidMotion& rigid, const ElasticBody& elastic,
+                                               const LoadHistory& model) {
   return Bending(rigid, elastic, model).defect();
 }
 
 double error_by_balance(const RigidMotion& rigid, const ElasticBody& elastic, std::size_t modes,
                         const LoadHistory& model) {
   const planar::Motion& motion = *rigid.motion;
-  const BalanceDefect defect = balance_defect_of(rigid, elastic, model);
+  const std::optional<BalanceDefect> defect = balance_defect_of(rigid, elastic, model);
+  if (!defect) return unknown_balance;
   const double step = motion.period / static_cast<double>(motion.states.size());
   RigidMotion by_defect = rigid;
   by_defect.loads = [&](Time time) {
     const double at = (time.value() - motion.begin) / step;
-    return defect.loads[static_cast<std::size_t>(std::lround(at)) % defect.loads.size()];
+    return defect->loads[static_cast<std::size_t>(std::lround(at)) % defect->loads.size()];
   };
   const LoadsAt axial = [&](Time time) { return model.loads_at(time); };
   const LoadsAt response =
@@ -396,9 +395,8 @@ double error_by_balance(const RigidMotion& rigid, const ElasticBody& elastic, st
   const double range = largest_range(stresses);
   const double apart = change.cwiseAbs().maxCoeff() / peak;
   const double first = range > 0.0 ? std::max(apart, largest_range(change) / range) : apart;
-  // From 1 on nothing converges, which a large number says as well.
-  constexpr double least = 0.1;
-  return first / std::max(1.0 - first, least);
+  // From 1 on nothing converges.
+  return first < 0.9 ? std::min(first / (1.0 - first), unknown_balance) : unknown_balance;
 }
 
 }  // namespace boxbeam

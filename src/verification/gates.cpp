@@ -13,6 +13,7 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 
@@ -219,9 +220,9 @@ void look_at_class(const Project& project, const std::string& segment, const Pro
     if (worst.limit > 0.0 && ratio > worst.limit) {
       const auto effective =
           internal_effective_width(web.depth(), web.thickness, worst.psi, class_3.epsilon());
-      const std::string stress =
-          fmt::format("; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
-                      member_buckles ? "" : " (5.5.2(9))");
+      const std::string stress = fmt::format(
+          "; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
+          member_buckles ? "; the member is verified for buckling (5.5.2(10))" : " (5.5.2(9))");
       gates.add("class",
                 {segment, web.name,
                  class_4_text(ratio, worst.limit,
@@ -425,12 +426,18 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
   }
   look_at_second_order(project, model, gates);
   if (project.model.demand == ModelDemand::automatic && is_beyond_tolerance(project, model)) {
+    const double found = *model.weighed.back().found;
     gates.push_back(
         {"", "",
-         fmt::format("{} of the governing stress is not in balance with the motion of the beam as "
-                     "far bent as it is, tolerance {}: its vibration is not proven, for it is "
-                     "computed about the motion of the rigid beam",
-                     percent_text(*model.weighed.back().found), percent_text(model.tolerance)),
+         fmt::format("{} not in balance with the motion of the beam as far bent as it is{}: its "
+                     "vibration is not proven, for it is computed about the motion of the rigid "
+                     "beam",
+                     found < unknown_balance
+                         ? fmt::format("{} of the governing stress is", percent_text(found))
+                         : "the governing stress is",
+                     found < unknown_balance
+                         ? fmt::format(", tolerance {}", percent_text(model.tolerance))
+                         : ""),
          true});
   }
   // What was chosen else is within the tolerance already.

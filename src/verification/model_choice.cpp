@@ -473,8 +473,11 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
   }
   ModelEstimate& last = choice.weighed.back();
   last.found = std::max(last.found.value_or(last.error), unbalanced);
-  choice.reason += fmt::format("; on the beam as far bent as it is, {} of the stress is unbalanced",
-                               percent_text(unbalanced));
+  choice.reason +=
+      unbalanced < unknown_balance
+          ? fmt::format("; on the beam as far bent as it is, {} of the stress is unbalanced",
+                        percent_text(unbalanced))
+          : "; on the beam as far bent as it is nothing is in balance";
 }
 
 }  // namespace

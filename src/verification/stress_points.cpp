@@ -73,13 +73,11 @@ class StressPoints {
       StressPoint& point = add(place);
       if (!neutral) resist(point, place.web_end ? DetailPlace::seams : DetailPlace::fibres);
       point.shear_detail = if_asked(fatigue.shear);
-      if (!place.on_throat) continue;
+      if (!place.throat) continue;
       SectionPoint throat = place;
-      throat.name.replace(throat.name.find("web end"), 7, "seam");
-      throat.name += " throat";
-      throat.influence = *place.on_throat;
+      throat.name = place.throat->name;
+      throat.influence = place.throat->influence;
       StressPoint& on_throat = add(throat);
-      on_throat.influence.normal = {};
       on_throat.shear_detail = if_asked(fatigue.throat);
       on_throat.on_throat = true;
       on_throat.yield = false;

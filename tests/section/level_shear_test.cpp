@@ -94,9 +94,9 @@ TEST_CASE("the shear of a torque is Bredt's flow and the wall's own stress on it
     CHECK(std::abs(of.flow / of.thickness) == Approx((1.0 - of.I_w / of.I_T) * bredt));
     CHECK(std::abs(of.face) == Approx(of.thickness / of.I_T));
     CHECK(point.influence.shear[cut_force::T] == Approx(of.flow / of.thickness + of.face));
-    REQUIRE(point.on_throat.has_value() == (point.name.find("web end") == 0));
-    if (point.on_throat)
-      CHECK(point.on_throat->shear[cut_force::T] == Approx(of.flow / of.thickness));
+    REQUIRE(point.throat.has_value() == (point.name.find("web end") == 0));
+    if (point.throat)
+      CHECK(point.throat->influence.shear[cut_force::T] == Approx(of.flow / of.thickness));
   }
   CHECK(walls >= 8);
 }

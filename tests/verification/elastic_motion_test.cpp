@@ -6,15 +6,13 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <deque>
-#include <memory>
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/beam_loads.hpp"
-#include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
 #include "catch.hpp"
 #include "support/rig.hpp"
+#include "support/slender_beam.hpp"
 
 namespace elastic_motion_test {
 
@@ -22,63 +20,9 @@ using namespace boxbeam;
 
 namespace {
 
+using namespace test::slender;
+
 constexpr double pi = std::numbers::pi;
-constexpr double E = 2.1e11, G = 8.1e10, rho = 7850.0;
-constexpr double L = 12.0;
-constexpr double w = 0.08, h = 0.1, plate = 0.005;
-constexpr double A = w * h - (w - 2 * plate) * (h - 2 * plate);
-constexpr double I =
-    (w * h * h * h - (w - 2 * plate) * std::pow(h - 2 * plate, 3)) / 12.0;  // NOLINT
-
-/// A slender box beam as the one body of a mechanism, its start held at angle zero or turned.
-struct HeldBeam {
-  TaperedBeam beam;
-  planar::Mechanism mechanism;
-  planar::Motion motion;
-  planar::BeamBody body;
-  std::shared_ptr<planar::StateFinder> finder;
-
-  HeldBeam() {
-    const Section box{symmetric_box(w * metre, h * metre, plate * metre, plate * metre), {}};
-    beam.density = si<Density>(rho);
-    beam.segments = {{"", Length{}, si<Length>(L), box, box}};
-    Body of;
-    of.name = "beam";
-    const MassProperties properties = mass_properties_of(beam);
-    of.mass = properties.mass.value();
-    of.inertia = properties.inertia.value();
-    of.sketch.centre = {0.5 * L, 0.0};
-    mechanism.bodies = {of};
-    body = planar::beam_body_of(beam, 0);
-  }
-
-  planar::Attachment start() const { return {0, {-0.5 * L, 0.0}}; }
-
-  void solve(int instants) {
-    motion = planar::solve_motion(mechanism, instants);
-    finder = std::make_shared<planar::StateFinder>(mechanism, motion);
-  }
-
-  RigidMotion rigid() const {
-    return {&mechanism, &motion, &beam, [this](Time time) {
-              return planar::beam_loads_of(mechanism, finder->at(time.value()), body);
-            }};
-  }
-
-  ElasticBody elastic(double retardation = 0.0) const {
-    return {0, 0.5 * L, L, link_stretches_of(beam, E, G), retardation, 16};
-  }
-
-  LoadHistory history() const {
-    return {{si<Time>(motion.begin), si<Time>(motion.period), motion.states.size(), motion.closed},
-            rigid().loads};
-  }
-};
-
-double first_frequency() {
-  return std::pow(1.8751040687119612 / L, 2) * std::sqrt(E * I / (rho * A)) / (2 * pi);
-}
-
 /// Root moment of a cantilever whose base shakes across its axis, over the one of the rigid beam:
 ///
 ///     w = a1 cos bx + a2 cosh bx + a3 (sin bx - sinh bx),  w(0) = 1, w''(L) = w'''(L) = 0
@@ -99,30 +43,9 @@ double root_moment(const BeamLoads& loads) {
   return cut_forces_of(loads).at({Length{}, Side::behind}).M_y.value();
 }
 
-planar::Joint driven(const HeldBeam& of, planar::Coordinate coordinate, Driver driver) {
-  planar::Driven kind;
-  kind.point = of.start();
-  kind.coordinate = coordinate;
-  kind.driver = std::move(driver);
-  return {"drive", kind};
-}
-
-/// Its base shakes across its axis.
-HeldBeam shaken(double r, int instants) {
-  HeldBeam of;
-  planar::Slider slider;
-  slider.point = of.start();
-  slider.direction = pi / 2;
-  of.mechanism.joints = {{"base", slider}};
-  of.mechanism.joints.push_back(driven(
-      of, planar::Coordinate::y, HarmonicDriver{0.0, 0.01, 2 * pi * r * first_frequency(), 0.0}));
-  of.solve(instants);
-  return of;
-}
-
 /// It turns steadily about its start under gravity, which in its axes is a load that turns.
-HeldBeam turning(double r, int instants) {
-  HeldBeam of;
+Beam turning(double r, int instants) {
+  Beam of;
   of.mechanism.gravity = {0.0, -9.81};
   planar::Pin pin;
   pin.a = of.start();
@@ -138,7 +61,7 @@ HeldBeam turning(double r, int instants) {
 // Euler and Bernoulli; shear and rotary inertia change the frequency by 1e-4 at L/h = 120.
 TEST_CASE("a beam on a shaking base vibrates as the closed solution says", "[elastic_motion]") {
   for (const double r : {0.1, 0.3, 0.5, 0.8, 1.7}) {
-    const HeldBeam of = shaken(r, 48);
+    const Beam of = shaken(r, 48);
     const ElasticMotion elastic(of.rigid(), of.elastic(), 3);
     for (const double part : {0.0, 0.07, 0.3, 0.81}) {
       const Time time = si<Time>(part * of.motion.period);
@@ -240,7 +163,7 @@ class TurningCantilever {
 TEST_CASE("a beam that turns steadily vibrates under its weight and is stiffened by its turning",
           "[elastic_motion]") {
   const double r = 0.4;
-  const HeldBeam of = turning(r, 96);
+  const Beam of = turning(r, 96);
   const ElasticMotion elastic(of.rigid(), of.elastic(), 3);
   const TurningCantilever by_ritz(2 * pi * r * first_frequency());
   const double largest = 0.5 * rho * A * L * L * 9.81;
@@ -256,7 +179,7 @@ TEST_CASE(
     "motion",
     "[elastic_motion]") {
   for (const double r : {0.01, 0.1}) {
-    const HeldBeam of = shaken(r, 48);
+    const Beam of = shaken(r, 48);
     const ElasticMotion elastic(of.rigid(), of.elastic(), 2);
     double most = 0.0;
     double dynamic = 0.0;
@@ -277,7 +200,7 @@ TEST_CASE(
 
 TEST_CASE("what rigid bodies are estimated to miss is what they miss", "[elastic_motion]") {
   for (const double r : {0.05, 0.2, 0.5}) {
-    const HeldBeam of = shaken(r, 48);
+    const Beam of = shaken(r, 48);
     const VibrationEstimate estimate = estimate_vibration(of.rigid(), of.elastic(), of.history());
     CHECK(estimate.frequencies.front() == Approx(first_frequency()).epsilon(1e-3));
     REQUIRE(estimate.harmonics.size() == 1);
@@ -289,22 +212,22 @@ TEST_CASE("what rigid bodies are estimated to miss is what they miss", "[elastic
 }
 
 TEST_CASE("damping limits the vibration, without it resonance is refused", "[elastic_motion]") {
-  const HeldBeam probe = shaken(0.5, 48);
+  const Beam probe = shaken(0.5, 48);
   const double exact =
       estimate_vibration(probe.rigid(), probe.elastic(), probe.history()).frequencies.front();
-  const HeldBeam of = shaken(exact / first_frequency(), 48);
+  const Beam of = shaken(exact / first_frequency(), 48);
   CHECK_THROWS_AS(ElasticMotion(of.rigid(), of.elastic(), 2), AnalysisError);
   // Kelvin-Voigt: zeta = omega tau/2, and eta is p/(2 zeta omega^2) in resonance.
   const double zeta = 0.01;
   const double tau = 2.0 * zeta / (2 * pi * exact);
-  const ElasticMotion damped(of.rigid(), of.elastic(tau), 1);
-  const ElasticMotion more(of.rigid(), of.elastic(2.0 * tau), 1);
+  const ElasticMotion damped(of.rigid(), of.elastic(E, G, tau), 1);
+  const ElasticMotion more(of.rigid(), of.elastic(E, G, 2.0 * tau), 1);
   CHECK(damped.coordinates().maxCoeff() ==
         Approx(2.0 * more.coordinates().maxCoeff()).epsilon(1e-3));
 }
 
 TEST_CASE("a motion that does not repeat is refused with what to do", "[elastic_motion]") {
-  HeldBeam of = shaken(0.3, 24);
+  Beam of = shaken(0.3, 24);
   of.motion.closed = false;
   CHECK_THROWS_WITH(ElasticMotion(of.rigid(), of.elastic(), 1), Catch::Contains("--model rigid"));
 }

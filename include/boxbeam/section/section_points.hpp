@@ -27,6 +27,12 @@ StressField stress_field_of(const Section& section, const std::vector<Hole>& hol
 /// itself, and so do the sections that it tapers to.
 bool is_mirrored(const StressField& field);
 
+/// The weld that joins a web of a box and its flange.
+struct SeamThroat {
+  std::string name;
+  StressInfluence influence;  ///< its shear is q/a, a the throat of the whole seam
+};
+
 /// A place in a section whose stress is to be verified.
 struct SectionPoint {
   std::string name;
@@ -34,8 +40,7 @@ struct SectionPoint {
   Length plate;               ///< thickness that decides the yield strength
   StressInfluence influence;  ///< shear by equilibrium, taper included
   StressInfluence prismatic;  ///< shear by V S/(I t), for comparison; the same without taper
-  /// On a seam of a box: the shear on the throat of the weld, q/a, a the throat of the whole seam.
-  std::optional<StressInfluence> on_throat;
+  std::optional<SeamThroat> throat = std::nullopt;    ///< where a web of a box meets its flange
   bool web_end = false;                               ///< where a web meets its flange
   std::optional<WallTorsion> torsion = std::nullopt;  ///< in walls: what its c_T is made of
 };
@@ -52,7 +57,8 @@ enum class PointSet {
 /// inner profile. All: besides them corners, webs on both sides and flanges beside them ("web end
 /// +y +z"), faces of the webs ("fibre +y"), every 45 degrees of a round tube, ends, middle and
 /// neutral axis of every wall of a path on both faces, every corner of a polygon. Sections that are
-/// not symmetric about z always give all in the plane. A place in a hole is left out.
+/// not symmetric about z, or taper to such, always give all in the plane. A place in a hole is left
+/// out.
 ///
 /// In space: of boxes and rectangular tubes the corners, the middles of the four faces and the ends
 /// of the webs on their outer faces ("corner +y +z", "fibre +y", "web end +y -z"), edges of

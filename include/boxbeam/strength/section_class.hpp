@@ -30,7 +30,7 @@ double epsilon_of(Stress yield_strength);
 ///
 /// Even compression (1, 1): 33, 38 and 42 eps; bending (0.5, -1): 72, 83 and 124 eps. As printed,
 /// the branches of class 2 miss each other by 0.1 % at alpha = 0.5, those of class 3 by 0.4 % at
-/// psi = -1. Source: EN 1993-1-1:2005, table 5.2, sheet 1.
+/// psi = -1; within 1e-9 both are taken to be there. Source: EN 1993-1-1:2005, table 5.2, sheet 1.
 ClassLimits internal_part_limits(double alpha, double psi, double epsilon);
 
 /// alpha of the webs of a section bent about its axis of symmetry and compressed, fully plastic:

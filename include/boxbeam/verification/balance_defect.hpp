@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,18 +31,19 @@ struct BalanceDefect {
 /// Why it is not known; "" where it is: friction, and guides, slots or racks on the bent beam.
 std::string obstacle_to_balance(const planar::Mechanism& mechanism, int beam);
 
-/// `model`: loads at the instants of the motion. Throws AnalysisError where the bent mechanism
-/// cannot be assembled. Preconditions: the motion repeats and drivers fix it; no obstacle.
-BalanceDefect balance_defect_of(const RigidMotion& rigid, const ElasticBody& elastic,
+/// `model`: loads at the instants of the motion. None where the mechanism cannot be assembled with
+/// its beam as far bent as it is. Preconditions: the motion repeats and drivers fix it; no obstacle.
+std::optional<BalanceDefect> balance_defect_of(const RigidMotion& rigid, const ElasticBody& elastic,
                                 const LoadHistory& model);
 
 /// How far a model's stresses are from balance, as `difference_between`: what the defect changes in
 /// them by vibration with these modes, or by static bending with none, under the model's axial
 /// force. That, delta, is the first step of an iteration from the model to the mechanism that bends
 /// as far as it does; each further one is smaller by about the part of stiffness and inertia that
-/// the first found wrong, delta again, which makes delta/(1 - delta) of all (ten times delta at
-/// most: beyond 0.9 nothing is known).
+/// the first found wrong, delta again, which makes delta/(1 - delta) of all. Where delta is above
+/// 0.9, or there is no defect, nothing is known: `unknown_balance`.
 /// Source: Stetter, Numerische Mathematik 29 (1978), the defect as an estimate of the error.
+inline constexpr double unknown_balance = 10.0;
 double error_by_balance(const RigidMotion& rigid, const ElasticBody& elastic, std::size_t modes,
                         const LoadHistory& model);
 
