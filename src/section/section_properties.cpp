@@ -55,7 +55,6 @@ struct Inside {
 struct Strip {
   double low = 0.0, high = 0.0;
 
-  bool contains(double place) const { return place > low && place < high; }
   bool empty() const { return low >= high; }
 };
 
@@ -71,15 +70,32 @@ struct IdleStrips {
   Strip flanges, webs;
 };
 
-/// The profile without the stiffeners that stand in the strips.
+/// The profile with what of its stiffeners stands beside the strips.
 Profile without_idle_stiffeners(Profile profile, const IdleStrips& idle) {
-  if (auto* box = std::get_if<Box>(&profile)) {
-    std::erase_if(box->stiffeners, [&](const Stiffener& bar) {
-      const bool on_flange =
-          bar.plate == BoxPlate::top_flange || bar.plate == BoxPlate::bottom_flange;
-      return (on_flange ? idle.flanges : idle.webs).contains(bar.place.value());
-    });
+  auto* box = std::get_if<Box>(&profile);
+  if (box == nullptr) return profile;
+  std::vector<Stiffener> left;
+  for (const Stiffener& bar : box->stiffeners) {
+    const bool on_flange =
+        bar.plate == BoxPlate::top_flange || bar.plate == BoxPlate::bottom_flange;
+    const Strip& strip = on_flange ? idle.flanges : idle.webs;
+    const double low = (bar.place - 0.5 * bar.thickness).value();
+    const double high = (bar.place + 0.5 * bar.thickness).value();
+    const auto keep = [&](double from, double to) {
+      if (from >= to) return;
+      Stiffener part = bar;
+      part.place = si<Length>(0.5 * (from + to));
+      part.thickness = si<Length>(to - from);
+      left.push_back(part);
+    };
+    if (strip.empty() || strip.low >= high || strip.high <= low) {
+      left.push_back(bar);
+      continue;
+    }
+    keep(low, strip.low);
+    keep(strip.high, high);
   }
+  box->stiffeners = std::move(left);
   return profile;
 }
 

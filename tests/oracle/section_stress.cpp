@@ -196,16 +196,13 @@ void add_box(Sums& sums, const Box& box, const std::vector<Hole>& holes, double 
     // Of a bar, what stands on the idle strip is idle too.
     const auto& strip = flange ? across : up;
     const double part = flange ? flange_part : web_part;
-    double low = bar.place - 0.5 * bar.thickness, high = bar.place + 0.5 * bar.thickness;
-    double idle = 0.0;
-    if (part < 1.0) idle = std::max(0.0, std::min(high, strip.second) - std::max(low, strip.first));
-    if (idle >= high - low) continue;
-    if (idle > 0.0)
-      (low >= strip.first ? low : high) = low >= strip.first ? strip.second : strip.first;
-    if (flange)
-      sums.add(between(low, high, bar.root.y(), bar.tip.y()));
-    else
-      sums.add(between(bar.root.x(), bar.tip.x(), low, high));
+    const Stretches whole{{bar.place - 0.5 * bar.thickness, bar.place + 0.5 * bar.thickness}};
+    for (const auto& [low, high] : part < 1.0 ? without(whole, {strip}) : whole) {
+      if (flange)
+        sums.add(between(low, high, bar.root.y(), bar.tip.y()));
+      else
+        sums.add(between(bar.root.x(), bar.tip.x(), low, high));
+    }
   }
 }
 

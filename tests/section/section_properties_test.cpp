@@ -294,4 +294,21 @@ TEST_CASE("shear lag takes material out beside holes, and never gives any back")
   }
 }
 
+TEST_CASE("of a stiffener what stands on the idle strip is idle, and no more") {
+  // Clear width 280, of which the part 0.9 works: the strip is 28 wide. A bar of 12 x 40 in the
+  // middle of the flange, at its border and beside it; then a strip of 7 in a bar of 12.
+  Box of = symmetric_box(mm(300), mm(400), mm(10), mm(10));
+  const auto bar_left = [&](double place, double part) {
+    of.stiffeners = {};
+    const double bare = area(properties_of({of, {}}, {}, part));
+    of.stiffeners = {{BoxPlate::top_flange, mm(place), mm(40), mm(12)}};
+    return area(properties_of({of, {}}, {}, part)) - bare;
+  };
+  CHECK(bar_left(0, 0.9) == Approx(0.0).margin(1e-6));
+  CHECK(bar_left(14, 0.9) == Approx(6.0 * 40).epsilon(1e-9));
+  CHECK(bar_left(-17, 0.9) == Approx(9.0 * 40).epsilon(1e-9));
+  CHECK(bar_left(30, 0.9) == Approx(12.0 * 40).epsilon(1e-9));
+  CHECK(bar_left(0, 0.975) == Approx(5.0 * 40).epsilon(1e-9));
+}
+
 }  // namespace section_properties_test

@@ -28,11 +28,10 @@ SectionProperties properties_of(const Section& section, const std::vector<Hole>&
 
 /// Effective properties for shear lag: of each internal flange of the outer profile only the part
 /// `flange_part` of its clear width counts, half of it beside each web; a strip in its middle is
-/// left out, with it the stiffeners there. Of the webs, which are the flanges of bending about z,
-/// likewise the part `web_part` of their clear depth. For normal stress only.
-/// Valid for boxes and rectangular tubes; other profiles are taken whole. Precondition: both parts
-/// above 0 and at most 1. Source: EN 1993-1-5:2006, 3.2 (effective^s width, recalled, not
-/// confirmed).
+/// left out, with it what stands on it of stiffeners. Of the webs, which are the flanges of bending
+/// about z, likewise the part `web_part` of their clear depth. For normal stress only. Valid for
+/// boxes and rectangular tubes; other profiles are taken whole. Precondition: both parts above 0
+/// and at most 1. Source: EN 1993-1-5:2006, 3.2 (effective^s width, recalled, not confirmed).
 SectionProperties properties_of(const Section& section, const std::vector<Hole>& holes,
                                 double flange_part, double web_part = 1.0);
 
