@@ -440,6 +440,21 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                          : ""),
          true});
   }
+  // Rigid bodies stay where no better model is known to be one.
+  if (project.model.demand == ModelDemand::automatic && !model.weighed.empty() &&
+      model.chosen.level == ModelLevel::rigid) {
+    const ModelEstimate& by_rigid = model.weighed.front();
+    const double error = by_rigid.found.value_or(by_rigid.error);
+    if (error > model.tolerance) {
+      gates.push_back({"", "",
+                       fmt::format("vibration and second order are estimated to change the "
+                                   "governing stress by {}, tolerance {}, and how much they do is "
+                                   "not known: no factor is proven unless [model] tolerance allows "
+                                   "for it",
+                                   percent_text(error), percent_text(model.tolerance)),
+                       true});
+    }
+  }
   // What was chosen else is within the tolerance already.
   if (project.model.demand == ModelDemand::automatic || model.weighed.empty()) return gates;
   const ModelEstimate& demanded = model.weighed.back();

@@ -14,6 +14,7 @@
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"
@@ -325,22 +326,28 @@ TEST_CASE("dry friction is estimated; where it excites more than the tolerance, 
       auto* slider = std::get_if<planar::Slider>(&joint.kind);
       if (slider != nullptr && joint.name == "rail") slider->friction.coulomb = coefficient;
     }
-    return choose_model(project);
+    return std::pair{project, choose_model(project)};
   };
   const ModelChoice smooth = choose_model(test::rig());
   // Next to none: what the smooth rig misses.
-  const ModelChoice slight = with_friction(1e-4);
+  const auto [slight_project, slight] = with_friction(1e-4);
+  CHECK(model_gates_of(slight_project, slight).empty());
   CHECK(slight.chosen.level == ModelLevel::rigid);
   REQUIRE_FALSE(slight.weighed.empty());
   CHECK(slight.frequencies.front() == Approx(smooth.frequencies.front()).epsilon(1e-9));
   CHECK(slight.weighed.front().error == Approx(smooth.weighed.front().error).epsilon(0.2));
   CHECK_THAT(slight.reason, !Catch::Contains("not known"));
   // The rig's lowest frequency is next to its 13th harmonic, which friction of 0.05 excites.
-  const ModelChoice choice = with_friction(0.05);
+  const auto [project, choice] = with_friction(0.05);
   CHECK(choice.chosen.level == ModelLevel::rigid);
   REQUIRE_FALSE(choice.weighed.empty());
   CHECK(choice.weighed.front().error > 0.05);
   CHECK_THAT(choice.reason, Catch::Contains("dry friction in joint rail"));
+  // Checks that pass do not make a verdict there.
+  const std::vector<Gate> gates = model_gates_of(project, choice);
+  REQUIRE(gates.size() == 1);
+  CHECK(gates.front().blocks);
+  CHECK_THAT(gates.front().finding, Catch::Contains("not known"));
 }
 
 TEST_CASE("one model serves all situations of elastic links", "[model_choice]") {
