@@ -24,7 +24,7 @@ import time
 
 from mutations import MUTATIONS
 
-MAY_SURVIVE = 3
+MAY_SURVIVE = 0
 # A change may make a loop endless.
 TEST_SECONDS = 1800
 

@@ -167,11 +167,19 @@ std::string nearest_dead_point(const Mechanism& mechanism, const Motion& motion)
 }
 
 /// The highest rate of turn of a body [rad/s].
-double fastest_turn(const Motion& motion) {
-  double fastest = 0.0;
+/// How fast a body turns at its fastest, and which one that is.
+struct Turn {
+  double rate = 0.0;  ///< [rad/s]
+  std::size_t body = 0;
+  double time = 0.0;
+};
+
+Turn fastest_turn(const Motion& motion) {
+  Turn fastest;
   for (const State& state : motion.states) {
     for (Eigen::Index i = 2; i < state.v.size(); i += 3) {
-      fastest = std::max(fastest, std::abs(state.v[i]));
+      const double rate = std::abs(state.v[i]);
+      if (rate > fastest.rate) fastest = {rate, static_cast<std::size_t>(i / 3), state.time};
     }
   }
   return fastest;
@@ -305,10 +313,22 @@ Motion solve_motion(const Mechanism& mechanism) {
         misfit_of(motion, rough, &State::lambda, equations.row_scale().cwiseInverse(), 0.0);
     const auto count = static_cast<double>(motion.states.size());
     // More instants can only show faster turns, so that some motions are too fast already here.
-    const double wanted = 8.0 * motion.period * fastest_turn(motion) / turn;
+    const Turn fastest = fastest_turn(motion);
+    const double wanted = 8.0 * motion.period * fastest.rate / turn;
     const bool turns_seen = count >= wanted;
     if (accelerations.value < enough && reactions.value < enough && turns_seen) return motion;
-    if (2.0 * count > most || wanted > most) {
+    if (wanted > most) {
+      throw AnalysisError(
+          {fmt::format("it turns with up to {:.3g} rad/s, which {} instants in the {:.3g} s looked "
+                       "at do not resolve; look for a rate in a wrong unit, or look at a shorter "
+                       "time",
+                       fastest.rate, most, motion.period),
+           "body " + mechanism.bodies[fastest.body].name,
+           fastest.time,
+           {},
+           {}});
+    }
+    if (2.0 * count > most) {
       const Misfit& worst = accelerations.value > reactions.value ? accelerations : reactions;
       throw AnalysisError(
           {fmt::format("accelerations or reactions change too fast to be resolved with {} instants "

@@ -169,6 +169,19 @@ TEST_CASE("a time that holds more waves than can be resolved is refused, not ali
   }
 }
 
+TEST_CASE("a body that turns faster than can be resolved is named") {
+  // A wheel of 1 m drives a pinion of 0.1 mm: 1e4 times as fast.
+  Mechanism mechanism;
+  mechanism.bodies = {Body{"wheel", 1.0, 0.5, {}, {}}, Body{"pinion", 1.0, 0.5, {}, {}}};
+  mechanism.bodies[1].sketch.centre = {1.0001, 0.0};
+  mechanism.joints = {{"axle", Pin{{0, {0.0, 0.0}}, {}}},
+                      {"shaft", Pin{{1, {0.0, 0.0}}, {ground, {1.0001, 0.0}}}},
+                      {"mesh", Gear{{0, {0.0, 0.0}}, {1, {0.0, 0.0}}, 1.0, 1e-4}},
+                      {"motor", Driven{{0}, Coordinate::angle, RateDriver{0.0, 1.0}}}};
+  CHECK_THROWS_WITH(solve_motion(mechanism),
+                    Catch::Contains("body pinion") && Catch::Contains("up to 1e+04 rad/s"));
+}
+
 TEST_CASE("a torsion spring that is wound up with every turn makes no closed motion") {
   Mechanism mechanism;
   mechanism.bodies = {Body{"wheel", 1.0, 0.5, {}, {}}};
