@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 
@@ -378,6 +379,34 @@ void add_joined_profiles(const Project& project, std::vector<std::string>& remar
   }
 }
 
+/// Of V what crosses from an outer to an inner profile that does not bend about its own centroid:
+/// 1 - sum I_c/I (shear_flow.hpp).
+double share_between(const Section& section) {
+  if (!section.inner) return 0.0;
+  const auto I = [](const Section& of) { return properties_of(of).I_y.value(); };
+  return 1.0 - (I({section.outer, {}}) + I({*section.inner, {}})) / I(section);
+}
+
+/// An inner profile and the outer one count as one section; what ties them together nobody
+/// described.
+void add_nested_profiles(const Project& project, std::vector<std::string>& remarks) {
+  std::string names;
+  double share = 0.0;
+  for (const Segment& segment : project.beam.segments) {
+    if (!segment.from.inner) continue;
+    names += (names.empty() ? "" : ", ") + segment.name;
+    share = std::max({share, share_between(segment.from), share_between(segment.to)});
+  }
+  if (names.empty()) return;
+  // Profiles about one centroid need no tie for V.
+  constexpr double nothing = 1e-6;
+  remarks.push_back(fmt::format(
+      "not checked: what ties the outer and the inner profile of {} to one section{}", names,
+      share > nothing ? fmt::format("; their centroids differ, and it carries up to {:.2g} % of V",
+                                    100.0 * share)
+                      : ""));
+}
+
 }  // namespace
 
 std::vector<std::string> remarks_of(const Project& project, const Verification& verification) {
@@ -411,6 +440,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
   add_holes(project, remarks);
   add_published(project, verification, remarks);
   add_joined_profiles(project, remarks);
+  add_nested_profiles(project, remarks);
   remarks.push_back(
       "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
       "for granted), lateral torsional buckling, plate buckling of class 4" +

@@ -2,7 +2,10 @@
 
 #include "boxbeam/verification/verdict_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "boxbeam/report/html_writer.hpp"
@@ -174,6 +177,34 @@ TEST_CASE("the terminal names the chosen model before its checks") {
   const std::string first = said.terminal.substr(0, said.terminal.find("criterion"));
   CHECK(contains(first, "model"));
   CHECK(contains(first, said.verification.model.reason.substr(0, 12)));
+}
+
+TEST_CASE("what ties nested profiles together is said not to be checked, with its part of V") {
+  Project project = test::clamped_beam(test::clamped::steady, test::clamped::fatigue);
+  const auto mm = [](double length) { return si<Length>(1e-3 * length); };
+  Box outer = symmetric_box(mm(150), mm(300), mm(12), mm(8));
+  const Box inner = symmetric_box(mm(100), mm(200), mm(10), mm(10));
+  const auto said = [&] {
+    project.beam.segments[0].from = project.beam.segments[0].to = {outer, inner};
+    const std::vector<std::string> remarks = remarks_of(project, verify(project));
+    const auto found = std::find_if(remarks.begin(), remarks.end(), [](const std::string& of) {
+      return contains(of, "the outer and the inner profile");
+    });
+    REQUIRE(found != remarks.end());
+    return *found;
+  };
+  CHECK(!contains(said(), "% of V"));
+  // A top flange of 24: A_o = 9816, A_i = 5600 mm^2, centroids apart by 150 x 12 x 138/A_o less
+  // half of what the webs lose; by Steiner, A_o A_i e^2/(A_o + A_i) of I.
+  outer.top_flange = mm(24);
+  const double A_o = 150 * 36 + 16 * 264, A_i = 100 * 200 - 80 * 180;
+  const double e = (150 * 24 * 138 - 150 * 12 * 144 - 16 * 264 * 6) / A_o;
+  const double I_o = (150 * 24 * 24 * 24 + 150 * 12 * 12 * 12 + 16 * 264.0 * 264 * 264) / 12 +
+                     150 * 24 * std::pow(138 - e, 2) + 150 * 12 * std::pow(144 + e, 2) +
+                     16 * 264 * std::pow(6 + e, 2);
+  const double I_i = (100.0 * 200 * 200 * 200 - 80.0 * 180 * 180 * 180) / 12;
+  const double tied = A_o * A_i * e * e / (A_o + A_i);
+  CHECK(contains(said(), fmt::format("up to {:.2g} % of V", 100 * tied / (I_o + I_i + tied))));
 }
 
 }  // namespace verdict_text_test
