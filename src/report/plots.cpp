@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "drawn_files.hpp"
 
 namespace boxbeam {
 namespace {
-
-namespace fs = std::filesystem;
 
 bool in_plane(const Project& project, const Verification&) { return !in_space(project); }
 

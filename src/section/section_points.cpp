@@ -60,7 +60,7 @@ SectionPoint web_end(const StressField& field, const std::string& at, WallPart w
   const double throat = box->seam_throat.value() > 0.0
                             ? box->seam_throat.value()
                             : field.flow->at.graph.walls[place.wall].thickness;
-  // The weld carries the flow of the mid-line, and no normal stress counts in it.
+  // The weld carries the flow of the mid-line.
   StressInfluence weld;
   set_shear(weld, flow_at(*field.flow, place.wall, place.fraction) / throat);
   point.throat = SeamThroat{before + "seam " + at + " throat", weld};

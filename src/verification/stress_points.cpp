@@ -78,6 +78,8 @@ class StressPoints {
       throat.name = place.throat->name;
       throat.influence = place.throat->influence;
       StressPoint& on_throat = add(throat);
+      // No stress along the weld counts in it.
+      on_throat.influence.normal = {};
       on_throat.shear_detail = if_asked(fatigue.throat);
       on_throat.on_throat = true;
       on_throat.yield = false;
