@@ -29,7 +29,7 @@ ClassLimits internal_part_limits(double alpha, double psi, double epsilon) {
     limits.class_2 = 41.5 * epsilon / alpha;
   }
   limits.class_3 = psi > -1.0 + rounding ? 42.0 * epsilon / (0.67 + 0.33 * psi)
-                              : 62.0 * epsilon * (1.0 - psi) * std::sqrt(-psi);
+                                         : 62.0 * epsilon * (1.0 - psi) * std::sqrt(-psi);
   return limits;
 }
 

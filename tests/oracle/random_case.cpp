@@ -106,6 +106,8 @@ class BeamWriter {
     if (draw_.chance(0.1)) of.top = round_mm(top_ * draw_.real(0.8, 1.3));
     if (draw_.chance(0.1)) of.left = round_mm(left_ * draw_.real(0.8, 1.3));
     if (family_ == Family::plate) of.width = round_mm(std::max(0.012, size_ * 0.3));
+    // Clear height between the flanges.
+    of.height = std::max(of.height, 2.0 * (of.top + of.bottom));
     least_height_ = std::min(least_height_, of.height);
     return of;
   }
@@ -122,7 +124,9 @@ class BeamWriter {
         if (throat_ > 0.0) text += fmt::format("seam_throat = {}\n", mm(throat_));
         for (int i = 0; i < bars_; ++i) {
           const bool web = bar_on_web_ && i == 0;
-          const double depth = round_mm(std::min(std::max(0.012, 6.0 * left_), 0.2 * size_));
+          // A bar on a web does not reach the one in the middle of a flange.
+          const double room = std::min(0.2 * size_, 0.4 * (p.width - p.left - p.right) - left_);
+          const double depth = round_mm(std::min(std::max(0.012, 6.0 * left_), room));
           text += fmt::format(
               "[[sections.{}.stiffeners]]\non = \"{}\"\nat = {}\ndepth = {}\nthickness = {}\n",
               name, web ? "left web" : (i == 0 ? "top flange" : "bottom flange"),

@@ -32,9 +32,10 @@ struct BalanceDefect {
 std::string obstacle_to_balance(const planar::Mechanism& mechanism, int beam);
 
 /// `model`: loads at the instants of the motion. None where the mechanism cannot be assembled with
-/// its beam as far bent as it is. Preconditions: the motion repeats and drivers fix it; no obstacle.
+/// its beam as far bent as it is. Preconditions: the motion repeats and drivers fix it; no
+/// obstacle.
 std::optional<BalanceDefect> balance_defect_of(const RigidMotion& rigid, const ElasticBody& elastic,
-                                const LoadHistory& model);
+                                               const LoadHistory& model);
 
 /// How far a model's stresses are from balance, as `difference_between`: what the defect changes in
 /// them by vibration with these modes, or by static bending with none, under the model's axial
