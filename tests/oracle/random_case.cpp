@@ -124,8 +124,9 @@ class BeamWriter {
         if (throat_ > 0.0) text += fmt::format("seam_throat = {}\n", mm(throat_));
         for (int i = 0; i < bars_; ++i) {
           const bool web = bar_on_web_ && i == 0;
-          // A bar on a web does not reach the one in the middle of a flange.
-          const double room = std::min(0.2 * size_, 0.4 * (p.width - p.left - p.right) - left_);
+          // No bar reaches another.
+          const double room = std::min({0.2 * size_, 0.4 * (p.width - p.left - p.right) - left_,
+                                        0.4 * (p.height - p.top - p.bottom)});
           const double depth = round_mm(std::min(std::max(0.012, 6.0 * left_), room));
           text += fmt::format(
               "[[sections.{}.stiffeners]]\non = \"{}\"\nat = {}\ndepth = {}\nthickness = {}\n",
