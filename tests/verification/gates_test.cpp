@@ -262,12 +262,20 @@ TEST_CASE("pins of rigid bodies prove nothing beside a beam that vibrates", "[mo
   CHECK(contains(gates.front().finding, "pins and rods"));
 }
 
-TEST_CASE("a demanded model beyond the tolerance blocks, a chosen one does not", "[model_choice]") {
+TEST_CASE("a model beyond the tolerance blocks, demanded or for want of a better one",
+          "[model_choice]") {
   ModelChoice choice;
   choice.tolerance = 0.01;
-  choice.weighed = {{{}, "", 0.65, {}}};
   Project project = test::rig();
+  choice.weighed = {{{}, "", 0.65, {}}, {{}, "", 0.004, {}}};
+  choice.chosen.level = ModelLevel::modal;
   CHECK(model_gates_of(project, choice).empty());
+  choice.weighed.pop_back();
+  choice.chosen.level = ModelLevel::rigid;
+  const std::vector<Gate> by_want = model_gates_of(project, choice);
+  REQUIRE(by_want.size() == 1);
+  CHECK(by_want.front().blocks);
+  CHECK(contains(by_want.front().finding, "by 65 %, tolerance 1 %"));
   project.model.demand = ModelDemand::rigid;
   const std::vector<Gate> gates = model_gates_of(project, choice);
   REQUIRE(gates.size() == 1);
