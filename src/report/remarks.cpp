@@ -380,11 +380,15 @@ void add_joined_profiles(const Project& project, std::vector<std::string>& remar
 }
 
 /// Of V what crosses from an outer to an inner profile that does not bend about its own centroid:
-/// 1 - sum I_c/I (shear_flow.hpp).
-double share_between(const Section& section) {
+/// 1 - sum I_c/I (shear_flow.hpp), in space of V_y as well.
+double share_between(const Section& section, bool space) {
   if (!section.inner) return 0.0;
-  const auto I = [](const Section& of) { return properties_of(of).I_y.value(); };
-  return 1.0 - (I({section.outer, {}}) + I({*section.inner, {}})) / I(section);
+  const SectionProperties whole = properties_of(section);
+  const SectionProperties outer = properties_of({section.outer, {}});
+  const SectionProperties inner = properties_of({*section.inner, {}});
+  const double upright = 1.0 - ((outer.I_y + inner.I_y) / whole.I_y).value();
+  const double across = 1.0 - ((outer.I_z + inner.I_z) / whole.I_z).value();
+  return space ? std::max(upright, across) : upright;
 }
 
 /// An inner profile and the outer one count as one section; what ties them together nobody
@@ -395,7 +399,8 @@ void add_nested_profiles(const Project& project, std::vector<std::string>& remar
   for (const Segment& segment : project.beam.segments) {
     if (!segment.from.inner) continue;
     names += (names.empty() ? "" : ", ") + segment.name;
-    share = std::max({share, share_between(segment.from), share_between(segment.to)});
+    for (const Section* end : {&segment.from, &segment.to})
+      share = std::max(share, share_between(*end, in_space(project)));
   }
   if (names.empty()) return;
   // Profiles about one centroid need no tie for V.

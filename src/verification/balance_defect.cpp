@@ -390,13 +390,15 @@ double error_by_balance(const RigidMotion& rigid, const ElasticBody& elastic, st
     change.row(static_cast<Index>(i)) =
         fibre_stresses(cut_forces_of(response(time)), places).transpose();
   }
+  // Largest values do not show what is no number.
+  if (!change.allFinite()) return unknown_balance;
   const double peak = stresses.cwiseAbs().maxCoeff();
   if (peak == 0.0) return 0.0;
   const double range = largest_range(stresses);
   const double apart = change.cwiseAbs().maxCoeff() / peak;
   const double first = range > 0.0 ? std::max(apart, largest_range(change) / range) : apart;
   // From 1 on nothing converges.
-  return first < 0.9 ? std::min(first / (1.0 - first), unknown_balance) : unknown_balance;
+  return first < 0.9 ? first / (1.0 - first) : unknown_balance;
 }
 
 }  // namespace boxbeam

@@ -429,15 +429,12 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
     const double found = *model.weighed.back().found;
     gates.push_back(
         {"", "",
-         fmt::format("{} not in balance with the motion of the beam as far bent as it is{}: its "
-                     "vibration is not proven, for it is computed about the motion of the rigid "
-                     "beam",
-                     found < unknown_balance
-                         ? fmt::format("{} of the governing stress is", percent_text(found))
-                         : "the governing stress is",
-                     found < unknown_balance
-                         ? fmt::format(", tolerance {}", percent_text(model.tolerance))
-                         : ""),
+         fmt::format("{} not in balance with the motion of the beam as far bent as it is, "
+                     "tolerance {}: its vibration is not proven, for it is computed about the "
+                     "motion of the rigid beam",
+                     found < unknown_balance ? percent_text(found) + " of the governing stress is"
+                                             : "the governing stress is",
+                     percent_text(model.tolerance)),
          true});
   }
   // Rigid bodies stay where no better model is known to be one.

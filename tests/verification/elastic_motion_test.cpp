@@ -23,6 +23,7 @@ namespace {
 using namespace test::slender;
 
 constexpr double pi = std::numbers::pi;
+
 /// Root moment of a cantilever whose base shakes across its axis, over the one of the rigid beam:
 ///
 ///     w = a1 cos bx + a2 cosh bx + a3 (sin bx - sinh bx),  w(0) = 1, w''(L) = w'''(L) = 0

@@ -16,6 +16,7 @@
 #include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "catch.hpp"
+#include "support/cantilever.hpp"
 #include "support/changed_rig.hpp"
 #include "support/clamped_beam.hpp"
 #include "support/held_bar.hpp"
@@ -194,8 +195,8 @@ TEST_CASE("what ties nested profiles together is said not to be checked, with it
     return *found;
   };
   CHECK(!contains(said(), "% of V"));
-  // A top flange of 24: A_o = 9816, A_i = 5600 mm^2, centroids apart by 150 x 12 x 138/A_o less
-  // half of what the webs lose; by Steiner, A_o A_i e^2/(A_o + A_i) of I.
+  // With a top flange of 24 the outer centroid lies e above that of the inner box, which adds
+  // A_o A_i e^2/(A_o + A_i) to the sum of both I (Steiner).
   outer.top_flange = mm(24);
   const double A_o = 150 * 36 + 16 * 264, A_i = 100 * 200 - 80 * 180;
   const double e = (150 * 24 * 138 - 150 * 12 * 144 - 16 * 264 * 6) / A_o;
@@ -205,6 +206,27 @@ TEST_CASE("what ties nested profiles together is said not to be checked, with it
   const double I_i = (100.0 * 200 * 200 * 200 - 80.0 * 180 * 180 * 180) / 12;
   const double tied = A_o * A_i * e * e / (A_o + A_i);
   CHECK(contains(said(), fmt::format("up to {:.2g} % of V", 100 * tied / (I_o + I_i + tied))));
+}
+
+TEST_CASE("in space nested profiles beside one another carry V across the beam together") {
+  const auto mm = [](double length) { return si<Length>(1e-3 * length); };
+  Box outer = symmetric_box(mm(150), mm(300), mm(12), mm(8));
+  outer.left_web = mm(16);
+  const Box inner = symmetric_box(mm(100), mm(200), mm(10), mm(10));
+  Project project = test::cantilever("kind = \"plate\"\nwidth = \"20 mm\"\nheight = \"50 mm\"\n",
+                                     {{{0.0, 1e3, 1e3}, 0.0, 0.5, 0.5, 0.0}});
+  project.beam.segments[0].from = project.beam.segments[0].to = {outer, inner};
+  // About z, as above: flanges 24 x 150, webs of 16 and 8 x 276, whose middles are at 67 and -71.
+  const double A_o = 24 * 150 + 24 * 276, A_i = 100 * 200 - 80 * 180;
+  const double e = 276 * (16 * 67 - 8 * 71) / A_o;
+  const double I_o = 24 * 150.0 * 150 * 150 / 12 + 276.0 * (16 * 16 * 16 + 8 * 8 * 8) / 12 +
+                     24 * 150 * e * e + 276 * (16 * std::pow(67 - e, 2) + 8 * std::pow(71 + e, 2));
+  const double I_i = (200.0 * 100 * 100 * 100 - 180.0 * 80 * 80 * 80) / 12;
+  const double tied = A_o * A_i * e * e / (A_o + A_i);
+  const std::vector<std::string> remarks = remarks_of(project, verify(project));
+  const std::string expected = fmt::format("up to {:.2g} % of V", 100 * tied / (I_o + I_i + tied));
+  CHECK(std::any_of(remarks.begin(), remarks.end(),
+                    [&](const std::string& of) { return contains(of, expected); }));
 }
 
 }  // namespace verdict_text_test

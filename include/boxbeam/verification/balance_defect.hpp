@@ -37,14 +37,16 @@ std::string obstacle_to_balance(const planar::Mechanism& mechanism, int beam);
 std::optional<BalanceDefect> balance_defect_of(const RigidMotion& rigid, const ElasticBody& elastic,
                                                const LoadHistory& model);
 
+/// The error where nothing is known of it.
+inline constexpr double unknown_balance = 10.0;
+
 /// How far a model's stresses are from balance, as `difference_between`: what the defect changes in
 /// them by vibration with these modes, or by static bending with none, under the model's axial
 /// force. That, delta, is the first step of an iteration from the model to the mechanism that bends
 /// as far as it does; each further one is smaller by about the part of stiffness and inertia that
-/// the first found wrong, delta again, which makes delta/(1 - delta) of all. Where delta is above
-/// 0.9, or there is no defect, nothing is known: `unknown_balance`.
+/// the first found wrong, delta again, which makes delta/(1 - delta) of all. Where delta is no
+/// number or above 0.9, and where there is no defect: `unknown_balance`.
 /// Source: Stetter, Numerische Mathematik 29 (1978), the defect as an estimate of the error.
-inline constexpr double unknown_balance = 10.0;
 double error_by_balance(const RigidMotion& rigid, const ElasticBody& elastic, std::size_t modes,
                         const LoadHistory& model);
 

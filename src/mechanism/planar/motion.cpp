@@ -166,7 +166,6 @@ std::string nearest_dead_point(const Mechanism& mechanism, const Motion& motion)
   return nearest;
 }
 
-/// The highest rate of turn of a body [rad/s].
 /// How fast a body turns at its fastest, and which one that is.
 struct Turn {
   double rate = 0.0;  ///< [rad/s]
