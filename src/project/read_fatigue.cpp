@@ -101,8 +101,9 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
   BeamDetail on_beam;
   on_beam.from = station_of(table, "from", beam);
   on_beam.to = station_of(table, "to", beam);
-  constexpr DetailPlace places[] = {DetailPlace::section, DetailPlace::fibres, DetailPlace::seams};
-  on_beam.on = places[table.choice("on", {"section", "fibres", "seams"}, 0)];
+  constexpr DetailPlace places[] = {DetailPlace::section, DetailPlace::fibres, DetailPlace::webs,
+                                    DetailPlace::seams};
+  on_beam.on = places[table.choice("on", {"section", "fibres", "webs", "seams"}, 0)];
   on_beam.detail = read_detail(table, plates_on(beam, on_beam.from, on_beam.to, table.problems()));
   if (!table.has("name")) {
     table.problem("name", "a detail of the beam wants a name", "write name = \"hub weld\"");

@@ -51,6 +51,7 @@ std::string place_text(const BeamDetail& detail) {
   switch (detail.on) {
     case DetailPlace::section: return where;
     case DetailPlace::fibres: return where + ", fibres";
+    case DetailPlace::webs: return where + ", webs";
     case DetailPlace::seams: return where + ", seams";
   }
   return where;

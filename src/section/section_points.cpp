@@ -53,7 +53,7 @@ SectionPoint web_end(const StressField& field, const std::string& at, WallPart w
                      double z, PointSet set = PointSet::in_plane) {
   const std::string before = inner ? "inner " : "";
   SectionPoint point = web_point(field, before + "web end " + at, web, inner, z, set);
-  point.web_end = true;
+  point.part = SectionPart::web_end;
   const auto* box = std::get_if<Box>(inner ? &*field.section.inner : &field.section.outer);
   if (box == nullptr) return point;
   const WallPlace place = nearest(field.flow->at.graph, web, inner, z);

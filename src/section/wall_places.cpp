@@ -46,6 +46,7 @@ SectionPoint wall_point(const StressField& field, const std::string& name, const
   set_shear(point.influence, wall_shear(*field.flow, place, face));
   set_shear(point.prismatic, wall_shear(*field.prismatic, place, face));
   point.torsion = wall_torsion_of(*field.flow, place.wall, face);
+  if (is_web(field.flow->at.graph.walls[place.wall])) point.part = SectionPart::web;
   return point;
 }
 

@@ -25,17 +25,26 @@ class DetailsAtStation {
   DetailsAtStation(const FatigueInput& fatigue, const Station& station)
       : fatigue_(&fatigue), station_(station) {}
 
-  const ResistingDetail& at(DetailPlace on, Length plate) {
+  const ResistingDetail& at(SectionPart part, Length plate) {
     for (const Found& found : found_) {
-      if (found.on == on && found.plate == plate) return found.detail;
+      if (found.part == part && found.plate == plate) return found.detail;
     }
-    found_.push_back({on, plate, detail_at(*fatigue_, station_, on, plate)});
+    found_.push_back({part, plate, detail_at(*fatigue_, station_, place_of(part), plate)});
     return found_.back().detail;
   }
 
  private:
+  static DetailPlace place_of(SectionPart part) {
+    switch (part) {
+      case SectionPart::fibre: return DetailPlace::fibres;
+      case SectionPart::web: return DetailPlace::webs;
+      case SectionPart::web_end: return DetailPlace::seams;
+    }
+    return DetailPlace::section;
+  }
+
   struct Found {
-    DetailPlace on;
+    SectionPart part;
     Length plate;
     ResistingDetail detail;
   };
@@ -71,7 +80,7 @@ class StressPoints {
       // In space nothing is neutral.
       const bool neutral = !space && !walls && place.name.starts_with("neutral axis");
       StressPoint& point = add(place);
-      if (!neutral) resist(point, place.web_end ? DetailPlace::seams : DetailPlace::fibres);
+      if (!neutral) resist(point);
       point.shear_detail = if_asked(fatigue.shear);
       if (!place.throat) continue;
       SectionPoint throat = place;
@@ -105,13 +114,14 @@ class StressPoints {
         }
       }
       StressPoint& point = add(point_on_stretch(field_, stretch, 0.0));
-      resist(point, DetailPlace::fibres);
+      resist(point);
       point.shear_detail = if_asked(project_->fatigue.shear);
       point.stretch = StressStretch{field, stretch, only_end};
     }
   }
 
   void add_hole(const Hole& hole, const HoleInput& input) {
+    const bool webs = hole.walls == HoleWalls::webs;
     if (input.concentration) {
       const HoleCase hole_case = *input.concentration;
       const double a =
@@ -133,8 +143,8 @@ class StressPoints {
           for (std::size_t i = 0; i < walls.size(); ++i) append(walls[i].edges, prismatic[i].edges);
         }
         for (HoleInWall& wall : walls) {
-          add_edge("hole " + hole.name + " edge " + wall.side, std::move(wall.edges), wall.plate,
-                   input, concentration);
+          add_edge("hole " + hole.name + " edge " + wall.side, std::move(wall.edges), webs,
+                   wall.plate, input, concentration);
         }
       } else {
         std::vector<HoleEdge> edges =
@@ -144,12 +154,12 @@ class StressPoints {
         if (!taper_.empty())
           append(edges, hole_edges_of(field_.section, field_.holes, {}, hole, hole_case));
         const Length plate = wall_at(field_.section, edges.front().z);
-        add_edge("hole " + hole.name + " edge", std::move(edges), plate, input, concentration);
+        add_edge("hole " + hole.name + " edge", std::move(edges), webs, plate, input,
+                 concentration);
       }
     }
     // Where a hole has taken the neutral fibre, the shear is largest just beside the hole; a
     // category for the net section is judged by the nominal stress there.
-    const bool webs = hole.walls == HoleWalls::webs;
     for (const double sign : {1.0, -1.0}) {
       const Length z = webs ? hole.position + sign * 0.5 * hole.diameter
                             : (sign > 0.0 ? gross_.z_top : gross_.z_bottom);
@@ -170,16 +180,16 @@ class StressPoints {
   }
 
   void add_named(const NamedPoint& named) {
-    for (StressPoint& point : add_level(named.name, named.z)) resist(point, DetailPlace::fibres);
+    for (StressPoint& point : add_level(named.name, named.z)) resist(point);
   }
 
   std::vector<StressPoint> points;
 
  private:
   /// Of a case that asks for no fatigue nothing resists it.
-  void resist(StressPoint& point, DetailPlace on) {
+  void resist(StressPoint& point) {
     if (!project_->fatigue.asked) return;
-    const ResistingDetail& detail = details_.at(on, point.plate);
+    const ResistingDetail& detail = details_.at(point.part, point.plate);
     point.detail = detail.detail;
     point.in_plate = detail.in_plate;
     point.compression_reduced = detail.compression_reduced;
@@ -192,7 +202,7 @@ class StressPoints {
 
   /// A hole may have a detail of its own.
   void resist_hole(StressPoint& point, const HoleInput& input) {
-    if (!input.detail || !project_->fatigue.asked) return resist(point, DetailPlace::fibres);
+    if (!input.detail || !project_->fatigue.asked) return resist(point);
     point.detail = &*input.detail;
     point.compression_reduced = input.detail->detail.compression_reduced;
     point.range_factor = input.detail->stress_factor;
@@ -202,7 +212,7 @@ class StressPoints {
     edges.insert(edges.end(), others.begin(), others.end());
   }
 
-  void add_edge(const std::string& name, std::vector<HoleEdge> edges, Length plate,
+  void add_edge(const std::string& name, std::vector<HoleEdge> edges, bool webs, Length plate,
                 const HoleInput& input, const EdgeConcentration& concentration) {
     // Shear lag leaves less to bend, and raises every stress of bending alike.
     const SectionProperties whole = properties_of(field_.section, field_.holes);
@@ -212,6 +222,7 @@ class StressPoints {
     }
     SectionPoint edge{name, edges.front().y, edges.front().z, {}, {}, {}, {}};
     edge.plate = plate;
+    edge.part = webs ? SectionPart::web : SectionPart::fibre;
     edge.influence = edge.prismatic = edges.front().influence;
     StressPoint& point = add(edge);
     point.influence = edges.front().influence;  // of the gross section, as its source has it
@@ -233,6 +244,7 @@ class StressPoints {
     point.name = place.name;
     point.y = place.y;
     point.z = place.z;
+    point.part = place.part;
     point.section = field_.section;
     point.gross = gross_;
     point.net = net_;

@@ -290,6 +290,7 @@ class Search {
         Place place;
         place.name = "edge of hole " + hole.name + " in " + centre.wall;
         place.hole = hole.name;
+        place.kind = centre.along_z ? PlaceKind::web : PlaceKind::fibre;
         place.plate = centre.plate;
         place.y = centre.y + (centre.along_z ? 0.0 : r * std::sin(theta));
         place.z = centre.z + (centre.along_z ? r * std::sin(theta) : 0.0);

@@ -261,7 +261,8 @@ std::string demands(Draw& draw, const BeamWriter& beam, double length, bool situ
                         m(round_mm(from)), m(round_mm(to)));
     text += as_detail(draw.chance(0.15));
     if (draw.chance(0.25)) {
-      text += fmt::format("on = \"{}\"\n", draw.chance(0.5) ? "seams" : "fibres");
+      text += fmt::format("on = \"{}\"\n",
+                          draw.chance(0.5) ? "seams" : (draw.chance(0.6) ? "fibres" : "webs"));
     }
     if (draw.chance(0.1)) text += fmt::format("stress_factor = {:.2f}\n", draw.real(1.0, 1.6));
     if (draw.chance(0.1)) text += "stress_relieved = true\n";

@@ -27,6 +27,7 @@ Resisting Rules::detail_at(const Station& station, PlaceKind kind, double plate)
     const double from = stretch.from.value(), to = stretch.to.value();
     const bool meant = stretch.on == DetailPlace::section ||
                        (stretch.on == DetailPlace::fibres && kind == PlaceKind::fibre) ||
+                       (stretch.on == DetailPlace::webs && kind == PlaceKind::web) ||
                        (stretch.on == DetailPlace::seams && kind == PlaceKind::seam);
     // A toe at the very end of a stretch sees the stress of either side.
     if (!meant || s < from || s > to) continue;

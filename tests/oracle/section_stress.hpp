@@ -19,8 +19,8 @@ using Factors = std::array<double, boxbeam::cut_force::count>;
 
 /// What a place in a section is, for the rules of what resists there.
 enum class PlaceKind {
-  fibre,   ///< a plate at the outermost fibres, its corners, a round wall, a stiffener, a hole
-  web,     ///< the inside of a web
+  fibre,   ///< a plate at the outermost fibres, its corners, a round wall, a stiffener
+  web,     ///< a web between its ends, a hole in it
   seam,    ///< where a web is welded to a flange
   throat,  ///< the weld of a seam: shear alone
 };

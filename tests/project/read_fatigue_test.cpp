@@ -145,6 +145,10 @@ TEST_CASE("details on stretches: where, and what is missing") {
            "row = \"8.3/1\"\n");
   REQUIRE(input.details.size() == 1);
   CHECK(input.details[0].on == DetailPlace::seams);
+  CHECK(read(head + "name = \"rib\"\nfrom = \"0.2 m\"\nto = \"0.4 m\"\non = \"webs\"\n"
+                    "category = 80\n")
+            .details[0]
+            .on == DetailPlace::webs);
   CHECK(input.details[0].from.value() == Approx(0.2));
   CHECK(input.details[0].to.value() == Approx(0.4));
   CHECK(input.details[0].detail.name == "rib");

@@ -355,6 +355,30 @@ TEST_CASE("a given stress is judged by the detail at its place") {
   CHECK(resisting() > 1.5 * strength / (demand.gamma_Ff * demand.gamma_Mf));
 }
 
+TEST_CASE("details on fibres and seams leave the webs between them to that of the beam") {
+  // Bent across, F = 10 kN ranges: the webs' faces have M/W_z, with category 36 of the beam.
+  const double range =
+      10e3 * 2.0 / ((0.3 * std::pow(0.15, 3) - 0.276 * std::pow(0.134, 3)) / 12.0 / 0.075);
+  Project project = test::cantilever(
+      "kind = \"box\"\nwidth = \"150 mm\"\nheight = \"300 mm\"\nflange = \"12 mm\"\n"
+      "web = \"8 mm\"\n",
+      {{{0.0, 10e3, 0.0}, 0.0, 0.5, 0.5, 0.0}});
+  const auto governing = [&](const std::string& webs) {
+    project.fatigue =
+        test::planar_cantilever(4.0, taper_sections, taper_segment, {{4.0}},
+                                fatigue_lines(36, "2e6", 1.0) + detail_lines("flanges", 0, 4, 160) +
+                                    "on = \"fibres\"\n" + detail_lines("seams", 0, 4, 112) +
+                                    "on = \"seams\"\n" + webs)
+            .fatigue;
+    project.situations.front().cycles = 2e6;
+    project.strength.shear_lag = false;
+    return verify(project).governing(Criterion::fatigue)->check;
+  };
+  CHECK(governing("").utilisation() == Approx(range / 36e6).epsilon(1e-3));
+  CHECK(governing(detail_lines("webs", 0, 4, 90) + "on = \"webs\"\n").utilisation() ==
+        Approx(range / 90e6).epsilon(1e-3));
+}
+
 TEST_CASE("the range that is limited takes the largest stress factor of the details at a place") {
   // Category 36 resists least, 36 < 160/1.5, so fatigue is judged by it; but where the stress
   // is 1.5 times the nominal one its range is 1.5 x 20 kN x 4 m / W of 1.5 f_y.

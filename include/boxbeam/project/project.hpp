@@ -44,7 +44,8 @@ struct NamedPoint {
 /// Where in a section a detail is.
 enum class DetailPlace {
   section,  ///< anywhere
-  fibres,   ///< the plates at the outermost fibres
+  fibres,   ///< flanges, corners, round walls, stiffeners, walls of paths, solid sections
+  webs,     ///< webs between their ends
   seams,    ///< where webs and flanges meet
 };
 

@@ -33,6 +33,13 @@ struct SeamThroat {
   StressInfluence influence;  ///< its shear is q/a, a the throat of the whole seam
 };
 
+/// Where in a section a place is, as far as it decides what resists there.
+enum class SectionPart {
+  fibre,    ///< a flange, a corner, a round wall, a stiffener, a wall of a path, a solid
+  web,      ///< a web between its ends
+  web_end,  ///< where a web meets its flange
+};
+
 /// A place in a section whose stress is to be verified.
 struct SectionPoint {
   std::string name;
@@ -40,8 +47,8 @@ struct SectionPoint {
   Length plate;               ///< thickness that decides the yield strength
   StressInfluence influence;  ///< shear by equilibrium, taper included
   StressInfluence prismatic;  ///< shear by V S/(I t), for comparison; the same without taper
-  std::optional<SeamThroat> throat = std::nullopt;    ///< where a web of a box meets its flange
-  bool web_end = false;                               ///< where a web meets its flange
+  std::optional<SeamThroat> throat = std::nullopt;  ///< where a web of a box meets its flange
+  SectionPart part = SectionPart::fibre;
   std::optional<WallTorsion> torsion = std::nullopt;  ///< in walls: what its c_T is made of
 };
 

@@ -38,6 +38,7 @@ struct StressPoint {
   Station station;
   std::string name;  ///< "fibre +z"
   Length y, z;
+  SectionPart part = SectionPart::fibre;
   Section section;
   SectionProperties gross;
   SectionProperties net;      ///< holes, and what shear lag leaves idle of the flanges, taken out
