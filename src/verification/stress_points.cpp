@@ -1,5 +1,6 @@
 #include "boxbeam/verification/stress_points.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <span>
 #include <utility>
@@ -154,8 +155,19 @@ class StressPoints {
         if (!taper_.empty())
           append(edges, hole_edges_of(field_.section, field_.holes, {}, hole, hole_case));
         const Length plate = wall_at(field_.section, edges.front().z);
-        add_edge("hole " + hole.name + " edge", std::move(edges), webs, plate, input,
+        // Flanges of different thickness resist each on its own.
+        const auto other = std::stable_partition(
+            edges.begin(), edges.end(),
+            [&](const HoleEdge& edge) { return wall_at(field_.section, edge.z) == plate; });
+        std::vector<HoleEdge> below(other, edges.end());
+        edges.erase(other, edges.end());
+        const std::string name = "hole " + hole.name + " edge";
+        add_edge(name + (below.empty() ? "" : " +z"), std::move(edges), webs, plate, input,
                  concentration);
+        if (!below.empty()) {
+          const Length lower = wall_at(field_.section, below.front().z);
+          add_edge(name + " -z", std::move(below), webs, lower, input, concentration);
+        }
       }
     }
     // Where a hole has taken the neutral fibre, the shear is largest just beside the hole; a

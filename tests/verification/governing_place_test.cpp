@@ -324,6 +324,45 @@ TEST_CASE("a hole in unlike webs is judged in each web, at its own y and with it
   }
 }
 
+TEST_CASE("a hole in flanges of unlike thickness is judged in each flange with its own plate") {
+  // Gross: sigma = K_g M z/I. S355: 355 MPa up to 16 mm, 345 MPa beyond; the size effect of the
+  // thick flange belongs to it alone.
+  const std::string sections =
+      "[sections.box]\nkind = \"box\"\nwidth = \"200 mm\"\nheight = \"300 mm\"\n"
+      "top_flange = \"12 mm\"\nbottom_flange = \"30 mm\"\nweb = \"8 mm\"\n";
+  const Project project = test::planar_cantilever(
+      4.0, sections,
+      "[[beam.segments]]\nlength = \"4 m\"\nsection = \"box\"\n"
+      "[[beam.holes]]\nname = \"port\"\nstation = \"2 m\"\ndiameter = \"30 mm\"\n"
+      "through = \"flanges\"\noffsets = [\"0 mm\"]\nconcentration = \"membrane tension\"\n",
+      {{4.0}},
+      "[fatigue]\nrow = \"8.3/5\"\ncycles = 2e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
+      "required = 1.0\n");
+  const double web = 2.0 * 0.008, height = 0.258;
+  const double A = 0.2 * 0.012 + 0.2 * 0.03 + web * height;
+  const double z_c = (0.2 * 0.012 * 0.144 - 0.2 * 0.03 * 0.135 + web * height * 0.009) / A;
+  const auto share = [&](double b, double h, double z) {
+    return b * h * h * h / 12.0 + b * h * (z - z_c) * (z - z_c);
+  };
+  const double I = share(0.2, 0.012, 0.144) + share(0.2, 0.03, -0.135) + share(web, height, 0.009);
+  const double M = 20e3 * 2.0, a = 0.03 / (0.2 - web);
+  const double K = membrane_concentration(a) / (1.0 - a);
+  const double category = project.fatigue.beam.detail.curve.reference.value();
+  const Verification verification = verify(project);
+  for (const auto& [name, z, yield, size] :
+       {std::tuple{"hole port edge +z", 0.15, 355e6, 1.0},
+        {"hole port edge -z", -0.15, 345e6, std::pow(25.0 / 30.0, 0.2)}}) {
+    CAPTURE(name);
+    const CheckResult* found = find(verification, Criterion::yield, name, "2");
+    REQUIRE(found != nullptr);
+    CHECK(found->check.acting.value() == Approx(K * M * std::abs(z - z_c) / I).epsilon(1e-3));
+    CHECK(found->check.resisting.value() == Approx(yield));
+    const CheckResult* fatigue = find(verification, Criterion::fatigue, name, "2");
+    REQUIRE(fatigue != nullptr);
+    CHECK(fatigue->basis->curves.front().reference.value() == Approx(category * size));
+  }
+}
+
 TEST_CASE("a given stress is judged by the detail at its place") {
   Project project = read_project(test::project_file("sections/sledge-rig/published.toml"));
   REQUIRE_FALSE(project.given_stresses.empty());
