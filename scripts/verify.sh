@@ -21,7 +21,7 @@ install_missing "${packages[@]}"
 # Tests and benchmarks need more packages; where scripts/test.sh has configured them, they stay.
 if [ ! -f "$root/build/build.ninja" ]; then
   configure "$root/build" -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=OFF -DBOXBEAM_BENCH=OFF \
-    -DBOXBEAM_PRECOMPILE=ON -DBOXBEAM_BATCHES=ON
+    -DBOXBEAM_CHARTS=OFF -DBOXBEAM_PRECOMPILE=ON -DBOXBEAM_BATCHES=ON
 fi
 build "$root/build" boxbeam
 

@@ -13,7 +13,6 @@
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/case_schema.hpp"
-#include "boxbeam/study/topics.hpp"
 #include "program/chart_command.hpp"
 #include "program/command_line.hpp"
 #include "program/compare_command.hpp"
@@ -300,7 +299,7 @@ Entry chart_entry(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "chart", "chart accuracy against cost of the numerical methods, and map where they fail");
   std::vector<std::string> words{"all"};
-  for (const study::Topic& topic : study::topics()) words.emplace_back(topic.name);
+  for (const std::string& topic : chart_topics()) words.push_back(topic);
   command
       .add_option("TOPIC", options->topics,
                   "what to chart (default: all): " + CLI::detail::join(words, ", "))

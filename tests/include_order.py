@@ -22,8 +22,8 @@ ROWS = [
     ["fatigue"],
     ["project"],
     ["verification"],
-    ["study"],
     ["report"],
+    ["charts"],  # a library of its own
     ["program"],  # the commands; part of the program, not of the library
 ]
 ROW_OF = {module: row for row, modules in enumerate(ROWS) for module in modules}
@@ -42,6 +42,8 @@ def included_path(root, file, quote, name):
     """Path below its module root of a file of this project, None for any other header."""
     if name.startswith("boxbeam/"):
         return pathlib.PurePosixPath(name).relative_to("boxbeam")
+    if (root / name).is_file() and name.startswith("charts/"):
+        return pathlib.PurePosixPath(name)
     if quote == '"':  # a private header, beside the file or from src/
         for folder in (file.parent, root / "src"):
             found = (folder / name).resolve()
@@ -69,9 +71,9 @@ def main(arguments):
     root = pathlib.Path(arguments[0]).resolve()
     offences = []
     files = includes = 0
-    for base in (root / "include/boxbeam", root / "src"):
+    for base in (root / "include/boxbeam", root / "src", root / "charts"):
         for file in sorted(p for p in base.rglob("*") if p.suffix in (".hpp", ".cpp")):
-            path = pathlib.PurePosixPath(file.relative_to(base).as_posix())
+            path = pathlib.PurePosixPath(file.relative_to(root if base.name == "charts" else base).as_posix())
             if base.name == "src" and path.as_posix() == "main.cpp":
                 continue  # the program may include all
             shown = file.relative_to(root).as_posix()

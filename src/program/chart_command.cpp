@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/report/accuracy.hpp"
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/html_writer.hpp"
 #include "boxbeam/report/pdf.hpp"
+#include "charts/accuracy.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
@@ -22,20 +22,20 @@ namespace boxbeam::program {
 namespace {
 
 /// In the order of the calculation, whatever the user's.
-std::vector<const study::Topic*> topics_of(const ChartOptions& options) {
+std::vector<const charts::Topic*> topics_of(const ChartOptions& options) {
   const auto is_wanted = [&](const std::string& name) {
     return std::find(options.topics.begin(), options.topics.end(), name) != options.topics.end();
   };
   const bool all = options.topics.empty() || is_wanted("all");
-  std::vector<const study::Topic*> wanted;
-  for (const study::Topic& topic : study::topics()) {
+  std::vector<const charts::Topic*> wanted;
+  for (const charts::Topic& topic : charts::topics()) {
     if (all || is_wanted(topic.name)) wanted.push_back(&topic);
   }
   return wanted;
 }
 
 /// The cases that the experiments are done on, each once.
-std::vector<std::pair<std::string, std::string>> names_of(const study::Scenes& scenes) {
+std::vector<std::pair<std::string, std::string>> names_of(const charts::Scenes& scenes) {
   std::vector<std::pair<std::string, std::string>> names;
   for (const std::optional<Project>* scene : {&scenes.planar, &scenes.flexible, &scenes.beam}) {
     if (!*scene) continue;
@@ -60,12 +60,12 @@ AccuracyRun run_of(const ChartOptions& options, Progress& progress) {
   AccuracyRun run;
   run.quick = options.quick;
   progress.now("reading the cases");
-  const study::Scenes scenes = options.of_case.file.empty()
-                                   ? study::reference_scenes()
-                                   : study::scenes_of(read_case(options.of_case));
+  const charts::Scenes scenes = options.of_case.file.empty()
+                                    ? charts::reference_scenes()
+                                    : charts::scenes_of(read_case(options.of_case));
   run.scenes = names_of(scenes);
-  const study::Effort effort{options.quick};
-  for (const study::Topic* topic : topics_of(options)) {
+  const charts::Effort effort{options.quick};
+  for (const charts::Topic* topic : topics_of(options)) {
     progress.now(fmt::format("charting {}", topic->name));
     run.topics.push_back({topic, topic->run(scenes, effort)});
   }
@@ -81,9 +81,9 @@ struct Data {
 std::vector<Data> data_of(const std::vector<TopicShown>& topics) {
   std::vector<Data> data;
   for (const TopicShown& topic : topics) {
-    for (const study::Chart& chart : topic.result.charts)
+    for (const charts::Chart& chart : topic.result.charts)
       data.push_back({chart.name, chart_csv(chart)});
-    for (const study::Map& map : topic.result.maps) data.push_back({map.name, map_csv(map)});
+    for (const charts::Map& map : topic.result.maps) data.push_back({map.name, map_csv(map)});
   }
   return data;
 }
@@ -160,6 +160,12 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
 }
 
 }  // namespace
+
+std::vector<std::string> chart_topics() {
+  std::vector<std::string> names;
+  for (const charts::Topic& topic : charts::topics()) names.emplace_back(topic.name);
+  return names;
+}
 
 int run_chart(const ChartOptions& options) {
   report::clear_up_before_the_end();

@@ -15,6 +15,9 @@ struct ChartOptions {
   bool no_pdf = false;
 };
 
+/// What can be charted; nothing in a build without charts.
+std::vector<std::string> chart_topics();
+
 /// `boxbeam chart`: accuracy against cost, and where methods fail. Returns the exit code. Throws
 /// AnalysisError, and writes nothing, where no topic has anything to say of the case.
 int run_chart(const ChartOptions& options);

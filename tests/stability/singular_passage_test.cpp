@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "boxbeam/mechanism/planar/free_motion.hpp"
-#include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
+#include "charts/known_motions.hpp"
 
 namespace singular_passage_test {
 
@@ -19,13 +19,13 @@ constexpr int loops = 2;
 
 double error_of(const State& state) {
   const Attachment tip{0, {0.5, 0.0}};
-  return (position_of(tip, state.q) - study::n_four_bar_tip_at(loops, state.time)).norm();
+  return (position_of(tip, state.q) - charts::n_four_bar_tip_at(loops, state.time)).norm();
 }
 
 }  // namespace
 
 TEST_CASE("singular positions are passed on the same motion, wherever it is looked at") {
-  const Mechanism mechanism = study::n_four_bar(loops);
+  const Mechanism mechanism = charts::n_four_bar(loops);
   constexpr double end = 4.0;  // four flat positions
   double worst = 0.0;
   for (int instants = 1; instants < 200; instants += instants < 20 ? 1 : 9) {
@@ -44,11 +44,11 @@ TEST_CASE("singular positions are passed on the same motion, wherever it is look
 
 TEST_CASE("states within a passage are interpolated, and the way goes on from its end") {
   // Flat at a quarter of the turn: from the exact motion, theta = pi/2.
-  const Mechanism mechanism = study::n_four_bar(loops);
+  const Mechanism mechanism = charts::n_four_bar(loops);
   double flat = 0.5, above = 0.8;
   while (above - flat > 1e-12) {
     const double middle = 0.5 * (flat + above);
-    (study::n_four_bar_tip_at(loops, middle).y() > 0.0 ? flat : above) = middle;
+    (charts::n_four_bar_tip_at(loops, middle).y() > 0.0 ? flat : above) = middle;
   }
   for (const double beside : {0.0, 1e-9, 1e-6, 1e-4, -1e-7}) {
     CAPTURE(beside);
@@ -60,7 +60,7 @@ TEST_CASE("states within a passage are interpolated, and the way goes on from it
     // The motion is smooth: rates are those of a turn, theta'^2 = 1 + 2 k (1 - cos(theta)) and
     // theta'' = k sin(theta), clockwise.
     const double k = 9.81 * (0.5 * (loops + 1) + loops) / ((loops + 1) / 3.0 + loops);
-    const Eigen::Vector2d tip = study::n_four_bar_tip_at(loops, at.time);
+    const Eigen::Vector2d tip = charts::n_four_bar_tip_at(loops, at.time);
     CHECK(at.v[2] == Approx(-std::sqrt(1.0 + 2.0 * k * (1.0 - tip.y()))).epsilon(1e-6));
     CHECK(at.a[2] == Approx(-k * tip.x()).epsilon(1e-3));
     CHECK(at.v[5] == Approx(at.v[2]).epsilon(1e-6));

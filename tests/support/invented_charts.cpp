@@ -5,15 +5,15 @@
 
 namespace test {
 
-using boxbeam::study::Cell;
-using boxbeam::study::Chart;
-using boxbeam::study::ErrorLevel;
-using boxbeam::study::Map;
-using boxbeam::study::MapPanel;
-using boxbeam::study::Outcome;
-using boxbeam::study::Point;
-using boxbeam::study::Series;
-using boxbeam::study::Timing;
+using boxbeam::charts::Cell;
+using boxbeam::charts::Chart;
+using boxbeam::charts::ErrorLevel;
+using boxbeam::charts::Map;
+using boxbeam::charts::MapPanel;
+using boxbeam::charts::Outcome;
+using boxbeam::charts::Point;
+using boxbeam::charts::Series;
+using boxbeam::charts::Timing;
 
 namespace {
 

@@ -10,15 +10,15 @@
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
+#include "charts/known_motions.hpp"
 #include "support/balance.hpp"
 
 namespace andrews_test {
 
 using namespace boxbeam;
 using namespace boxbeam::planar;
-using namespace boxbeam::study;
+using namespace boxbeam::charts;
 
 namespace {
 

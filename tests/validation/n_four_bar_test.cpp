@@ -17,8 +17,8 @@
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/free_motion.hpp"
-#include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
+#include "charts/known_motions.hpp"
 
 namespace n_four_bar_test {
 
@@ -35,7 +35,7 @@ const Attachment B0{0, {0.5, 0.0}};
 }  // namespace
 
 TEST_CASE("N-four-bar: one freedom, three where it lies flat") {
-  const Mechanism mechanism = study::n_four_bar(N);
+  const Mechanism mechanism = charts::n_four_bar(N);
   const DegreesOfFreedom upright = degrees_of_freedom_of(mechanism, sketch_of(mechanism));
   CHECK(upright.gruebler == 1);
   CHECK(upright.by_rank == 1);
@@ -51,10 +51,10 @@ TEST_CASE("N-four-bar: ten seconds through the singular position") {
   struct Point {
     double t, x, y;
   };
-  const Mechanism mechanism = study::n_four_bar(N);
+  const Mechanism mechanism = charts::n_four_bar(N);
   FreeSolver solver(mechanism);
   const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
-  const double energy = study::energy_of(mechanism, first.q, first.v);
+  const double energy = charts::energy_of(mechanism, first.q, first.v);
   State state = first;
   double drift = 0.0;
   double residual = 0.0;
@@ -64,7 +64,7 @@ TEST_CASE("N-four-bar: ten seconds through the singular position") {
     while (state.time < time) {
       state = solver.advance(std::min(time, state.time + 0.1), state);
       drift =
-          std::max(drift, std::abs(study::energy_of(mechanism, state.q, state.v) / energy - 1.0));
+          std::max(drift, std::abs(charts::energy_of(mechanism, state.q, state.v) / energy - 1.0));
       residual = std::max(residual, state.residual);
     }
   };
@@ -117,7 +117,7 @@ TEST_CASE("N-four-bar: on the branch after any time at any tolerance") {
   }
   REQUIRE(std::abs(std::sin(theta) - 0.328458111540815379) < 1e-9);
 
-  const Mechanism mechanism = study::n_four_bar(N);
+  const Mechanism mechanism = charts::n_four_bar(N);
   for (const double tolerance : {1e-8, 1e-11, 1e-13}) {
     double error = 0.0;
     int evaluations = 0;
@@ -140,7 +140,7 @@ TEST_CASE("N-four-bar: on the branch after any time at any tolerance") {
 TEST_CASE("N-four-bar: one revolution takes the exact period") {
   // By quadrature of theta' = sqrt(1 + 2 k (1 - cos theta)).
   const double period = 1.9425149226070836835;
-  const Mechanism mechanism = study::n_four_bar(N);
+  const Mechanism mechanism = charts::n_four_bar(N);
   FreeSolver solver(mechanism);
   State state = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
   state = solver.advance(period, state);

@@ -8,8 +8,8 @@
 #include "boxbeam/mechanism/planar/free_motion.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/study/known_motions.hpp"
 #include "catch.hpp"
+#include "charts/known_motions.hpp"
 
 namespace pendulum_test {
 
@@ -36,7 +36,7 @@ AppliedForce spring_to_wall(double stiffness, double damping) {
 }
 
 double unprojected_residual(double tolerance, double time) {
-  const Mechanism mechanism = study::simple_pendulum();
+  const Mechanism mechanism = charts::simple_pendulum();
   FreeSolver solver(mechanism, tolerance, false);
   const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
   return solver.advance(time, first).residual;
@@ -49,7 +49,7 @@ TEST_CASE("simple pendulum: A01 at 1 s and 10 s, and the period") {
   const Eigen::Vector2d at_1(0.98629175113187532, -0.16501085312554117);
   const Eigen::Vector2d at_10(-0.27508746257611686, -0.96141920509912506);
   const double period = 2.3678419475762374;
-  const Mechanism mechanism = study::simple_pendulum();
+  const Mechanism mechanism = charts::simple_pendulum();
   FreeSolver solver(mechanism);
   const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
   const State one = solver.advance(1.0, first);
@@ -77,7 +77,7 @@ TEST_CASE("simple pendulum: A01 at 1 s and 10 s, and the period") {
 TEST_CASE("simple pendulum: the error falls with the tolerance") {
   const Eigen::Vector2d at_10(-0.27508746257611686, -0.96141920509912506);
   double before = 1.0;
-  const Mechanism mechanism = study::simple_pendulum();
+  const Mechanism mechanism = charts::simple_pendulum();
   for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
     FreeSolver solver(mechanism, tolerance);
     const State first = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
@@ -97,7 +97,7 @@ TEST_CASE("constraint drift grows without projection and not with it") {
   CHECK(short_run > 1e-11);
   CHECK(long_run > 5.0 * short_run);
 
-  const Mechanism mechanism = study::simple_pendulum();
+  const Mechanism mechanism = charts::simple_pendulum();
   FreeSolver solver(mechanism, 1e-8);
   State state = solver.start(0.0, sketch_of(mechanism), start_velocity_of(mechanism));
   double worst = 0.0;

@@ -101,7 +101,7 @@ TEST_CASE("thesis: t = 0, which it could not solve, on all four branches") {
 TEST_CASE("thesis E.2: the sound velocities") {
   const test::CsvTable table = thesis("velocities");
   // Tolerances per row: near the turning points the thesis takes omega t with three digits, which
-  // loses this much (study/rounded_instant_test.cpp).
+  // loses this much (charts/rounded_instant_test.cpp).
   const std::map<double, double> tolerance{
       {0.357, 8e-4}, {1.071, 2.5e-3}, {1.428, 8e-3}, {1.785, 2e-2}, {2.142, 1e-4}};
   Unsound unsound;

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/study/known_motions.hpp"
 #include "boxbeam/verification/motion_result.hpp"
 #include "catch.hpp"
+#include "charts/known_motions.hpp"
 
 namespace motion_at_test {
 
@@ -15,7 +15,7 @@ namespace {
 
 Project n_four_bar_over(int loops, double duration) {
   Project project;
-  planar::Mechanism mechanism = study::n_four_bar(loops);
+  planar::Mechanism mechanism = charts::n_four_bar(loops);
   mechanism.bodies.front().points = {{"B0", {0.5, 0.0}}};
   mechanism.duration.length = duration;
   project.beam_body = planar::ground;
@@ -38,14 +38,14 @@ TEST_CASE("N-four-bar at 1 s, for every duration: no further than it must is int
       CHECK(tip.x() == Approx(-0.195020301949435094).margin(2e-6));
       CHECK(tip.y() == Approx(-0.980799205662173833).margin(2e-6));
     }
-    const Eigen::Vector2d early = study::n_four_bar_tip_at(2, 0.5);
+    const Eigen::Vector2d early = charts::n_four_bar_tip_at(2, 0.5);
     CHECK((motion.states[1].points.front().position - early).norm() < 1e-8);
   }
 }
 
 TEST_CASE("N-four-bar with 40 loops at 1 s") {
   const MotionResult motion = motion_of(n_four_bar_over(40, 20.0), {1.0});
-  const Eigen::Vector2d exact = study::n_four_bar_tip_at(40, 1.0);
+  const Eigen::Vector2d exact = charts::n_four_bar_tip_at(40, 1.0);
   CHECK((motion.states.front().points.front().position - exact).norm() < 2e-6);
 }
 

@@ -1,8 +1,8 @@
 #include <vector>
 
-#include "boxbeam/report/accuracy.hpp"
 #include "boxbeam/report/files.hpp"
-#include "boxbeam/study/topics.hpp"
+#include "charts/accuracy.hpp"
+#include "charts/topics.hpp"
 #include "peers/answers.hpp"
 
 namespace peers {
@@ -10,14 +10,14 @@ namespace {
 
 using namespace boxbeam;
 
-study::Point point_of(const Json& json) {
-  study::Point point;
+charts::Point point_of(const Json& json) {
+  charts::Point point;
   point.setting = json.at("setting");
   point.parameter = json.at("parameter");
   if (json.contains("operations")) point.operations = json.at("operations").get<double>();
   if (json.contains("time")) {
     const Json& time = json.at("time");
-    point.time = study::Timing{time.at(0), time.at(1), time.at(2)};
+    point.time = charts::Timing{time.at(0), time.at(1), time.at(2)};
   }
   if (json.contains("error")) point.error = json.at("error");
   point.failure = json.value("failure", "");
@@ -25,8 +25,8 @@ study::Point point_of(const Json& json) {
   return point;
 }
 
-study::Chart chart_of(const Json& json) {
-  study::Chart chart;
+charts::Chart chart_of(const Json& json) {
+  charts::Chart chart;
   chart.name = json.at("name");
   chart.title = json.at("title");
   chart.scene = json.at("scene");
@@ -35,7 +35,7 @@ study::Chart chart_of(const Json& json) {
   chart.operations = json.at("operations");
   chart.unit = json.at("unit");
   for (const Json& one : json.at("series")) {
-    study::Series series;
+    charts::Series series;
     series.method = one.at("method");
     series.yardstick = one.at("yardstick");
     for (const Json& point : one.at("points")) series.points.push_back(point_of(point));
@@ -46,14 +46,14 @@ study::Chart chart_of(const Json& json) {
   }
   if (json.contains("floor")) {
     const Json& floor = json.at("floor");
-    chart.floor = study::ErrorLevel{floor.at("error"), floor.at("name")};
+    chart.floor = charts::ErrorLevel{floor.at("error"), floor.at("name")};
   }
   chart.lesson = json.at("lesson");
   return chart;
 }
 
-study::Map map_of(const Json& json) {
-  study::Map map;
+charts::Map map_of(const Json& json) {
+  charts::Map map;
   map.name = json.at("name");
   map.title = json.at("title");
   map.scene = json.at("scene");
@@ -62,16 +62,16 @@ study::Map map_of(const Json& json) {
   map.y = {json.at("y").at("title"), json.at("y").at("log")};
   map.lesson = json.at("lesson");
   for (const Json& one : json.at("panels")) {
-    study::MapPanel panel;
+    charts::MapPanel panel;
     panel.method = one.at("method");
     panel.yardstick = one.at("yardstick");
     for (const Json& cell : one.at("cells")) {
       const std::string outcome = cell.at("outcome");
       panel.cells.push_back({cell.at("x"),
                              cell.at("y"),
-                             outcome == "solved"  ? study::Outcome::solved
-                             : outcome == "wrong" ? study::Outcome::wrong
-                                                  : study::Outcome::refused,
+                             outcome == "solved"  ? charts::Outcome::solved
+                             : outcome == "wrong" ? charts::Outcome::wrong
+                                                  : charts::Outcome::refused,
                              {},
                              cell.value("reason", "")});
     }
@@ -83,14 +83,14 @@ study::Map map_of(const Json& json) {
 }  // namespace
 
 void draw(const Json& shown, const std::string& folder) {
-  const study::Topic topic{"peers", "Other programs", nullptr};
+  const charts::Topic topic{"peers", "Other programs", nullptr};
   TopicShown peers{&topic, {}};
   for (const Json& chart : shown.at("charts")) peers.result.charts.push_back(chart_of(chart));
   for (const Json& map : shown.at("maps")) peers.result.maps.push_back(map_of(map));
-  for (const study::Chart& chart : peers.result.charts) {
+  for (const charts::Chart& chart : peers.result.charts) {
     write_file(folder + "/" + chart.name + ".csv", chart_csv(chart));
   }
-  for (const study::Map& map : peers.result.maps) {
+  for (const charts::Map& map : peers.result.maps) {
     write_file(folder + "/" + map.name + ".csv", map_csv(map));
   }
   draw_charts({peers}, folder);

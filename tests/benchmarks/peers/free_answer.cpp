@@ -2,7 +2,7 @@
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/free_motion.hpp"
-#include "boxbeam/study/known_motions.hpp"
+#include "charts/known_motions.hpp"
 #include "peers/answers.hpp"
 #include "peers/simbody_linkage.hpp"
 
@@ -31,7 +31,7 @@ Json answer_free(const Json& request) {
   const bool simbody = request.at("way") == "simbody";
   const double time = request.at("time");
   const int turns = request.value("turns", 1);
-  const Mechanism mechanism = four ? study::n_four_bar(2) : study::simple_pendulum();
+  const Mechanism mechanism = four ? charts::n_four_bar(2) : charts::simple_pendulum();
   const Attachment looked_at{0, {four ? 0.5 : 0.0, 0.0}};
   const bench::SimbodyLinkage linkage(four ? bench::Linkage::four_bars : bench::Linkage::pendulum);
   try {

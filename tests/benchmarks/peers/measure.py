@@ -1,6 +1,6 @@
 """Asking the library, timing by turns, and charts and maps as plain data.
 
-The data mirror include/boxbeam/study/chart.hpp, where their fields are explained.
+The data mirror charts/chart.hpp, where their fields are explained.
 """
 import json
 import re
