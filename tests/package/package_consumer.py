@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Installs boxbeam into a temporary prefix, builds the C++ front page against it and compares what
-that prints with results.json. Also: the front page stands in the README as it is here.
+that prints with results.json. Also: the example stands in docs/library.md as it is here.
 
 Usage: package_consumer.py CMAKE BUILD_FOLDER SOURCE_FOLDER [FLAGS]
 """
@@ -26,8 +26,8 @@ def main(cmake, build, source, flags=""):
     build, source = pathlib.Path(build), pathlib.Path(source)
     front_page = (source / "tests/package/front_page.cpp").read_text(encoding="utf-8")
     assert len(front_page.splitlines()) < 20, "the front page has 20 lines or more"
-    readme = (source / "README.md").read_text(encoding="utf-8")
-    assert front_page in readme, "README.md does not show tests/package/front_page.cpp as it is"
+    readme = (source / "docs/library.md").read_text(encoding="utf-8")
+    assert front_page in readme, "docs/library.md does not show tests/package/front_page.cpp as it is"
 
     with tempfile.TemporaryDirectory(prefix="boxbeam-package-") as folder:
         prefix, user = pathlib.Path(folder, "prefix"), pathlib.Path(folder, "user")

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Formatting and static analysis, as CI looks at them.
+#
+#   scripts/lint.sh [BASE]
+#
+# clang-format over everything, clang-tidy over the sources that changed since the commit BASE
+# (default: the one that .ci/analysed names, whose sources have all been analysed; everything where
+# that is no commit before this one).
+set -eu
+. "$(dirname "$0")/common.sh"
+cd "$root"
+
+install_missing "${packages[@]}" clang-format clang-tidy git
+
+say "== Formatting (clang-format)"
+git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run --Werror
+
+say "== Static analysis (clang-tidy) of changed sources"
+base=${1:-$(cat .ci/analysed)}
+git merge-base --is-ancestor "$base" HEAD 2>/dev/null || base=
+mapfile -t changed < <(if [ -n "$base" ]; then
+  git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp' 'charts/*.cpp'
+  else git ls-files 'src/*.cpp' 'charts/*.cpp'; fi)
+if [ ${#changed[@]} -gt 0 ]; then
+  # Configured without precompiled headers, which are another compiler's; nothing is built there.
+  configure build-analyse -DBOXBEAM_TESTS=OFF -DBOXBEAM_BENCH=OFF
+  printf '%s\n' "${changed[@]}" | xargs -P "$(nproc)" -n 4 \
+    clang-tidy -p build-analyse --quiet --extra-arg=-Wno-unknown-warning-option
+fi
+say "${#changed[@]} files analysed"
