@@ -200,7 +200,7 @@ TEST_CASE("an axis that does not begin at zero says so") {
   CHECK_FALSE(has(texts, "v [m/s]  (axis not from 0)"));
 }
 
-TEST_CASE("no text of a figure leaves it, is small, or lies on another") {
+TEST_CASE("no text of a figure leaves it, is small, or lies on another", "[unsanitized]") {
   for (const std::string& path : shipped) {
     for (const std::string& name : figures_of(drawn(path).project, drawn(path).verification)) {
       CAPTURE(path, name);

@@ -101,7 +101,8 @@ Recalculation recalculated(const Sheet& sheet) {
 
 }  // namespace
 
-TEST_CASE("Every formula of every sheet is one, and so is every symbol", "[report][sheet]") {
+TEST_CASE("Every formula of every sheet is one, and so is every symbol",
+          "[report][sheet][unsanitized]") {
   int formulas = 0;
   for_all_sheets([&](const Sheet& sheet, const Check&) {
     for (const Step& step : sheet.steps) {

@@ -155,7 +155,8 @@ TEST_CASE("random starts of the sledge rig: the asked branch or a refusal") {
   check_starts("sledge rig", planar_of(test::rig()), 10000, 1.0, 0.0, 1.0);
 }
 
-TEST_CASE("random starts of a platform on three rods: the asked branch or a refusal") {
+TEST_CASE("random starts of a platform on three rods: the asked branch or a refusal",
+          "[unsanitized]") {
   check_starts("platform on three rods", test::platform_on_rods({}, RateDriver{0.4, 1.0}), 10000,
                1.0, 0.5, 0.9);
 }

@@ -104,7 +104,8 @@ TEST_CASE("slender beams in mechanisms have the stress that geometrically exact 
 }
 
 // As good as rigid in shear, for these elements are. They give what the other program gives.
-TEST_CASE("slender beams in mechanisms have the stress of corotational beams", "[elastic_scenes]") {
+TEST_CASE("slender beams in mechanisms have the stress of corotational beams",
+          "[elastic_scenes][unsanitized]") {
   const std::vector<std::pair<std::string, double>> scenes{{"v4.toml", 216.1e6},
                                                            {"v50.toml", 285.4e6}};
   for (const auto& [name, exact] : scenes) {
@@ -137,7 +138,7 @@ TEST_CASE("a beam that vibrates near its buckling load does not pass", "[elastic
 
 // Slider-cranks, four-bars and levers with three joints, by chance.
 TEST_CASE("beams in mechanisms by chance have the stress of corotational beams",
-          "[elastic_scenes]") {
+          "[elastic_scenes][unsanitized]") {
   unsigned judged = 0;
   for (unsigned seed = 1; judged < 4 && seed < 20; ++seed) {
     const test::RandomScene of = test::random_scene(seed);

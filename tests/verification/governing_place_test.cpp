@@ -489,7 +489,8 @@ TEST_CASE("shear at the flange's end counts with the bending of its fibre") {
   CHECK(most == Approx(std::sqrt(sigma * sigma + 3.0 * tau * tau)).epsilon(2e-3));
 }
 
-TEST_CASE("no station is worse than the worst one reported, on random beams in the plane") {
+TEST_CASE("no station is worse than the worst one reported, on random beams in the plane",
+          "[unsanitized]") {
   for (unsigned seed = 1; seed <= 24; ++seed) {
     CAPTURE(seed);
     RandomBeam random(seed);

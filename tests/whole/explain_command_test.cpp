@@ -76,7 +76,7 @@ TEST_CASE("explain list: every id once, worst first", "[explain]") {
   CHECK(static_cast<std::size_t>(std::count(list.begin(), list.end(), '\n')) == checks.size());
 }
 
-TEST_CASE("explain: every check of every kind of case can be explained", "[explain]") {
+TEST_CASE("explain: every check of every kind of case can be explained", "[explain][unsanitized]") {
   for (const std::string case_file :
        {"sections/drill-truck/truck.toml", "sections/landing-gear/gear.toml",
         "sections/sledge-rig/rig-detailed.toml"}) {

@@ -225,7 +225,7 @@ TEST_CASE("motion as tables names what it shows") {
   }
 }
 
-TEST_CASE("the committed reports are those of the committed cases") {
+TEST_CASE("the committed reports are those of the committed cases", "[unsanitized]") {
   const std::pair<std::string, const char*> committed_runs[] = {
       {rig, "reports/sledge-rig"},
       {published, "reports/sledge-rig-published"},

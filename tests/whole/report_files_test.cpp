@@ -272,7 +272,8 @@ const char* const rig = "sections/sledge-rig/rig.toml";
 
 }  // namespace
 
-TEST_CASE("text, HTML and PDF hold the numbers of results.json, for all shipped cases", "[files]") {
+TEST_CASE("text, HTML and PDF hold the numbers of results.json, for all shipped cases",
+          "[files][unsanitized]") {
   for (const test::ShippedCase& of : test::shipped_cases()) {
     INFO(of.path);
     const test::TemporaryFolder folder;

@@ -152,7 +152,8 @@ TEST_CASE("colour: only on a terminal that wants it, and never without the word"
         test::run_program(verify).out);
 }
 
-TEST_CASE("progress: on a terminal what takes long is named, and gone at the end", "[terminal]") {
+TEST_CASE("progress: on a terminal what takes long is named, and gone at the end",
+          "[terminal][unsanitized]") {
   const test::TemporaryFolder folder;
   const std::string slow = folder.write("gnuplot", "#!/bin/sh\nsleep 1\nexit 3\n");
   fs::permissions(slow, fs::perms::owner_all);
