@@ -49,7 +49,9 @@ for name in "${wanted[@]}"; do
   [ "$share" -gt 0 ] || share=1
   if [ "$name" = case ]; then
     # In the folder of the tests, whose library is there already.
-    if [ ! -f build/build.ninja ]; then configure build -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_BENCH=OFF; fi
+    if ! grep -qs boxbeam_case_fuzzer build/build.ninja; then
+      configure build -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=ON -DBOXBEAM_CHARTS=ON -DBOXBEAM_BENCH=OFF
+    fi
     build build boxbeam_case_fuzzer
     how_long=(--time "$share")
     [ -z "$executions" ] || how_long=(--count "$executions")

@@ -11,7 +11,8 @@ cd "$root" || exit 4
 
 install_missing "${packages[@]}"
 if [ ! -f build/build.ninja ]; then
-  configure build -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=OFF -DBOXBEAM_BENCH=OFF
+  configure build -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=OFF -DBOXBEAM_BENCH=OFF \
+    -DBOXBEAM_CHARTS=OFF
 fi
 build build boxbeam
 

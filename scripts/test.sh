@@ -11,7 +11,7 @@ browser=${BOXBEAM_BROWSER:-OFF}
 install_missing "${packages[@]}" "${test_packages[@]}"
 if [ "$browser" = ON ]; then install_missing chromium; fi
 configure "$root/build" -DCMAKE_BUILD_TYPE=Release -DBOXBEAM_TESTS=ON -DBOXBEAM_BENCH=ON \
-  -DBOXBEAM_PRECOMPILE=ON -DBOXBEAM_BATCHES=ON -DBOXBEAM_BROWSER="$browser" ${BOXBEAM_OPTIONS:-}
+  -DBOXBEAM_CHARTS=ON -DBOXBEAM_PRECOMPILE=ON -DBOXBEAM_BATCHES=ON -DBOXBEAM_BROWSER="$browser" ${BOXBEAM_OPTIONS:-}
 build "$root/build" all
 
 if [ "$browser" != ON ]; then say "Left out: the HTML reports in Chromium (BOXBEAM_BROWSER=ON scripts/test.sh)"; fi
