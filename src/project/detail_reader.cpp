@@ -16,17 +16,23 @@ const char* word_of(StressKind kind) { return kind == StressKind::direct ? "dire
 Facts read_facts(TableReader& table) {
   Facts facts;
   if (!table.has("facts")) return facts;
-  TableReader given = table.table("facts");
+  TableReader given = table.table(
+      {"facts",
+       "what is known of the detail: the rows that it can be, of which the weakest counts"});
   for (const FactDefinition& fact : fact_definitions()) {
-    if (!given.has(fact.name)) continue;
+    const Key key{fact.name, fact.means};
     switch (fact.kind) {
       case FactDefinition::Kind::words:
-        facts.emplace(fact.name, fact.words[given.choice(fact.name, fact.words)]);
+        if (given.has_choice(key, fact.words))
+          facts.emplace(fact.name, fact.words[given.choice(key, fact.words)]);
         break;
       case FactDefinition::Kind::length:
-        facts.emplace(fact.name, given.positive(fact.name, wanted::length));
+        if (given.has_quantity(key, wanted::length))
+          facts.emplace(fact.name, given.positive(key, wanted::length));
         break;
-      case FactDefinition::Kind::ratio: facts.emplace(fact.name, given.number(fact.name)); break;
+      case FactDefinition::Kind::ratio:
+        if (given.has_number(key)) facts.emplace(fact.name, given.number(key));
+        break;
     }
   }
   given.finish();
@@ -102,7 +108,7 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
   std::vector<DetailRow> rows = detail_rows();
   Facts facts = read_facts(table);
   if (by_row) {
-    const std::string id = table.text("row");
+    const std::string id = table.text({"row", "table and row of EN 1993-1-9, \"8.2/6\""});
     rows = entries_of(id);
     if (rows.empty() && !id.empty()) {
       std::vector<std::string> ids;
@@ -160,7 +166,8 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
 
 void read_category(TableReader& table, StressKind kind, bool raise_asterisk, Detail& detail) {
   const std::size_t before = table.problems().size();
-  const int category = table.whole_number("category");
+  const int category = table.whole_number(
+      {"category", "detail category of EN 1993-1-9, the strength at 2e6 cycles in MPa"});
   if (table.problems().size() != before) return;
   const std::string name = fmt::format("{}{}", category, raise_asterisk ? "*" : "");
   const auto curve = find_curve("EN 1993-1-9", name, kind);
@@ -178,13 +185,17 @@ void read_category(TableReader& table, StressKind kind, bool raise_asterisk, Det
 
 Detail read_detail(TableReader& table, const std::vector<Length>& plates) {
   Detail detail;
-  detail.name = table.text("name", "");
-  detail.compression_reduced = table.boolean("stress_relieved", false);
-  const auto kind = static_cast<StressKind>(table.choice("kind", {"direct", "shear"}, 0));
-  const bool raise_asterisk = table.boolean("raise_asterisk", false);
+  detail.name = table.text({"name", "of the detail, in reports"}, "");
+  detail.compression_reduced = table.boolean(
+      {"stress_relieved", "not welded, or stress relieved: compression counts 60 % (7.2.1)"},
+      false);
+  const auto kind = static_cast<StressKind>(
+      table.choice({"kind", "which stress it resists"}, {"direct", "shear"}, 0));
+  const bool raise_asterisk = table.boolean(
+      {"raise_asterisk", "the category with an asterisk is raised by one (7.1, note 3)"}, false);
+  const bool one = table.says_one_of({{"category"}, {"row", "facts"}});
   const bool as_such = table.has("category");
-  const bool by_tables = table.has("row") || table.has("facts");
-  if (as_such == by_tables) {
+  if (!one) {
     table.problem(as_such ? "category" : "",
                   as_such ? "a detail has a category, or a row and facts, not both"
                           : "a detail wants a row, facts or a category",

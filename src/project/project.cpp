@@ -13,14 +13,18 @@ namespace {
 using readers::Kind;
 
 Kind read_case(TableReader table, Project& project) {
-  project.name = table.text("name");
-  project.title = table.text("title", project.name);
-  project.assumptions = table.texts("assumptions", false);
-  project.dynamics = table.choice("dynamics", {"rigorous", "newton-chain"}, 0) == 0
+  project.name = table.text({"name", "of the report's folder, too"});
+  project.title = table.text({"title", "of the report; the name where not said"}, "");
+  if (project.title.empty()) project.title = project.name;
+  project.assumptions =
+      table.texts({"assumptions", "what is taken for granted; it stands in the report"}, false);
+  project.dynamics = table.choice({"dynamics", "where the loads on the beam come from"},
+                                  {"rigorous", "newton-chain"}, 0) == 0
                          ? Dynamics::rigorous
                          : Dynamics::newton_chain;
   constexpr Kind kinds[] = {Kind::planar, Kind::spatial, Kind::flexible};
-  const Kind kind = kinds[table.choice("kind", {"planar", "spatial", "flexible"})];
+  const Kind kind = kinds[table.choice({"kind", "what moves or loads the beam"},
+                                       {"planar", "spatial", "flexible"})];
   table.finish();
   const bool plain = project.name.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
@@ -46,10 +50,10 @@ bool acts_on(const planar::Joint& joint, int body) {
 EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mechanism& mechanism,
                                           int beam_body) {
   EquivalentMassDemand demand;
-  demand.joint = readers::joint_of(table, "joint", mechanism);
-  demand.on = readers::body_of(table, "on", mechanism);
-  demand.adjust = readers::body_of(table, "adjust", mechanism);
-  demand.wanted = si<Mass>(table.positive("wanted", wanted::mass));
+  demand.joint = readers::joint_of(table, {"joint", "whose mass is felt"}, mechanism);
+  demand.on = readers::body_of(table, {"on", "the body that feels it"}, mechanism);
+  demand.adjust = readers::body_of(table, {"adjust", "the body whose mass is adjusted"}, mechanism);
+  demand.wanted = si<Mass>(table.positive({"wanted", "the equivalent mass wanted"}, wanted::mass));
   table.finish();
   if (demand.adjust >= 0 && demand.adjust == beam_body) {
     table.problem("adjust", "the mass of the beam comes from its sections and cannot be adjusted",
@@ -133,9 +137,10 @@ void check_dynamics(TableReader& root, Kind kind, const Project& project) {
 /// A mechanism in the plane and its beam. Returns the name of the beam's body.
 std::string read_in_plane(TableReader& root, const Node& tree, const readers::Sections& sections,
                           TimeTables& tables, Project& project) {
-  TableReader beam = root.table("beam");
+  TableReader beam = root.table({"beam", "the verified beam"});
   readers::read_beam(beam, sections, project);
-  std::string beam_body = beam.text("body", "");
+  std::string beam_body =
+      beam.text({"body", "the body that is the beam; its mass comes from the sections"}, "");
   readers::MechanismDraft draft = readers::read_mechanism(root, beam_body, tables);
   if (!beam_body.empty() || !root.has("beam")) {
     // A missing table or unknown name has been noted; any body stands in, so that reading goes on.
@@ -150,12 +155,15 @@ std::string read_in_plane(TableReader& root, const Node& tree, const readers::Se
     project.mechanism = std::move(draft.mechanism);
   }
   if (root.has("newton_chain")) {
-    project.chain = readers::read_newton_chain(root.table("newton_chain"), planar_of(project),
-                                               project.beam, project.beam_body);
+    project.chain = readers::read_newton_chain(
+        root.table(
+            {"newton_chain", "the published chain of bodies, for its loads and for comparison"}),
+        planar_of(project), project.beam, project.beam_body);
   }
   if (root.has("equivalent_mass")) {
-    project.equivalent_mass =
-        read_equivalent_mass(root.table("equivalent_mass"), planar_of(project), project.beam_body);
+    project.equivalent_mass = read_equivalent_mass(
+        root.table({"equivalent_mass", "the mass that the mechanism feels like at a joint"}),
+        planar_of(project), project.beam_body);
   }
   return beam_body;
 }
@@ -192,7 +200,7 @@ void add_points_on_axis(Project& project) {
 void refuse_planar_parts(TableReader& root, const char* kind) {
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
-    if (!root.has(key)) continue;
+    if (!root.has_misplaced(key)) continue;
     root.problem(key, fmt::format("\"{}\" is known for rigid mechanisms in the plane only", key),
                  fmt::format("remove it from this case of kind = \"{}\"", kind));
   }
@@ -203,7 +211,8 @@ std::string read_in_space(TableReader& root, const readers::Sections& sections, 
                           Project& project) {
   TableReader beam = root.table("beam");
   readers::read_beam(beam, sections, project);
-  std::string beam_body = beam.text("body", "");
+  std::string beam_body =
+      beam.text({"body", "the body that is the beam; its mass comes from the sections"}, "");
   spatial::Mechanism mechanism = readers::read_chain(root, beam_body, tables);
   project.beam_body = std::max(0, readers::body_of(beam, "body", mechanism));
   if (root.problems().empty()) {
@@ -232,7 +241,7 @@ void refuse_rigid_parts(TableReader& root) {
         {"forces", "write [loads.<name>], and springs as joints"},
         {"hand_formulas", "remove it from this case of kind = \"flexible\""},
         {"hand_symbols", "remove it from this case of kind = \"flexible\""}}) {
-    if (!root.has(key)) continue;
+    if (!root.has_misplaced(key)) continue;
     root.problem(key, fmt::format("\"{}\" is known for rigid mechanisms only", key), hint);
   }
 }
@@ -252,7 +261,8 @@ void add_points_of_link(Project& project) {
 /// The beam's link by name; where that is missing or misspelt, which is noted, the link without a
 /// profile is meant, so that reading goes on.
 std::string read_beam_link(TableReader& root, TableReader& beam) {
-  std::string name = beam.text("link");
+  std::string name =
+      beam.text({"link", "the link that is the beam; mass and stiffness come from the sections"});
   std::vector<std::string> names;
   std::string meant;
   for (const Node::Member& link : root.table("links", false).members()) {
@@ -287,8 +297,9 @@ std::string read_elastic(TableReader& root, readers::LinkDefaults& links, Projec
 }
 
 Project read(CaseDocument document, const std::vector<std::string>& overrides,
-             std::optional<Dynamics> dynamics) {
+             std::optional<Dynamics> dynamics, KeyRecorder* recorder = nullptr) {
   ProblemList problems(document);
+  problems.recorder = recorder;
   TimeTables tables(document);
   Project project;
   project.path = document.path;
@@ -299,10 +310,11 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
     problems.raise();
   }
   TableReader root(problems, document.root, "");
-  const Kind kind = read_case(root.table("case"), project);
+  const Kind kind = read_case(root.table({"case", "the case itself"}), project);
   if (dynamics) project.dynamics = *dynamics;
 
-  const readers::Sections sections = readers::read_sections(root.table("sections"));
+  const readers::Sections sections =
+      readers::read_sections(root.table({"sections", "cross-sections, each by a name"}));
   readers::LinkDefaults links{&sections, &project.beam, "", &project.model, {}};
   links.form = readers::read_model(root, kind, project.model);
   std::string beam_body;
@@ -407,6 +419,19 @@ Project read_project(const std::string& path, const std::vector<std::string>& ov
 Project parse_project(const std::string& path, const std::string& text,
                       const std::vector<std::string>& overrides, std::optional<Dynamics> dynamics) {
   return read(parse_document(path, text, overrides), overrides, dynamics);
+}
+
+void record_keys(const std::string& path, const std::string& text, KeyRecorder& recorder) {
+  recorder.begin_case();
+  CaseDocument document = parse_document(path, text, {});
+  // The tables that examples name.
+  for (const auto& [file, column] : {std::pair{"stroke.csv", "stroke [m]"},
+                                     {"angle.csv", "angle [rad]"},
+                                     {"force.csv", "force [N]"},
+                                     {"couple.csv", "moment [N m]"},
+                                     {"line.csv", "line force [N/m]"}})
+    document.add_file(file, file, fmt::format("time [s], {}\n0, 0\n1, 0.1\n2, 0\n", column));
+  read(std::move(document), {}, {}, &recorder);
 }
 
 }  // namespace boxbeam

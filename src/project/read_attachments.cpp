@@ -42,13 +42,14 @@ Place attachment_in(TableReader& table, std::string_view key, const std::string&
 }
 
 Attachment ground_at(TableReader& table) {
-  return {planar::ground, table.pair("at", wanted::length)};
+  return {planar::ground, table.pair({"at", "the place on the ground"}, wanted::length)};
 }
 
 }  // namespace
 
-Attachment attachment_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
-  const std::string reference = table.text(key);
+Attachment attachment_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
+  const std::string_view key = of.name;
+  const std::string reference = table.text(of);
   if (reference.empty()) return {};
   return attachment_in<Attachment>(table, key, reference, mechanism);
 }
@@ -58,16 +59,18 @@ spatial::Attachment point_named(TableReader& table, std::string_view key,
   return attachment_in<spatial::Attachment>(table, key, reference, mechanism);
 }
 
-spatial::Attachment attachment_of(TableReader& table, std::string_view key,
+spatial::Attachment attachment_of(TableReader& table, const Key& of,
                                   const spatial::Mechanism& mechanism) {
-  const std::string reference = table.text(key);
+  const std::string_view key = of.name;
+  const std::string reference = table.text(of);
   return reference.empty() ? spatial::Attachment{} : point_named(table, key, reference, mechanism);
 }
 
-std::vector<Attachment> attachments_of(TableReader& table, std::string_view key, std::size_t count,
+std::vector<Attachment> attachments_of(TableReader& table, const Key& of, std::size_t count,
                                        const Mechanism& mechanism) {
+  const std::string_view key = of.name;
   std::vector<Attachment> attachments;
-  const std::vector<std::string> references = table.texts(key, true);
+  const std::vector<std::string> references = table.texts(of, true);
   if (references.size() != count && table.has(key)) {
     table.problem(key, fmt::format("\"{}\" wants {} points", key, count),
                   "each as \"body.point\", for example \"beam.B\"");
@@ -79,8 +82,9 @@ std::vector<Attachment> attachments_of(TableReader& table, std::string_view key,
   return attachments;
 }
 
-Attachment place_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
-  const std::string reference = table.text(key);
+Attachment place_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
+  const std::string_view key = of.name;
+  const std::string reference = table.text(of);
   if (reference.empty()) return {};
   if (reference == "ground") return ground_at(table);
   return attachment_in<Attachment>(table, key, reference, mechanism);
@@ -89,27 +93,27 @@ Attachment place_of(TableReader& table, std::string_view key, const Mechanism& m
 std::pair<Attachment, Attachment> ends_in(TableReader& table, const EndsKey& of,
                                           const Mechanism& mechanism) {
   const std::string hint =
-      fmt::format("write {} = [\"beam.B\", \"rod.B\"], or \"ground\" for one of them", of.key);
+      fmt::format("write {} = [\"beam.B\", \"rod.B\"], or \"ground\" for one of them", of.key.name);
   Attachment ends[2];
   const std::size_t before = table.problems().size();
   const std::vector<std::string> references = table.texts(of.key, true);
   if (table.problems().size() != before) return {};
   if (references.size() != 2) {
-    table.problem(of.key, fmt::format("{} connects two points", of.what), hint);
+    table.problem(of.key.name, fmt::format("{} connects two points", of.what), hint);
     return {};
   }
   int grounds = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     if (references[i] != "ground") {
-      ends[i] = attachment_in<Attachment>(table, of.key, references[i], mechanism);
+      ends[i] = attachment_in<Attachment>(table, of.key.name, references[i], mechanism);
     } else if (++grounds == 1 && of.ground_point) {
       ends[i] = ground_at(table);
     }
   }
   if (grounds == 2 || (grounds == 0 && ends[0].body == ends[1].body && ends[0].body >= 0)) {
     table.problem(
-        of.key, fmt::format("{} connects two different bodies, or a body and the ground", of.what),
-        hint);
+        of.key.name,
+        fmt::format("{} connects two different bodies, or a body and the ground", of.what), hint);
   }
   return {ends[0], ends[1]};
 }

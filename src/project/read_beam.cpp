@@ -12,20 +12,21 @@ namespace boxbeam::readers {
 Segment read_segment(TableReader table, std::size_t number, Length start,
                      const Sections& sections) {
   Segment segment;
-  segment.name = table.text("name", fmt::format("{}", number));
+  segment.name = table.text({"name", "of the segment; its number where not said"}, "");
+  if (segment.name.empty()) segment.name = fmt::format("{}", number);
   segment.start = start;
-  segment.length = si<Length>(table.positive("length", wanted::length));
-  if (table.has("section") == (table.has("from") || table.has("to"))) {
+  segment.length = si<Length>(table.positive({"length", "along the axis"}, wanted::length));
+  if (!table.says_one_of({{"section"}, {"from", "to"}})) {
     table.text("section", "");
     table.text("from", "");
     table.text("to", "");
     table.problem("length", "a segment wants either \"section\" or \"from\" and \"to\"",
                   "section = \"A1\" for a constant one, from = \"A1\" and to = \"A2\" for a taper");
   } else if (table.has("section")) {
-    segment.from = segment.to = named_section(table, "section", sections);
+    segment.from = segment.to = named_section(table, {"section", "a constant section"}, sections);
   } else {
-    segment.from = named_section(table, "from", sections);
-    segment.to = named_section(table, "to", sections);
+    segment.from = named_section(table, {"from", "a taper from this section"}, sections);
+    segment.to = named_section(table, {"to", "to this one"}, sections);
     const bool both_known = !defect_of(segment.from) && !defect_of(segment.to);
     if (both_known && !same_kind(segment.from, segment.to)) {
       table.problem("to", "a segment tapers between two sections of the same kind",
@@ -124,11 +125,12 @@ void check_concentration(TableReader& table, bool flanges, bool solid, HoleCase 
 HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const TaperedBeam& beam) {
   HoleInput input;
   if (table.has("detail")) {
-    TableReader given = table.table("detail");
+    TableReader given = table.table(
+        {"detail", "of the net section instead of a concentration: category, row or facts"});
     BeamDetail detail;
     detail.from = detail.to = s;
     detail.detail = read_detail(given);
-    detail.assumed = given.text("assumed", "");
+    detail.assumed = given.text({"assumed", "why it is taken so"}, "");
     if (given.problems().empty() && detail.detail.curve.kind == StressKind::shear) {
       given.problem("kind", "the detail of a hole is for direct stress",
                     "write a category or row for direct stress");
@@ -140,9 +142,9 @@ HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const Tape
   if (net && !table.has("concentration")) return input;
   constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
                                 HoleCase::out_of_plane_bending, HoleCase::published_exponential};
-  const HoleCase hole_case =
-      cases[table.choice("concentration", {"in-plane bending", "membrane tension",
-                                           "out-of-plane bending", "published exponential"})];
+  const HoleCase hole_case = cases[table.choice(
+      {"concentration", "which problem its concentration is"},
+      {"in-plane bending", "membrane tension", "out-of-plane bending", "published exponential"})];
   if (!table.problems().empty()) return input;
   if (net) {
     table.problem("concentration",
@@ -160,13 +162,18 @@ HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const Tape
 void read_hole(TableReader table, Project& project) {
   TaperedBeam& beam = project.beam;
   Hole hole;
-  hole.name = table.text("name");
-  hole.diameter = si<Length>(table.positive("diameter", wanted::length));
-  const Length s = station_of(table, "station", beam);
-  const bool flanges = table.choice("through", {"webs", "flanges"}) == 1;
+  hole.name = table.text({"name", "of the hole"});
+  hole.diameter = si<Length>(table.positive({"diameter", "of the hole"}, wanted::length));
+  const Length s = station_of(table, {"station", "along the beam"}, beam);
+  const bool flanges =
+      table.kind({"through", "the walls that it goes through"}, {"webs", "flanges"}) == 1;
   hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
-  const char* where = flanges ? "offsets" : "levels";
-  const std::vector<double> positions = table.quantities(where, wanted::length);
+  const Key of =
+      flanges
+          ? Key("offsets", "y of its centres, of holes through flanges; each stands at +y and -y")
+          : Key("levels", "z of its centres, of holes through webs");
+  const std::string_view where = of.name;
+  const std::vector<double> positions = table.quantities(of, wanted::length);
   const HoleInput input = read_hole_input(table, flanges, s, beam);
   table.finish();
   if (!table.problems().empty()) return;
@@ -199,8 +206,9 @@ void read_hole(TableReader table, Project& project) {
 
 }  // namespace
 
-Length station_of(TableReader& table, std::string_view key, const TaperedBeam& beam) {
-  const double s = table.not_negative(key, wanted::length);
+Length station_of(TableReader& table, const Key& of, const TaperedBeam& beam) {
+  const std::string_view key = of.name;
+  const double s = table.not_negative(of, wanted::length);
   if (beam.segments.empty()) return si<Length>(s);
   const double length = beam.length().value();
   if (s > length * (1.0 + 1e-12)) {
@@ -244,21 +252,24 @@ void check_bending_widths(TableReader& table, const Project& project) {
 
 void read_beam(TableReader& table, const Sections& sections, Project& project) {
   TaperedBeam& beam = project.beam;
-  beam.density = si<Density>(table.positive("density", wanted::density));
-  beam.rotary_inertia = table.boolean("rotary_inertia", false);
+  beam.density = si<Density>(table.positive({"density", "of its material"}, wanted::density));
+  beam.rotary_inertia =
+      table.boolean({"rotary_inertia", "the sections' own rotary inertia counts"}, false);
   Length start;
-  for (TableReader& segment : table.tables("segments", true)) {
+  for (TableReader& segment :
+       table.tables({"segments", "from its start to its end, constant or tapered"}, true)) {
     beam.segments.push_back(read_segment(segment, beam.segments.size() + 1, start, sections));
     start = beam.segments.back().end();
   }
   if (table.has("segments") && beam.segments.empty()) {
     table.problem("segments", "the beam has no segment", "write at least one [[beam.segments]]");
   }
-  TableReader places = table.table("places", false);
-  for (const Node::Member& member : places.members()) {
+  TableReader places = table.table({"places", "stations of interest, each by a name"}, false);
+  for (const Node::Member& member : places.members("along the beam")) {
     beam.points.push_back({member.key, station_of(places, member.key, beam)});
   }
-  for (TableReader& hole : table.tables("holes")) read_hole(hole, project);
+  for (TableReader& hole : table.tables({"holes", "through webs or flanges"}))
+    read_hole(hole, project);
   check_bending_widths(table, project);
 }
 

@@ -35,7 +35,9 @@ void check_inertia(TableReader& table, const Eigen::Matrix3d& inertia) {
 /// The centre and inertia of a thin rod between two points of the body.
 void read_rod(TableReader& table, Body& body) {
   const std::size_t before = table.problems().size();
-  const std::vector<std::string> names = table.texts("uniform_rod", true);
+  const std::vector<std::string> names = table.texts(
+      {"uniform_rod", "a uniform thin rod between two of its points: gives centre and inertia"},
+      true);
   if (table.problems().size() != before) return;
   std::vector<Eigen::Vector3d> ends;
   for (const std::string& name : names) {
@@ -61,7 +63,8 @@ void read_rod(TableReader& table, Body& body) {
 }
 
 void read_mass(TableReader& table, Body& body) {
-  body.mass = table.not_negative("mass", wanted::mass, 0.0);
+  body.mass = table.not_negative({"mass", "of the body"}, wanted::mass, 0.0);
+  static_cast<void>(table.says_one_of({{"uniform_rod"}, {"centre", "inertia"}, {}}));
   if (table.has("uniform_rod")) {
     if (table.has("centre") || table.has("inertia")) {
       table.problem("uniform_rod", "the rod gives centre and inertia",
@@ -71,9 +74,10 @@ void read_mass(TableReader& table, Body& body) {
     read_rod(table, body);
     return;
   }
-  body.centre = table.triple("centre", wanted::length, Eigen::Vector3d::Zero());
+  body.centre = table.triple({"centre", "centre of mass"}, wanted::length, Eigen::Vector3d::Zero());
   if (table.has("inertia")) {
-    body.inertia = table.symmetric("inertia", wanted::inertia);
+    body.inertia = table.symmetric(
+        {"inertia", "about the centre of mass: xx, yy, zz, or three rows"}, wanted::inertia);
     check_inertia(table, body.inertia);
     if (body.mass == 0.0 && body.inertia.allFinite() && !body.inertia.isZero(0.0)) {
       table.problem("inertia", "a body with inertia has a mass", "write \"mass\"");
@@ -90,9 +94,9 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam) {
                                : fmt::format("\"{}\" is the world and no body", name),
                   "give the body another name");
   }
-  TableReader points = table.table("points", false);
+  TableReader points = table.table({"points", "of the body, by name, in its own axes"}, false);
   points.accept_all();
-  for (const Node::Member& member : points.members()) {
+  for (const Node::Member& member : points.members("a point")) {
     body.points.push_back(
         {member.key,
          points.triple_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
@@ -117,7 +121,8 @@ void read_connection(TableReader& table, const Mechanism& mechanism, JointDraft&
       "write connect = [\"leg.C\", \"wheel.C\"], the carrying body first; it may be \"ground\", "
       "whose point is at = [x, y, z]";
   const std::size_t before = table.problems().size();
-  const std::vector<std::string> references = table.texts("connect", true);
+  const std::vector<std::string> references = table.texts(
+      {"connect", "the carrying point, which may be \"ground\", and the carried one"}, true);
   if (table.problems().size() != before) return;
   if (references.size() != 2 || references[1] == "ground") {
     table.problem("connect", "a joint connects two points, and carries the second one's body",
@@ -125,7 +130,8 @@ void read_connection(TableReader& table, const Mechanism& mechanism, JointDraft&
     return;
   }
   if (references[0] == "ground") {
-    draft.joint.at = table.triple("at", wanted::length, Eigen::Vector3d::Zero());
+    draft.joint.at =
+        table.triple({"at", "the place on the ground"}, wanted::length, Eigen::Vector3d::Zero());
   } else {
     const spatial::Attachment from = point_named(table, "connect", references[0], mechanism);
     draft.joint.parent = from.body;
@@ -141,7 +147,9 @@ void read_connection(TableReader& table, const Mechanism& mechanism, JointDraft&
 
 Eigen::Matrix3d turn_in(TableReader& table) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  for (const auto& [axis, by] : table.turns("turn")) {
+  for (const auto& [axis, by] : table.turns(
+           {"turn",
+            "how the carried body stands at zero: turns about axes, one after the other"})) {
     turn = spatial::composed(turn, spatial::rotation_about(by * axis));
   }
   return turn;
@@ -152,7 +160,8 @@ void add_spherical(TableReader& table, const std::string& name, const JointDraft
                    Mechanism& mechanism, std::vector<JointDraft>& drafts) {
   std::vector<Eigen::Vector3d> axes{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(),
                                     Eigen::Vector3d::UnitX()};
-  if (table.has("axes")) axes = table.directions("axes", 3);
+  if (table.has("axes"))
+    axes = table.directions({"axes", "of its three turns, one after the other"}, 3);
   if (axes.size() != 3) return;
   JointDraft draft = whole;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -176,11 +185,13 @@ void add_spherical(TableReader& table, const std::string& name, const JointDraft
 
 std::vector<JointDraft> read_joints_of(TableReader& root, Mechanism& mechanism) {
   std::vector<JointDraft> drafts;
-  for (auto& [name, table] : root.table("joints").named_tables()) {
+  for (auto& [name, table] :
+       root.table({"joints", "which joint carries which body; one for each"}).named_tables()) {
     JointDraft draft;
     draft.joint.name = name;
     const std::size_t before = table.problems().size();
-    const std::size_t kind = table.choice("kind", {"fixed", "revolute", "prismatic", "spherical"});
+    const std::size_t kind =
+        table.kind({"kind", "of joint"}, {"fixed", "revolute", "prismatic", "spherical"});
     if (table.problems().size() != before) continue;
     read_connection(table, mechanism, draft);
     draft.joint.turn = turn_in(table);
@@ -189,7 +200,10 @@ std::vector<JointDraft> read_joints_of(TableReader& root, Mechanism& mechanism) 
     } else {
       draft.joint.kind = static_cast<JointKind>(kind);
       // Written in the axes of the carried body where it stands at zero.
-      if (kind > 0) draft.joint.axis = draft.joint.turn * table.direction("axis");
+      if (kind > 0)
+        draft.joint.axis =
+            draft.joint.turn *
+            table.direction({"axis", "about or along which it moves, in the carried body's axes"});
       drafts.push_back(draft);
     }
     table.finish();
@@ -264,9 +278,12 @@ void sort_tree(TableReader& root, const std::vector<JointDraft>& drafts, Mechani
 
 void read_joint_drivers(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
   std::vector<bool> driven(mechanism.joints.size(), false);
-  for (auto& [name, table] : root.table("drivers", false).named_tables()) {
+  for (auto& [name, table] :
+       root.table({"drivers", "functions of time, one for each joint that moves"}, false)
+           .named_tables()) {
     const std::size_t before = table.problems().size();
-    const std::string joint_name = table.text("joint");
+    const std::string joint_name = table.text(
+        {"joint", "the joint, \"hinge\", or of a spherical one \"ball.1\" to \"ball.3\""});
     if (table.problems().size() != before) continue;
     const int index = joint_index(mechanism, joint_name);
     if (index < 0) {
@@ -323,11 +340,13 @@ std::vector<NamedFunction> named_functions_of(const Mechanism& mechanism) {
 
 Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables& tables) {
   Mechanism mechanism;
-  TableReader general = root.table("mechanism");
-  mechanism.gravity = general.triple("gravity", wanted::acceleration);
+  TableReader general = root.table({"mechanism", "general"});
+  mechanism.gravity =
+      general.triple({"gravity", "acceleration of free fall, world axes"}, wanted::acceleration);
   general.finish();
   mechanism.duration = read_duration(root);
-  for (auto& [name, table] : root.table("bodies").named_tables()) {
+  for (auto& [name, table] :
+       root.table({"bodies", "rigid bodies; one joint carries each"}).named_tables()) {
     mechanism.bodies.push_back(read_body(name, table, name == beam_body));
   }
   const std::size_t before = root.problems().size();
@@ -354,9 +373,10 @@ Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables
 spatial::BeamPlacement read_placement(TableReader& beam, const Mechanism& mechanism, int body) {
   spatial::BeamPlacement placement;
   placement.body = body;
-  const std::string start = beam.text("start", "");
-  const Eigen::Vector3d axis = beam.direction("axis");
-  const Eigen::Vector3d z = beam.direction("z");
+  const std::string start =
+      beam.text({"start", "a point of the body at s = 0; its origin where not said"}, "");
+  const Eigen::Vector3d axis = beam.direction({"axis", "the beam's axis in the body"});
+  const Eigen::Vector3d z = beam.direction({"z", "the beam's z in the body"});
   if (!beam.problems().empty() || body < 0) return placement;
   const Body& of = mechanism.bodies[static_cast<std::size_t>(body)];
   if (!start.empty()) {

@@ -14,7 +14,8 @@ constexpr FunctionOf line{wanted::stiffness, "N/m", "line force", "the line forc
 /// The body in whose axes a direction is given; the world where nothing is said.
 int axes_in(TableReader& table, const Mechanism& mechanism) {
   if (!table.has("axes") || table.text("axes") == "world") return spatial::ground;
-  return body_of(table, "axes", mechanism);
+  return body_of(table, {"axes", "\"world\", or the body in whose axes the direction is"},
+                 mechanism);
 }
 
 void read_load(const std::string& name, TableReader& table, spatial::LoadKind kind,
@@ -22,10 +23,11 @@ void read_load(const std::string& name, TableReader& table, spatial::LoadKind ki
   spatial::AppliedLoad load;
   load.name = name;
   load.kind = kind;
-  load.at = attachment_of(table, "point", mechanism);
-  load.on = table.has("on") ? body_of(table, "on", mechanism) : load.at.body;
+  load.at = attachment_of(table, {"point", "where it acts, \"body.point\""}, mechanism);
+  load.on = table.has("on") ? body_of(table, {"on", "another body that feels it"}, mechanism)
+                            : load.at.body;
   load.axes = axes_in(table, mechanism);
-  load.direction = table.direction("direction");
+  load.direction = table.direction({"direction", "of the force, or the axis of the couple"});
   load.size = read_size(table, kind == spatial::LoadKind::couple ? moment : force, tables);
   // A wrong name has been noted; nothing is then computed.
   if (load.on >= 0) mechanism.loads.push_back(std::move(load));
@@ -35,13 +37,14 @@ void read_line(const std::string& name, TableReader& table, Mechanism& mechanism
                TimeTables& tables) {
   spatial::LineForce load;
   load.name = name;
-  const spatial::Attachment from = attachment_of(table, "from", mechanism);
-  const spatial::Attachment to = attachment_of(table, "to", mechanism);
+  const spatial::Attachment from =
+      attachment_of(table, {"from", "where it begins, \"body.point\""}, mechanism);
+  const spatial::Attachment to = attachment_of(table, {"to", "where it ends"}, mechanism);
   load.on = from.body;
   load.from = from.p;
   load.to = to.p;
   load.axes = axes_in(table, mechanism);
-  load.direction = table.direction("direction");
+  load.direction = table.direction({"direction", "of the force"});
   load.size = read_size(table, line, tables);
   if (from.body < 0 || to.body < 0) return;
   if (from.body != to.body || (from.p - to.p).norm() == 0.0) {
@@ -54,9 +57,10 @@ void read_line(const std::string& name, TableReader& table, Mechanism& mechanism
 }  // namespace
 
 void read_chain_loads(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
-  for (auto& [name, table] : root.table("forces", false).named_tables()) {
+  for (auto& [name, table] :
+       root.table({"forces", "forces and couples over time"}, false).named_tables()) {
     const std::size_t before = table.problems().size();
-    const std::size_t kind = table.choice("kind", {"force", "couple", "line force"});
+    const std::size_t kind = table.kind({"kind", "of load"}, {"force", "couple", "line force"});
     if (table.problems().size() != before) continue;
     if (kind == 2)
       read_line(name, table, mechanism, tables);

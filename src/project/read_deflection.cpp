@@ -142,18 +142,25 @@ void read_against(TableReader& table, const Project& project, DeflectionInput& d
   const bool said = table.has("against");
   enum { chord, axis, tangent };
   const std::size_t unsaid = axis;
-  const std::size_t word = said ? table.choice("against", {"chord", "axis", "tangent"}) : unsaid;
+  const std::size_t word =
+      said ? table.choice(
+                 {"against",
+                  "from which line it is measured: the chord between two stations, the undeformed "
+                  "axis, the tangent at a station; where not said the supports decide"},
+                 {"chord", "axis", "tangent"})
+           : unsaid;
   const bool ends = table.has("from") || table.has("to");
   std::optional<Chord> between;
   if (ends) {
-    between = {station_of(table, "from", beam), station_of(table, "to", beam)};
+    between = {station_of(table, {"from", "start of the chord"}, beam),
+               station_of(table, {"to", "end of the chord"}, beam)};
     if (table.problems().empty() && !(between->from < between->to)) {
       table.problem("to", "the line from which the deflection is measured has no length",
                     "write two stations, \"from\" before \"to\"");
     }
   }
   std::optional<Tangent> touching;
-  if (table.has("at")) touching = {station_of(table, "at", beam)};
+  if (table.has("at")) touching = {station_of(table, {"at", "where the tangent touches"}, beam)};
   if (said && between && word != chord) {
     table.problem("from", "\"from\" and \"to\" are the ends of a chord",
                   "remove them, or write against = \"chord\"");
@@ -195,13 +202,15 @@ void read_against(TableReader& table, const Project& project, DeflectionInput& d
 
 DeflectionInput read_deflection(TableReader table, const Project& project) {
   DeflectionInput deflection;
-  deflection.limit = si<Length>(table.positive("limit", wanted::length));
-  deflection.load_factor = table.boolean("load_factor", false);
+  deflection.limit =
+      si<Length>(table.positive({"limit", "largest deflection allowed"}, wanted::length));
+  deflection.load_factor =
+      table.boolean({"load_factor", "the situations' load factors multiply it"}, false);
   read_against(table, project, deflection);
   deflection.youngs_modulus =
-      si<Stress>(table.positive("youngs_modulus", wanted::stress, youngs_modulus));
+      si<Stress>(table.positive({"youngs_modulus", "of the beam"}, wanted::stress, youngs_modulus));
   deflection.shear_modulus =
-      si<Stress>(table.positive("shear_modulus", wanted::stress, shear_modulus));
+      si<Stress>(table.positive({"shear_modulus", "of the beam"}, wanted::stress, shear_modulus));
   table.finish();
   return deflection;
 }

@@ -14,34 +14,38 @@ Material read_material(TableReader table) {
   std::optional<SteelSource> source;
   if (table.has("fy_source")) {
     constexpr SteelSource sources[] = {SteelSource::en_10025_2, SteelSource::en_1993_1_1};
-    source = sources[table.choice("fy_source", {to_text(sources[0]), to_text(sources[1])})];
+    source = sources[table.choice(
+        {"fy_source", "table of the yield strength; the lower of both where not said"},
+        {to_text(sources[0]), to_text(sources[1])})];
   }
-  Material material = named_steel(table, "steel", source);
+  Material material = named_steel(table, {"steel", "\"S355\"; a steel of the catalogue"}, source);
   table.finish();
   return material;
 }
 
 StrengthDemand read_strength(TableReader table) {
   StrengthDemand demand;
-  demand.gamma_M0 = table.number("gamma_M0", 1.0);
-  demand.gamma_M2 = table.number("gamma_M2", 1.25);
-  demand.shear_lag = table.boolean("shear_lag", true);
-  demand.required = table.number("required");
+  demand.gamma_M0 = table.number({"gamma_M0", "on yielding, EN 1993-1-1"}, 1.0);
+  demand.gamma_M2 = table.number({"gamma_M2", "on welds, pins and net sections"}, 1.25);
+  demand.shear_lag =
+      table.boolean({"shear_lag", "wide flanges are reduced, EN 1993-1-5, 3.2"}, true);
+  demand.required = table.number({"required", "wanted safety factor"});
   table.finish();
   return demand;
 }
 
 void read_points(TableReader& root, Project& project) {
-  for (TableReader& table : root.tables("points")) {
+  for (TableReader& table : root.tables({"points", "places of sections to be looked at"})) {
     NamedPoint point;
-    point.name = table.text("name");
+    point.name = table.text({"name", "of the point"});
     const auto named_alike = [&](const NamedPoint& other) { return other.name == point.name; };
     if (std::any_of(project.points.begin(), project.points.end(), named_alike)) {
       table.problem("name", fmt::format("there is already a point \"{}\"", point.name),
                     "give every point a name of its own");
     }
-    point.s = station_of(table, "station", project.beam);
-    point.z = si<Length>(table.quantity("z", wanted::length));
+    point.s = station_of(table, {"station", "along the beam"}, project.beam);
+    point.z = si<Length>(
+        table.quantity({"z", "of the level, from the middle of the height"}, wanted::length));
     table.finish();
     if (root.problems().empty()) {
       for (const Side side : {Side::before, Side::behind}) {
@@ -73,17 +77,21 @@ std::string thickest_hint(const Material& material) {
 }
 
 void read_given_stresses(TableReader& root, Project& project) {
-  for (TableReader& table : root.tables("given_stresses")) {
+  for (TableReader& table : root.tables(
+           {"given_stresses", "stresses of a published calculation, instead of computed ones"})) {
     GivenStress given;
-    given.name = table.text("name");
-    given.s = station_of(table, "station", project.beam);
-    given.peak = si<Stress>(table.positive("peak", wanted::stress));
+    given.name = table.text({"name", "of the place"});
+    given.s = station_of(table, {"station", "along the beam"}, project.beam);
+    given.peak =
+        si<Stress>(table.positive({"peak", "largest, concentration included"}, wanted::stress));
     if (table.has("opposite")) {
-      given.opposite = si<Stress>(table.positive("opposite", wanted::stress));
+      given.opposite = si<Stress>(table.positive(
+          {"opposite", "largest of the other sign, as a positive number"}, wanted::stress));
     }
-    given.thickness = si<Length>(table.positive("thickness", wanted::length));
-    given.time = si<Time>(table.not_negative("time", wanted::time));
-    given.note = table.text("note", "");
+    given.thickness = si<Length>(
+        table.positive({"thickness", "of the plate, for its yield strength"}, wanted::length));
+    given.time = si<Time>(table.not_negative({"time", "of the peak"}, wanted::time));
+    given.note = table.text({"note", "for the report"}, "");
     table.finish();
     if (root.problems().empty() && !yield_strength_of(project.material, given.thickness)) {
       table.problem(
@@ -122,8 +130,9 @@ void check_thicknesses(TableReader& root, const Project& project) {
 
 }  // namespace
 
-Material named_steel(TableReader& table, std::string_view key, std::optional<SteelSource> source) {
-  const std::string name = table.text(key);
+Material named_steel(TableReader& table, const Key& of, std::optional<SteelSource> source) {
+  const std::string_view key = of.name;
+  const std::string name = table.text(of);
   if (const auto steel = source ? find_steel(name, *source) : find_steel(name)) return *steel;
   if (!name.empty()) {
     const std::string near = nearest_word(name, steel_names());
@@ -136,11 +145,14 @@ Material named_steel(TableReader& table, std::string_view key, std::optional<Ste
 }
 
 void read_demands(TableReader& root, Project& project) {
-  project.material = read_material(root.table("material"));
-  project.strength = read_strength(root.table("strength"));
+  project.material = read_material(root.table({"material", "what the beam is made of"}));
+  project.strength = read_strength(root.table({"strength", "what is wanted against yielding"}));
   project.fatigue.asked = root.has("fatigue");
   if (project.fatigue.asked) {
-    project.fatigue = read_fatigue(root.table("fatigue"), project.beam);
+    project.fatigue = read_fatigue(
+        root.table({"fatigue",
+                    "what is wanted against fatigue; without it the verdict is for strength only"}),
+        project.beam);
   } else if (!project.beam.segments.empty()) {
     project.fatigue.beam.to = project.beam.length();
   }

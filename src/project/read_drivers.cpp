@@ -26,13 +26,15 @@ Driven read_relative_angle(TableReader& table, const Mechanism& mechanism) {
                   "write coordinate = \"angle\" and point = \"body.point\"");
     return driven;
   }
-  std::tie(driven.point, driven.other) = ends_in(table, {"points", "a relative angle"}, mechanism);
+  std::tie(driven.point, driven.other) =
+      ends_in(table, {{"points", "the two bodies, \"body.point\""}, "a relative angle"}, mechanism);
   return driven;
 }
 
 /// The distance of two points; the first of them is on a body.
 Driven read_length(TableReader& table, const Mechanism& mechanism) {
-  auto [a, b] = ends_in(table, {"points", "a driven length"}, mechanism);
+  auto [a, b] = ends_in(
+      table, {{"points", "two points whose distance is driven"}, "a driven length"}, mechanism);
   if (a.body == planar::ground) std::swap(a, b);
   return {a, Coordinate::length, {}, b};
 }
@@ -41,21 +43,26 @@ Driven read_length(TableReader& table, const Mechanism& mechanism) {
 std::optional<Driven> read_driven(TableReader& table, const Mechanism& mechanism) {
   const std::size_t before = table.problems().size();
   const std::size_t coordinate =
-      table.choice("coordinate", {"x", "y", "angle", "relative angle", "length"});
+      table.kind({"coordinate", "what is driven"}, {"x", "y", "angle", "relative angle", "length"});
   if (table.problems().size() != before) return std::nullopt;
   constexpr Coordinate of_a_point[] = {Coordinate::x, Coordinate::y, Coordinate::angle};
   switch (coordinate) {
     case 3: return read_relative_angle(table, mechanism);
     case 4: return read_length(table, mechanism);
     default:
-      return Driven{attachment_of(table, "point", mechanism), of_a_point[coordinate], {}, {}};
+      return Driven{
+          attachment_of(table, {"point", "whose coordinate or body is driven, \"body.point\""},
+                        mechanism),
+          of_a_point[coordinate],
+          {},
+          {}};
   }
 }
 
 }  // namespace
 
 void read_drivers(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
-  TableReader drivers = root.table("drivers", false);
+  TableReader drivers = root.table({"drivers", "functions of time that move the mechanism"}, false);
   for (auto& [name, table] : drivers.named_tables()) {
     check_name(table, name, "driver", mechanism);
     std::optional<Driven> driven = read_driven(table, mechanism);

@@ -15,9 +15,10 @@ constexpr const char* with_a_duration =
 Duration read_duration(TableReader& root) {
   Duration duration;
   if (!root.has("motion")) return duration;
-  TableReader table = root.table("motion");
-  duration.length = table.positive("duration", wanted::time);
-  duration.settle = table.not_negative("settle", wanted::time, 0.0);
+  TableReader table = root.table(
+      {"motion", "how long to look: where forces move the mechanism or its drivers do not repeat"});
+  duration.length = table.positive({"duration", "to look at"}, wanted::time);
+  duration.settle = table.not_negative({"settle", "before it, not looked at"}, wanted::time, 0.0);
   table.finish();
   return duration;
 }

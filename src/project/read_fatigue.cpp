@@ -30,13 +30,15 @@ std::vector<Length> plates_on(const TaperedBeam& beam, Length from, Length to,
 
 /// The partial factor as a number, or by table 3.1.
 void read_gamma_Mf(TableReader& table, FatigueInput& input) {
-  const bool by_table = table.has("assessment") || table.has("consequence");
-  if (!by_table) {
-    input.demand.gamma_Mf = table.number("gamma_Mf");
+  static_cast<void>(table.says_one_of({{"assessment", "consequence"}, {"gamma_Mf"}}));
+  if (!table.has("assessment") && !table.has("consequence")) {
+    input.demand.gamma_Mf = table.number({"gamma_Mf", "partial factor on the strength"});
     return;
   }
-  const std::size_t method = table.choice("assessment", {"damage tolerant", "safe life"});
-  const std::size_t consequence = table.choice("consequence", {"low", "high"});
+  const std::size_t method = table.choice({"assessment", "instead of gamma_Mf, table 3.1"},
+                                          {"damage tolerant", "safe life"});
+  const std::size_t consequence =
+      table.choice({"consequence", "of failure, table 3.1"}, {"low", "high"});
   if (table.has("gamma_Mf")) {
     table.problem("gamma_Mf", "gamma_Mf follows from \"assessment\" and \"consequence\"",
                   "write either the number or these two");
@@ -53,7 +55,8 @@ std::vector<std::string> read_codes(TableReader& table) {
   std::vector<std::string> codes;
   if (!table.has("codes")) return codes;
   const std::vector<std::string> known = families();
-  for (const std::string& code : table.texts("codes", true)) {
+  for (const std::string& code :
+       table.texts({"codes", "curves of other codes to be shown beside"}, true)) {
     if (std::find(known.begin(), known.end(), code) == known.end()) {
       table.problem("codes", fmt::format("there are no curves \"{}\"", code),
                     unknown_hint(code, known));
@@ -65,7 +68,7 @@ std::vector<std::string> read_codes(TableReader& table) {
 }
 
 /// A detail for shear stress under a key, or a category of it that is there by default.
-Detail read_shear_detail(TableReader& table, const char* key, double category, const char* name) {
+Detail read_shear_detail(TableReader& table, const Key& key, double category, const char* name) {
   if (!table.has(key)) {
     Detail detail;
     detail.name = name;
@@ -75,7 +78,7 @@ Detail read_shear_detail(TableReader& table, const char* key, double category, c
   TableReader given = table.table(key);
   Detail detail = read_detail(given);
   if (given.problems().empty() && detail.curve.kind != StressKind::shear) {
-    given.problem("", fmt::format("\"{}\" wants a detail for shear stress", key),
+    given.problem("", fmt::format("\"{}\" wants a detail for shear stress", key.name),
                   "write kind = \"shear\" in it, with category = 100 or 80");
   }
   given.finish();
@@ -84,7 +87,8 @@ Detail read_shear_detail(TableReader& table, const char* key, double category, c
 
 /// The factor from the nominal stress to that of the detail, which some rows cannot do without.
 double read_stress_factor(TableReader& table, const Detail& detail) {
-  const double factor = table.number("stress_factor", 1.0);
+  const double factor = table.number(
+      {"stress_factor", "stress of the detail over the nominal one (k_f, hot spot, throat)"}, 1.0);
   const bool wanted = detail.where == StressPlace::hot_spot || detail.where == StressPlace::throat;
   if (wanted && !table.has("stress_factor")) {
     table.problem(
@@ -99,11 +103,12 @@ double read_stress_factor(TableReader& table, const Detail& detail) {
 
 BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
   BeamDetail on_beam;
-  on_beam.from = station_of(table, "from", beam);
-  on_beam.to = station_of(table, "to", beam);
+  on_beam.from = station_of(table, {"from", "start along the beam"}, beam);
+  on_beam.to = station_of(table, {"to", "its end"}, beam);
   constexpr DetailPlace places[] = {DetailPlace::section, DetailPlace::fibres, DetailPlace::webs,
                                     DetailPlace::seams};
-  on_beam.on = places[table.choice("on", {"section", "fibres", "webs", "seams"}, 0)];
+  on_beam.on = places[table.choice({"on", "where in the section it is"},
+                                   {"section", "fibres", "webs", "seams"}, 0)];
   on_beam.detail = read_detail(table, plates_on(beam, on_beam.from, on_beam.to, table.problems()));
   if (!table.has("name")) {
     table.problem("name", "a detail of the beam wants a name", "write name = \"hub weld\"");
@@ -113,7 +118,7 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
                   "write shear = { kind = \"shear\", category = 80 } in [fatigue]");
   }
   on_beam.stress_factor = read_stress_factor(table, on_beam.detail);
-  on_beam.assumed = table.text("assumed", "");
+  on_beam.assumed = table.text({"assumed", "why it is taken so"}, "");
   if (on_beam.to < on_beam.from) {
     table.problem("to", "the stretch ends before it begins", "exchange \"from\" and \"to\"");
   }
@@ -134,24 +139,34 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
   }
   input.beam.stress_factor = read_stress_factor(table, input.beam.detail);
   input.beam.assumed = table.text("assumed", "");
-  input.published_step = table.choice("curve", {"EN 1993-1-9", "published step"}, 0) == 1;
+  input.published_step =
+      table.choice({"curve", "the standard's, or the thesis' step for comparison"},
+                   {"EN 1993-1-9", "published step"}, 0) == 1;
   if (input.published_step && table.problems().empty()) {
     input.beam.detail.curve = published_step(input.beam.detail.curve.reference.value() * 1e-6);
   }
   if (table.has("round_strength_to")) {
-    input.round_strength_to = si<Stress>(table.positive("round_strength_to", wanted::stress));
+    input.round_strength_to = si<Stress>(table.positive(
+        {"round_strength_to", "fatigue strengths are rounded to multiples of it, as published"},
+        wanted::stress));
   }
   table.has("cycles");  // read with the situations
-  input.demand.loading = table.choice("loading", {"spectrum", "constant amplitude"}) == 0
-                             ? Loading::spectrum
-                             : Loading::constant_amplitude;
-  input.demand.gamma_Ff = table.number("gamma_Ff", 1.0);
+  input.demand.loading =
+      table.choice({"loading", "constant amplitude knows a limit without damage"},
+                   {"spectrum", "constant amplitude"}) == 0
+          ? Loading::spectrum
+          : Loading::constant_amplitude;
+  input.demand.gamma_Ff = table.number({"gamma_Ff", "partial factor on the ranges"}, 1.0);
   read_gamma_Mf(table, input);
-  input.required = table.number("required");
-  input.shear = read_shear_detail(table, "shear", 100.0, "plate under shear (8.1/6)");
-  input.throat = read_shear_detail(table, "throat", 80.0, "throat of a seam (8.5/8)");
+  input.required =
+      table.number({"required", "wanted factor on the ranges, beside the partial factors"});
+  input.shear = read_shear_detail(table, {"shear", "of plates under shear"}, 100.0,
+                                  "plate under shear (8.1/6)");
+  input.throat = read_shear_detail(table, {"throat", "of the throats of seams, shear along them"},
+                                   80.0, "throat of a seam (8.5/8)");
   input.codes = read_codes(table);
-  for (TableReader& detail : table.tables("details")) {
+  for (TableReader& detail :
+       table.tables({"details", "of stretches of the beam, where they are not as the rest"})) {
     input.details.push_back(read_beam_detail(detail, beam));
   }
   table.finish();

@@ -51,7 +51,8 @@ Attachment point_of_link(TableReader& table, std::string_view key, const std::st
 void read_connection(TableReader& table, const Mechanism& mechanism, Joint& joint) {
   const char* hint = "write connect = [\"boom.end\", \"arm.start\"], or \"ground\" for one of them";
   const std::size_t before = table.problems().size();
-  const std::vector<std::string> references = table.texts("connect", true);
+  const std::vector<std::string> references =
+      table.texts({"connect", "two points, \"link.point\", or \"ground\" for one of them"}, true);
   const bool at = table.has("at");
   if (table.problems().size() != before) return;
   if (references.size() != 2 || (references[0] == "ground" && references[1] == "ground")) {
@@ -67,7 +68,10 @@ void read_connection(TableReader& table, const Mechanism& mechanism, Joint& join
   if (table.problems().size() != before) return;
   for (std::size_t i = 0; i < 2; ++i) {
     if (references[i] != "ground") continue;
-    ends[i]->p = at ? table.pair("at", wanted::length) : in_world(mechanism, *ends[1 - i]);
+    ends[i]->p =
+        at ? table.pair({"at", "the place on the ground; where the other point is if not said"},
+                        wanted::length)
+           : in_world(mechanism, *ends[1 - i]);
     return;
   }
   if (at) {
@@ -82,16 +86,17 @@ void read_connection(TableReader& table, const Mechanism& mechanism, Joint& join
 
 /// Stiffness and damping about the joint.
 void read_turning(TableReader& table, Joint& joint) {
-  joint.stiffness[2] =
-      table.per_direction("turning_stiffness", 1, wanted::torsional_stiffness, rigid, 0.0)[0];
-  joint.damping[2] =
-      table.per_direction("turning_damping", 1, wanted::torsional_damping, {}, 0.0)[0];
+  joint.stiffness[2] = table.per_direction({"turning_stiffness", "about the joint"}, 1,
+                                           wanted::torsional_stiffness, rigid, 0.0)[0];
+  joint.damping[2] = table.per_direction({"turning_damping", "about the joint"}, 1,
+                                         wanted::torsional_damping, {}, 0.0)[0];
 }
 
 void read_revolute(TableReader& table, bool general, Joint& joint) {
-  joint.angle = table.quantity("angle", wanted::angle, 0.0);
-  const auto stiffness = table.per_direction("stiffness", 2, wanted::stiffness, rigid);
-  const auto damping = table.per_direction("damping", 2, wanted::damping, {}, 0.0);
+  joint.angle = table.quantity({"angle", "of its directions"}, wanted::angle, 0.0);
+  const auto stiffness = table.per_direction(
+      {"stiffness", "in both directions, or each; \"rigid\""}, 2, wanted::stiffness, rigid);
+  const auto damping = table.per_direction({"damping", "likewise"}, 2, wanted::damping, {}, 0.0);
   for (std::size_t i = 0; i < 2; ++i) {
     joint.stiffness[i] = stiffness[i];
     joint.damping[i] = damping[i];
@@ -106,14 +111,19 @@ void read_revolute(TableReader& table, bool general, Joint& joint) {
 /// Along the axis of the first link, or at an angle in the world where that is the ground.
 void read_sliding(TableReader& table, const Mechanism& mechanism, Joint& joint) {
   if (joint.a.link == flexible::ground) {
-    joint.angle = table.quantity("angle", wanted::angle);
+    joint.angle =
+        table.quantity({"angle", "of its axis, where the first part is the ground"}, wanted::angle);
   } else {
     joint.angle = mechanism.links[static_cast<std::size_t>(joint.a.link)].angle;
   }
-  joint.stiffness[0] = table.per_direction("along", 1, wanted::stiffness, rigid, 0.0)[0];
-  joint.stiffness[1] = table.per_direction("normal", 1, wanted::stiffness, rigid)[0];
-  joint.damping[0] = table.per_direction("along_damping", 1, wanted::damping, {}, 0.0)[0];
-  joint.damping[1] = table.per_direction("normal_damping", 1, wanted::damping, {}, 0.0)[0];
+  joint.stiffness[0] =
+      table.per_direction({"along", "along its axis"}, 1, wanted::stiffness, rigid, 0.0)[0];
+  joint.stiffness[1] =
+      table.per_direction({"normal", "across its axis"}, 1, wanted::stiffness, rigid)[0];
+  joint.damping[0] =
+      table.per_direction({"along_damping", "along its axis"}, 1, wanted::damping, {}, 0.0)[0];
+  joint.damping[1] =
+      table.per_direction({"normal_damping", "across its axis"}, 1, wanted::damping, {}, 0.0)[0];
   read_turning(table, joint);
   if (joint.stiffness[1] == 0.0) {
     table.problem("normal", "a sliding contact holds across its axis",
@@ -176,11 +186,11 @@ void check_gap(TableReader& table, std::size_t kind, const Mechanism& mechanism,
 }
 
 void read_elastic_joints(TableReader& root, Mechanism& mechanism) {
-  for (auto& [name, table] : root.table("joints").named_tables()) {
+  for (auto& [name, table] : root.table({"joints", "elastic joints"}).named_tables()) {
     Joint joint;
     joint.name = name;
     const std::size_t before = table.problems().size();
-    const std::size_t kind = table.choice("kind", {"revolute", "sliding", "general"});
+    const std::size_t kind = table.kind({"kind", "of joint"}, {"revolute", "sliding", "general"});
     if (table.problems().size() != before) continue;
     read_connection(table, mechanism, joint);
     if (table.problems().size() != before) {
@@ -204,16 +214,19 @@ void read_elastic_joints(TableReader& root, Mechanism& mechanism) {
 }
 
 void read_elastic_loads(TableReader& root, Mechanism& mechanism) {
-  for (auto& [name, table] : root.table("loads", false).named_tables()) {
+  for (auto& [name, table] :
+       root.table({"loads", "forces that stand still and forces that vibrate"}, false)
+           .named_tables()) {
     flexible::Load load;
     load.name = name;
-    const std::string on = table.text("on");
+    const std::string on = table.text({"on", "where it acts, \"link.point\""});
     if (!on.empty()) load.at = point_of_link(table, "on", on, mechanism);
-    load.constant.head<2>() = table.pair("force", wanted::force, Vector2d::Zero());
-    load.constant.z() = table.quantity("moment", wanted::moment, 0.0);
-    load.amplitude.head<2>() = table.pair("amplitude_force", wanted::force, Vector2d::Zero());
-    load.amplitude.z() = table.quantity("amplitude_moment", wanted::moment, 0.0);
-    load.phase = table.quantity("phase", wanted::angle, 0.0);
+    load.constant.head<2>() = table.pair({"force", "constant"}, wanted::force, Vector2d::Zero());
+    load.constant.z() = table.quantity({"moment", "constant"}, wanted::moment, 0.0);
+    load.amplitude.head<2>() =
+        table.pair({"amplitude_force", "that vibrates"}, wanted::force, Vector2d::Zero());
+    load.amplitude.z() = table.quantity({"amplitude_moment", "that vibrates"}, wanted::moment, 0.0);
+    load.phase = table.quantity({"phase", "of the vibration"}, wanted::angle, 0.0);
     if (index_of(mechanism.joints, name) >= 0) {
       table.problem("", fmt::format("\"{}\" is already the name of a joint", name),
                     "give the load another name");
@@ -226,8 +239,8 @@ void read_elastic_loads(TableReader& root, Mechanism& mechanism) {
 /// [motion], how fast the harmonic loads change.
 void read_frequency(TableReader& root, Mechanism& mechanism) {
   if (root.has("motion")) {
-    TableReader motion = root.table("motion");
-    mechanism.frequency = motion.positive("frequency", wanted::frequency);
+    TableReader motion = root.table({"motion", "how fast the loads vibrate"});
+    mechanism.frequency = motion.positive({"frequency", "of the amplitudes"}, wanted::frequency);
     motion.finish();
     return;
   }
@@ -245,8 +258,8 @@ void read_frequency(TableReader& root, Mechanism& mechanism) {
 
 Mechanism read_flexible(TableReader& root, const LinkDefaults& defaults) {
   Mechanism mechanism;
-  TableReader general = root.table("mechanism");
-  mechanism.gravity = general.pair("gravity", wanted::acceleration);
+  TableReader general = root.table({"mechanism", "general"});
+  mechanism.gravity = general.pair({"gravity", "acceleration of free fall"}, wanted::acceleration);
   general.finish();
   const std::size_t before = root.problems().size();
   mechanism.links = read_links(root, defaults);

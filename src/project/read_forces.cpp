@@ -15,10 +15,12 @@ constexpr FunctionOf moment{wanted::moment, "N m", "moment", "the couple does no
 
 planar::Spring read_spring(TableReader& table, const Mechanism& mechanism) {
   planar::Spring spring;
-  std::tie(spring.a, spring.b) = ends_in(table, {"connect", "a spring"}, mechanism);
-  spring.stiffness = table.not_negative("stiffness", wanted::stiffness);
-  spring.free_length = table.not_negative("free_length", wanted::length, 0.0);
-  spring.damping = table.not_negative("damping", wanted::damping, 0.0);
+  std::tie(spring.a, spring.b) = ends_in(
+      table, {{"connect", "its ends, \"body.point\", or \"ground\" for one of them"}, "a spring"},
+      mechanism);
+  spring.stiffness = table.not_negative({"stiffness", "force per length"}, wanted::stiffness);
+  spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
+  spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
   if (spring.stiffness == 0.0 && spring.damping == 0.0) {
     table.problem("stiffness", "the spring has neither stiffness nor damping",
                   fmt::format("write for example stiffness = {}", wanted::stiffness.example));
@@ -28,10 +30,17 @@ planar::Spring read_spring(TableReader& table, const Mechanism& mechanism) {
 
 planar::TorsionSpring read_torsion_spring(TableReader& table, const Mechanism& mechanism) {
   planar::TorsionSpring spring;
-  std::tie(spring.a, spring.b) = ends_in(table, {"points", "a torsion spring", false}, mechanism);
-  spring.stiffness = table.not_negative("stiffness", wanted::torsional_stiffness);
-  spring.free_angle = table.quantity("free_angle", wanted::angle, 0.0);
-  spring.damping = table.not_negative("damping", wanted::torsional_damping, 0.0);
+  std::tie(spring.a, spring.b) =
+      ends_in(table,
+              {{"points", "the two bodies, \"body.point\", or \"ground\" for one of them"},
+               "a torsion spring",
+               false},
+              mechanism);
+  spring.stiffness =
+      table.not_negative({"stiffness", "moment per angle"}, wanted::torsional_stiffness);
+  spring.free_angle = table.quantity({"free_angle", "without moment"}, wanted::angle, 0.0);
+  spring.damping = table.not_negative({"damping", "moment per angular velocity"},
+                                      wanted::torsional_damping, 0.0);
   if (spring.stiffness == 0.0 && spring.damping == 0.0) {
     table.problem(
         "stiffness", "the spring has neither stiffness nor damping",
@@ -43,9 +52,9 @@ planar::TorsionSpring read_torsion_spring(TableReader& table, const Mechanism& m
 planar::PointForce read_point_force(TableReader& table, const Mechanism& mechanism,
                                     TimeTables& tables) {
   planar::PointForce point;
-  point.at = attachment_of(table, "point", mechanism);
-  point.direction = table.quantity("direction", wanted::angle);
-  point.turns = table.boolean("turns_with_body", false);
+  point.at = attachment_of(table, {"point", "where it acts, \"body.point\""}, mechanism);
+  point.direction = table.quantity({"direction", "of the force"}, wanted::angle);
+  point.turns = table.boolean({"turns_with_body", "the direction turns with the body"}, false);
   point.size = read_size(table, force, tables);
   return point;
 }
@@ -54,7 +63,8 @@ planar::PointForce read_point_force(TableReader& table, const Mechanism& mechani
 planar::Couple read_couple(TableReader& table, const Mechanism& mechanism, TimeTables& tables) {
   planar::Couple couple;
   const std::size_t before = table.problems().size();
-  const std::size_t count = table.texts("points", true).size();
+  const std::size_t count =
+      table.texts({"points", "the body, or two: the opposite acts on the second"}, true).size();
   if (count == 1) {
     couple.a = attachments_of(table, "points", 1, mechanism).front();
   } else if (table.problems().size() == before) {
@@ -77,27 +87,28 @@ planar::ForceKind read_kind(TableReader& table, std::size_t kind, const Mechanis
 }  // namespace
 
 Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables) {
-  if (table.has("size") == table.has("law")) {
+  if (!table.says_one_of({{"size"}, {"law"}})) {
     table.problem("", fmt::format("[{}] wants either \"size\" or \"law\"", table.name()),
                   fmt::format("size = {} for a constant, law = {{ kind = \"harmonic\", ... }} for "
                               "a function of time",
                               of.value.example));
     return PolynomialDriver{{0.0}};
   }
-  if (table.has("size")) return PolynomialDriver{{table.quantity("size", of.value)}};
-  TableReader law = table.table("law");
+  if (table.has("size")) return PolynomialDriver{{table.quantity({"size", "constant"}, of.value)}};
+  TableReader law = table.table({"law", "a function of time instead"});
   const std::optional<Driver> function = read_function(law, of, tables);
   if (function) law.finish();
   return function.value_or(PolynomialDriver{{0.0}});
 }
 
 void read_forces(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
-  TableReader forces = root.table("forces", false);
+  TableReader forces = root.table({"forces", "springs, forces and couples"}, false);
   for (auto& [name, table] : forces.named_tables()) {
     check_name(table, name, "force", mechanism);
     planar::AppliedForce applied{name, planar::Spring{}};
     const std::size_t before = table.problems().size();
-    const std::size_t kind = table.choice("kind", {"spring", "torsion spring", "force", "couple"});
+    const std::size_t kind =
+        table.kind({"kind", "of force"}, {"spring", "torsion spring", "force", "couple"});
     // Where the kind is not known, neither is what the other keys mean.
     if (table.problems().size() == before) {
       applied.kind = read_kind(table, kind, mechanism, tables);

@@ -41,22 +41,29 @@ void refuse_still(TableReader& table, const FunctionOf& of, std::string_view key
 }
 
 double angular_frequency_of(TableReader& table) {
-  if (table.has("angular_frequency")) {
-    return table.positive("angular_frequency", wanted::angular_frequency);
+  const bool one = table.says_one_of({{"angular_frequency"}, {"frequency"}});
+  if (!one && table.has("frequency")) {
+    table.problem("frequency", "\"angular_frequency\" says it already", "write one of the two");
   }
-  return 2.0 * std::numbers::pi * table.positive("frequency", wanted::frequency);
+  if (table.has("angular_frequency")) {
+    return table.positive({"angular_frequency", "instead of the frequency"},
+                          wanted::angular_frequency);
+  }
+  return 2.0 * std::numbers::pi *
+         table.positive({"frequency", "cycles per time"}, wanted::frequency);
 }
 
 HarmonicDriver read_harmonic(TableReader& table, const FunctionOf& of) {
   HarmonicDriver driver;
-  driver.mean = table.quantity("mean", of.value);
-  driver.amplitude = table.quantity("amplitude", of.value);
-  driver.phase = table.quantity("phase", wanted::angle, 0.0);
+  driver.mean = table.quantity({"mean", "about which it swings"}, of.value);
+  driver.amplitude = table.quantity({"amplitude", "of the swing"}, of.value);
+  driver.phase = table.quantity({"phase", "at t = 0: mean + amplitude sin(omega t + phase)"},
+                                wanted::angle, 0.0);
   driver.omega = angular_frequency_of(table);
-  for (TableReader& row : table.tables("further")) {
+  for (TableReader& row : table.tables({"further", "further harmonics"})) {
     Harmonic& harmonic = driver.further.emplace_back();
-    harmonic.amplitude = row.quantity("amplitude", of.value);
-    harmonic.phase = row.quantity("phase", wanted::angle, 0.0);
+    harmonic.amplitude = row.quantity({"amplitude", "of the harmonic"}, of.value);
+    harmonic.phase = row.quantity({"phase", "of the harmonic"}, wanted::angle, 0.0);
     harmonic.omega = angular_frequency_of(row);
     row.finish();
   }
@@ -69,7 +76,8 @@ HarmonicDriver read_harmonic(TableReader& table, const FunctionOf& of) {
 }
 
 RateDriver read_constant_rate(TableReader& table, const FunctionOf& of) {
-  return {table.quantity("start", of.value), table.not_zero("rate", Derivative(of, 1).wanted())};
+  return {table.quantity({"start", "at t = 0"}, of.value),
+          table.not_zero({"rate", "per time, constant"}, Derivative(of, 1).wanted())};
 }
 
 PolynomialDriver read_polynomial(TableReader& table, const FunctionOf& of) {
@@ -79,7 +87,8 @@ PolynomialDriver read_polynomial(TableReader& table, const FunctionOf& of) {
   std::vector<WantedDimension> dimensions;
   for (const Derivative& derivative : derivatives) dimensions.push_back(derivative.wanted());
   const std::size_t before = table.problems().size();
-  PolynomialDriver driver{table.quantities("coefficients", dimensions)};
+  PolynomialDriver driver{
+      table.quantities({"coefficients", "c_0 + c_1 t + c_2 t^2 + .."}, dimensions)};
   const bool still = std::all_of(driver.c.begin() + (driver.c.empty() ? 0 : 1), driver.c.end(),
                                  [](double c) { return c == 0.0; });
   if (still && table.problems().size() == before) {
@@ -92,10 +101,10 @@ PolynomialDriver read_polynomial(TableReader& table, const FunctionOf& of) {
 
 StepDriver read_step(TableReader& table, const FunctionOf& of) {
   StepDriver driver;
-  driver.from = table.quantity("from", of.value);
-  driver.to = table.quantity("to", of.value);
-  driver.begin = table.quantity("begin", wanted::time, 0.0);
-  driver.end = table.positive("end", wanted::time);
+  driver.from = table.quantity({"from", "before the step"}, of.value);
+  driver.to = table.quantity({"to", "behind the step"}, of.value);
+  driver.begin = table.quantity({"begin", "of the step"}, wanted::time, 0.0);
+  driver.end = table.positive({"end", "of the step"}, wanted::time);
   if (driver.end - driver.begin < 1e-9) {
     table.problem("end", "the step must end after it begins",
                   fmt::format("write a time behind {:.6g} s", driver.begin));
@@ -127,8 +136,9 @@ Interpolation read_interpolation(TableReader& table, const FunctionOf& of) {
                              Interpolation::step};
   if (!table.has("interpolation")) return of.moves ? Interpolation::cubic : Interpolation::linear;
   const std::size_t before = table.problems().size();
-  const Interpolation chosen =
-      kinds[table.choice("interpolation", {"linear", "pchip", "cubic", "step"})];
+  const Interpolation chosen = kinds[table.choice(
+      {"interpolation", "between the points; of what moves a coordinate cubic, the only one"},
+      {"linear", "pchip", "cubic", "step"})];
   if (of.moves && chosen != Interpolation::cubic && table.problems().size() == before) {
     table.problem("interpolation",
                   "what moves a coordinate needs accelerations everywhere, which only a cubic "
@@ -139,10 +149,15 @@ Interpolation read_interpolation(TableReader& table, const FunctionOf& of) {
 }
 
 Beyond read_beyond(TableReader& table) {
-  const bool periodic = table.boolean("periodic", false);
+  const bool periodic =
+      table.boolean({"periodic", "the table repeats: beyond = \"periodic\""}, false);
   if (!table.has("beyond")) return periodic ? Beyond::periodic : Beyond::nothing;
   const Beyond beyond =
-      table.choice("beyond", {"hold", "periodic"}) == 0 ? Beyond::hold : Beyond::periodic;
+      table.choice(
+          {"beyond", "before the first and behind the last point; an error where not said"},
+          {"hold", "periodic"}) == 0
+          ? Beyond::hold
+          : Beyond::periodic;
   if (periodic && beyond == Beyond::hold) {
     table.problem("beyond", "a table that repeats does not keep its end values",
                   "write one of periodic = true and beyond = \"hold\"");
@@ -153,7 +168,10 @@ Beyond read_beyond(TableReader& table) {
 /// Notes a spline that leaves its points by more than what a reader of the table would take as one.
 void check_overshoot(TableReader& table, const FunctionOf& of, const TableCurve& curve) {
   const bool accepted = table.has("overshoot");
-  if (accepted) table.choice("overshoot", {"accept"});
+  if (accepted)
+    table.choice(
+        {"overshoot", "a cubic curve may leave its points by more than 2 % of their range"},
+        {"accept"});
   const Overshoot overshoot = curve.overshoot();
   if (accepted || overshoot.share <= most_overshoot) return;
   table.problem(
@@ -187,15 +205,16 @@ Driver read_table(TableReader& table, const FunctionOf& of, TimeTables& tables) 
 
 std::optional<Driver> read_function(TableReader& table, const FunctionOf& of, TimeTables& tables) {
   const std::size_t before = table.problems().size();
-  const std::size_t kind = table.choice(
-      "kind", {"harmonic", "constant rate", "polynomial", "smooth step", "table", "hold"});
+  const std::size_t kind =
+      table.kind({"kind", "of function"},
+                 {"harmonic", "constant rate", "polynomial", "smooth step", "table", "hold"});
   if (table.problems().size() != before) return std::nullopt;
   switch (kind) {
     case 0: return read_harmonic(table, of);
     case 1: return read_constant_rate(table, of);
     case 2: return read_polynomial(table, of);
     case 3: return read_step(table, of);
-    case 5: return PolynomialDriver{{table.quantity("value", of.value)}};
+    case 5: return PolynomialDriver{{table.quantity({"value", "constant"}, of.value)}};
     default: return read_table(table, of, tables);
   }
 }

@@ -49,16 +49,16 @@ HandFormula read_one(TableReader& table, const Symbols& symbols,
                      const spatial::Mechanism& mechanism) {
   using Quantity = HandFormula::Quantity;
   HandFormula hand;
-  hand.name = table.text("name");
-  hand.note = table.text("note", "");
-  hand.time = si<Time>(table.quantity("time", wanted::time, 0.0));
-  hand.quantity = static_cast<Quantity>(
-      table.choice("quantity", {"omega", "alpha", "position", "velocity", "acceleration"}));
+  hand.name = table.text({"name", "of the formula"});
+  hand.note = table.text({"note", "for the report"}, "");
+  hand.time = si<Time>(table.quantity({"time", "when it is compared"}, wanted::time, 0.0));
+  hand.quantity = static_cast<Quantity>(table.choice(
+      {"quantity", "what it gives"}, {"omega", "alpha", "position", "velocity", "acceleration"}));
   if (hand.quantity == Quantity::omega || hand.quantity == Quantity::alpha)
-    hand.body = body_of(table, "of", mechanism);
+    hand.body = body_of(table, {"of", "the body"}, mechanism);
   else
-    hand.point = attachment_of(table, "of", mechanism);
-  hand.formula = table.texts("formula", true);
+    hand.point = attachment_of(table, {"of", "the point"}, mechanism);
+  hand.formula = table.texts({"formula", "its three components, world axes"}, true);
   if (hand.formula.size() == 3) {
     for (int k = 0; k < 3; ++k) {
       hand.value[k] = evaluated(table, hand.formula[static_cast<std::size_t>(k)], symbols);
@@ -76,9 +76,10 @@ HandFormula read_one(TableReader& table, const Symbols& symbols,
 std::vector<HandFormula> read_hand_formulas(TableReader& root,
                                             const spatial::Mechanism& mechanism) {
   Symbols symbols;
-  TableReader table = root.table("hand_symbols", false);
+  TableReader table =
+      root.table({"hand_symbols", "what stands in the formulas: numbers or quantities"}, false);
   table.accept_all();
-  for (const Node::Member& member : table.members()) {
+  for (const Node::Member& member : table.members("a number, or a quantity with its unit")) {
     const bool plain = std::all_of(member.key.begin(), member.key.end(), [](unsigned char c) {
       return std::isalnum(c) != 0 || c == '_';
     });
@@ -90,7 +91,8 @@ std::vector<HandFormula> read_hand_formulas(TableReader& root,
     symbols[member.key] = value_of_symbol(table, member);
   }
   std::vector<HandFormula> formulas;
-  for (TableReader& one : root.tables("hand_formulas")) {
+  for (TableReader& one :
+       root.tables({"hand_formulas", "formulas of your own, printed beside the results"})) {
     formulas.push_back(read_one(one, symbols, mechanism));
   }
   return formulas;

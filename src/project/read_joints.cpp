@@ -19,28 +19,32 @@ struct Guided {
 
 /// The point of a guide: on the ground ("through"), or on a body ("guide").
 Attachment read_guide(TableReader& table, const char* what, const Mechanism& mechanism) {
-  const bool through = table.has("through");
-  if (through == table.has("guide")) {
+  if (!table.says_one_of({{"through"}, {"guide"}})) {
     table.problem("", fmt::format("{} wants either \"through\" or \"guide\"", what),
                   "through = [x, y] for a line on the ground, guide = \"body.point\" for one on "
                   "a body, which moves with it");
     return {};
   }
-  if (through) return {planar::ground, table.pair("through", wanted::length)};
+  if (table.has("through"))
+    return {planar::ground,
+            table.pair({"through", "a line on the ground goes through it"}, wanted::length)};
   if (table.text("guide") == "ground") {
     table.problem("guide", "a line on the ground is given by a point that it goes through",
                   "write through = [x, y] instead");
     return {};
   }
-  return attachment_of(table, "guide", mechanism);
+  return attachment_of(
+      table, {"guide", "the line moves with this body: one of its points, \"body.point\""},
+      mechanism);
 }
 
 Guided read_guided(TableReader& table, const char* what, const Mechanism& mechanism) {
   Guided guided;
-  guided.point = place_of(table, "point", mechanism);
+  guided.point =
+      place_of(table, {"point", "what slides, \"body.point\", or \"ground\""}, mechanism);
   const std::size_t before = table.problems().size();
   guided.guide = read_guide(table, what, mechanism);
-  guided.direction = table.quantity("direction", wanted::angle);
+  guided.direction = table.quantity({"direction", "of the line"}, wanted::angle);
   const bool point_known = guided.point.body >= 0 || table.text("point") == "ground";
   if (table.problems().size() == before && point_known && guided.point.body == guided.guide.body) {
     table.problem("point",
@@ -54,22 +58,26 @@ Guided read_guided(TableReader& table, const char* what, const Mechanism& mechan
 planar::Friction read_friction(TableReader& joint) {
   planar::Friction friction;
   if (!joint.has("friction")) return friction;
-  TableReader table = joint.table("friction");
-  friction.coulomb = table.any_number("coefficient", friction.coulomb);
+  TableReader table = joint.table({"friction", "dry and viscous friction"});
+  friction.coulomb = table.any_number({"coefficient", "Coulomb's"}, friction.coulomb);
   if (friction.coulomb < 0.0 || friction.coulomb > 2.0) {
     table.problem("coefficient", "\"coefficient\" is a coefficient of friction, from 0 to 2",
                   "write for example coefficient = 0.1");
   }
-  friction.viscous = table.not_negative("viscous", wanted::damping, friction.viscous);
-  friction.creep = table.positive("creep", wanted::velocity, friction.creep);
-  friction.guide = table.not_negative("guide_length", wanted::length, friction.guide);
+  friction.viscous =
+      table.not_negative({"viscous", "force per velocity"}, wanted::damping, friction.viscous);
+  friction.creep =
+      table.positive({"creep", "below it friction is smoothed"}, wanted::velocity, friction.creep);
+  friction.guide = table.not_negative(
+      {"guide_length", "between the two contacts of a slider that carries a moment"},
+      wanted::length, friction.guide);
   table.finish();
   return friction;
 }
 
 planar::Slider read_slider(TableReader& table, const Mechanism& mechanism) {
   const Guided guided = read_guided(table, "a slider", mechanism);
-  const double angle = table.quantity("angle", wanted::angle, 0.0);
+  const double angle = table.quantity({"angle", "of the body to the line"}, wanted::angle, 0.0);
   return {guided.point, guided.guide, guided.direction, angle, read_friction(table)};
 }
 
@@ -79,36 +87,56 @@ planar::PinInSlot read_pin_in_slot(TableReader& table, const Mechanism& mechanis
 }
 
 planar::Pin read_pin(TableReader& table, const Mechanism& mechanism) {
-  const auto [a, b] = ends_in(table, {"connect", "a pin"}, mechanism);
+  const auto [a, b] = ends_in(
+      table, {{"connect", "two points, \"body.point\", or \"ground\" for one of them"}, "a pin"},
+      mechanism);
   return {a, b};
 }
 
 planar::Rigid read_rigid(TableReader& table, const Mechanism& mechanism) {
-  const auto [a, b] = ends_in(table, {"connect", "a rigid joint"}, mechanism);
-  return {a, b, table.quantity("angle", wanted::angle, 0.0)};
+  const auto [a, b] = ends_in(
+      table,
+      {{"connect", "two points, \"body.point\", or \"ground\" for one of them"}, "a rigid joint"},
+      mechanism);
+  return {a, b, table.quantity({"angle", "between the bodies"}, wanted::angle, 0.0)};
 }
 
 planar::Distance read_distance(TableReader& table, const Mechanism& mechanism) {
-  const auto [a, b] = ends_in(table, {"connect", "a distance"}, mechanism);
-  return {a, b, table.positive("length", wanted::length)};
+  const auto [a, b] = ends_in(
+      table,
+      {{"connect", "two points, \"body.point\", or \"ground\" for one of them"}, "a distance"},
+      mechanism);
+  return {a, b, table.positive({"length", "between them"}, wanted::length)};
 }
 
 planar::AngleCoupling read_coupling(TableReader& table, const Mechanism& mechanism) {
-  const auto [a, b] = ends_in(table, {"points", "a coupling", false}, mechanism);
-  const double ratio = table.any_number("ratio", 1.0);
+  const auto [a, b] =
+      ends_in(table,
+              {{"points", "the two bodies, \"body.point\", or \"ground\" for one of them"},
+               "a coupling",
+               false},
+              mechanism);
+  const double ratio =
+      table.any_number({"ratio", "turn of the second over that of the first"}, 1.0);
   if (ratio == 0.0) {
     table.problem("ratio", "\"ratio\" must not be zero",
                   "write for example ratio = -0.5; to fix an angle use a slider or a rigid joint");
   }
-  return {a, b, ratio, table.quantity("offset", wanted::angle, 0.0)};
+  return {a, b, ratio, table.quantity({"offset", "of the second"}, wanted::angle, 0.0)};
 }
 
 planar::Gear read_gear(TableReader& table, const Mechanism& mechanism) {
   planar::Gear gear;
-  std::tie(gear.a, gear.b) = ends_in(table, {"connect", "a gear"}, mechanism);
-  gear.offset = table.quantity("offset", wanted::length, 0.0);
+  std::tie(gear.a, gear.b) =
+      ends_in(table,
+              {{"connect", "centres of the wheels, \"body.point\", or \"ground\" for one of them"},
+               "a gear"},
+              mechanism);
+  gear.offset =
+      table.quantity({"offset", "of the contact, along the pitch circle"}, wanted::length, 0.0);
   const std::size_t before = table.problems().size();
-  const std::vector<double> radii = table.quantities("radii", wanted::length);
+  const std::vector<double> radii = table.quantities(
+      {"radii", "of the wheels in their order; an annulus is negative"}, wanted::length);
   if (table.problems().size() != before) return gear;
   if (radii.size() != 2) {
     table.problem("radii", "a gear has two radii, in the order of the wheels",
@@ -130,16 +158,17 @@ planar::Gear read_gear(TableReader& table, const Mechanism& mechanism) {
 planar::Rack read_rack(TableReader& table, const Mechanism& mechanism) {
   planar::Rack rack;
   const std::size_t before = table.problems().size();
-  rack.pinion = place_of(table, "pinion", mechanism);
-  rack.rack = place_of(table, "rack", mechanism);
+  rack.pinion = place_of(table, {"pinion", "centre of the pinion"}, mechanism);
+  rack.rack = place_of(table, {"rack", "a point of the rack"}, mechanism);
   if (table.problems().size() == before && rack.pinion.body == rack.rack.body) {
     table.problem("rack", "a rack connects two different bodies, or a body and the ground",
                   "write pinion = \"wheel.C\" and rack = \"other_body.point\", or rack = "
                   "\"ground\" with its point in \"at\"");
   }
-  rack.direction = table.quantity("direction", wanted::angle);
-  rack.radius = table.not_zero("radius", wanted::length);
-  rack.offset = table.quantity("offset", wanted::length, 0.0);
+  rack.direction = table.quantity({"direction", "of the rack"}, wanted::angle);
+  rack.radius =
+      table.not_zero({"radius", "of the pinion; negative on the other side"}, wanted::length);
+  rack.offset = table.quantity({"offset", "along the rack"}, wanted::length, 0.0);
   return rack;
 }
 
@@ -159,12 +188,13 @@ planar::JointKind read_kind(TableReader& table, std::size_t kind, const Mechanis
 }  // namespace
 
 void read_joints(TableReader& root, Mechanism& mechanism) {
-  TableReader joints = root.table("joints");
+  TableReader joints = root.table({"joints", "what connects the bodies"});
   for (auto& [name, table] : joints.named_tables()) {
     planar::Joint joint{name, planar::Pin{}};
     const std::size_t before = table.problems().size();
-    const std::size_t kind = table.choice("kind", {"pin", "slider", "pin in slot", "rigid",
-                                                   "distance", "angle coupling", "gear", "rack"});
+    const std::size_t kind = table.kind(
+        {"kind", "of joint"},
+        {"pin", "slider", "pin in slot", "rigid", "distance", "angle coupling", "gear", "rack"});
     // Where the kind is not known, neither is what the other keys mean.
     if (table.problems().size() == before) {
       joint.kind = read_kind(table, kind, mechanism);

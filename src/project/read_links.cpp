@@ -22,7 +22,7 @@ constexpr double agreement = 1e-6;
 
 /// A place of the world, or a point of a link by name.
 struct WrittenPlace {
-  const char* key = "";
+  std::string_view key;
   std::string reference;  ///< "boom.P2"; "" for the world
   Vector2d world = Vector2d::Zero();
 };
@@ -50,9 +50,9 @@ struct LinkDraft {
   bool placed = false;
 };
 
-WrittenPlace read_written_place(TableReader& table, const char* key) {
-  WrittenPlace place{key, "", Vector2d::Zero()};
-  if (table.is_list(key))
+WrittenPlace read_written_place(TableReader& table, const Key& key) {
+  WrittenPlace place{key.name, "", Vector2d::Zero()};
+  if (table.is_list(key.name))
     place.world = table.pair(key, wanted::length);
   else
     place.reference = table.text(key);
@@ -61,9 +61,7 @@ WrittenPlace read_written_place(TableReader& table, const char* key) {
 
 Placing read_placing(TableReader& table) {
   Placing placing;
-  int ways = 0;
-  for (const char* key : {"origin", "place", "from"}) ways += table.has(key) ? 1 : 0;
-  if (ways != 1) {
+  if (!table.says_one_of({{"origin"}, {"place"}, {"from"}})) {
     for (const char* key : {"angle", "to"}) static_cast<void>(table.has(key));
     table.problem("",
                   fmt::format("[{}] wants one of \"origin\", \"place\" and \"from\"", table.name()),
@@ -72,27 +70,30 @@ Placing read_placing(TableReader& table) {
     return placing;
   }
   if (table.has("from")) {
-    placing.at = read_written_place(table, "from");
-    placing.to = read_written_place(table, "to");
+    placing.at =
+        read_written_place(table, {"from", "where its start lies: a place, or \"link.point\""});
+    placing.to = read_written_place(table, {"to", "where its end lies"});
     return placing;
   }
-  placing.angle = table.quantity("angle", wanted::angle, 0.0);
+  placing.angle = table.quantity({"angle", "of its axis"}, wanted::angle, 0.0);
   if (table.has("origin")) {
-    placing.at = read_written_place(table, "origin");
+    placing.at =
+        read_written_place(table, {"origin", "where its start lies: a place, or \"link.point\""});
     return placing;
   }
-  TableReader own = table.table("place");
-  placing.own_point = own.text("point");
-  placing.at = read_written_place(own, "at");
+  TableReader own = table.table({"place", "by a point of its own"});
+  placing.own_point = own.text({"point", "the link's point"});
+  placing.at = read_written_place(own, {"at", "where that lies: a place, or \"link.point\""});
   placing.at.key = "place";
   own.finish();
   return placing;
 }
 
 void read_link_points(TableReader& table, Link& link) {
-  TableReader points = table.table("points", false);
+  TableReader points = table.table({"points", "along its axis and to its left, by name"}, false);
   points.accept_all();
-  for (const Node::Member& member : points.members()) {
+  for (const Node::Member& member :
+       points.members("s along the axis, and the distance to its left")) {
     link.points.push_back(
         {member.key,
          points.pair_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
@@ -136,23 +137,26 @@ void read_stiffness(LinkDraft& draft) {
   TableReader& table = draft.table;
   const LinkKind kind = draft.link.kind;
   const bool bends = kind == LinkKind::bending || kind == LinkKind::full;
-  const auto value = [&](const char* key, const WantedDimension& wanted, bool required) {
+  const auto value = [&](const Key& key, const WantedDimension& wanted, bool required) {
     return table.positive(key, wanted, required ? std::nullopt : std::optional(1.0));
   };
   // A bending link tells its EA as well: whether that may be left out is to be weighed.
-  draft.stiffness.EA.c[0] = value("EA", wanted::force, kind != LinkKind::rigid);
-  draft.stiffness.GA.c[0] = value("GA", wanted::force, bends);
-  draft.stiffness.EI.c[0] = value("EI", wanted::bending_stiffness, bends);
-  draft.stiffness.mass.c[0] = table.not_negative("mass_per_length", wanted::line_mass);
+  draft.stiffness.EA.c[0] =
+      value({"EA", "axial stiffness"}, wanted::force, kind != LinkKind::rigid);
+  draft.stiffness.GA.c[0] = value({"GA", "shear stiffness"}, wanted::force, bends);
+  draft.stiffness.EI.c[0] = value({"EI", "bending stiffness"}, wanted::bending_stiffness, bends);
+  draft.stiffness.mass.c[0] =
+      table.not_negative({"mass_per_length", "of the link"}, wanted::line_mass);
 }
 
 /// Two sections between which a link tapers, or one.
 void read_ends(TableReader& table, const Sections& sections, Segment& segment) {
   if (table.has("section")) {
-    segment.from = segment.to = named_section(table, "section", sections);
+    segment.from = segment.to = named_section(table, {"section", "constant section"}, sections);
     return;
   }
-  const std::vector<std::string> names = table.texts("sections", true);
+  const std::vector<std::string> names =
+      table.texts({"sections", "a taper between two sections"}, true);
   if (names.size() != 2) {
     table.problem("sections", "a taper goes from one section to another",
                   "write sections = [\"A1\", \"A2\"], or one \"section\"");
@@ -170,21 +174,25 @@ void read_ends(TableReader& table, const Sections& sections, Segment& segment) {
 void read_section_profile(LinkDraft& draft, const LinkDefaults& defaults) {
   TableReader& table = draft.table;
   TaperedBeam& profile = draft.profile;
-  profile.density = table.has("density") ? si<Density>(table.positive("density", wanted::density))
-                                         : defaults.beam->density;
-  profile.rotary_inertia = table.boolean("rotary_inertia", false);
-  draft.youngs_modulus =
-      table.positive("youngs_modulus", wanted::stress, defaults.model->youngs_modulus);
-  draft.shear_modulus =
-      table.positive("shear_modulus", wanted::stress, defaults.model->shear_modulus);
-  draft.extra_mass = table.not_negative("extra_mass", wanted::line_mass, 0.0);
+  profile.density =
+      table.has("density")
+          ? si<Density>(table.positive(
+                {"density", "of its material; that of the beam where not said"}, wanted::density))
+          : defaults.beam->density;
+  profile.rotary_inertia =
+      table.boolean({"rotary_inertia", "the sections' own rotary inertia counts"}, false);
+  draft.youngs_modulus = table.positive({"youngs_modulus", "of the link"}, wanted::stress,
+                                        defaults.model->youngs_modulus);
+  draft.shear_modulus = table.positive({"shear_modulus", "of the link"}, wanted::stress,
+                                       defaults.model->shear_modulus);
+  draft.extra_mass = table.not_negative({"extra_mass", "beside its own"}, wanted::line_mass, 0.0);
   if (!table.has("segments")) {
     profile.segments.emplace_back().name = "1";
     read_ends(table, *defaults.sections, profile.segments.front());
     return;
   }
   Length start;
-  for (TableReader& segment : table.tables("segments", true)) {
+  for (TableReader& segment : table.tables({"segments", "constant or tapered"}, true)) {
     profile.segments.push_back(
         read_segment(segment, profile.segments.size() + 1, start, *defaults.sections));
     start = profile.segments.back().end();
@@ -207,7 +215,7 @@ void read_profile(LinkDraft& draft, const LinkDefaults& defaults) {
     for (const char* key : {"section", "sections", "segments", "EA", "GA", "EI", "mass_per_length",
                             "extra_mass", "density", "youngs_modulus", "shear_modulus",
                             "rotary_inertia", "mass", "inertia", "centre"}) {
-      if (!table.has(key)) continue;
+      if (!table.has_misplaced(key)) continue;
       table.problem(key,
                     fmt::format("mass and stiffness of the beam come from the sections of [beam]; "
                                 "\"{}\" has no place here",
@@ -226,9 +234,11 @@ void read_profile(LinkDraft& draft, const LinkDefaults& defaults) {
   const auto ways = ways_in({"section", "sections", "segments"}) + (by_stiffness > 0 ? 1 : 0);
   if (draft.link.kind == LinkKind::rigid && ways == 0) {
     draft.lump = true;
-    draft.link.rigid.mass = table.not_negative("mass", wanted::mass);
-    draft.link.rigid.inertia = table.not_negative("inertia", wanted::inertia, 0.0);
-    draft.link.rigid.centre = table.pair("centre", wanted::length, Vector2d::Zero());
+    draft.link.rigid.mass = table.not_negative({"mass", "of a rigid link"}, wanted::mass);
+    draft.link.rigid.inertia =
+        table.not_negative({"inertia", "of a rigid link, about its centre"}, wanted::inertia, 0.0);
+    draft.link.rigid.centre =
+        table.pair({"centre", "of a rigid link"}, wanted::length, Vector2d::Zero());
     if (draft.link.rigid.mass == 0.0 && draft.link.rigid.inertia > 0.0) {
       table.problem("inertia", "a link with inertia has a mass", "write \"mass\" above zero");
     }
@@ -262,7 +272,7 @@ void read_length(LinkDraft& draft) {
     }
     return;
   }
-  const double length = table.positive("length", wanted::length);
+  const double length = table.positive({"length", "of the link"}, wanted::length);
   if (draft.length && std::abs(*draft.length - length) > agreement * length) {
     table.problem("length",
                   fmt::format("the segments of the link are {:.6g} m long", *draft.length),
@@ -287,7 +297,7 @@ LinkDraft read_draft(const std::string& name, const TableReader& table,
   constexpr LinkKind kinds[] = {LinkKind::rigid, LinkKind::bending, LinkKind::axial,
                                 LinkKind::full};
   const std::size_t before_kind = reader.problems().size();
-  link.kind = kinds[reader.choice("kind", {"rigid", "bending", "axial", "full"})];
+  link.kind = kinds[reader.kind({"kind", "what deforms"}, {"rigid", "bending", "axial", "full"})];
   if (reader.problems().size() != before_kind) {  // what its other keys mean is not known
     reader.accept_all();
     return draft;
@@ -296,7 +306,7 @@ LinkDraft read_draft(const std::string& name, const TableReader& table,
   draft.placing = read_placing(reader);
   read_profile(draft, defaults);
   read_length(draft);
-  link.parts = reader.whole_number("parts", link.parts);
+  link.parts = reader.whole_number({"parts", "rigid elements of a link"}, link.parts);
   if (link.parts < 1 || link.parts > limits::most_parts) {
     reader.problem("parts", fmt::format("a link has 1 to {} parts", limits::most_parts),
                    "write for example parts = 16");
@@ -433,7 +443,7 @@ void lay_out(LinkDraft& draft) {
 std::vector<Link> read_links(TableReader& root, const LinkDefaults& defaults) {
   std::vector<LinkDraft> drafts;
   const std::size_t before = root.problems().size();
-  for (auto& [name, table] : root.table("links").named_tables()) {
+  for (auto& [name, table] : root.table({"links", "elastic or rigid links"}).named_tables()) {
     drafts.push_back(read_draft(name, table, defaults));
   }
   if (root.problems().size() == before && drafts.empty()) {

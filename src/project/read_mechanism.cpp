@@ -16,21 +16,28 @@ using planar::Mechanism;
 
 planar::Loop read_loop(const std::string& name, TableReader& table, const Mechanism& mechanism) {
   planar::Loop loop{name, planar::TurnSign{}, 1};
-  if (table.has("turn") == table.has("along")) {
+  if (!table.says_one_of({{"turn"}, {"along"}})) {
     table.texts("turn", false);
     table.texts("along", false);
     table.problem("", fmt::format("loop \"{}\" wants either \"turn\" or \"along\"", name),
                   "turn = [three points] for their sense of turn, along = [two points] with a "
                   "direction for the sense of a vector");
   } else if (table.has("turn")) {
-    const auto points = attachments_of(table, "turn", 3, mechanism);
+    const auto points = attachments_of(
+        table,
+        {"turn",
+         "three points, \"body.point\": \"+\" where the way over them turns counter-clockwise"},
+        3, mechanism);
     loop.measure = planar::TurnSign{points[0], points[1], points[2]};
   } else {
-    const auto points = attachments_of(table, "along", 2, mechanism);
-    loop.measure =
-        planar::AlongSign{points[0], points[1], table.quantity("direction", wanted::angle)};
+    const auto points = attachments_of(
+        table,
+        {"along", "two points: \"+\" where the second lies from the first along the direction"}, 2,
+        mechanism);
+    loop.measure = planar::AlongSign{points[0], points[1],
+                                     table.quantity({"direction", "of the sense"}, wanted::angle)};
   }
-  loop.sign = table.choice("sign", {"+", "-"}) == 0 ? 1 : -1;
+  loop.sign = table.choice({"sign", "of the branch that is wanted"}, {"+", "-"}) == 0 ? 1 : -1;
   table.finish();
   return loop;
 }
@@ -134,8 +141,9 @@ std::string unknown_hint(std::string_view name, const std::vector<std::string>& 
 namespace {
 
 template <class AnyMechanism>
-int named_body(TableReader& table, std::string_view key, const AnyMechanism& mechanism) {
-  const std::string name = table.text(key);
+int named_body(TableReader& table, const Key& of, const AnyMechanism& mechanism) {
+  const std::string_view key = of.name;
+  const std::string name = table.text(of);
   if (name.empty()) return -1;
   const int index = body_index(mechanism, name);
   if (index < 0) {
@@ -147,16 +155,19 @@ int named_body(TableReader& table, std::string_view key, const AnyMechanism& mec
 
 }  // namespace
 
-int body_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
-  return named_body(table, key, mechanism);
+int body_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
+  const std::string_view key = of.name;
+  return named_body(table, of, mechanism);
 }
 
-int body_of(TableReader& table, std::string_view key, const spatial::Mechanism& mechanism) {
-  return named_body(table, key, mechanism);
+int body_of(TableReader& table, const Key& of, const spatial::Mechanism& mechanism) {
+  const std::string_view key = of.name;
+  return named_body(table, of, mechanism);
 }
 
-int joint_of(TableReader& table, std::string_view key, const Mechanism& mechanism) {
-  const std::string name = table.text(key);
+int joint_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
+  const std::string_view key = of.name;
+  const std::string name = table.text(of);
   if (name.empty()) return -1;
   const int index = joint_index(mechanism, name);
   if (index < 0) {
@@ -179,8 +190,8 @@ void check_name(TableReader& table, const std::string& name, const char* what,
 MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, TimeTables& tables) {
   MechanismDraft draft;
   Mechanism& mechanism = draft.mechanism;
-  TableReader general = root.table("mechanism");
-  mechanism.gravity = general.pair("gravity", wanted::acceleration);
+  TableReader general = root.table({"mechanism", "general"});
+  mechanism.gravity = general.pair({"gravity", "acceleration of free fall"}, wanted::acceleration);
   general.finish();
   mechanism.duration = read_duration(root);
 
@@ -188,7 +199,7 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
   read_joints(root, mechanism);
   read_drivers(root, mechanism, tables);
   read_forces(root, mechanism, tables);
-  TableReader loops = root.table("loops", false);
+  TableReader loops = root.table({"loops", "which way of assembly is meant"}, false);
   for (auto& [name, table] : loops.named_tables()) {
     mechanism.loops.push_back(read_loop(name, table, mechanism));
   }

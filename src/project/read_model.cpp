@@ -5,10 +5,13 @@
 namespace boxbeam::readers {
 
 double read_retardation(TableReader& table, std::optional<double> fallback) {
-  if (!table.is_table("damping")) return table.not_negative("damping", wanted::time, fallback);
-  TableReader damping = table.table("damping");
-  const double ratio = damping.any_number("ratio");
-  const double at = damping.positive("at", wanted::frequency);
+  if (!table.is_table("damping"))
+    return table.not_negative({"damping", "of the material: retardation time, or { ratio, at }"},
+                              wanted::time, fallback);
+  TableReader damping =
+      table.table({"damping", "of the material, by its ratio at a frequency"}, !fallback);
+  const double ratio = damping.any_number({"ratio", "of the critical damping"});
+  const double at = damping.positive({"at", "at this frequency"}, wanted::frequency);
   damping.finish();
   if (ratio < 0.0 || ratio >= 1.0) {
     damping.problem("ratio", "a damping ratio is from 0 to below 1",
@@ -19,34 +22,44 @@ double read_retardation(TableReader& table, std::optional<double> fallback) {
 
 ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input) {
   ElasticForm form;
-  if (!root.has("model")) return form;
-  TableReader table = root.table("model");
   if (kind == Kind::spatial) {
-    table.accept_all();
-    root.problem("model",
-                 "the bodies of a mechanism in space are rigid: there is nothing to choose",
-                 "remove [model] from this case of kind = \"spatial\"");
+    if (root.has_misplaced("model"))
+      root.problem("model",
+                   "the bodies of a mechanism in space are rigid: there is nothing to choose",
+                   "remove [model] from this case of kind = \"spatial\"");
     return form;
   }
+  if (!root.has("model")) return form;
+  TableReader table = root.table({"model", "which model of the beam in its mechanism"});
   constexpr ModelDemand demands[] = {ModelDemand::automatic, ModelDemand::rigid,
                                      ModelDemand::flexible};
-  input.demand = demands[table.choice("demand", {"auto", "rigid", "flexible"}, 0)];
-  input.tolerance = table.number("tolerance", input.tolerance);
+  input.demand = demands[table.choice({"demand", "which model is enough, and of what"},
+                                      {"auto", "rigid", "flexible"}, 0)];
+  input.tolerance = table.number(
+      {"tolerance", "largest error of the governing stress that is accepted"}, input.tolerance);
   if (input.tolerance >= 1.0) {
     table.problem("tolerance", "the tolerance is a fraction of the governing stress, below 1",
                   "write tolerance = 0.01 for 1 %");
   }
-  input.youngs_modulus = table.positive("youngs_modulus", wanted::stress, input.youngs_modulus);
-  input.shear_modulus = table.positive("shear_modulus", wanted::stress, input.shear_modulus);
+  input.youngs_modulus =
+      table.positive({"youngs_modulus", "of the beam"}, wanted::stress, input.youngs_modulus);
+  input.shear_modulus =
+      table.positive({"shear_modulus", "of the beam"}, wanted::stress, input.shear_modulus);
   input.retardation = read_retardation(table, input.retardation);
   if (kind == Kind::flexible) {
     constexpr flexible::Element elements[] = {flexible::Element::corrected,
                                               flexible::Element::classical};
-    form.element = elements[table.choice("element", {"corrected", "classical"}, 0)];
-    form.nodes_at_joints = table.choice("division", {"nodes at joints", "equal"}, 0) == 0;
+    form.element = elements[table.choice({"element", "how rigid elements bend"},
+                                         {"corrected", "classical"}, 0)];
+    form.nodes_at_joints = table.choice({"division", "nodes stand at joints, or equal parts"},
+                                        {"nodes at joints", "equal"}, 0) == 0;
   }
   if (kind == Kind::planar) {
-    input.measured_loads = table.choice("loads", {"computed", "measured"}, 0) == 1;
+    input.measured_loads =
+        table.choice(
+            {"loads",
+             "measured on the running machine, they contain its vibration: bodies stay rigid"},
+            {"computed", "measured"}, 0) == 1;
     if (input.measured_loads && input.demand == ModelDemand::flexible) {
       table.problem("demand",
                     "measured loads contain the vibration of the machine, which an elastic model "

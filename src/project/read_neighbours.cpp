@@ -24,26 +24,29 @@ Stress strength_at(TableReader& table, std::string_view key, const Material& mat
 }
 
 /// The steel under a key, or that of the beam.
-Material steel_of(TableReader& table, std::string_view key, const Project& project) {
+Material steel_of(TableReader& table, const Key& key, const Project& project) {
   return table.has(key) ? named_steel(table, key) : project.material;
 }
 
 PinInput read_pin(TableReader table, const Project& project) {
   PinInput pin;
-  pin.name = table.text("name");
-  pin.joint = joint_of(table, "joint", planar_of(project));
+  pin.name = table.text({"name", "of the pin"});
+  pin.joint = joint_of(table, {"joint", "in which it is"}, planar_of(project));
   PinJoint& geometry = pin.geometry;
-  geometry.diameter = si<Length>(table.positive("diameter", wanted::length));
-  geometry.hole = si<Length>(table.positive("hole", wanted::length, geometry.diameter.value()));
-  geometry.inner_plate = si<Length>(table.positive("inner_plate", wanted::length));
-  geometry.outer_plate = si<Length>(table.positive("outer_plate", wanted::length));
-  geometry.gap = si<Length>(table.not_negative("gap", wanted::length, 0.0));
+  geometry.diameter = si<Length>(table.positive({"diameter", "of the pin"}, wanted::length));
+  geometry.hole = si<Length>(
+      table.positive({"hole", "of its hole"}, wanted::length, geometry.diameter.value()));
+  geometry.inner_plate = si<Length>(table.positive({"inner_plate", "thickness"}, wanted::length));
+  geometry.outer_plate = si<Length>(table.positive({"outer_plate", "thickness"}, wanted::length));
+  geometry.gap = si<Length>(table.not_negative({"gap", "between the plates"}, wanted::length, 0.0));
   if (geometry.hole < geometry.diameter) {
     table.problem("hole", "the pin does not fit its hole", "write its diameter or more");
   }
   PinStrength& strength = pin.strength;
-  const Material steel = steel_of(table, "steel", project);
-  const Material plates = steel_of(table, "plate_steel", project);
+  const Material steel =
+      steel_of(table, {"steel", "of the pin; that of the beam where not said"}, project);
+  const Material plates =
+      steel_of(table, {"plate_steel", "of the plates; that of the beam where not said"}, project);
   strength.pin_yield = strength_at(table, "diameter", steel, yield_strength_of, geometry.diameter);
   strength.pin_tensile =
       strength_at(table, "diameter", steel, tensile_strength_of, geometry.diameter);
@@ -51,9 +54,10 @@ PinInput read_pin(TableReader table, const Project& project) {
       strength_at(table, "inner_plate", plates, yield_strength_of, geometry.inner_plate);
   strength.outer_yield =
       strength_at(table, "outer_plate", plates, yield_strength_of, geometry.outer_plate);
-  strength.gamma_M0 = table.number("gamma_M0", project.strength.gamma_M0);
-  strength.gamma_M2 = table.number("gamma_M2", strength.gamma_M2);
-  pin.required = table.number("required", project.strength.required);
+  strength.gamma_M0 =
+      table.number({"gamma_M0", "on bearing and bending"}, project.strength.gamma_M0);
+  strength.gamma_M2 = table.number({"gamma_M2", "on shear"}, strength.gamma_M2);
+  pin.required = table.number({"required", "wanted safety factor"}, project.strength.required);
   table.finish();
   return pin;
 }
@@ -102,27 +106,34 @@ Length thickest_wall_of(const Section& section) {
 
 RodInput read_rod(TableReader table, const Sections& sections, const Project& project) {
   RodInput rod;
-  rod.name = table.text("name");
-  rod.from = attachment_of(table, "from", planar_of(project));
-  rod.to = attachment_of(table, "to", planar_of(project));
+  rod.name = table.text({"name", "of the rod"});
+  rod.from = attachment_of(table, {"from", "its end, \"body.point\""}, planar_of(project));
+  rod.to = attachment_of(table, {"to", "its other end, of the same body"}, planar_of(project));
   const std::size_t before = table.problems().size();
-  rod.section = named_section(table, "section", sections);
+  rod.section = named_section(table, {"section", "of the rod"}, sections);
   const double distance = (rod.to.p - rod.from.p).norm();
   if (table.problems().empty() && (rod.from.body != rod.to.body || distance == 0.0)) {
     table.problem("to", "a rod goes from one point of a body to another one of the same body",
                   "write two of its points");
   }
-  rod.buckling_length = si<Length>(table.positive("buckling_length", wanted::length,
-                                                  distance > 0.0 ? std::optional(distance) : 1.0));
+  rod.buckling_length = si<Length>(table.positive(
+      {"buckling_length", "against flexural buckling; their distance where not said"},
+      wanted::length, distance > 0.0 ? std::optional(distance) : 1.0));
   constexpr std::array curves{BucklingCurve::a0, BucklingCurve::a, BucklingCurve::b,
                               BucklingCurve::c, BucklingCurve::d};
-  rod.curve = curves[table.choice("curve", {"a0", "a", "b", "c", "d"})];
-  rod.gamma_M0 = table.number("gamma_M0", project.strength.gamma_M0);
-  rod.gamma_M1 = table.number("gamma_M1", 1.0);
-  rod.gamma_M2 = table.number("gamma_M2", project.strength.gamma_M2);
-  rod.required = table.number("required", project.strength.required);
-  if (table.has("net_area")) rod.net_area = si<Area>(table.positive("net_area", wanted::area));
-  const Material steel = steel_of(table, "steel", project);
+  rod.curve =
+      curves[table.choice({"curve", "of EN 1993-1-1, table 6.1"}, {"a0", "a", "b", "c", "d"})];
+  rod.gamma_M0 = table.number({"gamma_M0", "on yielding"}, project.strength.gamma_M0);
+  rod.gamma_M1 = table.number({"gamma_M1", "on buckling"}, 1.0);
+  rod.gamma_M2 = table.number({"gamma_M2", "on the net section"}, project.strength.gamma_M2);
+  rod.required = table.number({"required", "wanted safety factor"}, project.strength.required);
+  if (table.has("net_area"))
+    rod.net_area = si<Area>(table.positive(
+        {"net_area",
+         "least area between its ends, holes for fasteners taken out; the whole where it has none"},
+        wanted::area));
+  const Material steel =
+      steel_of(table, {"steel", "of the rod; that of the beam where not said"}, project);
   if (table.problems().size() == before && table.problems().empty()) {
     const Length wall = thickest_wall_of(rod.section);
     check_rod_ends(table, rod, project);
@@ -150,18 +161,20 @@ void read_neighbours(TableReader& root, const Sections& sections, Project& proje
                     "give each a name of its own");
     }
   };
-  for (TableReader& table : root.tables("pins")) {
+  for (TableReader& table : root.tables({"pins", "pins, checked for shear, bearing and bending"})) {
     PinInput pin = read_pin(table, project);
     check_own_name(table, project.pins, pin);
     project.pins.push_back(std::move(pin));
   }
-  for (TableReader& table : root.tables("rods")) {
+  for (TableReader& table : root.tables(
+           {"rods", "rods between two points of a body, checked in tension and compression"})) {
     RodInput rod = read_rod(table, sections, project);
     check_own_name(table, project.rods, rod);
     project.rods.push_back(std::move(rod));
   }
   if (root.has("deflection")) {
-    project.deflection = read_deflection(root.table("deflection"), project);
+    project.deflection =
+        read_deflection(root.table({"deflection", "how far the beam may bend"}), project);
   }
 }
 

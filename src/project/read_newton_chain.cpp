@@ -16,8 +16,8 @@ std::map<std::string, ChainStep> read_parts(TableReader table, const TaperedBeam
                                             int beam_body) {
   std::map<std::string, ChainStep> parts;
   for (auto& [name, part] : table.named_tables()) {
-    const Length from = station_of(part, "from", beam);
-    const Length to = station_of(part, "to", beam);
+    const Length from = station_of(part, {"from", "along the beam"}, beam);
+    const Length to = station_of(part, {"to", "along the beam"}, beam);
     part.finish();
     parts[name] = {name, beam_body, Eigen::Vector2d::Zero(), 0.0};
     if (beam_body == planar::ground) {
@@ -47,9 +47,12 @@ std::string hint_for_step(const std::string& name, const planar::Mechanism& mech
 NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechanism,
                               const TaperedBeam& beam, int beam_body) {
   NewtonChain chain;
-  const double driving_mass = table.positive("driving_mass", wanted::mass);
-  const auto parts = read_parts(table.table("parts", false), beam, beam_body);
-  const std::vector<std::string> names = table.texts("steps", true);
+  const double driving_mass = table.positive({"driving_mass", "of the first step"}, wanted::mass);
+  const auto parts = read_parts(
+      table.table({"parts", "pieces of the beam body that are steps of their own"}, false), beam,
+      beam_body);
+  const std::vector<std::string> names =
+      table.texts({"steps", "bodies or parts from the driven end to the far end"}, true);
   std::vector<ChainStep> steps;
   std::vector<std::string> unknown;
   for (const std::string& name : names) {
@@ -79,9 +82,9 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
     chain.steps = steps;
   }
 
-  const auto read_end = [&](const char* key, std::size_t& step, Length& station) {
+  const auto read_end = [&](const Key& key, std::size_t& step, Length& station) {
     TableReader end = table.table(key);
-    const std::string after = end.text("after");
+    const std::string after = end.text({"after", "the step whose force acts there"});
     const auto found = std::find_if(chain.steps.begin(), chain.steps.end(),
                                     [&](const ChainStep& s) { return s.name == after; });
     if (found == chain.steps.end()) {
@@ -95,13 +98,16 @@ NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechan
     } else {
       step = static_cast<std::size_t>(found - chain.steps.begin());
     }
-    station = station_of(end, "station", beam);
+    station = station_of(end, {"station", "along the beam"}, beam);
     end.finish();
   };
-  read_end("first_end", chain.first_end, chain.first_station);
-  read_end("second_end", chain.second_end, chain.second_station);
-  chain.pivot = station_of(table, "pivot", beam);
-  chain.axis_body = beam_body != planar::ground ? beam_body : body_of(table, "axis_of", mechanism);
+  read_end({"first_end", "first load on the beam"}, chain.first_end, chain.first_station);
+  read_end({"second_end", "second load on the beam"}, chain.second_end, chain.second_station);
+  chain.pivot = station_of(table, {"pivot", "where the beam is held"}, beam);
+  chain.axis_body =
+      beam_body != planar::ground
+          ? beam_body
+          : body_of(table, {"axis_of", "whose axis the beam has, where it is no body"}, mechanism);
   table.finish();
   return chain;
 }

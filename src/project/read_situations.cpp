@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "boxbeam/project/limits.hpp"
 #include "readers.hpp"
@@ -136,6 +137,25 @@ void drop_old_kind(Node& root, const Change& change) {
   });
 }
 
+/// The mechanism of a changed case.
+AnyMechanism mechanism_of(ProblemList& problems, const Node& changed, const Project& project,
+                          const std::string& beam_body, const LinkDefaults& links,
+                          TimeTables& tables) {
+  TableReader reader(problems, changed, "");
+  if (is_flexible(project)) return read_flexible(reader, links);
+  if (in_space(project)) {
+    spatial::Mechanism mechanism = read_chain(reader, beam_body, tables);
+    if (!problems.empty()) return project.mechanism;
+    spatial::BeamPlacement placement = project.placement;
+    placement.body = body_index(mechanism, beam_body);
+    place_beam(reader, project.beam, placement, mechanism);
+    return mechanism;
+  }
+  MechanismDraft draft = read_mechanism(reader, beam_body, tables);
+  if (!problems.empty()) return project.mechanism;
+  return place_at_centres(std::move(draft), project.beam, project.beam_body);
+}
+
 /// The mechanism as it runs in a situation: the case once more with other values.
 AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& situation,
                                const Project& project, const std::string& beam_body,
@@ -145,7 +165,7 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
       is_flexible(project) ? Changeable{changeable_elastic, "loads.drilling.phase", beam_body}
                            : Changeable{changeable, "drivers.exciter.frequency", beam_body};
   std::vector<Change> changes;
-  collect(set.members(), {}, changes);
+  collect(set.members("another value of that key of the case"), {}, changes);
   // The case without its situations: each would copy all of them.
   Node changed;
   changed.place = root.place;
@@ -167,30 +187,23 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
     }
   }
   if (!problems.empty()) return project.mechanism;
-  TableReader reader(problems, changed, "");
-  if (is_flexible(project)) return read_flexible(reader, links);
-  if (in_space(project)) {
-    spatial::Mechanism mechanism = read_chain(reader, beam_body, tables);
-    if (!problems.empty()) return project.mechanism;
-    spatial::BeamPlacement placement = project.placement;
-    placement.body = body_index(mechanism, beam_body);
-    place_beam(reader, project.beam, placement, mechanism);
-    return mechanism;
-  }
-  MechanismDraft draft = read_mechanism(reader, beam_body, tables);
-  if (!problems.empty()) return project.mechanism;
-  return place_at_centres(std::move(draft), project.beam, project.beam_body);
+  // Of a tree that does not last nothing is recorded; its keys are those of the case.
+  KeyRecorder* const recorder = std::exchange(problems.recorder, nullptr);
+  const AnyMechanism mechanism = mechanism_of(problems, changed, project, beam_body, links, tables);
+  problems.recorder = recorder;
+  return mechanism;
 }
 
 /// The situations of which one is made, which are read before; `key` is "between" or "sequence".
-std::vector<std::size_t> read_parts(TableReader& table, const char* key,
+std::vector<std::size_t> read_parts(TableReader& table, const Key& of,
                                     const std::vector<Situation>& situations) {
+  const std::string_view key = of.name;
   std::vector<std::size_t> parts;
   std::vector<std::string> running;
   for (const Situation& other : situations) {
     if (other.between.empty()) running.push_back(other.name);
   }
-  for (const std::string& name : table.texts(key, true)) {
+  for (const std::string& name : table.texts(of, true)) {
     const auto found = std::find_if(
         situations.begin(), situations.end(),
         [&](const Situation& other) { return other.name == name && other.between.empty(); });
@@ -211,13 +224,17 @@ std::vector<std::size_t> read_parts(TableReader& table, const char* key,
 /// A situation made of others: a change between them, or one after the other.
 void read_made_of(TableReader& table, const std::vector<Situation>& others, Situation& situation) {
   situation.in_order = table.has("sequence");
-  const char* key = situation.in_order ? "sequence" : "between";
+  const Key of =
+      situation.in_order
+          ? Key("sequence", "situations one after the other, counted as one history")
+          : Key("between", "situations: one cycle from extreme to extreme of all of them");
+  const std::string_view key = of.name;
   if (situation.in_order && table.has("between")) {
     table.problem("between", "a situation is either a change between others or their sequence",
                   "write one of \"between\" and \"sequence\"");
     return;
   }
-  situation.between = read_parts(table, key, others);
+  situation.between = read_parts(table, of, others);
   if (situation.cycles == 0.0 && table.problems().empty()) {
     table.problem(key,
                   fmt::format("{} counts for fatigue only, and this one never happens",
@@ -237,7 +254,8 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
 
 /// "cycles": repetitions in the wanted life.
 double read_cycles(TableReader& table) {
-  const double cycles = table.number("cycles", {}, "1e7");
+  const double cycles =
+      table.number({"cycles", "repetitions of the motion in the wanted life"}, {}, "1e7");
   if (cycles > limits::most_cycles) {
     table.problem("cycles", fmt::format("{:g} cycles are too many to be meant", cycles),
                   fmt::format("at most {:g}: a thousand in every second of thirty thousand years",
@@ -250,7 +268,7 @@ double read_cycles(TableReader& table) {
 
 void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
                      const LinkDefaults& links, TimeTables& tables, Project& project) {
-  std::vector<TableReader> listed = root.tables("situations");
+  std::vector<TableReader> listed = root.tables({"situations", "ways in which the beam is used"});
   const bool asked = root.has("fatigue");
   TableReader fatigue = root.table("fatigue", false);
   if (listed.empty()) {
@@ -263,7 +281,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
   }
   for (TableReader& table : listed) {
     Situation situation;
-    situation.name = table.text("name");
+    situation.name = table.text({"name", "of the situation"});
     if (std::any_of(project.situations.begin(), project.situations.end(),
                     [&](const Situation& other) { return other.name == situation.name; })) {
       table.problem("name", fmt::format("there is already a situation \"{}\"", situation.name),
@@ -273,14 +291,18 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
     if (table.has("between") || table.has("sequence")) {
       read_made_of(table, project.situations, situation);
     } else {
-      situation.load_factor = table.number("load_factor", 1.0);
-      situation.sudden_start = table.boolean("sudden_start", false);
+      situation.load_factor = table.number({"load_factor", "on all its loads, for strength"}, 1.0);
+      situation.sudden_start = table.boolean(
+          {"sudden_start",
+           "elastic links: the vibrating loads are switched on at once on the structure at rest"},
+          false);
       if (situation.sudden_start && !is_flexible(project)) {
         table.problem("sudden_start", "a sudden start is known for elastic links only",
                       "leave it out, or write the start as a driver or a force over time");
       }
       if (table.has("set")) {
-        TableReader set = table.table("set");
+        TableReader set =
+            table.table({"set", "what differs: \"drivers.exciter.frequency\" = \"0.8 Hz\""});
         set.accept_all();
         situation.changed =
             changed_mechanism(set, tree, situation, project, beam_body, links, tables);

@@ -41,12 +41,13 @@ Length thickest_at(const TaperedBeam& beam, Length s) {
 
 WeldInput read_weld(TableReader table, const Sections& sections, const Project& project) {
   WeldInput weld;
-  weld.name = table.text("name");
-  weld.s = station_of(table, "station", project.beam);
-  weld.throat = si<Length>(table.positive("throat", wanted::length));
-  weld.required = table.number("required", project.strength.required);
+  weld.name = table.text({"name", "of the weld"});
+  weld.s = station_of(table, {"station", "along the beam"}, project.beam);
+  weld.throat = si<Length>(table.positive({"throat", "of the weld"}, wanted::length));
+  weld.required = table.number({"required", "wanted safety factor"}, project.strength.required);
   const std::size_t before = table.problems().size();
-  const Section around = named_section(table, "around", sections);
+  const Section around =
+      named_section(table, {"around", "the weld follows the outline of this section"}, sections);
   weld.around = around.outer;
   const bool known = std::holds_alternative<Box>(weld.around) ||
                      std::holds_alternative<RectangularTube>(weld.around) ||
@@ -91,7 +92,8 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
 }  // namespace
 
 void read_welds(TableReader& root, const Sections& sections, Project& project) {
-  for (TableReader& table : root.tables("welds")) {
+  for (TableReader& table :
+       root.tables({"welds", "around profiles that join two parts of the beam"})) {
     WeldInput weld = read_weld(table, sections, project);
     if (std::any_of(project.welds.begin(), project.welds.end(),
                     [&](const WeldInput& other) { return other.name == weld.name; })) {

@@ -25,7 +25,7 @@ Section section_called(TableReader& table, std::string_view key, const std::stri
                        const Sections& sections);
 
 /// The section named by the value of a key; likewise.
-Section named_section(TableReader& table, std::string_view key, const Sections& sections);
+Section named_section(TableReader& table, const Key& key, const Sections& sections);
 
 /// One of [[segments]]; `number` names it where it has no name.
 Segment read_segment(TableReader table, std::size_t number, Length start, const Sections& sections);
@@ -143,23 +143,22 @@ std::vector<HandFormula> read_hand_formulas(TableReader& root, const spatial::Me
 /// A point of a body in space written "body.point", as the value of a key or in a list under it.
 spatial::Attachment point_named(TableReader& table, std::string_view key,
                                 const std::string& reference, const spatial::Mechanism& mechanism);
-spatial::Attachment attachment_of(TableReader& table, std::string_view key,
+spatial::Attachment attachment_of(TableReader& table, const Key& key,
                                   const spatial::Mechanism& mechanism);
 
 /// A point written "body.point".
-planar::Attachment attachment_of(TableReader& table, std::string_view key,
+planar::Attachment attachment_of(TableReader& table, const Key& key,
                                  const planar::Mechanism& mechanism);
-std::vector<planar::Attachment> attachments_of(TableReader& table, std::string_view key,
+std::vector<planar::Attachment> attachments_of(TableReader& table, const Key& key,
                                                std::size_t count,
                                                const planar::Mechanism& mechanism);
 
 /// A point "body.point", or "ground" with its place in the key "at".
-planar::Attachment place_of(TableReader& table, std::string_view key,
-                            const planar::Mechanism& mechanism);
+planar::Attachment place_of(TableReader& table, const Key& key, const planar::Mechanism& mechanism);
 
 /// How two points are written in a list under a key.
 struct EndsKey {
-  const char* key;           ///< "connect"
+  Key key;                   ///< "connect"
   const char* what;          ///< connects them: "a pin"
   bool ground_point = true;  ///< whether "ground" wants its point in the key "at"
 };
@@ -192,12 +191,12 @@ int index_of(const Items& items, const std::string& name) {
 std::string unknown_hint(std::string_view name, const std::vector<std::string>& known);
 
 /// Index of a body or joint named by the value of a key, a problem and -1 where there is none.
-int body_of(TableReader& table, std::string_view key, const planar::Mechanism& mechanism);
-int body_of(TableReader& table, std::string_view key, const spatial::Mechanism& mechanism);
-int joint_of(TableReader& table, std::string_view key, const planar::Mechanism& mechanism);
+int body_of(TableReader& table, const Key& key, const planar::Mechanism& mechanism);
+int body_of(TableReader& table, const Key& key, const spatial::Mechanism& mechanism);
+int joint_of(TableReader& table, const Key& key, const planar::Mechanism& mechanism);
 
 /// A station given as a length along the beam, within it.
-Length station_of(TableReader& table, std::string_view key, const TaperedBeam& beam);
+Length station_of(TableReader& table, const Key& key, const TaperedBeam& beam);
 
 planar::NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechanism,
                                       const TaperedBeam& beam, int beam_body);
@@ -226,7 +225,6 @@ DeflectionInput read_deflection(TableReader table, const Project& project);
 void read_welds(TableReader& root, const Sections& sections, Project& project);
 
 /// A steel of the catalogue named by the value of a key.
-Material named_steel(TableReader& table, std::string_view key,
-                     std::optional<SteelSource> source = {});
+Material named_steel(TableReader& table, const Key& key, std::optional<SteelSource> source = {});
 
 }  // namespace boxbeam::readers

@@ -37,6 +37,28 @@ std::string number_in_quotes(const Node& node) {
 /// Of bare numbers above zero: below it none is meant.
 constexpr double smallest_number = 1e-20;
 
+/// The unit of an example, "m" of "\"0.25 m\" or \"250 mm\"".
+std::string unit_of(std::string_view example) {
+  const std::size_t begin = example.find(' ');
+  if (begin == std::string_view::npos) return "";
+  return std::string(example.substr(begin + 1, example.find('"', begin) - begin - 1));
+}
+
+/// A default value as a case would write it.
+std::string text_of(std::optional<double> value, const WantedDimension& wanted) {
+  if (!value) return "";
+  const std::string unit = unit_of(wanted.example);
+  const auto one = parse_quantity("1 " + unit);
+  const auto* size = std::get_if<ParsedQuantity>(&one);
+  if (size == nullptr) return fmt::format("{:g}", *value);
+  return fmt::format("\"{:g} {}\"", *value / size->value, unit);
+}
+
+template <class Number>
+std::string text_of(std::optional<Number> value) {
+  return value ? fmt::format("{:g}", static_cast<double>(*value)) : "";
+}
+
 const Node& empty_table() {
   static const Node node;
   return node;
@@ -44,8 +66,9 @@ const Node& empty_table() {
 
 }  // namespace
 
-TableReader::TableReader(ProblemList& problems, const Node& table, std::string name)
-    : problems_(&problems), table_(&table), name_(std::move(name)) {
+TableReader::TableReader(ProblemList& problems, const Node& table, std::string name,
+                         std::string pattern)
+    : problems_(&problems), table_(&table), name_(std::move(name)), pattern_(std::move(pattern)) {
   if (table.kind != Node::Kind::table) {
     problems_->add(table.place,
                    fmt::format("{} is wanted as a table, not {}", name_, kind_name(table)),
@@ -55,9 +78,72 @@ TableReader::TableReader(ProblemList& problems, const Node& table, std::string n
   }
 }
 
-bool TableReader::has(std::string_view key) {
+std::string TableReader::pattern_below(std::string_view key) const {
+  return pattern_.empty() ? std::string(key) : fmt::format("{}.{}", pattern_, key);
+}
+
+void TableReader::note(const Key& key, KeyShape shape, const Asked& asked) {
+  TableVisit& visit = (*problems_->recorder)[problems_->recorder->visit_of(*table_, pattern_)];
+  const std::string name = own_names_ ? "*" : std::string(key.name);
+  auto at = std::find_if(visit.keys.begin(), visit.keys.end(),
+                         [&](const AskedKey& of) { return of.name == name; });
+  // Who asks first whether a key is there does without it.
+  const bool looked_for = at != visit.keys.end();
+  if (!looked_for) at = visit.keys.insert(at, AskedKey{.name = name});
+  if (at->meaning.empty()) at->meaning = key.meaning;
+  at->there = at->there || own_names_ || table_->find(key.name) != nullptr;
+  // What is read as something else by way of this one has been noted.
+  if (at->shape != KeyShape::unknown || shape == KeyShape::unknown) return;
+  at->shape = shape;
+  at->required = asked.required && !looked_for;
+  at->fallback = asked.fallback;
+  at->words = asked.words;
+  if (asked.wanted == nullptr) return;
+  at->dimension = asked.wanted->name;
+  at->example = asked.wanted->example;
+  at->exponents = asked.wanted->exponents;
+}
+
+bool TableReader::has(const Key& of) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::unknown, {});
   asked_.emplace_back(key);
   return table_->find(key) != nullptr;
+}
+
+bool TableReader::has_misplaced(std::string_view key) {
+  asked_.emplace_back(key);
+  return is_there(key);
+}
+
+bool TableReader::has_choice(const Key& key, const std::vector<std::string>& words) {
+  if (recording()) note(key, KeyShape::choice, {.words = words});
+  return has(key);
+}
+
+bool TableReader::has_quantity(const Key& key, const WantedDimension& wanted) {
+  if (recording()) note(key, KeyShape::positive, {.wanted = &wanted});
+  return has(key);
+}
+
+bool TableReader::has_number(const Key& key) {
+  if (recording()) note(key, KeyShape::number, {});
+  return has(key);
+}
+
+bool TableReader::says_one_of(const KeyWays& ways) {
+  if (recording()) {
+    (*problems_->recorder)[problems_->recorder->visit_of(*table_, pattern_)].ways.push_back(ways);
+  }
+  std::size_t said = 0;
+  bool may_be_silent = false;
+  for (const std::vector<std::string>& way : ways) {
+    bool any = false;
+    for (const std::string& key : way) any = has(key) || any;
+    said += any ? 1 : 0;
+    may_be_silent = may_be_silent || way.empty();
+  }
+  return said == 1 || (said == 0 && may_be_silent);
 }
 
 Place TableReader::place_of(std::string_view key) const {
@@ -114,16 +200,24 @@ double TableReader::quantity_in(const Node& node, const std::string& what,
   return quantity.value;
 }
 
-double TableReader::quantity(std::string_view key, const WantedDimension& wanted,
+double TableReader::quantity(const Key& of, const WantedDimension& wanted,
                              std::optional<double> fallback) {
+  const std::string_view key = of.name;
+  if (recording())
+    note(of, KeyShape::quantity,
+         {.required = !fallback, .wanted = &wanted, .fallback = text_of(fallback, wanted)});
   const Node* node = take(key, !fallback, wanted.example);
   if (node == nullptr) return fallback.value_or(std::nan(""));
   return quantity_in(*node, fmt::format("\"{}\"", key), wanted);
 }
 
-double TableReader::positive(std::string_view key, const WantedDimension& wanted,
+double TableReader::positive(const Key& of, const WantedDimension& wanted,
                              std::optional<double> fallback) {
-  const double value = quantity(key, wanted, fallback);
+  const std::string_view key = of.name;
+  if (recording())
+    note(of, KeyShape::positive,
+         {.required = !fallback, .wanted = &wanted, .fallback = text_of(fallback, wanted)});
+  const double value = quantity(of, wanted, fallback);
   if (value < limits::range_of(wanted).smallest) {
     problem(key,
             value <= 0.0 ? fmt::format("\"{}\" must be above zero", key)
@@ -134,9 +228,13 @@ double TableReader::positive(std::string_view key, const WantedDimension& wanted
   return value;
 }
 
-double TableReader::not_negative(std::string_view key, const WantedDimension& wanted,
+double TableReader::not_negative(const Key& of, const WantedDimension& wanted,
                                  std::optional<double> fallback) {
-  const double value = quantity(key, wanted, fallback);
+  const std::string_view key = of.name;
+  if (recording())
+    note(of, KeyShape::not_negative,
+         {.required = !fallback, .wanted = &wanted, .fallback = text_of(fallback, wanted)});
+  const double value = quantity(of, wanted, fallback);
   if (value < 0.0) {
     problem(key, fmt::format("\"{}\" must not be below zero", key),
             fmt::format("write zero or more, for example {}", wanted.example));
@@ -147,6 +245,7 @@ double TableReader::not_negative(std::string_view key, const WantedDimension& wa
 
 Eigen::Vector2d TableReader::pair_in(const Node& node, const std::string& what,
                                      const WantedDimension& wanted) {
+  if (recording() && own_names_) note("*", KeyShape::pair, {.wanted = &wanted});
   if (node.kind != Node::Kind::array || node.items.size() != 2) {
     problems_->add(node.place, fmt::format("{} wants two values, x and y", what),
                    "write it as [\"0.5 m\", \"0 m\"] with the units that belong there");
@@ -156,8 +255,10 @@ Eigen::Vector2d TableReader::pair_in(const Node& node, const std::string& what,
           quantity_in(node.items[1], what + " y", wanted)};
 }
 
-Eigen::Vector2d TableReader::pair(std::string_view key, const WantedDimension& wanted,
+Eigen::Vector2d TableReader::pair(const Key& of, const WantedDimension& wanted,
                                   std::optional<Eigen::Vector2d> fallback) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::pair, {.required = !fallback, .wanted = &wanted});
   const Node* node = take(key, !fallback, "[x, y] with units");
   if (node == nullptr) return fallback.value_or(Eigen::Vector2d::Constant(std::nan("")));
   return pair_in(*node, fmt::format("\"{}\"", key), wanted);
@@ -165,6 +266,7 @@ Eigen::Vector2d TableReader::pair(std::string_view key, const WantedDimension& w
 
 Eigen::Vector3d TableReader::triple_in(const Node& node, const std::string& what,
                                        const WantedDimension& wanted) {
+  if (recording() && own_names_) note("*", KeyShape::triple, {.wanted = &wanted});
   if (node.kind != Node::Kind::array || node.items.size() != 3) {
     problems_->add(node.place, fmt::format("{} wants three values, x, y and z", what),
                    "write it as [\"0.5 m\", \"0 m\", \"0 m\"] with the units that belong there");
@@ -175,14 +277,18 @@ Eigen::Vector3d TableReader::triple_in(const Node& node, const std::string& what
           quantity_in(node.items[2], what + " z", wanted)};
 }
 
-Eigen::Vector3d TableReader::triple(std::string_view key, const WantedDimension& wanted,
+Eigen::Vector3d TableReader::triple(const Key& of, const WantedDimension& wanted,
                                     std::optional<Eigen::Vector3d> fallback) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::triple, {.required = !fallback, .wanted = &wanted});
   const Node* node = take(key, !fallback, "[x, y, z] with units");
   if (node == nullptr) return fallback.value_or(Eigen::Vector3d::Constant(std::nan("")));
   return triple_in(*node, fmt::format("\"{}\"", key), wanted);
 }
 
-Eigen::Matrix3d TableReader::symmetric(std::string_view key, const WantedDimension& wanted) {
+Eigen::Matrix3d TableReader::symmetric(const Key& of, const WantedDimension& wanted) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::symmetric, {.required = true, .wanted = &wanted});
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Constant(std::nan(""));
   const Node* node = take(key, true, "[xx, yy, zz] with units");
   if (node == nullptr) return matrix;
@@ -228,14 +334,17 @@ Eigen::Vector3d TableReader::direction_in(const Node& node, const std::string& w
   return vector.normalized();
 }
 
-Eigen::Vector3d TableReader::direction(std::string_view key,
-                                       std::optional<Eigen::Vector3d> fallback) {
+Eigen::Vector3d TableReader::direction(const Key& of, std::optional<Eigen::Vector3d> fallback) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::direction, {.required = !fallback});
   const Node* node = take(key, !fallback, "\"x\", \"-z\" or three numbers");
   if (node == nullptr) return fallback.value_or(Eigen::Vector3d::UnitX());
   return direction_in(*node, fmt::format("\"{}\"", key));
 }
 
-std::vector<Eigen::Vector3d> TableReader::directions(std::string_view key, std::size_t count) {
+std::vector<Eigen::Vector3d> TableReader::directions(const Key& of, std::size_t count) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::directions, {.required = true});
   std::vector<Eigen::Vector3d> directions;
   const std::vector<Node>* items = list_of(key, "\"x\", \"y\", \"z\"");
   if (items == nullptr) return directions;
@@ -251,7 +360,9 @@ std::vector<Eigen::Vector3d> TableReader::directions(std::string_view key, std::
   return directions;
 }
 
-std::vector<std::pair<Eigen::Vector3d, double>> TableReader::turns(std::string_view key) {
+std::vector<std::pair<Eigen::Vector3d, double>> TableReader::turns(const Key& of) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::turns, {});
   std::vector<std::pair<Eigen::Vector3d, double>> turns;
   const Node* node = take(key, false, "");
   if (node == nullptr) return turns;
@@ -277,8 +388,10 @@ std::vector<std::pair<Eigen::Vector3d, double>> TableReader::turns(std::string_v
   return turns;
 }
 
-double TableReader::not_zero(std::string_view key, const WantedDimension& wanted) {
-  const double value = quantity(key, wanted);
+double TableReader::not_zero(const Key& of, const WantedDimension& wanted) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::not_zero, {.required = true, .wanted = &wanted});
+  const double value = quantity(of, wanted);
   if (std::abs(value) < limits::range_of(wanted).smallest) {
     problem(key,
             value == 0.0 ? fmt::format("\"{}\" must not be zero", key)
@@ -308,7 +421,9 @@ const std::vector<Node>* TableReader::list_of(std::string_view key, const char* 
   return nullptr;
 }
 
-std::vector<double> TableReader::quantities(std::string_view key, const WantedDimension& wanted) {
+std::vector<double> TableReader::quantities(const Key& of, const WantedDimension& wanted) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::quantities, {.required = true, .wanted = &wanted});
   std::vector<double> values;
   const std::vector<Node>* items = list_of(key, wanted.example);
   if (items == nullptr) return values;
@@ -318,8 +433,9 @@ std::vector<double> TableReader::quantities(std::string_view key, const WantedDi
   return values;
 }
 
-std::vector<Eigen::Vector2d> TableReader::pairs(std::string_view key,
-                                                const WantedDimension& wanted) {
+std::vector<Eigen::Vector2d> TableReader::pairs(const Key& of, const WantedDimension& wanted) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::pairs, {.required = true, .wanted = &wanted});
   std::vector<Eigen::Vector2d> values;
   const std::vector<Node>* items = list_of(key, "[\"0 mm\", \"0 mm\"]");
   if (items == nullptr) return values;
@@ -331,9 +447,11 @@ std::vector<Eigen::Vector2d> TableReader::pairs(std::string_view key,
 }
 
 std::vector<std::vector<Eigen::Vector2d>> TableReader::lists_of_pairs(
-    std::string_view key, const WantedDimension& wanted) {
+    const Key& of, const WantedDimension& wanted) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::lists_of_pairs, {.wanted = &wanted});
   std::vector<std::vector<Eigen::Vector2d>> lists;
-  if (!has(key)) return lists;
+  if (!has(of)) return lists;
   const std::vector<Node>* items = list_of(key, "[[\"0 mm\", \"0 mm\"], ...]");
   if (items == nullptr) return lists;
   for (const Node& list : *items) {
@@ -345,8 +463,9 @@ std::vector<std::vector<Eigen::Vector2d>> TableReader::lists_of_pairs(
   return lists;
 }
 
-std::vector<double> TableReader::quantities(std::string_view key,
-                                            std::span<const WantedDimension> each) {
+std::vector<double> TableReader::quantities(const Key& of, std::span<const WantedDimension> each) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::each_quantity, {.required = true, .wanted = &each.front()});
   std::vector<double> values;
   const std::vector<Node>* items = list_of(key, each.front().example);
   if (items == nullptr) return values;
@@ -362,10 +481,19 @@ std::vector<double> TableReader::quantities(std::string_view key,
   return values;
 }
 
-std::vector<double> TableReader::per_direction(std::string_view key, std::size_t count,
+std::vector<double> TableReader::per_direction(const Key& of, std::size_t count,
                                                const WantedDimension& wanted,
                                                std::string_view infinite,
                                                std::optional<double> fallback) {
+  const std::string_view key = of.name;
+  if (recording()) {
+    note(of, KeyShape::per_direction,
+         {.required = !fallback,
+          .wanted = &wanted,
+          .fallback = text_of(fallback, wanted),
+          .words = infinite.empty() ? std::vector<std::string>{}
+                                    : std::vector<std::string>{std::string(infinite)}});
+  }
   const std::string or_infinite =
       infinite.empty() ? std::string() : fmt::format(", or \"{}\"", infinite);
   const Node* node =
@@ -440,16 +568,24 @@ double TableReader::bare_number(std::string_view key, std::optional<double> fall
   return value;
 }
 
-double TableReader::number(std::string_view key, std::optional<double> fallback,
-                           const char* example) {
+double TableReader::number(const Key& of, std::optional<double> fallback, const char* example) {
+  const std::string_view key = of.name;
+  if (recording())
+    note(of, KeyShape::number, {.required = !fallback, .fallback = text_of(fallback)});
   return bare_number(key, fallback, true, example);
 }
 
-double TableReader::any_number(std::string_view key, std::optional<double> fallback) {
+double TableReader::any_number(const Key& of, std::optional<double> fallback) {
+  const std::string_view key = of.name;
+  if (recording())
+    note(of, KeyShape::any_number, {.required = !fallback, .fallback = text_of(fallback)});
   return bare_number(key, fallback, false, "2.0");
 }
 
-int TableReader::whole_number(std::string_view key, std::optional<int> fallback) {
+int TableReader::whole_number(const Key& of, std::optional<int> fallback) {
+  const std::string_view key = of.name;
+  if (recording())
+    note(of, KeyShape::whole_number, {.required = !fallback, .fallback = text_of(fallback)});
   const Node* node = take(key, !fallback, "a whole number");
   if (node == nullptr) return fallback.value_or(0);
   if (node->kind != Node::Kind::number || !node->whole || std::abs(node->number) > 1e9) {
@@ -462,7 +598,9 @@ int TableReader::whole_number(std::string_view key, std::optional<int> fallback)
   return static_cast<int>(node->number);
 }
 
-bool TableReader::boolean(std::string_view key, bool fallback) {
+bool TableReader::boolean(const Key& of, bool fallback) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::boolean, {.fallback = fallback ? "true" : "false"});
   const Node* node = take(key, false, "");
   if (node == nullptr) return fallback;
   if (node->kind != Node::Kind::boolean) {
@@ -472,7 +610,10 @@ bool TableReader::boolean(std::string_view key, bool fallback) {
   return node->boolean;
 }
 
-std::string TableReader::text(std::string_view key, std::optional<std::string> fallback) {
+std::string TableReader::text(const Key& of, std::optional<std::string> fallback) {
+  const std::string_view key = of.name;
+  if (recording())
+    note(of, KeyShape::text, {.required = !fallback, .fallback = fallback.value_or("")});
   const Node* node = take(key, !fallback, "\"...\"");
   if (node == nullptr) return fallback.value_or("");
   if (node->kind != Node::Kind::text) {
@@ -487,7 +628,9 @@ std::string TableReader::text(std::string_view key, std::optional<std::string> f
   return node->text;
 }
 
-std::vector<std::string> TableReader::texts(std::string_view key, bool required) {
+std::vector<std::string> TableReader::texts(const Key& of, bool required) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::texts, {.required = required});
   std::vector<std::string> result;
   const Node* node = take(key, required, "[\"...\", \"...\"]");
   if (node == nullptr) return result;
@@ -504,8 +647,13 @@ std::vector<std::string> TableReader::texts(std::string_view key, bool required)
   return result;
 }
 
-std::size_t TableReader::choice(std::string_view key, const std::vector<std::string>& words,
+std::size_t TableReader::choice(const Key& of, const std::vector<std::string>& words,
                                 std::optional<std::size_t> fallback) {
+  const std::string_view key = of.name;
+  if (recording()) {
+    note(of, KeyShape::choice,
+         {.required = !fallback, .fallback = fallback ? words[*fallback] : "", .words = words});
+  }
   const std::string list = fmt::format("\"{}\"", fmt::join(words, "\", \""));
   const Node* node = take(key, !fallback, list);
   if (node == nullptr) return fallback.value_or(0);
@@ -523,15 +671,29 @@ std::size_t TableReader::choice(std::string_view key, const std::vector<std::str
   return fallback.value_or(0);
 }
 
-TableReader TableReader::table(std::string_view key, bool required) {
+std::size_t TableReader::kind(const Key& key, const std::vector<std::string>& words) {
+  const std::size_t index = choice(key, words);
+  if (recording()) {
+    (*problems_->recorder)[problems_->recorder->visit_of(*table_, pattern_)].choices.emplace_back(
+        key.name, words[index]);
+  }
+  return index;
+}
+
+TableReader TableReader::table(const Key& of, bool required) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::table, {.required = required});
   const std::string name = name_below(key);
   const Node* node = take_or_say(key, required, fmt::format("write [{}] and its keys below", name));
-  TableReader reader(*problems_, node != nullptr ? *node : empty_table(), name);
+  TableReader reader(*problems_, node != nullptr ? *node : empty_table(), name,
+                     pattern_below(own_names_ ? "*" : key));
   if (node == nullptr) reader.absent_ = true;
   return reader;
 }
 
-std::vector<TableReader> TableReader::tables(std::string_view key, bool required) {
+std::vector<TableReader> TableReader::tables(const Key& of, bool required) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::tables, {.required = required});
   std::vector<TableReader> result;
   const std::string name = name_below(key);
   const Node* node =
@@ -545,21 +707,32 @@ std::vector<TableReader> TableReader::tables(std::string_view key, bool required
   const bool too_long = is_too_long(name, node->place, node->items.size());
   const std::size_t count = too_long ? limits::most_entries(name) : node->items.size();
   for (std::size_t i = 0; i < count; ++i) {
-    result.emplace_back(*problems_, node->items[i], fmt::format("{}.{}", name, i));
+    result.emplace_back(*problems_, node->items[i], fmt::format("{}.{}", name, i),
+                        pattern_below(key) + "[]");
   }
   return result;
 }
 
-std::vector<std::pair<std::string, TableReader>> TableReader::named_tables() {
+std::vector<std::pair<std::string, TableReader>> TableReader::named_tables(
+    std::string_view meaning) {
+  own_names_ = true;
+  if (recording()) note({"*", meaning}, KeyShape::table, {});
   std::vector<std::pair<std::string, TableReader>> result;
   const bool too_long = is_too_long(name_, table_->place, table_->members.size());
   const std::size_t count = too_long ? limits::most_entries(name_) : table_->members.size();
   for (const Node::Member& member : table_->members) {
     asked_.push_back(member.key);
     if (result.size() == count) continue;
-    result.emplace_back(member.key, TableReader(*problems_, member.value, name_below(member.key)));
+    result.emplace_back(member.key, TableReader(*problems_, member.value, name_below(member.key),
+                                                pattern_below("*")));
   }
   return result;
+}
+
+const std::vector<Node::Member>& TableReader::members(std::string_view meaning) {
+  own_names_ = true;
+  if (recording()) note({"*", meaning}, KeyShape::unknown, {});
+  return table_->members;
 }
 
 void TableReader::accept_all() {

@@ -177,7 +177,7 @@ const std::vector<std::string>* TimeTables::lines_of(TableReader& table, std::st
 
 std::optional<TimeTable> TimeTables::read(TableReader& table, std::string_view key,
                                           const WantedDimension& wanted, const char* column) {
-  const std::string written = table.text(key);
+  const std::string written = table.text({key, "a CSV file, from the folder of the case"});
   if (written.empty()) return std::nullopt;
   namespace fs = std::filesystem;
   const std::string resolved = (fs::path(document_->path).parent_path() / written).string();

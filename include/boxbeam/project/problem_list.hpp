@@ -7,6 +7,8 @@
 
 namespace boxbeam {
 
+class KeyRecorder;
+
 /// Collects the problems of a document, so that all are reported at once.
 class ProblemList {
  public:
@@ -18,6 +20,9 @@ class ProblemList {
   /// Throws InputError with all problems, where there are any: those of the case in its order, then
   /// those of the files that it names.
   void raise() const;
+
+  /// Where not nullptr: notes what the readers ask for.
+  KeyRecorder* recorder = nullptr;
 
  private:
   const CaseDocument* document_;
