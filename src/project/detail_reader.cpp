@@ -164,10 +164,20 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
   detail.raises = raises_of(detail_rows(), assessment.candidates, facts, fixed_facts());
 }
 
+/// Those without an asterisk, of direct stress, which has those of shear among them.
+std::vector<std::string> categories() {
+  std::vector<std::string> plain;
+  for (const std::string& name : names_of("EN 1993-1-9", StressKind::direct)) {
+    if (!name.ends_with('*')) plain.push_back(name);
+  }
+  return plain;
+}
+
 void read_category(TableReader& table, StressKind kind, bool raise_asterisk, Detail& detail) {
   const std::size_t before = table.problems().size();
   const int category = table.whole_number(
-      {"category", "detail category of EN 1993-1-9, the strength at 2e6 cycles in MPa"});
+      {"category", "detail category of EN 1993-1-9, the strength at 2e6 cycles in MPa"}, {},
+      categories());
   if (table.problems().size() != before) return;
   const std::string name = fmt::format("{}{}", category, raise_asterisk ? "*" : "");
   const auto curve = find_curve("EN 1993-1-9", name, kind);
@@ -193,7 +203,7 @@ Detail read_detail(TableReader& table, const std::vector<Length>& plates) {
       table.choice({"kind", "which stress it resists"}, {"direct", "shear"}, 0));
   const bool raise_asterisk = table.boolean(
       {"raise_asterisk", "the category with an asterisk is raised by one (7.1, note 3)"}, false);
-  const bool one = table.says_one_of({{"category"}, {"row", "facts"}});
+  const bool one = table.says_one_of({{{"category"}}, {{"row", "facts"}, false}});
   const bool as_such = table.has("category");
   if (!one) {
     table.problem(as_such ? "category" : "",

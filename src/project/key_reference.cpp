@@ -31,28 +31,36 @@ bool same(const AskedKey& a, const AskedKey& b) {
          a.words == b.words && a.meaning == b.meaning;
 }
 
-/// Under which words of the table's choices a key is known, where not under all.
-std::vector<KeyDescription::Only> only_of(const AskedKey& key, const Visits& visits) {
+/// Under which words of the table's choices something is known, where not under all.
+template <class Knows>
+std::vector<KeyDescription::Only> only_of(const Visits& visits, const Knows& knows) {
   std::vector<KeyDescription::Only> only;
   for (const auto& [choice, words] : visits.words) {
-    if (choice == key.name) continue;
     KeyDescription::Only here{choice, {}};
     bool without = false;  // known where the choice is not even asked for
     for (const TableVisit* visit : visits.of) {
-      const AskedKey* const found = visit->find(key.name);
-      const bool is_it =
-          found != nullptr && (found->shape == KeyShape::unknown || same(*found, key));
-      if (!is_it) continue;
+      if (!knows(*visit, choice)) continue;
       if (const std::string* word = word_in(*visit, choice)) {
         add_once(here.words, *word);
       } else {
         without = true;
       }
     }
-    if (without || here.words.size() == words.size()) continue;
-    only.push_back(std::move(here));
+    if (!without && !here.words.empty() && here.words.size() < words.size())
+      only.push_back(std::move(here));
   }
   return only;
+}
+
+std::vector<KeyDescription::Only> only_of(const AskedKey& key, const Visits& visits) {
+  return only_of(visits, [&](const TableVisit& visit, const std::string& choice) {
+    const AskedKey* const found = choice == key.name ? nullptr : visit.find(key.name);
+    return found != nullptr && (found->shape == KeyShape::unknown || same(*found, key));
+  });
+}
+
+bool has_ways(const TableVisit& visit, const KeyWays& ways) {
+  return std::find(visit.ways.begin(), visit.ways.end(), ways) != visit.ways.end();
 }
 
 /// Whether a table is of the kinds in which a key is known.
@@ -82,6 +90,10 @@ TableDescription described(const std::string& pattern, const Visits& visits) {
         at->key.required = at->key.required && key.required;
         // What holds instead follows from something else.
         if (at->key.fallback != key.fallback) at->key.fallback.clear();
+        for (const auto& with : key.required_with) {
+          std::vector<std::pair<std::string, std::string>>& known = at->key.required_with;
+          if (std::find(known.begin(), known.end(), with) == known.end()) known.push_back(with);
+        }
       } else {
         // Beside what else goes by its name.
         const auto last = std::find_if(table.keys.rbegin(), table.keys.rend(),
@@ -91,15 +103,20 @@ TableDescription described(const std::string& pattern, const Visits& visits) {
       }
     }
     for (const KeyWays& ways : visit->ways) {
-      if (std::find(table.ways.begin(), table.ways.end(), ways) == table.ways.end())
-        table.ways.push_back(ways);
+      const bool known = std::any_of(table.ways.begin(), table.ways.end(),
+                                     [&](const WaysDescription& of) { return of.ways == ways; });
+      if (known) continue;
+      table.ways.push_back({ways, only_of(visits, [&](const TableVisit& other, const std::string&) {
+                              return has_ways(other, ways);
+                            })});
     }
   }
   // Required only where no visit of its kinds did without it, and nothing may stand instead.
   for (KeyDescription& of : table.keys) {
-    for (const KeyWays& ways : table.ways) {
-      for (const std::vector<std::string>& way : ways) {
-        if (std::find(way.begin(), way.end(), of.key.name) != way.end()) of.key.required = false;
+    for (const WaysDescription& several : table.ways) {
+      for (const KeyWay& way : several.ways) {
+        if (std::find(way.keys.begin(), way.keys.end(), of.key.name) != way.keys.end())
+          of.key.required = false;
       }
     }
     for (const TableVisit* visit : visits.of) {
@@ -164,8 +181,10 @@ std::map<std::string, std::vector<TableDescription>> all_references() {
         if (of.key.shape != KeyShape::unknown) continue;
         const AskedKey* const known = known_elsewhere(all, table.pattern, of.key.name);
         if (known == nullptr) continue;
+        const auto required_with = of.key.required_with;
         of.key = *known;
         of.key.required = false;
+        of.key.required_with = required_with;
       }
     }
     references.emplace(case_kinds()[i], std::move(own));

@@ -209,7 +209,7 @@ void refuse_planar_parts(TableReader& root, const char* kind) {
 /// The same in space.
 std::string read_in_space(TableReader& root, const readers::Sections& sections, TimeTables& tables,
                           Project& project) {
-  TableReader beam = root.table("beam");
+  TableReader beam = root.table({"beam", "the verified beam"});
   readers::read_beam(beam, sections, project);
   std::string beam_body =
       beam.text({"body", "the body that is the beam; its mass comes from the sections"}, "");
@@ -265,7 +265,9 @@ std::string read_beam_link(TableReader& root, TableReader& beam) {
       beam.text({"link", "the link that is the beam; mass and stiffness come from the sections"});
   std::vector<std::string> names;
   std::string meant;
-  for (const Node::Member& link : root.table("links", false).members()) {
+  const Node* const links = root.peek("links");
+  for (std::size_t i = 0; links != nullptr && i < links->members.size(); ++i) {
+    const Node::Member& link = links->members[i];
     names.push_back(link.key);
     const std::array profile{"section", "sections", "segments", "EA", "mass"};
     const bool bare = std::none_of(profile.begin(), profile.end(), [&](const char* key) {
@@ -283,7 +285,7 @@ std::string read_beam_link(TableReader& root, TableReader& beam) {
 
 /// A mechanism of elastic links and its beam. Returns the name of the beam's link.
 std::string read_elastic(TableReader& root, readers::LinkDefaults& links, Project& project) {
-  TableReader beam = root.table("beam");
+  TableReader beam = root.table({"beam", "the verified beam"});
   readers::read_beam(beam, *links.sections, project);
   links.beam_link = read_beam_link(root, beam);
   beam.finish();

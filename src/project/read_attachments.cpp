@@ -86,6 +86,7 @@ Attachment place_of(TableReader& table, const Key& of, const Mechanism& mechanis
   const std::string_view key = of.name;
   const std::string reference = table.text(of);
   if (reference.empty()) return {};
+  table.wants_with("at", key, "ground");
   if (reference == "ground") return ground_at(table);
   return attachment_in<Attachment>(table, key, reference, mechanism);
 }
@@ -102,6 +103,7 @@ std::pair<Attachment, Attachment> ends_in(TableReader& table, const EndsKey& of,
     table.problem(of.key.name, fmt::format("{} connects two points", of.what), hint);
     return {};
   }
+  if (of.ground_point) table.wants_with("at", of.key.name, "ground");
   int grounds = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     if (references[i] != "ground") {

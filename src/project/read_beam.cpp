@@ -16,7 +16,7 @@ Segment read_segment(TableReader table, std::size_t number, Length start,
   if (segment.name.empty()) segment.name = fmt::format("{}", number);
   segment.start = start;
   segment.length = si<Length>(table.positive({"length", "along the axis"}, wanted::length));
-  if (!table.says_one_of({{"section"}, {"from", "to"}})) {
+  if (!table.says_one_of({{{"section"}}, {{"from", "to"}}})) {
     table.text("section", "");
     table.text("from", "");
     table.text("to", "");

@@ -23,7 +23,7 @@ void read_mass(TableReader& table, Body& body, Eigen::Vector2d& centre) {
   body.mass = table.not_negative({"mass", "of the body"}, wanted::mass);
   centre = table.pair({"centre", "centre of mass, where it is not the origin"}, wanted::length,
                       Eigen::Vector2d::Zero());
-  static_cast<void>(table.says_one_of({{"uniform_rod"}, {"inertia"}, {}}));
+  static_cast<void>(table.says_one_of({{{"uniform_rod"}}, {{"inertia"}}, {}}));
   if (table.has("uniform_rod")) {
     const double length = table.positive(
         {"uniform_rod", "a uniform bar of this length: gives the inertia"}, wanted::length);

@@ -64,7 +64,7 @@ void read_rod(TableReader& table, Body& body) {
 
 void read_mass(TableReader& table, Body& body) {
   body.mass = table.not_negative({"mass", "of the body"}, wanted::mass, 0.0);
-  static_cast<void>(table.says_one_of({{"uniform_rod"}, {"centre", "inertia"}, {}}));
+  static_cast<void>(table.says_one_of({{{"uniform_rod"}}, {{"centre", "inertia"}, false}, {}}));
   if (table.has("uniform_rod")) {
     if (table.has("centre") || table.has("inertia")) {
       table.problem("uniform_rod", "the rod gives centre and inertia",

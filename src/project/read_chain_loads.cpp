@@ -13,9 +13,9 @@ constexpr FunctionOf line{wanted::stiffness, "N/m", "line force", "the line forc
 
 /// The body in whose axes a direction is given; the world where nothing is said.
 int axes_in(TableReader& table, const Mechanism& mechanism) {
-  if (!table.has("axes") || table.text("axes") == "world") return spatial::ground;
-  return body_of(table, {"axes", "\"world\", or the body in whose axes the direction is"},
-                 mechanism);
+  const Key axes{"axes", "\"world\", or the body in whose axes the direction is"};
+  if (table.text(axes, "world") == "world") return spatial::ground;
+  return body_of(table, axes, mechanism);
 }
 
 void read_load(const std::string& name, TableReader& table, spatial::LoadKind kind,

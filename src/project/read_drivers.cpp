@@ -26,8 +26,8 @@ Driven read_relative_angle(TableReader& table, const Mechanism& mechanism) {
                   "write coordinate = \"angle\" and point = \"body.point\"");
     return driven;
   }
-  std::tie(driven.point, driven.other) =
-      ends_in(table, {{"points", "the two bodies, \"body.point\""}, "a relative angle"}, mechanism);
+  std::tie(driven.point, driven.other) = ends_in(
+      table, {{"points", "the two bodies, \"body.point\""}, "a relative angle", false}, mechanism);
   return driven;
 }
 

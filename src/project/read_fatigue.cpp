@@ -30,7 +30,7 @@ std::vector<Length> plates_on(const TaperedBeam& beam, Length from, Length to,
 
 /// The partial factor as a number, or by table 3.1.
 void read_gamma_Mf(TableReader& table, FatigueInput& input) {
-  static_cast<void>(table.says_one_of({{"assessment", "consequence"}, {"gamma_Mf"}}));
+  static_cast<void>(table.says_one_of({{{"assessment", "consequence"}}, {{"gamma_Mf"}}}));
   if (!table.has("assessment") && !table.has("consequence")) {
     input.demand.gamma_Mf = table.number({"gamma_Mf", "partial factor on the strength"});
     return;
@@ -138,7 +138,7 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
                   "write shear = { kind = \"shear\", category = 80 } beside it");
   }
   input.beam.stress_factor = read_stress_factor(table, input.beam.detail);
-  input.beam.assumed = table.text("assumed", "");
+  input.beam.assumed = table.text({"assumed", "why it is taken so"}, "");
   input.published_step =
       table.choice({"curve", "the standard's, or the thesis' step for comparison"},
                    {"EN 1993-1-9", "published step"}, 0) == 1;

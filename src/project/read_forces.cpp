@@ -87,7 +87,7 @@ planar::ForceKind read_kind(TableReader& table, std::size_t kind, const Mechanis
 }  // namespace
 
 Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables) {
-  if (!table.says_one_of({{"size"}, {"law"}})) {
+  if (!table.says_one_of({{{"size"}}, {{"law"}}})) {
     table.problem("", fmt::format("[{}] wants either \"size\" or \"law\"", table.name()),
                   fmt::format("size = {} for a constant, law = {{ kind = \"harmonic\", ... }} for "
                               "a function of time",

@@ -41,7 +41,7 @@ void refuse_still(TableReader& table, const FunctionOf& of, std::string_view key
 }
 
 double angular_frequency_of(TableReader& table) {
-  const bool one = table.says_one_of({{"angular_frequency"}, {"frequency"}});
+  const bool one = table.says_one_of({{{"angular_frequency"}}, {{"frequency"}}});
   if (!one && table.has("frequency")) {
     table.problem("frequency", "\"angular_frequency\" says it already", "write one of the two");
   }

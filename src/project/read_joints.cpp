@@ -19,7 +19,7 @@ struct Guided {
 
 /// The point of a guide: on the ground ("through"), or on a body ("guide").
 Attachment read_guide(TableReader& table, const char* what, const Mechanism& mechanism) {
-  if (!table.says_one_of({{"through"}, {"guide"}})) {
+  if (!table.says_one_of({{{"through"}}, {{"guide"}}})) {
     table.problem("", fmt::format("{} wants either \"through\" or \"guide\"", what),
                   "through = [x, y] for a line on the ground, guide = \"body.point\" for one on "
                   "a body, which moves with it");

@@ -61,7 +61,7 @@ WrittenPlace read_written_place(TableReader& table, const Key& key) {
 
 Placing read_placing(TableReader& table) {
   Placing placing;
-  if (!table.says_one_of({{"origin"}, {"place"}, {"from"}})) {
+  if (!table.says_one_of({{{"origin"}}, {{"place"}}, {{"from", "to"}}})) {
     for (const char* key : {"angle", "to"}) static_cast<void>(table.has(key));
     table.problem("",
                   fmt::format("[{}] wants one of \"origin\", \"place\" and \"from\"", table.name()),

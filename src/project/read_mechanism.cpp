@@ -16,7 +16,7 @@ using planar::Mechanism;
 
 planar::Loop read_loop(const std::string& name, TableReader& table, const Mechanism& mechanism) {
   planar::Loop loop{name, planar::TurnSign{}, 1};
-  if (!table.says_one_of({{"turn"}, {"along"}})) {
+  if (!table.says_one_of({{{"turn"}}, {{"along", "direction"}}})) {
     table.texts("turn", false);
     table.texts("along", false);
     table.problem("", fmt::format("loop \"{}\" wants either \"turn\" or \"along\"", name),

@@ -18,7 +18,7 @@ Length positive_length(TableReader& table, const Key& key) {
 std::pair<Length, Length> pair_of_plates(TableReader& table, const Key& both, const Key& first,
                                          const Key& second) {
   if (!table.says_one_of(
-          {{std::string(first.name), std::string(second.name)}, {std::string(both.name)}})) {
+          {{{std::string(first.name), std::string(second.name)}}, {{std::string(both.name)}}})) {
     for (const Key& key : {both, first, second}) table.not_negative(key, wanted::length, 0.0);
     table.problem(table.has(both) ? both.name : "kind",
                   fmt::format("a box wants either \"{}\" or \"{}\" and \"{}\"", both.name,

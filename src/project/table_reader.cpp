@@ -91,7 +91,6 @@ void TableReader::note(const Key& key, KeyShape shape, const Asked& asked) {
   const bool looked_for = at != visit.keys.end();
   if (!looked_for) at = visit.keys.insert(at, AskedKey{.name = name});
   if (at->meaning.empty()) at->meaning = key.meaning;
-  at->there = at->there || own_names_ || table_->find(key.name) != nullptr;
   // What is read as something else by way of this one has been noted.
   if (at->shape != KeyShape::unknown || shape == KeyShape::unknown) return;
   at->shape = shape;
@@ -137,13 +136,22 @@ bool TableReader::says_one_of(const KeyWays& ways) {
   }
   std::size_t said = 0;
   bool may_be_silent = false;
-  for (const std::vector<std::string>& way : ways) {
+  for (const KeyWay& way : ways) {
     bool any = false;
-    for (const std::string& key : way) any = has(key) || any;
+    for (const std::string& key : way.keys) any = has(key) || any;
     said += any ? 1 : 0;
-    may_be_silent = may_be_silent || way.empty();
+    may_be_silent = may_be_silent || way.keys.empty();
   }
   return said == 1 || (said == 0 && may_be_silent);
+}
+
+void TableReader::wants_with(const Key& key, std::string_view other, std::string_view word) {
+  if (!recording()) return;
+  note(key, KeyShape::unknown, {});
+  TableVisit& visit = (*problems_->recorder)[problems_->recorder->visit_of(*table_, pattern_)];
+  const auto at = std::find_if(visit.keys.begin(), visit.keys.end(),
+                               [&](const AskedKey& of) { return of.name == key.name; });
+  at->required_with.emplace_back(other, word);
 }
 
 Place TableReader::place_of(std::string_view key) const {
@@ -582,10 +590,12 @@ double TableReader::any_number(const Key& of, std::optional<double> fallback) {
   return bare_number(key, fallback, false, "2.0");
 }
 
-int TableReader::whole_number(const Key& of, std::optional<int> fallback) {
+int TableReader::whole_number(const Key& of, std::optional<int> fallback,
+                              const std::vector<std::string>& known) {
   const std::string_view key = of.name;
   if (recording())
-    note(of, KeyShape::whole_number, {.required = !fallback, .fallback = text_of(fallback)});
+    note(of, KeyShape::whole_number,
+         {.required = !fallback, .fallback = text_of(fallback), .words = known});
   const Node* node = take(key, !fallback, "a whole number");
   if (node == nullptr) return fallback.value_or(0);
   if (node->kind != Node::Kind::number || !node->whole || std::abs(node->number) > 1e9) {

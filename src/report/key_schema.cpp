@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,10 @@ std::string units_of(const DimensionExponents& of) {
   return fmt::format("{}([\\s*·/]+{})*", unit, unit);
 }
 
-json quantity(const AskedKey& key, Sign sign) {
+/// Puts a schema among the definitions where it is not there yet, and refers to it.
+using Refer = std::function<json(const json& schema, const std::string& name)>;
+
+json quantity(const AskedKey& key, Sign sign, const Refer& refer) {
   json of;
   of["type"] = "string";
   of["pattern"] = fmt::format("^\\s*[+]?{}(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?\\s*{}\\s*$",
@@ -46,7 +50,9 @@ json quantity(const AskedKey& key, Sign sign) {
     of["examples"].push_back(key.example.substr(begin + 1, end - begin - 1));
     begin = end + 1;
   }
-  return of;
+  std::string name = key.dimension.substr(key.dimension.find(' ') + 1);
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return refer(of, name);
 }
 
 json text(bool required) {
@@ -73,50 +79,59 @@ json direction() {
 }
 
 /// What a key's value is, where it is neither a table nor a list of them.
-json value_of(const AskedKey& key) {
+json value_of(const AskedKey& key, const Refer& refer) {
   switch (key.shape) {
     case KeyShape::quantity:
-    case KeyShape::not_zero: return quantity(key, Sign::any);
-    case KeyShape::positive: return quantity(key, Sign::not_zero);
-    case KeyShape::not_negative: return quantity(key, Sign::none);
-    case KeyShape::pair: return list_of(quantity(key, Sign::any), 2);
-    case KeyShape::pairs: return list_of(list_of(quantity(key, Sign::any), 2));
-    case KeyShape::lists_of_pairs: return list_of(list_of(list_of(quantity(key, Sign::any), 2)));
-    case KeyShape::triple: return list_of(quantity(key, Sign::any), 3);
+    case KeyShape::not_zero: return quantity(key, Sign::any, refer);
+    case KeyShape::positive: return quantity(key, Sign::not_zero, refer);
+    case KeyShape::not_negative: return quantity(key, Sign::none, refer);
+    case KeyShape::pair: return list_of(quantity(key, Sign::any, refer), 2);
+    case KeyShape::pairs: return list_of(list_of(quantity(key, Sign::any, refer), 2));
+    case KeyShape::lists_of_pairs:
+      return list_of(list_of(list_of(quantity(key, Sign::any, refer), 2)));
+    case KeyShape::triple: return list_of(quantity(key, Sign::any, refer), 3);
     case KeyShape::symmetric:
-      return one_of(
-          {list_of(quantity(key, Sign::any), 3), list_of(list_of(quantity(key, Sign::any), 3), 3)});
+      return one_of({list_of(quantity(key, Sign::any, refer), 3),
+                     list_of(list_of(quantity(key, Sign::any, refer), 3), 3)});
     case KeyShape::direction: return direction();
     case KeyShape::directions: return list_of(direction(), 3);
     case KeyShape::turns: {
       AskedKey angle;
       angle.exponents = wanted::angle.exponents;
       angle.example = wanted::angle.example;
-      json turn{{"type", "array"}, {"prefixItems", {direction(), quantity(angle, Sign::any)}}};
+      angle.dimension = wanted::angle.name;
+      json turn{{"type", "array"},
+                {"prefixItems", {direction(), quantity(angle, Sign::any, refer)}}};
       turn["minItems"] = turn["maxItems"] = 2;
       return one_of({turn, list_of(turn)});
     }
     case KeyShape::quantities: {
-      json of = list_of(quantity(key, Sign::any));
+      json of = list_of(quantity(key, Sign::any, refer));
       of["minItems"] = 1;
       return of;
     }
     case KeyShape::each_quantity: {
       AskedKey any = key;  // of derivatives, each of a dimension of its own
       any.exponents = {0, 1, 1, 1};
-      json of = list_of(quantity(any, Sign::any));
+      any.dimension = "a quantity";
+      any.example.clear();
+      json of = list_of(quantity(any, Sign::any, refer));
       of["minItems"] = 1;
       return of;
     }
     case KeyShape::per_direction: {
-      json one = quantity(key, Sign::none);
+      json one = quantity(key, Sign::none, refer);
       if (!key.words.empty()) one = one_of({one, {{"const", key.words.front()}}});
       return one_of({one, list_of(one)});
     }
     case KeyShape::number:
       return {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", limits::largest_number}};
     case KeyShape::any_number: return {{"type", "number"}};
-    case KeyShape::whole_number: return {{"type", "integer"}};
+    case KeyShape::whole_number: {
+      json of{{"type", "integer"}};
+      for (const std::string& word : key.words) of["enum"].push_back(std::stoi(word));
+      return of;
+    }
     case KeyShape::boolean: return {{"type", "boolean"}};
     case KeyShape::text: return text(key.fallback.empty() && key.required);
     case KeyShape::texts: return list_of(text(true));
@@ -149,9 +164,12 @@ class Definitions {
     json properties = json::object();
     std::vector<std::string> required;
     std::vector<std::pair<std::vector<KeyDescription::Only>, json>> parts;
+    json wanted_with = json::array();
     bool closed = true;
     for (const KeyDescription& key : table.keys) {
       json value = of_key(reference, table.pattern, key.key);
+      for (const auto& [other, word] : key.key.required_with)
+        wanted_with.push_back(of_wanted_with(key.key.name, other, word));
       if (key.key.name == "*") {
         schema["additionalProperties"] = value;
         closed = false;
@@ -178,7 +196,9 @@ class Definitions {
     if (!required.empty()) schema["required"] = required;
     for (auto& [only, then] : parts)
       schema["allOf"].push_back({{"if", condition(only)}, {"then", std::move(then)}});
-    for (const KeyWays& ways : table.ways) schema["allOf"].push_back(of_ways(ways, table));
+    for (const WaysDescription& several : table.ways)
+      schema["allOf"].push_back(within(several.only, of_ways(several.ways)));
+    for (json& each : wanted_with) schema["allOf"].push_back(std::move(each));
     if (closed) schema[parts.empty() ? "additionalProperties" : "unevaluatedProperties"] = false;
     return schema;
   }
@@ -204,7 +224,8 @@ class Definitions {
     else if (key.shape == KeyShape::tables)
       value = list_of(of_table(reference, below + "[]", below));
     else
-      value = value_of(key);
+      value = value_of(
+          key, [this](const json& schema, const std::string& name) { return refer(schema, name); });
     if (!key.meaning.empty()) value["description"] = key.meaning;
     return value;
   }
@@ -221,38 +242,40 @@ class Definitions {
     return of;
   }
 
-  /// Exactly one of several ways, of which one may be to say nothing. A way that belongs to some
-  /// kinds of the table only is looked at in these.
-  static json of_ways(const KeyWays& ways, const TableDescription& table) {
+  /// A schema that holds for some kinds of the table only.
+  static json within(const std::vector<KeyDescription::Only>& only, json schema) {
+    if (only.empty()) return schema;
+    return {{"if", condition(only)}, {"then", std::move(schema)}};
+  }
+
+  /// Exactly one of several ways.
+  static json of_ways(const KeyWays& ways) {
     json said = json::array();
-    for (const std::vector<std::string>& way : ways) {
-      json any = json::array();
-      for (const std::string& key : way) any.push_back({{"required", {key}}});
-      if (way.empty()) continue;
+    for (const KeyWay& way : ways) {
       json others = json::array();
-      for (const std::vector<std::string>& other : ways) {
+      for (const KeyWay& other : ways) {
         if (&other == &way) continue;
-        for (const std::string& key : other) others.push_back({{"required", {key}}});
+        for (const std::string& key : other.keys) others.push_back({{"required", {key}}});
       }
-      json one{{"anyOf", any}};
+      json one;
+      if (way.all && !way.keys.empty()) one["required"] = way.keys;
+      if (!way.all) {
+        for (const std::string& key : way.keys) one["anyOf"].push_back({{"required", {key}}});
+      }
       if (!others.empty()) one["not"] = {{"anyOf", others}};
       said.push_back(one);
     }
-    const bool may_be_silent =
-        std::any_of(ways.begin(), ways.end(), [](const auto& way) { return way.empty(); });
-    if (may_be_silent) {
-      json none = json::array();
-      for (const std::vector<std::string>& way : ways)
-        for (const std::string& key : way) none.push_back({{"required", {key}}});
-      said.push_back({{"not", {{"anyOf", none}}}});
-    }
-    json of{{"anyOf", said}};
-    for (const KeyDescription& key : table.keys) {
-      if (ways.front().empty() || key.key.name != ways.front().front() || key.only.empty())
-        continue;
-      return {{"if", condition(key.only)}, {"then", of}};
-    }
-    return of;
+    return {{"anyOf", said}};
+  }
+
+  /// A key that is wanted where another one is a word, or has it among its words.
+  static json of_wanted_with(const std::string& key, const std::string& other,
+                             const std::string& word) {
+    json is;
+    is["properties"][other] = {
+        {"anyOf", {{{"const", word}}, {{"type", "array"}, {"contains", {{"const", word}}}}}}};
+    is["required"] = {other};
+    return {{"if", is}, {"then", {{"required", {key}}}}};
   }
 
   /// A reference to a schema that is there already, or is put there now.

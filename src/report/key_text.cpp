@@ -41,7 +41,8 @@ std::string value_text(const AskedKey& key) {
                          key.words.empty() ? "" : ", or " + quoted(key.words));
     case KeyShape::number: return "a number above zero";
     case KeyShape::any_number: return "a number";
-    case KeyShape::whole_number: return "a whole number";
+    case KeyShape::whole_number:
+      return key.words.empty() ? "a whole number" : fmt::format("{}", fmt::join(key.words, ", "));
     case KeyShape::boolean: return "true or false";
     case KeyShape::text: return "a text";
     case KeyShape::texts: return "a list of texts";
@@ -83,17 +84,18 @@ std::string rows_of(const TableDescription& table) {
     if (kinds) text += fmt::format(" {} |", cell(only_text(of.only)));
     text += "\n";
   }
-  for (const KeyWays& ways : table.ways) {
+  for (const WaysDescription& several : table.ways) {
     std::vector<std::string> words;
     bool may_be_silent = false;
-    for (const std::vector<std::string>& way : ways) {
-      if (way.empty())
+    for (const KeyWay& way : several.ways) {
+      if (way.keys.empty())
         may_be_silent = true;
       else
-        words.push_back(fmt::format("`{}`", fmt::join(way, "` and `")));
+        words.push_back(fmt::format("`{}`", fmt::join(way.keys, way.all ? "` and `" : "`, `")));
     }
-    text += fmt::format("\n{} of {}.\n", may_be_silent ? "At most one" : "One",
-                        fmt::join(words, ", or "));
+    text += fmt::format("\n{} of {}{}.\n", may_be_silent ? "At most one" : "One",
+                        fmt::join(words, ", or "),
+                        several.only.empty() ? "" : ", with " + only_text(several.only));
   }
   return text;
 }

@@ -62,12 +62,21 @@ struct AskedKey {
   std::vector<std::string> words;  ///< of a choice; of a quantity what may stand instead of one
   std::string fallback;            ///< what holds where the key is missing; "" nothing is said
   bool required = false;
-  bool there = false;
+  /// Keys and words of theirs with which it is required: "connect" with "ground".
+  std::vector<std::pair<std::string, std::string>> required_with;
   std::string meaning;
 };
 
-/// Several ways to say one thing, each by its keys: a table has those of exactly one.
-using KeyWays = std::vector<std::vector<std::string>>;
+/// A way to say something, by its keys.
+struct KeyWay {
+  std::vector<std::string> keys;  ///< none: it is not said at all
+  bool all = true;                ///< all of them are wanted, not only one
+
+  friend bool operator==(const KeyWay&, const KeyWay&) = default;
+};
+
+/// Several ways to say one thing, of which a table has exactly one.
+using KeyWays = std::vector<KeyWay>;
 
 /// One table that was read.
 struct TableVisit {

@@ -21,12 +21,18 @@ struct KeyDescription {
   std::vector<Only> only;  ///< all of them hold; none: always known
 };
 
+/// Several ways to say one thing, and in which kinds of the table.
+struct WaysDescription {
+  KeyWays ways;
+  std::vector<KeyDescription::Only> only;
+};
+
 /// All keys of a table, in the order in which the reader asks for them. A key that means something
 /// else in another kind of the table stands once for each.
 struct TableDescription {
   std::string pattern;  ///< "bodies.*"
   std::vector<KeyDescription> keys;
-  std::vector<KeyWays> ways;
+  std::vector<WaysDescription> ways;
 };
 
 /// The kinds of a case.

@@ -29,11 +29,15 @@ class TableReader {
   bool has_choice(const Key& key, const std::vector<std::string>& words);
   bool has_quantity(const Key& key, const WantedDimension& wanted);
   bool has_number(const Key& key);
-  /// Whether exactly one of several ways to say something is written, each by its keys, of which
-  /// one at least is there; an empty way stands for saying nothing. All keys count as asked for.
+  /// Whether exactly one of several ways to say something is written: a key of it at least is
+  /// there. All keys count as asked for.
   bool says_one_of(const KeyWays& ways);
+  /// Says that a key is wanted where another one is a word, or has it among its words.
+  void wants_with(const Key& key, std::string_view other, std::string_view word);
   /// The same of a key that has no place here: it stays unknown.
-  bool is_there(std::string_view key) const { return table_->find(key) != nullptr; }
+  bool is_there(std::string_view key) const { return peek(key) != nullptr; }
+  /// What stands there, nullptr where nothing does; it stays unknown.
+  const Node* peek(std::string_view key) const { return table_->find(key); }
   /// Place of a key's value, or of the table where the key is missing.
   Place place_of(std::string_view key) const;
   Place place() const { return table_->place; }
@@ -84,7 +88,8 @@ class TableReader {
   double number(const Key& key, std::optional<double> fallback = {}, const char* example = "2.0");
   /// A bare, finite number of either sign, or zero.
   double any_number(const Key& key, std::optional<double> fallback = {});
-  int whole_number(const Key& key, std::optional<int> fallback = {});
+  int whole_number(const Key& key, std::optional<int> fallback = {},
+                   const std::vector<std::string>& known = {});
   bool boolean(const Key& key, bool fallback);
   /// Without `fallback` the text must not be empty: "" means that a problem has been noted.
   std::string text(const Key& key, std::optional<std::string> fallback = {});
