@@ -6,8 +6,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS boxbeam RUNTIME COMPONENT program)
 install(DIRECTORY sections/ DESTINATION ${CMAKE_INSTALL_DATADIR}/boxbeam/sections COMPONENT program)
 # For editors that complete and check a case by its schema.
-install(DIRECTORY src/report/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/boxbeam COMPONENT program)
-install(FILES ${CMAKE_BINARY_DIR}/share/case.schema.json
+install(FILES ${CMAKE_BINARY_DIR}/share/case.schema.json ${CMAKE_BINARY_DIR}/share/results.schema.json
   DESTINATION ${CMAKE_INSTALL_DATADIR}/boxbeam/schema COMPONENT program)
 
 # The manual page, the completions and the schema of a case are written by the program itself.
@@ -16,16 +15,17 @@ set(written ${CMAKE_BINARY_DIR}/share)
 file(MAKE_DIRECTORY ${written})
 add_custom_command(
   OUTPUT ${written}/boxbeam.1.gz ${written}/boxbeam.bash ${written}/_boxbeam
-    ${written}/case.schema.json
+    ${written}/case.schema.json ${written}/results.schema.json
   COMMAND boxbeam manual > ${written}/boxbeam.1
   COMMAND ${GZIP} -9nf ${written}/boxbeam.1
   COMMAND boxbeam completion bash > ${written}/boxbeam.bash
   COMMAND boxbeam completion zsh > ${written}/_boxbeam
   COMMAND boxbeam schema case > ${written}/case.schema.json
+  COMMAND boxbeam schema results > ${written}/results.schema.json
   DEPENDS boxbeam VERBATIM)
 add_custom_target(boxbeam_share ALL
   DEPENDS ${written}/boxbeam.1.gz ${written}/boxbeam.bash ${written}/_boxbeam
-    ${written}/case.schema.json)
+    ${written}/case.schema.json ${written}/results.schema.json)
 install(FILES ${written}/boxbeam.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${written}/boxbeam.bash RENAME boxbeam
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)

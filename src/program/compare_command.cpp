@@ -4,7 +4,7 @@
 #include "boxbeam/report/comparison.hpp"
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/html_writer.hpp"
-#include "boxbeam/report/json.hpp"
+#include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -12,16 +12,6 @@
 #include "program/terminal.hpp"
 
 namespace boxbeam::program {
-namespace {
-
-std::string motion_document(const Project& project, const std::vector<double>& times) {
-  if (is_flexible(project)) return motion_json(flexible_motion_of(project));
-  if (in_space(project)) return motion_json(chain_motion_of(project, times, "world"));
-  return motion_json(motion_of(project, times));
-}
-
-}  // namespace
-
 int run_compare(const CompareOptions& options) {
   const PublishedValues published = read_published(options.published);
   const Project project = read_case(options.of_case);
@@ -33,7 +23,7 @@ int run_compare(const CompareOptions& options) {
     progress.now("verifying");
     comparison =
         compare(project, verify(project), published,
-                [&](const std::vector<double>& times) { return motion_document(project, times); });
+                [&](const std::vector<double>& times) { return any_motion_of(project, times); });
   }
   if (!options.html.empty()) {
     const auto no_pictures = [](const std::string&) { return std::optional<std::string>(); };

@@ -4,9 +4,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/report/json.hpp"
 #include "boxbeam/report/motion_text.hpp"
-#include "boxbeam/verification/chain_motion_result.hpp"
-#include "boxbeam/verification/flexible_motion_result.hpp"
-#include "boxbeam/verification/motion_result.hpp"
+#include "boxbeam/verification/any_motion_result.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
 #include "program/terminal.hpp"
@@ -26,21 +24,21 @@ int run_assemblies(const Project& project, const MotionOptions& options) {
   return all_pass;
 }
 
-int run_flexible_motion(const Project& project, const MotionOptions& options) {
-  if (!options.at.empty()) {
-    throw InputError("elastic links vibrate about one posture: there are no instants to choose",
-                     "leave out --at");
+/// What the motion of a kind of mechanism cannot be asked for.
+void refuse_what_is_not_there(const Project& project, const MotionOptions& options) {
+  if (is_flexible(project)) {
+    if (!options.at.empty())
+      throw InputError("elastic links vibrate about one posture: there are no instants to choose",
+                       "leave out --at");
+    if (options.assemblies)
+      throw InputError("elastic links are placed by the case, which is their only assembly",
+                       "leave out --assemblies");
+    if (!options.axes.empty())
+      throw InputError("the motion of elastic links is given in world axes only",
+                       "leave out --axes");
+  } else if (!in_space(project) && !options.assemblies && !options.axes.empty()) {
+    throw InputError("the motion of a planar case is given in world axes only", "leave out --axes");
   }
-  if (options.assemblies) {
-    throw InputError("elastic links are placed by the case, which is their only assembly",
-                     "leave out --assemblies");
-  }
-  if (!options.axes.empty()) {
-    throw InputError("the motion of elastic links is given in world axes only", "leave out --axes");
-  }
-  const FlexibleMotionResult motion = flexible_motion_of(project);
-  put_result(options.json, motion_json(motion), motion_text(project, motion));
-  return all_pass;
 }
 
 }  // namespace
@@ -50,18 +48,10 @@ int run_motion(const MotionOptions& options) {
   // the chain can be moved as well.
   const Project project = read_case(options.of_case);
   require_file(options.json);
-  if (is_flexible(project)) return run_flexible_motion(project, options);
+  refuse_what_is_not_there(project, options);
   if (options.assemblies) return run_assemblies(project, options);
-  if (in_space(project)) {
-    const std::string axes = options.axes.empty() ? "world" : options.axes;
-    const ChainMotionResult motion = chain_motion_of(project, options.at, axes);
-    put_result(options.json, motion_json(motion), motion_text(project, motion));
-    return all_pass;
-  }
-  if (!options.axes.empty()) {
-    throw InputError("the motion of a planar case is given in world axes only", "leave out --axes");
-  }
-  const MotionResult motion = motion_of(project, options.at);
+  const AnyMotionResult motion =
+      any_motion_of(project, options.at, options.axes.empty() ? "world" : options.axes);
   put_result(options.json, motion_json(motion), motion_text(project, motion));
   return all_pass;
 }

@@ -1,104 +1,135 @@
 #include "beam_json.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "boxbeam/verification/beam_properties.hpp"
 
-namespace boxbeam {
+namespace boxbeam::report {
 namespace {
 
-Json pair(const Envelope& envelope) {
-  return Json::array({finite(envelope.smallest.value), finite(envelope.largest.value)});
+void put_place(Fields& to, const Station& station) {
+  to.number("s", "m", station.s.value());
+  to.word("side", to_text(station.side), sides);
 }
 
-Json section_json(const StationProperties& at) {
-  const SectionProperties& gross = at.gross;
-  Json lag;
-  if (at.shear_lag) {
-    lag = {{"b_0", finite(at.shear_lag->b_0.value())},
-           {"L_e", finite(at.shear_lag->effective_length.value())},
-           {"kappa", finite(at.shear_lag->kappa)},
-           {"beta", finite(at.shear_lag->beta)}};
+void put_section(Fields& to, const StationProperties& at) {
+  const SectionProperties &gross = at.gross, &net = at.net;
+  put_place(to, at.station);
+  to.number("height", "m", (gross.z_top - gross.z_bottom).value());
+  to.number("width", "m", (gross.y_left - gross.y_right).value());
+  to.number("area", "m^2", gross.area.value());
+  to.number({"I_y", "bending in the plane of motion"}, "m^4", gross.I_y.value());
+  to.number("I_z", "m^4", gross.I_z.value());
+  to.number("W_y", "m^3", gross.W_y.value());
+  to.number("W_z", "m^3", gross.W_z.value());
+  to.number("area_of_holes", "m^2", (gross.area - net.area).value());
+  to.object({"net", "holes taken out"}, [&](Fields& of) {
+    of.number("area", "m^2", net.area.value());
+    of.number("I_y", "m^4", net.I_y.value());
+    of.number("W_y", "m^3", net.W_y.value());
+  });
+  to.number("weight_per_length", "N/m", at.weight.value());
+  to.object_or_null("shear_lag", at.shear_lag, [](Fields& of, const ShearLag& lag) {
+    of.number("b_0", "m", lag.b_0.value());
+    of.number("L_e", "m", lag.effective_length.value());
+    of.number("kappa", "1", lag.kappa);
+    of.number({"beta", "part of the flanges that works"}, "1", lag.beta);
+  });
+  to.list({"levels", "the case's points here"}, "{name}", at.levels,
+          [](Fields& of, const LevelProperties& level) {
+            of.text("name", level.name);
+            of.number("z", "m", level.z.value());
+            of.number({"first_moment", "of the area beyond"}, "m^3", level.first_moment.value());
+            of.number({"width", "of the material cut"}, "m", level.width.value());
+          });
+}
+
+/// The cut forces that a case looks at; of the description those of every case.
+void put_cut_forces(Fields& to, const Project& project, const StationEnvelope& station) {
+  const auto put = [&](const char* name, std::size_t which) {
+    const Envelope& envelope = station.of[which];
+    const double ends[] = {envelope.smallest.value, envelope.largest.value};
+    to.numbers(name, which < cut_force::T ? "N" : "N m", ends, {"min", "max"});
+  };
+  if (!to.is_describing()) {
+    for (const auto& [which, name] : cut_forces_looked_at(project)) put(name, which);
+    return;
   }
-  Json levels = Json::array();
-  for (const LevelProperties& level : at.levels) {
-    levels.push_back({{"name", level.name},
-                      {"z", finite(level.z.value())},
-                      {"first_moment", finite(level.first_moment.value())},
-                      {"width", finite(level.width.value())}});
+  to.either({{"V", "M"}, {"V_y", "V_z", "T", "M_y", "M_z"}});
+  put("N", cut_force::N);
+  for (const auto& [name, which] : {std::pair{"V", cut_force::V_z},
+                                    {"M", cut_force::M_y},
+                                    {"V_y", cut_force::V_y},
+                                    {"V_z", cut_force::V_z},
+                                    {"T", cut_force::T},
+                                    {"M_y", cut_force::M_y},
+                                    {"M_z", cut_force::M_z}}) {
+    to.optional();
+    put(name, which);
   }
-  return {{"s", finite(at.station.s.value())},
-          {"side", to_text(at.station.side)},
-          {"height", finite((gross.z_top - gross.z_bottom).value())},
-          {"width", finite((gross.y_left - gross.y_right).value())},
-          {"area", finite(gross.area.value())},
-          {"I_y", finite(gross.I_y.value())},
-          {"I_z", finite(gross.I_z.value())},
-          {"W_y", finite(gross.W_y.value())},
-          {"W_z", finite(gross.W_z.value())},
-          {"area_of_holes", finite((gross.area - at.net.area).value())},
-          {"net",
-           {{"area", finite(at.net.area.value())},
-            {"I_y", finite(at.net.I_y.value())},
-            {"W_y", finite(at.net.W_y.value())}}},
-          {"weight_per_length", finite(at.weight.value())},
-          {"shear_lag", std::move(lag)},
-          {"levels", std::move(levels)}};
 }
 
 }  // namespace
 
-Json beam_json(const Project& project, const Verification& verification) {
-  Json stations = Json::array();
-  for (const StationEnvelope& station : verification.stations) {
-    Json& at = stations.emplace_back(
-        Json{{"s", finite(station.station.s.value())}, {"side", to_text(station.station.side)}});
-    for (const auto& [which, name] : cut_forces_looked_at(project))
-      at[name] = pair(station.of[which]);
-  }
-  Json parts = Json::array();
-  for (const BeamPart& part : parts_of(project.beam)) {
-    parts.push_back({{"from", part.from},
-                     {"to", part.to},
-                     {"mass", finite(part.mass.mass.value())},
-                     {"centre_from_start", finite((part.mass.centre - part.start).value())},
-                     {"centre_from_end", finite((part.end - part.mass.centre).value())},
-                     {"inertia", finite(part.mass.inertia.value())}});
-  }
-  return {{"length", finite(project.beam.length().value())},
-          {"mass", finite(verification.beam_mass.mass.value())},
-          {"centre_of_mass", finite(verification.beam_mass.centre.value())},
-          {"stations", std::move(stations)},
-          {"inertia", finite(verification.beam_mass.inertia.value())},
-          {"parts", std::move(parts)}};
+void put_beam(Fields& to, const Project& project, const Verification& verification) {
+  to.number("length", "m", [&] { return project.beam.length().value(); });
+  to.number("mass", "kg", verification.beam_mass.mass.value());
+  to.number({"centre_of_mass", "s"}, "m", verification.beam_mass.centre.value());
+  to.list({"stations",
+           "smallest and largest cut forces over all situations, N, V, M in the plane, "
+           "all six in space; two records, - and +, at every jump"},
+          "{s}{side}", verification.stations, [&](Fields& of, const StationEnvelope& station) {
+            put_place(of, station.station);
+            put_cut_forces(of, project, station);
+          });
+  to.number({"inertia", "about the centre of mass"}, "kg m^2",
+            verification.beam_mass.inertia.value());
+  to.list(
+      {"parts", "between neighbouring named places"}, "{from}-{to}",
+      [&] { return parts_of(project.beam); },
+      [](Fields& of, const BeamPart& part) {
+        of.text("from", part.from);
+        of.text("to", part.to);
+        of.number("mass", "kg", part.mass.mass.value());
+        of.number("centre_from_start", "m", (part.mass.centre - part.start).value());
+        of.number("centre_from_end", "m", (part.end - part.mass.centre).value());
+        of.number({"inertia", "about its own centre"}, "kg m^2", part.mass.inertia.value());
+      });
 }
 
-Json sections_json(const Project& project, const Verification& verification) {
-  Json sections = Json::array();
-  for (const StationProperties& at : station_properties_of(project, verification)) {
-    sections.push_back(section_json(at));
-  }
-  return sections;
+void put_sections(Fields& to, const Project& project, const Verification& verification) {
+  to.list(
+      {"sections", "at the verified stations, gross where not said otherwise"}, "{s}{side}",
+      [&] { return station_properties_of(project, verification); }, put_section);
 }
 
-Json concentrations_json(const Verification& verification) {
-  Json list = Json::array();
-  const auto add = [&](const std::string& hole, HoleCase by, double ratio, double factor) {
-    Json entry = {{"hole", hole},
-                  {"case", to_text(by)},
-                  {"diameter_to_width", finite(ratio)},
-                  {"factor", finite(factor)}};
-    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(std::move(entry));
+void put_concentrations(Fields& to, const Verification& verification) {
+  struct Concentration {
+    std::string hole;
+    HoleCase by = HoleCase::in_plane_bending;
+    double ratio = 0.0, factor = 0.0;
+
+    bool operator==(const Concentration&) const = default;
   };
-  for (const PublishedConcentration& of : verification.published_concentrations) {
-    add(of.hole, HoleCase::published_exponential, of.diameter_to_width, of.factor);
-  }
+  std::vector<Concentration> all;
+  const auto add = [&](Concentration of) {
+    if (std::find(all.begin(), all.end(), of) == all.end()) all.push_back(std::move(of));
+  };
+  for (const PublishedConcentration& of : verification.published_concentrations)
+    add({of.hole, HoleCase::published_exponential, of.diameter_to_width, of.factor});
   for (const CheckResult& result : verification.checks) {
     if (!result.basis || !result.basis->point.concentration) continue;
     const EdgeConcentration& edge = *result.basis->point.concentration;
-    add(edge.hole, edge.hole_case, edge.diameter_to_width, edge.factor);
+    add({edge.hole, edge.hole_case, edge.diameter_to_width, edge.factor});
   }
-  return list;
+  to.list({"concentrations", "at the edges of holes"}, "{hole}", all,
+          [](Fields& of, const Concentration& at) {
+            of.text("hole", at.hole);
+            of.text({"case", "which problem it is taken for"}, to_text(at.by));
+            of.number("diameter_to_width", "1", at.ratio);
+            of.number("factor", "1", at.factor);
+          });
 }
 
-}  // namespace boxbeam
+}  // namespace boxbeam::report

@@ -1,18 +1,21 @@
 #pragma once
 
 #include "boxbeam/verification/verify.hpp"
-#include "json_number.hpp"
+#include "fields.hpp"
 
 /// The beam in results.json.
-namespace boxbeam {
+namespace boxbeam::report {
+
+/// Sides of a station as documents write them.
+inline constexpr Names sides{"-", "+", "0"};
 
 /// Masses, and the cut forces at the verified stations.
-Json beam_json(const Project& project, const Verification& verification);
+void put_beam(Fields& to, const Project& project, const Verification& verification);
 
 /// The sections at the verified stations.
-Json sections_json(const Project& project, const Verification& verification);
+void put_sections(Fields& to, const Project& project, const Verification& verification);
 
 /// The concentration at every hole by every formula that was used, each once.
-Json concentrations_json(const Verification& verification);
+void put_concentrations(Fields& to, const Verification& verification);
 
-}  // namespace boxbeam
+}  // namespace boxbeam::report

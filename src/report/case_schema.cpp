@@ -6,23 +6,79 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/quantity_text.hpp"
+#include "document_fields.hpp"
 #include "key_schema.hpp"
 #include "key_text.hpp"
-#include "schema_data.hpp"
 
 namespace boxbeam {
 namespace {
 
+constexpr const char* units =
+    "SI units: m, kg, s, N, Pa, rad, Hz. \"x-unit\" is the unit of a number; \"x-key\" names the "
+    "entries of a list and \"x-names\" the numbers of one, as the keys of `boxbeam compare` do.";
+
+Json head(const char* document, const char* title) {
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"$id", fmt::format("urn:boxbeam:schema:{}:1", document)},
+          {"title", title},
+          {"description", units}};
+}
+
+/// The schema of what `put` says.
+template <class Put>
+Json described(Json schema, const Put& put) {
+  report::Fields to = report::Fields::describing(schema);
+  put(to);
+  return schema;
+}
+
+template <class Motion>
+Json motion_of_kind() {
+  return described(Json::object(), [](report::Fields& to) { report::put_motion(to, Motion{}); });
+}
+
+Json schema_of_results() {
+  return described(head("results", "Results of a verification (boxbeam verify --json)"),
+                   [](report::Fields& to) { report::put_results(to, {}, {}); });
+}
+
+Json schema_of_motion() {
+  Json schema = head("motion", "Motion of a mechanism (boxbeam motion --json)");
+  schema["oneOf"] = {motion_of_kind<MotionResult>(), motion_of_kind<ChainMotionResult>(),
+                     motion_of_kind<FlexibleMotionResult>()};
+  return schema;
+}
+
+Json schema_of_fatigue() {
+  return described(head("fatigue", "Fatigue of a stress history (boxbeam fatigue --json)"),
+                   [](report::Fields& to) { report::put_history(to, {}, {}); });
+}
+
+Json schema_of_section() {
+  Json schema = head("section", "Properties of sections (boxbeam section --json)");
+  const Json one =
+      described(Json::object(), [](report::Fields& to) { report::put_section_summary(to, {}); });
+  schema["oneOf"] = {one,
+                     {{"type", "array"}, {"items", one}, {"description", "of several sections"}}};
+  return schema;
+}
+
+Json schema_of_comparison() {
+  return described(
+      head("comparison", "Published values beside the program's (boxbeam compare --json)"),
+      [](report::Fields& to) { report::put_comparison(to, {}, {}); });
+}
+
 struct Schema {
   const char* document;
-  const char* text;
+  Json (*schema)();
 };
 
-constexpr Schema schemas[] = {{"results", schema_data::results},
-                              {"motion", schema_data::motion},
-                              {"fatigue", schema_data::fatigue},
-                              {"section", schema_data::section},
-                              {"comparison", schema_data::comparison}};
+constexpr Schema schemas[] = {{"results", schema_of_results},
+                              {"motion", schema_of_motion},
+                              {"fatigue", schema_of_fatigue},
+                              {"section", schema_of_section},
+                              {"comparison", schema_of_comparison}};
 
 }  // namespace
 
@@ -37,7 +93,7 @@ std::string schema_of(const std::string& document) {
   if (document == "case") return report::schema_of_case();
   if (document == "keys") return report::key_reference_text();
   for (const Schema& schema : schemas) {
-    if (document == schema.document) return schema.text;
+    if (document == schema.document) return schema.schema().dump(1) + "\n";
   }
   const std::string near = nearest_word(document, schema_names());
   throw InputError(fmt::format("there is no schema \"{}\"", document),

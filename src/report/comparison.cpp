@@ -9,11 +9,12 @@
 #include <unordered_map>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/report/case_schema.hpp"
-#include "boxbeam/report/json.hpp"
-#include "result_values.hpp"
+#include "document_fields.hpp"
 
 namespace boxbeam {
+
+using report::ResultValue;
+
 namespace {
 
 constexpr double latest_time = 1e9;  // as of --at
@@ -39,17 +40,25 @@ std::optional<double> time_of(std::string_view text) {
   return std::abs(time) <= latest_time ? std::optional(time) : std::nullopt;
 }
 
-std::vector<ResultValue> values_of(const std::string& document, const std::string& schema,
-                                   const std::string& prefix) {
-  return values_in(Json::parse(document), Json::parse(schema_of(schema)), prefix);
+/// The numbers of a document, whose fields `put` says.
+template <class Put>
+std::vector<ResultValue> values_of(const std::string& prefix, const Put& put) {
+  Json document = Json::object();
+  std::vector<ResultValue> values;
+  report::Fields fields(document, &values);
+  put(fields);
+  for (ResultValue& value : values) value.key = prefix + value.key;
+  return values;
 }
 
 /// The motion at the instants that keys name, under these names.
-std::vector<ResultValue> motion_values(const MotionDocument& motion,
+std::vector<ResultValue> motion_values(const MotionAt& motion,
                                        const std::vector<NamedInstant>& instants) {
   std::vector<double> times;
   for (const NamedInstant& instant : instants) times.push_back(instant.time);
-  std::vector<ResultValue> values = values_of(motion(times), "motion", "motion");
+  const AnyMotionResult at_times = motion(times);
+  std::vector<ResultValue> values =
+      values_of("motion.", [&](report::Fields& to) { report::put_motion(to, at_times); });
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const std::string state = fmt::format("motion.states[{}]", i);
     for (ResultValue& value : values) {
@@ -195,12 +204,13 @@ std::size_t Comparison::count(Agreement agreement) const {
 }
 
 Comparison compare(const Project& project, const Verification& verification,
-                   const PublishedValues& published, const MotionDocument& motion) {
+                   const PublishedValues& published, const MotionAt& motion) {
   std::vector<Problem> problems;
   const std::vector<NamedInstant> instants = instants_in(project, published, problems);
   if (!problems.empty()) throw InputError(std::move(problems));
   ResultBook book;
-  book.add(values_of(results_json(project, verification), "results", ""));
+  book.add(
+      values_of("", [&](report::Fields& to) { report::put_results(to, project, verification); }));
   const bool moves = std::any_of(published.rows.begin(), published.rows.end(),
                                  [](const auto& row) { return row.key.starts_with("motion"); });
   if (moves) book.add(motion_values(motion, instants));

@@ -9,7 +9,7 @@
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/report/text_writer.hpp"
-#include "json_number.hpp"
+#include "document_fields.hpp"
 #include "text_layout.hpp"
 #include "version.hpp"
 
@@ -190,29 +190,40 @@ std::string comparison_text(const Project& project, const Comparison& comparison
   return report::text_of(comparison_document(project, comparison), layout::width());
 }
 
+using report::Field;
+using report::Fields;
+
+void report::put_comparison(Fields& to, const Project& project, const Comparison& comparison) {
+  to.constant("schema", "boxbeam.comparison/1");
+  to.text("case", project.name);
+  to.text({"version", "of the program"}, version);
+  to.text("input_sha256", project.sha256);
+  to.text({"table", "file of the published values"}, comparison.path);
+  to.whole("agree", comparison.count(Agreement::agrees), "1");
+  to.whole({"explained", "beyond the tolerance, with a reason"},
+           comparison.count(Agreement::explained), "1");
+  to.whole({"differ", "beyond the tolerance, without"}, comparison.count(Agreement::differs), "1");
+  to.list("rows", "", comparison.rows, [](Fields& of, const ComparedValue& row) {
+    const auto number = [&](const Field& field, double value) {
+      of.number_in(field, row.unit, "unit", value);
+    };
+    of.text({"result", "its key"}, row.key);
+    number("published", row.published.value.value);
+    number("ours", row.ours);
+    number({"difference", "ours less published"}, row.difference);
+    number({"tolerance", "on its size"}, row.tolerance);
+    of.text("unit", row.unit);
+    of.word("status", to_text(row.agreement), {"agrees", "differs, explained", "differs"});
+    of.text("reason", row.published.reason);
+    of.text("source", row.published.source);
+    of.whole({"line", "of the table"}, row.published.line, "1");
+  });
+}
+
 std::string comparison_json(const Project& project, const Comparison& comparison) {
-  Json rows = Json::array();
-  for (const ComparedValue& row : comparison.rows) {
-    rows.push_back({{"result", row.key},
-                    {"published", finite(row.published.value.value)},
-                    {"ours", finite(row.ours)},
-                    {"difference", finite(row.difference)},
-                    {"tolerance", finite(row.tolerance)},
-                    {"unit", row.unit},
-                    {"status", to_text(row.agreement)},
-                    {"reason", row.published.reason},
-                    {"source", row.published.source},
-                    {"line", row.published.line}});
-  }
-  const Json document = {{"schema", "boxbeam.comparison/1"},
-                         {"case", project.name},
-                         {"version", version},
-                         {"input_sha256", project.sha256},
-                         {"table", comparison.path},
-                         {"agree", comparison.count(Agreement::agrees)},
-                         {"explained", comparison.count(Agreement::explained)},
-                         {"differ", comparison.count(Agreement::differs)},
-                         {"rows", std::move(rows)}};
+  Json document = Json::object();
+  report::Fields fields(document);
+  report::put_comparison(fields, project, comparison);
   return document.dump(2) + "\n";
 }
 

@@ -1,101 +1,95 @@
-#include "boxbeam/report/json.hpp"
-#include "json_number.hpp"
+#include "document_fields.hpp"
 
-namespace boxbeam {
+namespace boxbeam::report {
 namespace {
 
-Json complex_json(const std::complex<double>& value) {
-  return Json::array({finite(value.real()), finite(value.imag())});
+/// A phasor as [re, im].
+void put_phasor(Fields& to, const Field& field, const char* unit,
+                const std::complex<double>& value) {
+  const double parts[] = {value.real(), value.imag()};
+  to.numbers(field, unit, parts, {"re", "im"});
 }
 
-Json error_json(const DiscretisationError& error) {
-  return {{"error", finite(error.error)},
-          {"order", error.order ? Json(finite(*error.order)) : Json()}};
+void put_error(Fields& to, const DiscretisationError& error) {
+  to.number("error", "1", error.error);
+  to.number_or_null("order", "1", error.order);
 }
+
+std::string name_of_vibration(const auto& of) { return of.name; }
 
 /// Errors of the forces and of the displacements, whichever `error` says.
 template <class Error>
-Json errors_json(const FlexibleMotionResult& motion, const Error& error) {
-  Json joints = Json::object();
-  for (const JointVibration& joint : motion.joints) {
-    joints[joint.name] = error_json(error(joint.force));
-  }
-  Json points = Json::object();
-  for (const PointVibration& point : motion.points) {
-    points[point.name] = error_json(error(point.motion));
-  }
-  return {{"joints", std::move(joints)}, {"points", std::move(points)}};
+void put_errors(Fields& to, const FlexibleMotionResult& motion, const Error& error) {
+  to.named("joints", motion.joints, name_of_vibration<JointVibration>,
+           [&](Fields& of, const JointVibration& joint) { put_error(of, error(joint.force)); });
+  to.named("points", motion.points, name_of_vibration<PointVibration>,
+           [&](Fields& of, const PointVibration& point) { put_error(of, error(point.motion)); });
 }
 
-Json static_json(const FlexibleMotionResult& motion) {
-  Json joints = Json::object();
-  for (const JointVibration& joint : motion.joints) {
-    const Eigen::Vector3d& force = joint.force.constant;
-    joints[joint.name] = {{"on", joint.on},
-                          {"fx", finite(force.x())},
-                          {"fy", finite(force.y())},
-                          {"moment", finite(force.z())},
-                          {"magnitude", finite(joint.force.magnitude)}};
-  }
-  Json points = Json::object();
-  for (const PointVibration& point : motion.points) {
-    points[point.name] = {{"x", finite(point.motion.constant.x())},
-                          {"y", finite(point.motion.constant.y())}};
-  }
-  return {{"joints", std::move(joints)}, {"points", std::move(points)}};
+void put_static(Fields& to, const FlexibleMotionResult& motion) {
+  to.named("joints", motion.joints, name_of_vibration<JointVibration>,
+           [](Fields& of, const JointVibration& joint) {
+             of.text("on", joint.on);
+             of.number("fx", "N", joint.force.constant.x());
+             of.number("fy", "N", joint.force.constant.y());
+             of.number("moment", "N m", joint.force.constant.z());
+             of.number("magnitude", "N", joint.force.magnitude);
+           });
+  to.named({"points", "displacements"}, motion.points, name_of_vibration<PointVibration>,
+           [](Fields& of, const PointVibration& point) {
+             of.number("x", "m", point.motion.constant.x());
+             of.number("y", "m", point.motion.constant.y());
+           });
 }
 
-Json harmonic_json(const FlexibleMotionResult& motion) {
-  Json joints = Json::object();
-  for (const JointVibration& joint : motion.joints) {
-    const Eigen::Vector3cd& force = joint.force.amplitude;
-    joints[joint.name] = {{"on", joint.on},
-                          {"fx", complex_json(force.x())},
-                          {"fy", complex_json(force.y())},
-                          {"moment", complex_json(force.z())},
-                          {"magnitude", finite(joint.force.largest)}};
-  }
-  Json points = Json::object();
-  for (const PointVibration& point : motion.points) {
-    points[point.name] = {{"x", complex_json(point.motion.amplitude.x())},
-                          {"y", complex_json(point.motion.amplitude.y())},
-                          {"magnitude", finite(point.motion.largest)}};
-  }
-  return {{"frequency", finite(motion.frequency)},
-          {"joints", std::move(joints)},
-          {"points", std::move(points)}};
-}
-
-Json discretisation_json(const FlexibleMotionResult& motion) {
-  Json frequencies = Json::array();
-  for (const NaturalFrequency& of : motion.frequencies) {
-    frequencies.push_back(error_json(of.error));
-  }
-  Json all = {{"elements", motion.elements},
-              {"compared_with", Json::array({2, 4})},
-              {"frequencies", std::move(frequencies)},
-              {"static", errors_json(motion, [](const auto& of) { return of.constant_error; })}};
-  if (motion.frequency > 0.0) {
-    all["harmonic"] = errors_json(motion, [](const auto& of) { return of.amplitude_error; });
-  }
-  return all;
+void put_harmonic(Fields& to, const FlexibleMotionResult& motion) {
+  to.number("frequency", "Hz", motion.frequency);
+  to.named("joints", motion.joints, name_of_vibration<JointVibration>,
+           [](Fields& of, const JointVibration& joint) {
+             of.text("on", joint.on);
+             put_phasor(of, "fx", "N", joint.force.amplitude.x());
+             put_phasor(of, "fy", "N", joint.force.amplitude.y());
+             put_phasor(of, "moment", "N m", joint.force.amplitude.z());
+             of.number({"magnitude", "largest over the period"}, "N", joint.force.largest);
+           });
+  to.named("points", motion.points, name_of_vibration<PointVibration>,
+           [](Fields& of, const PointVibration& point) {
+             put_phasor(of, "x", "m", point.motion.amplitude.x());
+             put_phasor(of, "y", "m", point.motion.amplitude.y());
+             of.number("magnitude", "m", point.motion.largest);
+           });
 }
 
 }  // namespace
 
-std::string motion_json(const FlexibleMotionResult& motion) {
-  Json frequencies = Json::array();
-  for (const NaturalFrequency& of : motion.frequencies) {
-    frequencies.push_back(finite(of.frequency));
+void put_motion(Fields& to, const FlexibleMotionResult& motion) {
+  const bool vibrates = to.is_describing() || motion.frequency > 0.0;
+  to.constant("schema", "boxbeam.motion/1");
+  to.constant("kind", "flexible");
+  to.whole("degrees_of_freedom", motion.degrees_of_freedom, "1");
+  std::vector<double> frequencies;
+  for (const NaturalFrequency& of : motion.frequencies) frequencies.push_back(of.frequency);
+  to.numbers({"frequencies", "natural, lowest first"}, "Hz", frequencies);
+  to.object("static", [&](Fields& of) { put_static(of, motion); });
+  if (vibrates) {
+    to.optional().object(
+        {"harmonic",
+         "phasors of e^(i omega t), of which the imaginary part counts; only where loads vibrate"},
+        [&](Fields& of) { put_harmonic(of, motion); });
   }
-  Json document = {{"schema", "boxbeam.motion/1"},
-                   {"kind", "flexible"},
-                   {"degrees_of_freedom", motion.degrees_of_freedom},
-                   {"frequencies", std::move(frequencies)},
-                   {"static", static_json(motion)}};
-  if (motion.frequency > 0.0) document["harmonic"] = harmonic_json(motion);
-  document["discretisation"] = discretisation_json(motion);
-  return document.dump(2) + "\n";
+  to.object("discretisation", [&](Fields& all) {
+    all.whole("elements", motion.elements, "1");
+    all.wholes("compared_with", {2, 4});
+    all.list("frequencies", "", motion.frequencies,
+             [](Fields& of, const NaturalFrequency& at) { put_error(of, at.error); });
+    all.object("static", [&](Fields& of) {
+      put_errors(of, motion, [](const auto& at) { return at.constant_error; });
+    });
+    if (!vibrates) return;
+    all.optional().object("harmonic", [&](Fields& of) {
+      put_errors(of, motion, [](const auto& at) { return at.amplitude_error; });
+    });
+  });
 }
 
-}  // namespace boxbeam
+}  // namespace boxbeam::report

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "boxbeam/report/format.hpp"
+#include "document_fields.hpp"
 #include "text_layout.hpp"
 #include "version.hpp"
 
 namespace boxbeam {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using report::Fields;
 
 const char* word_of(Residue residue) {
   switch (residue) {
@@ -127,51 +127,55 @@ std::string channel_text(const std::string& title, const ChannelFatigue& channel
 }
 
 /// The library writes NaN and infinity as null; none may stand in a result.
-Json curve_json(const SnCurve& curve) {
-  Json branches = Json::array();
-  for (const SnBranch& branch : curve.branches) {
-    branches.push_back({{"slope", branch.slope},
-                        {"until", std::isfinite(branch.until) ? Json(branch.until) : Json()}});
-  }
-  return {{"code", curve.code},
-          {"name", curve.name},
-          {"kind", curve.kind == StressKind::direct ? "direct" : "shear"},
-          {"reference", curve.reference.value()},
-          {"reference_cycles", curve.reference_cycles},
-          {"branches", std::move(branches)},
-          {"constant_amplitude_limit",
-           curve.constant_amplitude_limit ? Json(knee_of(curve).value()) : Json()},
-          {"cut_off", curve.cut_off ? Json(cut_off_of(curve).value()) : Json()},
-          {"unconfirmed", curve.unconfirmed}};
+void put_curve(Fields& to, const SnCurve& curve) {
+  to.text("code", curve.code);
+  to.text("name", curve.name);
+  to.word("kind", curve.kind == StressKind::direct ? "direct" : "shear", {"direct", "shear"});
+  to.number("reference", "Pa", curve.reference.value());
+  to.number("reference_cycles", "1", curve.reference_cycles);
+  to.list("branches", "", curve.branches, [](Fields& of, const SnBranch& branch) {
+    of.number("slope", "1", branch.slope);
+    of.number_or_null({"until", "cycles; null: never ends"}, "1",
+                      std::isfinite(branch.until) ? std::optional(branch.until) : std::nullopt);
+  });
+  to.number_or_null(
+      "constant_amplitude_limit", "Pa",
+      curve.constant_amplitude_limit ? std::optional(knee_of(curve).value()) : std::nullopt);
+  to.number_or_null("cut_off", "Pa",
+                    curve.cut_off ? std::optional(cut_off_of(curve).value()) : std::nullopt);
+  to.boolean({"unconfirmed", "its figures are recalled, not read in the code"}, curve.unconfirmed);
 }
 
-Json cycles_json(const ChannelFatigue& channel) {
-  Json cycles = Json::array();
-  for (const SpectrumBin& bin : channel.spectrum) {
-    cycles.push_back({{"range", bin.range.value()},
-                      {"mean", bin.mean.value()},
-                      {"count", bin.count},
-                      {"damage", channel.damage == 0.0 ? 0.0 : bin.damage}});
-  }
-  return cycles;
+void put_cycles(Fields& to, const ChannelFatigue& channel) {
+  to.list("cycles", "", channel.spectrum, [&](Fields& of, const SpectrumBin& bin) {
+    of.number("range", "Pa", bin.range.value());
+    of.number("mean", "Pa", bin.mean.value());
+    of.number("count", "1", bin.count);
+    of.number("damage", "1", channel.damage == 0.0 ? 0.0 : bin.damage);
+  });
 }
 
-Json resistance_json(const ChannelFatigue& channel) {
+/// The curve, and what the largest range may be.
+void put_resistance(Fields& to, const ChannelFatigue& channel) {
   const NamedResistance& resistance = channel.resistance;
-  return {{"row", resistance.row},
-          {"size_factor", resistance.size_factor},
-          {"not_applied", resistance.not_applied},
-          {"largest_range", channel.largest.value()},
-          {"range_limit", channel.range_limit ? Json(channel.range_limit->value()) : Json()}};
+  to.object("curve", [&](Fields& of) { put_curve(of, resistance.curve); });
+  to.object("resistance", [&](Fields& of) {
+    of.text({"row", "of the tables of EN 1993-1-9; empty where none was named"}, resistance.row);
+    of.number({"size_factor", "in the curve"}, "1", resistance.size_factor);
+    of.text({"not_applied", "what of the size is left out, and why"}, resistance.not_applied);
+    of.number("largest_range", "Pa", channel.largest.value());
+    of.number_or_null(
+        {"range_limit", "1.5 f_y or 1.5 f_y/sqrt(3)"}, "Pa",
+        channel.range_limit ? std::optional(channel.range_limit->value()) : std::nullopt);
+  });
 }
 
-Json channel_json(const ChannelFatigue& channel) {
-  return {{"cycles", cycles_json(channel)},
-          {"binned", channel.binned},
-          {"damage", channel.damage},
-          {"equivalent_range", channel.equivalent_range.value()},
-          {"curve", curve_json(channel.resistance.curve)},
-          {"resistance", resistance_json(channel)}};
+void put_channel(Fields& to, const ChannelFatigue& channel) {
+  put_cycles(to, channel);
+  to.boolean("binned", channel.binned);
+  to.number("damage", "1", channel.damage);
+  to.number("equivalent_range", "Pa", channel.equivalent_range.value());
+  put_resistance(to, channel);
 }
 
 }  // namespace
@@ -229,25 +233,31 @@ std::string history_text(const HistoryDemand& demand, const HistoryFatigue& fati
   return out;
 }
 
+void report::put_history(Fields& to, const HistoryDemand& demand, const HistoryFatigue& fatigue) {
+  to.constant("schema", "boxbeam.fatigue/1");
+  to.text({"version", "of the program"}, version);
+  to.text("history", demand.source.path);
+  to.whole("samples", fatigue.history.samples, "1");
+  to.text("counting", to_text(demand.rule));
+  to.number("repetitions", "1", demand.repetitions);
+  to.number("gamma_Ff", "1", demand.demand.gamma_Ff);
+  to.number("gamma_Mf", "1", demand.demand.gamma_Mf);
+  to.word("verdict", fatigue.passes() ? "pass" : "fail", {"pass", "fail"});
+  put_cycles(to, fatigue.direct);
+  to.boolean("binned", fatigue.direct.binned);
+  to.number({"damage", "of normal and shear stress together"}, "1", fatigue.damage);
+  to.number({"equivalent_range", "of 2e6 cycles, normal stress"}, "Pa",
+            fatigue.direct.equivalent_range.value());
+  to.number_or_null({"life", "repetitions; null: unlimited"}, "1", fatigue.life);
+  put_resistance(to, fatigue.direct);
+  to.texts("remarks", [&] { return remarks_of(demand, fatigue); });
+  to.object_or_null("shear", fatigue.shear, put_channel);
+}
+
 std::string history_json(const HistoryDemand& demand, const HistoryFatigue& fatigue) {
-  Json document = {{"schema", "boxbeam.fatigue/1"},
-                   {"version", version},
-                   {"history", demand.source.path},
-                   {"samples", fatigue.history.samples},
-                   {"counting", to_text(demand.rule)},
-                   {"repetitions", demand.repetitions},
-                   {"gamma_Ff", demand.demand.gamma_Ff},
-                   {"gamma_Mf", demand.demand.gamma_Mf},
-                   {"verdict", fatigue.passes() ? "pass" : "fail"},
-                   {"cycles", cycles_json(fatigue.direct)},
-                   {"binned", fatigue.direct.binned},
-                   {"damage", fatigue.damage},
-                   {"equivalent_range", fatigue.direct.equivalent_range.value()},
-                   {"life", fatigue.life ? Json(*fatigue.life) : Json()},
-                   {"curve", curve_json(fatigue.direct.resistance.curve)},
-                   {"resistance", resistance_json(fatigue.direct)},
-                   {"remarks", remarks_of(demand, fatigue)}};
-  document["shear"] = fatigue.shear ? channel_json(*fatigue.shear) : Json();
+  Json document = Json::object();
+  Fields fields(document);
+  report::put_history(fields, demand, fatigue);
   return document.dump(2) + "\n";
 }
 

@@ -3,171 +3,199 @@
 #include "beam_json.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
+#include "document_fields.hpp"
 #include "load_model_json.hpp"
 #include "version.hpp"
 
-namespace boxbeam {
+namespace boxbeam::report {
 namespace {
 
-Json check_json(const CheckResult& result) {
+void put_check(Fields& to, const CheckResult& result) {
   const Check& check = result.check;
   const auto stress = [&](Stress PointStress::*part) {
-    return result.basis ? Json(finite((result.basis->stress_at_time.*part).value())) : Json();
+    return result.basis ? std::optional((result.basis->stress_at_time.*part).value())
+                        : std::nullopt;
   };
-  // Member by member: a list of pairs would be built of arrays first, for every check.
-  Json json = Json::object();
-  json["id"] = check.id;
-  json["criterion"] = to_text(check.criterion);
-  json["point"] = check.point;
-  json["station"] = check.on_beam ? Json(finite(check.station.s.value())) : Json();
-  json["side"] = check.on_beam ? Json(to_text(check.station.side)) : Json();
-  json["situation"] = check.situation;
-  json["time"] = finite(check.time.value());
-  json["acting"] = finite(check.acting.value());
-  json["resisting"] = finite(check.resisting.value());
-  json["safety_factor"] = finite(check.safety_factor);
-  json["required"] = finite(check.required);
-  json["utilisation"] = finite(check.utilisation());
-  json["unit"] = check.acting.unit();
-  json["source"] = check.source;
-  json["normal_stress"] = stress(&PointStress::normal);
-  json["shear_stress"] = stress(&PointStress::shear);
-  return json;
+  to.text({"id", "criterion, station with its side and point: \"yield/4.2-/fibre+z\""}, check.id);
+  to.text("criterion", to_text(check.criterion));
+  to.text("point", check.point);
+  to.number_or_null({"station", "s along the beam; null for a neighbour of the beam"}, "m",
+                    check.on_beam ? std::optional(check.station.s.value()) : std::nullopt);
+  to.word_or_null(
+      "side",
+      check.on_beam ? std::optional<std::string_view>(to_text(check.station.side)) : std::nullopt,
+      sides);
+  to.text({"situation", "\"\" where the case has only one"}, check.situation);
+  to.number("time", "s", check.time.value());
+  to.number_in("acting", check.acting.unit(), "unit", check.acting.value());
+  to.number_in("resisting", check.resisting.unit(), "unit", check.resisting.value());
+  to.number({"safety_factor",
+             "the largest factor on the whole load history for which the criterion still holds"},
+            "1", check.safety_factor);
+  to.number("required", "1", check.required);
+  to.number({"utilisation", "required over safety factor"}, "1",
+            [&] { return check.utilisation(); });
+  to.text({"unit", "of acting and resisting"}, check.acting.unit());
+  to.text({"source", "standard and clause"}, check.source);
+  to.number_or_null({"normal_stress", "nominal, at the check's time; null where it was given"},
+                    "Pa", stress(&PointStress::normal));
+  to.number_or_null({"shear_stress", "likewise"}, "Pa", stress(&PointStress::shear));
 }
 
-Json governing_json(const Verification& verification) {
-  Json governing = Json::object();
-  for (const Criterion criterion : {Criterion::yield, Criterion::fatigue}) {
-    const CheckResult* result = verification.governing(criterion);
-    governing[to_text(criterion)] = result != nullptr ? check_json(*result) : Json();
-  }
-  return governing;
+void put_level(Fields& to, const ElasticModel& model) {
+  to.whole("modes", model.modes, "1");
+  to.whole("parts", model.parts, "1");
+  to.boolean("axial", model.axial);
 }
 
-Json model_json(const ModelChoice& choice) {
-  const auto described = [](const ElasticModel& model) {
-    return Json{{"level", to_text(model.level)},
-                {"modes", model.modes},
-                {"parts", model.parts},
-                {"axial", model.axial}};
-  };
-  Json weighed = Json::array();
-  for (const ModelEstimate& of : choice.weighed) {
-    Json& model = weighed.emplace_back(described(of.model));
-    model["estimate"] = finite(of.error);
-    model["found"] = of.found ? Json(finite(*of.found)) : Json();
-    model["basis"] = of.basis;
-  }
-  Json frequencies = Json::array();
-  for (const double frequency : choice.frequencies) frequencies.push_back(finite(frequency));
-  Json harmonics = Json::array();
-  for (const LoadHarmonic& harmonic : choice.harmonics) {
-    harmonics.push_back(
-        {{"frequency", finite(harmonic.frequency)}, {"share", finite(harmonic.share)}});
-  }
-  Json model = {{"chosen", to_text(choice.chosen.level)}, {"reason", choice.reason}};
-  model["modes"] = choice.chosen.modes;
-  model["parts"] = choice.chosen.parts;
-  model["axial"] = choice.chosen.axial;
-  model["tolerance"] = finite(choice.tolerance);
-  model["frequencies"] = std::move(frequencies);
-  model["harmonics"] = std::move(harmonics);
-  model["weighed"] = std::move(weighed);
-  return model;
+void put_model(Fields& to, const ModelChoice& choice) {
+  to.word("chosen", to_text(choice.chosen.level), {"rigid", "quasi-static", "modal", "flexible"});
+  to.text("reason", choice.reason);
+  put_level(to, choice.chosen);
+  to.number("tolerance", "1", choice.tolerance);
+  to.numbers({"frequencies", "natural, lowest first"}, "Hz", choice.frequencies);
+  to.list({"harmonics", "with which the loads vibrate"}, "", choice.harmonics,
+          [](Fields& of, const LoadHarmonic& harmonic) {
+            of.number("frequency", "Hz", harmonic.frequency);
+            of.number("share", "1", harmonic.share);
+          });
+  to.list({"weighed", "models and their estimated errors"}, "", choice.weighed,
+          [](Fields& of, const ModelEstimate& estimate) {
+            of.text("level", to_text(estimate.model.level));
+            put_level(of, estimate.model);
+            of.number("estimate", "1", estimate.error);
+            of.number_or_null("found", "1", estimate.found);
+            of.text("basis", estimate.basis);
+          });
 }
 
-Json codes_json(const Verification& verification) {
-  Json codes = Json::array();
-  for (const CodeResult& code : verification.codes) {
-    const bool found = code.missing.empty();
-    codes.push_back({{"code", code.code},
-                     {"curve", found ? Json(code.curve) : Json()},
-                     {"unconfirmed", code.unconfirmed},
-                     {"safety_factor", found ? Json(finite(code.safety_factor)) : Json()},
-                     {"required", finite(code.required)},
-                     {"station", found ? Json(finite(code.station.s.value())) : Json()},
-                     {"point", found ? Json(code.point) : Json()},
-                     {"thickness", found ? Json(finite(code.thickness.value())) : Json()},
-                     {"size_factor", found ? Json(finite(code.size_factor)) : Json()},
-                     {"damage_limit", finite(code.damage_limit)},
-                     {"missing", code.missing}});
-  }
-  return codes;
+void put_code(Fields& to, const CodeResult& code) {
+  const bool found = code.missing.empty();
+  const auto number = [&](double value) { return found ? std::optional(value) : std::nullopt; };
+  to.text("code", code.code);
+  to.text_or_null("curve", found ? std::optional(code.curve) : std::nullopt);
+  to.boolean("unconfirmed", code.unconfirmed);
+  to.number_or_null("safety_factor", "1", number(code.safety_factor));
+  to.number("required", "1", code.required);
+  to.number_or_null("station", "m", number(code.station.s.value()));
+  to.text_or_null("point", found ? std::optional(code.point) : std::nullopt);
+  to.number_or_null({"thickness", "of the plate at the place"}, "m",
+                    number(code.thickness.value()));
+  to.number_or_null({"size_factor", "on the curve's strengths, by the code's own rule"}, "1",
+                    number(code.size_factor));
+  to.number({"damage_limit", "of the damage sum"}, "1", code.damage_limit);
+  to.text({"missing", "why there is no factor"}, code.missing);
 }
 
 /// The curve of the governing fatigue check, and what the check found on it.
-Json sn_json(const Project& project, const Verification& verification) {
-  if (!verification.sn) return {};
-  const SnFigure& sn = *verification.sn;
-  Json fatigue = {{"code", sn.code},
-                  {"curve", sn.name},
-                  {"reference", finite(sn.reference)},
-                  {"knee", finite(sn.knee)},
-                  {"cut_off", finite(sn.cut_off)},
-                  {"cycles", finite(most_cycles_of(project))}};
-  const CheckResult* const governing = verification.governing(Criterion::fatigue);
-  const bool computed =
-      governing != nullptr && governing->basis && !governing->basis->curves.empty();
-  fatigue["strength"] =
-      computed ? Json(finite(strength_at(governing->basis->curves.front(), most_cycles_of(project),
-                                         project.fatigue.demand.loading)
-                                 .value()))
-               : Json();
-  fatigue["constant_amplitude_factor"] =
-      computed ? Json(finite(governing->basis->constant_amplitude_factor)) : Json();
-  fatigue["damage"] = computed ? Json(finite(governing->basis->damage)) : Json();
-  fatigue["equivalent_range"] =
-      computed ? Json(finite(governing->basis->equivalent.value())) : Json();
-  return fatigue;
+void put_sn(Fields& to, const Project& project, const Verification& verification) {
+  const CheckResult* const governing =
+      to.is_describing() ? nullptr : verification.governing(Criterion::fatigue);
+  const CheckBasis* const basis =
+      governing != nullptr && governing->basis && !governing->basis->curves.empty()
+          ? &*governing->basis
+          : nullptr;
+  const auto found = [&](const auto& value_of) {
+    return basis != nullptr ? std::optional<double>(value_of(*basis)) : std::nullopt;
+  };
+  to.object_or_null(
+      {"sn", "curve of the governing fatigue check, and what was found on it"}, verification.sn,
+      [&](Fields& of, const SnFigure& sn) {
+        of.text("code", sn.code);
+        of.text("curve", sn.name);
+        of.number({"reference", "at 2e6 cycles; the thesis' step puts it at 5e6"}, "Pa",
+                  sn.reference);
+        of.number("knee", "Pa", sn.knee);
+        of.number({"cut_off", "0 where the curve has none"}, "Pa", sn.cut_off);
+        of.number({"cycles", "wanted"}, "1", [&] { return most_cycles_of(project); });
+        of.number_or_null({"strength", "at these cycles; null where the stress was given"}, "Pa",
+                          found([&](const CheckBasis& at) {
+                            return strength_at(at.curves.front(), most_cycles_of(project),
+                                               project.fatigue.demand.loading)
+                                .value();
+                          }));
+        of.number_or_null({"constant_amplitude_factor", "EN 1993-1-9, 7.1(2)"}, "1",
+                          found([](const CheckBasis& at) { return at.constant_amplitude_factor; }));
+        of.number_or_null("damage", "1", found([](const CheckBasis& at) { return at.damage; }));
+        of.number_or_null({"equivalent_range", "of 2e6 cycles, with this damage"}, "Pa",
+                          found([](const CheckBasis& at) { return at.equivalent.value(); }));
+      });
 }
 
-Json search_json(const SearchSummary& search) {
-  return {{"evaluations", search.evaluations},
-          {"pieces", search.pieces},
-          {"tolerance", finite(search.tolerance)}};
+/// The unit of what is critical, by its name.
+const Json& units_of_quantities() {
+  static const Json units{{"N", "N"},     {"V", "N"},     {"V_y", "N"},
+                          {"V_z", "N"},   {"T", "N m"},   {"M", "N m"},
+                          {"M_y", "N m"}, {"M_z", "N m"}, {"stress", "Pa"}};
+  return units;
+}
+
+void put_instant(Fields& to, const Project& project, const CriticalInstant& instant) {
+  to.text({"quantity", "cut force, or stress"}, instant.quantity);
+  to.text("situation", situation_name(project, instant.situation));
+  to.number("station", "m", instant.station.s.value());
+  to.word("side", to_text(instant.station.side), sides);
+  to.number("time", "s", instant.time.value());
+  const Json& units = units_of_quantities();
+  to.number_in("value", units.value(instant.quantity, "1"), "quantity", instant.value, units);
 }
 
 }  // namespace
 
+void put_results(Fields& to, const Project& project, const Verification& verification) {
+  to.constant("schema", "boxbeam.results/1");
+  to.text("case", project.name);
+  to.text({"version", "of the program"}, version);
+  to.text({"input_sha256", "of the case, its overrides and its tables"}, project.sha256);
+  to.word("verdict", to_text(verification.verdict), {"pass", "fail", "not applicable"});
+  to.object("model", [&](Fields& of) { put_model(of, verification.model); });
+  to.list("critical_instants", "{quantity}@{time}", verification.critical_instants,
+          [&](Fields& of, const CriticalInstant& instant) { put_instant(of, project, instant); });
+  to.object("beam", [&](Fields& of) { put_beam(of, project, verification); });
+  to.list({"checks", "worst utilisation first"}, "{id}", verification.checks, put_check);
+  to.object("governing", [&](Fields& of) {
+    for (const Criterion criterion : {Criterion::yield, Criterion::fatigue})
+      of.object_or_null(to_text(criterion), verification.governing(criterion), put_check);
+  });
+  to.list({"codes", "the governing fatigue check by other codes"}, "{code}", verification.codes,
+          put_code);
+  to.texts("remarks", [&] { return remarks_of(project, verification); });
+  put_mechanism(to, project);
+  put_freedom(to, verification);
+  put_equivalent_mass(to, project, verification);
+  put_newton_chain(to, verification);
+  put_loads(to, project, verification);
+  put_sections(to, project, verification);
+  put_concentrations(to, verification);
+  put_sn(to, project, verification);
+  to.text({"verdict_text",
+           "the verdict with what it leaves out and why it is not applicable: \"PASS for strength; "
+           "fatigue: no stress range\""},
+          [&] { return verdict_text_of(project, verification).whole(); });
+  to.list({"not_judged", "what the case asks for and no check judges"}, "{what}",
+          verification.not_judged, [](Fields& of, const NotJudged& what) {
+            of.text({"what", "fatigue, deflection, a pin or a rod"}, what.what);
+            of.text("reason", what.reason);
+          });
+  to.object({"search", "how the governing places along the beam were searched"}, [&](Fields& of) {
+    const SearchSummary& search = verification.search;
+    of.whole({"evaluations", "stations at which every criterion was judged"}, search.evaluations);
+    of.whole({"pieces", "of the beam between places where something jumps or kinks"},
+             search.pieces);
+    of.number({"tolerance",
+               "by how much a criterion's largest utilisation may exceed the one found, relative"},
+              "1", search.tolerance);
+  });
+}
+
+}  // namespace boxbeam::report
+
+namespace boxbeam {
+
 std::string results_json(const Project& project, const Verification& verification) {
-  Json instants = Json::array();
-  for (const CriticalInstant& instant : verification.critical_instants) {
-    instants.push_back({{"quantity", instant.quantity},
-                        {"situation", project.situations[instant.situation].name},
-                        {"station", finite(instant.station.s.value())},
-                        {"side", to_text(instant.station.side)},
-                        {"time", finite(instant.time.value())},
-                        {"value", finite(instant.value)}});
-  }
-  Json checks = Json::array();
-  for (const CheckResult& result : verification.checks) checks.push_back(check_json(result));
-  Json not_judged = Json::array();
-  for (const NotJudged& of : verification.not_judged) {
-    not_judged.push_back({{"what", of.what}, {"reason", of.reason}});
-  }
-  const Json document = {{"schema", "boxbeam.results/1"},
-                         {"case", project.name},
-                         {"version", version},
-                         {"input_sha256", project.sha256},
-                         {"verdict", to_text(verification.verdict)},
-                         {"model", model_json(verification.model)},
-                         {"critical_instants", std::move(instants)},
-                         {"beam", beam_json(project, verification)},
-                         {"checks", std::move(checks)},
-                         {"governing", governing_json(verification)},
-                         {"codes", codes_json(verification)},
-                         {"remarks", remarks_of(project, verification)},
-                         {"mechanism", mechanism_json(project)},
-                         {"freedom", freedom_json(verification)},
-                         {"equivalent_mass", equivalent_mass_json(project, verification)},
-                         {"newton_chain", newton_chain_json(verification)},
-                         {"loads", loads_json(project, verification)},
-                         {"sections", sections_json(project, verification)},
-                         {"concentrations", concentrations_json(verification)},
-                         {"sn", sn_json(project, verification)},
-                         {"verdict_text", verdict_text_of(project, verification).whole()},
-                         {"not_judged", std::move(not_judged)},
-                         {"search", search_json(verification.search)}};
+  Json document = Json::object();
+  report::Fields fields(document);
+  report::put_results(fields, project, verification);
   return document.dump(2) + "\n";
 }
 

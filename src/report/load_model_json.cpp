@@ -1,79 +1,117 @@
 #include "load_model_json.hpp"
 
-namespace boxbeam {
+namespace boxbeam::report {
 namespace {
 
-Json vector_json(const Eigen::Vector3d& v) {
-  return Json::array({finite(v.x()), finite(v.y()), finite(v.z())});
+/// Gravity and masses of a mechanism of rigid bodies.
+struct RigidBodies {
+  std::vector<double> gravity;
+  struct Body {
+    std::string name;
+    double mass = 0.0;
+    std::optional<double> inertia;  ///< of a body in the plane
+  };
+  std::vector<Body> bodies;
+};
+
+std::optional<RigidBodies> rigid_bodies_of(const Project& project) {
+  if (is_flexible(project)) return std::nullopt;
+  RigidBodies of;
+  if (in_space(project)) {
+    const spatial::Mechanism& mechanism = spatial_of(project);
+    of.gravity.assign(mechanism.gravity.begin(), mechanism.gravity.end());
+    for (const spatial::Body& body : mechanism.bodies)
+      of.bodies.push_back({body.name, body.mass, {}});
+  } else {
+    const planar::Mechanism& mechanism = planar_of(project);
+    of.gravity.assign(mechanism.gravity.begin(), mechanism.gravity.end());
+    for (const Body& body : mechanism.bodies)
+      of.bodies.push_back({body.name, body.mass, body.inertia});
+  }
+  return of;
 }
 
-Json force_json(const Eigen::Vector2d& force) {
-  return {{"fx", finite(force.x())}, {"fy", finite(force.y())}};
+void put_force(Fields& to, const Field& field, const Eigen::Vector2d& force) {
+  to.object(field, [&](Fields& of) {
+    of.number("fx", "N", force.x());
+    of.number("fy", "N", force.y());
+  });
 }
 
 }  // namespace
 
-Json mechanism_json(const Project& project) {
-  if (is_flexible(project)) return {};
-  Json gravity = Json::array();
-  Json bodies = Json::object();
-  if (in_space(project)) {
-    for (const double g : spatial_of(project).gravity) gravity.push_back(finite(g));
-    for (const spatial::Body& body : spatial_of(project).bodies) {
-      bodies[body.name] = {{"mass", finite(body.mass)}, {"inertia", Json()}};
-    }
-  } else {
-    for (const double g : planar_of(project).gravity) gravity.push_back(finite(g));
-    for (const Body& body : planar_of(project).bodies) {
-      bodies[body.name] = {{"mass", finite(body.mass)}, {"inertia", finite(body.inertia)}};
-    }
-  }
-  return {{"gravity", std::move(gravity)}, {"bodies", std::move(bodies)}};
+std::string situation_name(const Project& project, std::size_t situation) {
+  return situation < project.situations.size() ? project.situations[situation].name : "";
 }
 
-Json freedom_json(const Verification& verification) {
-  const auto& closure = verification.motions.front().closure;
-  if (!closure) return {};
-  return {{"gruebler", closure->freedom.gruebler}, {"by_rank", closure->freedom.by_rank}};
+void put_mechanism(Fields& to, const Project& project) {
+  to.object_or_null({"mechanism", "rigid bodies; null for elastic links"}, rigid_bodies_of(project),
+                    [](Fields& of, const RigidBodies& rigid) {
+                      of.numbers({"gravity", "x, y in the plane, x, y, z in space"}, "m/s^2",
+                                 rigid.gravity, {"x", "y", "z"}, 2);
+                      of.named(
+                          "bodies", rigid.bodies, [](const auto& body) { return body.name; },
+                          [](Fields& one, const RigidBodies::Body& body) {
+                            one.number("mass", "kg", body.mass);
+                            one.number_or_null(
+                                {"inertia", "about the centre of mass; null in space"}, "kg m^2",
+                                body.inertia);
+                          });
+                    });
 }
 
-Json equivalent_mass_json(const Project& project, const Verification& verification) {
-  if (!verification.equivalent_mass) return {};
-  return {{"given", finite(verification.equivalent_mass->given)},
-          {"per_mass", finite(verification.equivalent_mass->per_mass)},
-          {"wanted", finite(project.equivalent_mass->wanted.value())},
-          {"needed", finite(verification.equivalent_mass->needed)}};
+void put_freedom(Fields& to, const Verification& verification) {
+  const ClosureSummary* closure = nullptr;
+  if (!verification.motions.empty() && verification.motions.front().closure)
+    closure = &*verification.motions.front().closure;
+  to.object_or_null("freedom", closure, [](Fields& of, const ClosureSummary& at) {
+    of.whole({"gruebler", "3 bodies less the equations of the joints"}, at.freedom.gruebler, "1");
+    of.whole("by_rank", at.freedom.by_rank, "1");
+  });
 }
 
-Json newton_chain_json(const Verification& verification) {
-  if (!verification.chain) return {};
-  const ChainComparison& chain = *verification.chain;
-  const bool both = !chain.rigorous_first.isZero() || !chain.rigorous_second.isZero();
-  Json rigorous;
-  if (both) {
-    rigorous = {{"first", force_json(chain.rigorous_first)},
-                {"second", force_json(chain.rigorous_second)}};
-  }
-  return {{"time", finite(chain.time.value())},
-          {"first", force_json(chain.chain_first)},
-          {"second", force_json(chain.chain_second)},
-          {"sought_mass", finite(chain.chain_mass.value())},
-          {"moment_gap", finite(chain.moment_gap.value())},
-          {"rigorous", std::move(rigorous)}};
+void put_equivalent_mass(Fields& to, const Project& project, const Verification& verification) {
+  to.object_or_null(
+      "equivalent_mass", verification.equivalent_mass,
+      [&](Fields& of, const planar::EquivalentMass& mass) {
+        of.number({"given", "that the mechanism feels like where it is driven"}, "kg", mass.given);
+        of.number({"per_mass", "its increase per kg of the adjustable body"}, "1", mass.per_mass);
+        of.number("wanted", "kg", [&] { return project.equivalent_mass->wanted.value(); });
+        of.number({"needed", "of the adjustable body"}, "kg", mass.needed);
+      });
 }
 
-Json loads_json(const Project& project, const Verification& verification) {
-  Json loads = Json::array();
-  for (const BeamLoadRow& row : verification.loads) {
-    loads.push_back({{"by", row.name},
-                     {"situation", project.situations[row.situation].name},
-                     {"time", finite(row.time.value())},
-                     {"s", finite(row.s.value())},
-                     {"world", vector_json(row.world)},
-                     {"force", vector_json(row.force)},
-                     {"moment", vector_json(row.moment)}});
-  }
-  return loads;
+void put_newton_chain(Fields& to, const Verification& verification) {
+  to.object_or_null(
+      {"newton_chain",
+       "the chain's forces on the ends of the beam, world axes, and the reactions of the mechanism "
+       "beside them"},
+      verification.chain, [](Fields& of, const ChainComparison& chain) {
+        of.number({"time", "of the largest bending moment"}, "s", chain.time.value());
+        put_force(of, "first", chain.chain_first);
+        put_force(of, "second", chain.chain_second);
+        of.number("sought_mass", "kg", chain.chain_mass.value());
+        of.number({"moment_gap", "left over at the pivot"}, "N m", chain.moment_gap.value());
+        const bool both = !chain.rigorous_first.isZero() || !chain.rigorous_second.isZero();
+        of.object_or_null("rigorous", both ? &chain : nullptr,
+                          [](Fields& beside, const ChainComparison& at) {
+                            put_force(beside, "first", at.rigorous_first);
+                            put_force(beside, "second", at.rigorous_second);
+                          });
+      });
 }
 
-}  // namespace boxbeam
+void put_loads(Fields& to, const Project& project, const Verification& verification) {
+  to.list({"loads", "of joints and loads on the beam at the critical instants"}, "{by}@{time}",
+          verification.loads, [&](Fields& of, const BeamLoadRow& row) {
+            of.text({"by", "point, joint or load"}, row.name);
+            of.text("situation", situation_name(project, row.situation));
+            of.number("time", "s", row.time.value());
+            of.number("s", "m", row.s.value());
+            of.vector({"world", "force, world axes"}, "N", row.world);
+            of.vector({"force", "beam axes"}, "N", row.force);
+            of.vector({"moment", "about the axis point at s, beam axes"}, "N m", row.moment);
+          });
+}
+
+}  // namespace boxbeam::report

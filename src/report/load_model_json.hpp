@@ -1,23 +1,26 @@
 #pragma once
 
 #include "boxbeam/verification/verify.hpp"
-#include "json_number.hpp"
+#include "fields.hpp"
 
 /// In results.json what the loads on the beam come from; null where a case has no such thing.
-namespace boxbeam {
+namespace boxbeam::report {
 
 /// Gravity and the masses of rigid bodies; null for elastic links, whose mass lies along them.
-Json mechanism_json(const Project& project);
+void put_mechanism(Fields& to, const Project& project);
 
 /// Degrees of freedom by count and by rank; null for a chain in space and for elastic links.
-Json freedom_json(const Verification& verification);
+void put_freedom(Fields& to, const Verification& verification);
 
-Json equivalent_mass_json(const Project& project, const Verification& verification);
+void put_equivalent_mass(Fields& to, const Project& project, const Verification& verification);
 
 /// The Newton chain's loads and the rigorous ones beside them.
-Json newton_chain_json(const Verification& verification);
+void put_newton_chain(Fields& to, const Verification& verification);
 
 /// What joints and loads do to the beam at the critical instants.
-Json loads_json(const Project& project, const Verification& verification);
+void put_loads(Fields& to, const Project& project, const Verification& verification);
 
-}  // namespace boxbeam
+/// The name of a situation by its index.
+std::string situation_name(const Project& project, std::size_t situation);
+
+}  // namespace boxbeam::report

@@ -1,161 +1,183 @@
 #include <Eigen/Core>
 
 #include "boxbeam/report/json.hpp"
-#include "json_number.hpp"
+#include "document_fields.hpp"
 
-namespace boxbeam {
+namespace boxbeam::report {
 namespace {
+
+constexpr Names signs{"+", "-", "0"};
 
 const char* sign_text(int sign) { return sign > 0 ? "+" : (sign < 0 ? "-" : "0"); }
 
-Json body_json(const BodyMotion& body) {
-  return {{"x", finite(body.position.x())},        {"y", finite(body.position.y())},
-          {"angle", finite(body.position.z())},    {"vx", finite(body.velocity.x())},
-          {"vy", finite(body.velocity.y())},       {"omega", finite(body.velocity.z())},
-          {"ax", finite(body.acceleration.x())},   {"ay", finite(body.acceleration.y())},
-          {"alpha", finite(body.acceleration.z())}};
+void put_branch(Fields& to, const std::vector<std::pair<std::string, int>>& branch) {
+  std::vector<std::pair<std::string, std::string>> words;
+  for (const auto& [loop, sign] : branch) words.emplace_back(loop, sign_text(sign));
+  to.named_words({"branch", "sign of every loop"}, words, signs);
 }
 
-Json point_json(const PointMotion& point) {
-  return {{"x", finite(point.position.x())},      {"y", finite(point.position.y())},
-          {"vx", finite(point.velocity.x())},     {"vy", finite(point.velocity.y())},
-          {"ax", finite(point.acceleration.x())}, {"ay", finite(point.acceleration.y())}};
+std::string name_of(const auto& item) { return item.name; }
+
+void put_body(Fields& to, const BodyMotion& body) {
+  to.number("x", "m", body.position.x());
+  to.number("y", "m", body.position.y());
+  to.number("angle", "rad", body.position.z());
+  to.number("vx", "m/s", body.velocity.x());
+  to.number("vy", "m/s", body.velocity.y());
+  to.number("omega", "rad/s", body.velocity.z());
+  to.number("ax", "m/s^2", body.acceleration.x());
+  to.number("ay", "m/s^2", body.acceleration.y());
+  to.number("alpha", "rad/s^2", body.acceleration.z());
 }
 
-Json chain_json(const ChainResult& chain) {
-  Json steps = Json::object();
-  for (const ChainStepLoad& load : chain.steps) {
-    steps[load.step] = {{"fx", finite(load.force.x())},
-                        {"fy", finite(load.force.y())},
-                        {"moment", load.moment ? Json(finite(*load.moment)) : Json()}};
-  }
-  return {{"steps", std::move(steps)}, {"sought_mass", finite(chain.sought_mass)}};
+void put_point(Fields& to, const PointMotion& point) {
+  to.number("x", "m", point.position.x());
+  to.number("y", "m", point.position.y());
+  to.number("vx", "m/s", point.velocity.x());
+  to.number("vy", "m/s", point.velocity.y());
+  to.number("ax", "m/s^2", point.acceleration.x());
+  to.number("ay", "m/s^2", point.acceleration.y());
 }
 
-Json state_json(const InstantResult& state) {
-  Json branch = Json::object();
-  for (const auto& [loop, sign] : state.branch) branch[loop] = sign_text(sign);
-  Json bodies = Json::object();
-  for (const BodyMotion& body : state.bodies) bodies[body.name] = body_json(body);
-  Json points = Json::object();
-  for (const PointMotion& point : state.points) points[point.name] = point_json(point);
-  Json reactions = Json::object();
-  for (const JointReaction& reaction : state.reactions) {
-    // What joints that repeat each other share is not determined: no number is invented.
-    const auto number = [&](double value) {
-      return reaction.unique ? Json(finite(value)) : Json();
-    };
-    reactions[reaction.joint] = {{"on", reaction.on},
-                                 {"fx", number(reaction.force.x())},
-                                 {"fy", number(reaction.force.y())},
-                                 {"moment", number(reaction.moment)},
-                                 {"unique", reaction.unique}};
-  }
-  return {{"time", finite(state.time)},
-          {"branch", std::move(branch)},
-          {"residual", finite(state.residual)},
-          {"condition", finite(state.condition)},
-          {"digits", finite(state.digits)},
-          {"bodies", std::move(bodies)},
-          {"points", std::move(points)},
-          {"reactions", std::move(reactions)},
-          {"newton_chain", state.chain ? chain_json(*state.chain) : Json()}};
+void put_reaction(Fields& to, const JointReaction& reaction) {
+  // What joints that repeat each other share is not determined: no number is invented.
+  const auto known = [&](double value) {
+    return reaction.unique ? std::optional(value) : std::nullopt;
+  };
+  to.text({"on", "the body that feels it"}, reaction.on);
+  to.number_or_null("fx", "N", known(reaction.force.x()));
+  to.number_or_null("fy", "N", known(reaction.force.y()));
+  to.number_or_null("moment", "N m", known(reaction.moment));
+  to.boolean({"unique", "else joints that repeat each other share it, and its numbers are null"},
+             reaction.unique);
 }
 
-Json vector_json(const Eigen::Vector3d& v) {
-  return Json::array({finite(v.x()), finite(v.y()), finite(v.z())});
+void put_chain(Fields& to, const ChainResult& chain) {
+  to.named(
+      {"steps", "carried up to each body"}, chain.steps,
+      [](const ChainStepLoad& load) { return load.step; },
+      [](Fields& of, const ChainStepLoad& load) {
+        of.number("fx", "N", load.force.x());
+        of.number("fy", "N", load.force.y());
+        of.number_or_null(
+            {"moment", "sum of J alpha, without force times arm; null for pieces of a body"}, "N m",
+            load.moment);
+      });
+  to.number("sought_mass", "kg", chain.sought_mass);
 }
 
-Json state_json(const ChainInstant& state) {
-  Json bodies = Json::object();
-  for (const ChainBody& body : state.bodies) {
-    Json rotation = Json::array();  // by rows
-    for (int i = 0; i < 3; ++i) rotation.push_back(vector_json(body.rotation.row(i)));
-    bodies[body.name] = {{"omega", vector_json(body.omega)},
-                         {"alpha", vector_json(body.alpha)},
-                         {"rotation", std::move(rotation)},
-                         {"inertia_force", vector_json(body.inertia_force)},
-                         {"inertia_moment", vector_json(body.inertia_moment)},
-                         {"gyroscopic_moment", vector_json(body.gyroscopic_moment)}};
-  }
-  Json points = Json::object();
-  for (const ChainPoint& point : state.points) {
-    points[point.name] = {{"position", vector_json(point.position)},
-                          {"velocity", vector_json(point.velocity)},
-                          {"acceleration", vector_json(point.acceleration)}};
-  }
-  Json joints = Json::object();
-  for (const ChainJoint& joint : state.joints) {
-    joints[joint.name] = {{"on", joint.on},
-                          {"force", vector_json(joint.force)},
-                          {"moment", vector_json(joint.moment)},
-                          {"drive", joint.drive ? Json(finite(*joint.drive)) : Json()}};
-  }
+void put_state(Fields& to, const InstantResult& state) {
+  to.number("time", "s", state.time);
+  put_branch(to, state.branch);
+  to.number({"residual", "largest error of the constraints"}, "1", state.residual);
+  to.number("condition", "1", state.condition);
+  to.number({"digits", "decimal digits of velocities that are left"}, "1", state.digits);
+  to.named({"bodies", "centres of mass"}, state.bodies, name_of<BodyMotion>, put_body);
+  to.named({"points", "body.point"}, state.points, name_of<PointMotion>, put_point);
+  to.named(
+      {"reactions", "world axes"}, state.reactions,
+      [](const JointReaction& reaction) { return reaction.joint; }, put_reaction);
+  to.object_or_null("newton_chain", state.chain, put_chain);
+}
+
+void put_state(Fields& to, const ChainInstant& state) {
+  to.number("time", "s", state.time);
   // A chain is explicit: it has no branch, and nothing is left open.
-  return {{"time", finite(state.time)},
-          {"branch", Json::object()},
-          {"residual", 0},
-          {"condition", 1},
-          {"bodies", std::move(bodies)},
-          {"points", std::move(points)},
-          {"joints", std::move(joints)}};
+  put_branch(to, {});
+  to.whole("residual", 0, "1");
+  to.whole("condition", 1, "1");
+  to.named("bodies", state.bodies, name_of<ChainBody>, [](Fields& of, const ChainBody& body) {
+    of.vector("omega", "rad/s", body.omega);
+    of.vector("alpha", "rad/s^2", body.alpha);
+    of.rows({"rotation", "by rows"}, "1", body.rotation);
+    of.vector("inertia_force", "N", body.inertia_force);
+    of.vector("inertia_moment", "N m", body.inertia_moment);
+    of.vector("gyroscopic_moment", "N m", body.gyroscopic_moment);
+  });
+  to.named("points", state.points, name_of<ChainPoint>, [](Fields& of, const ChainPoint& point) {
+    of.vector("position", "m", point.position);
+    of.vector("velocity", "m/s", point.velocity);
+    of.vector("acceleration", "m/s^2", point.acceleration);
+  });
+  to.named("joints", state.joints, name_of<ChainJoint>, [](Fields& of, const ChainJoint& joint) {
+    of.text({"on", "the body that feels it"}, joint.on);
+    of.vector("force", "N", joint.force);
+    of.vector("moment", "N m", joint.moment);
+    of.number_or_null({"drive", "force [N] or moment [N m] of the drive"}, "", joint.drive);
+  });
 }
 
-Json hand_formula_json(const HandComparison& hand) {
-  return {{"name", hand.formula.name},
-          {"time", finite(hand.formula.time.value())},
-          {"quantity", to_text(hand.formula.quantity)},
-          {"of", hand.of},
-          {"formula", hand.formula.formula},
-          {"value", vector_json(hand.formula.value)},
-          {"computed", vector_json(hand.computed)},
-          {"difference", vector_json(hand.formula.value - hand.computed)},
-          {"note", hand.formula.note}};
+void put_hand_formula(Fields& to, const HandComparison& hand) {
+  const auto plain = [&](const char* name, const Eigen::Vector3d& value) {
+    to.numbers(name, "", std::span(value.data(), 3));
+  };
+  to.text("name", hand.formula.name);
+  to.number("time", "s", hand.formula.time.value());
+  to.word("quantity", to_text(hand.formula.quantity),
+          {"omega", "alpha", "position", "velocity", "acceleration"});
+  to.text("of", hand.of);
+  to.texts("formula", hand.formula.formula);
+  plain("value", hand.formula.value);
+  plain("computed", hand.computed);
+  plain("difference", hand.formula.value - hand.computed);
+  to.text("note", hand.formula.note);
 }
 
 }  // namespace
 
-std::string motion_json(const MotionResult& motion) {
-  Json states = Json::array();
-  for (const InstantResult& state : motion.states) states.push_back(state_json(state));
-  const Json document = {{"schema", "boxbeam.motion/1"},
-                         {"kind", "planar"},
-                         {"degrees_of_freedom", motion.freedom.by_rank},
-                         {"redundant", motion.redundant},
-                         {"change_points", motion.change_points},
-                         {"states", std::move(states)}};
-  return document.dump(2) + "\n";
+void put_motion(Fields& to, const AnyMotionResult& motion) {
+  std::visit([&](const auto& of_kind) { put_motion(to, of_kind); }, motion);
 }
 
-std::string motion_json(const ChainMotionResult& motion) {
-  Json states = Json::array();
-  for (const ChainInstant& state : motion.states) states.push_back(state_json(state));
-  Json hand_formulas = Json::array();
-  for (const HandComparison& hand : motion.hand_formulas) {
-    hand_formulas.push_back(hand_formula_json(hand));
-  }
-  const Json document = {
-      {"schema", "boxbeam.motion/1"}, {"kind", "spatial"},
-      {"axes", motion.axes},          {"degrees_of_freedom", motion.driven},
-      {"states", std::move(states)},  {"hand_formulas", std::move(hand_formulas)}};
+void put_motion(Fields& to, const MotionResult& motion) {
+  to.constant("schema", "boxbeam.motion/1");
+  to.constant("kind", "planar");
+  to.whole("degrees_of_freedom", motion.freedom.by_rank, "1");
+  to.texts({"redundant", "joints that repeat others"}, motion.redundant);
+  to.numbers({"change_points", "at which two branches cross"}, "s", motion.change_points);
+  to.list("states", "", motion.states,
+          [](Fields& of, const InstantResult& state) { put_state(of, state); });
+}
+
+void put_motion(Fields& to, const ChainMotionResult& motion) {
+  to.constant("schema", "boxbeam.motion/1");
+  to.constant("kind", "spatial");
+  to.text({"axes", "in which vectors are given: world, or a body"}, motion.axes);
+  to.whole("degrees_of_freedom", motion.driven, "1");
+  to.list("states", "", motion.states,
+          [](Fields& of, const ChainInstant& state) { put_state(of, state); });
+  to.list({"hand_formulas", "formulas of the case beside what the program computes"}, "{name}",
+          motion.hand_formulas, put_hand_formula);
+}
+
+}  // namespace boxbeam::report
+
+namespace boxbeam {
+
+std::string motion_json(const AnyMotionResult& motion) {
+  Json document = Json::object();
+  report::Fields fields(document);
+  report::put_motion(fields, motion);
   return document.dump(2) + "\n";
 }
 
 std::string assemblies_json(const std::vector<AssemblyResult>& assemblies, double time) {
-  Json list = Json::array();
-  for (const AssemblyResult& assembly : assemblies) {
-    Json branch = Json::object();
-    for (const auto& [loop, sign] : assembly.branch) branch[loop] = sign_text(sign);
-    Json bodies = Json::object();
-    for (const auto& [name, at] : assembly.bodies) {
-      bodies[name] = {{"x", finite(at.x())}, {"y", finite(at.y())}, {"angle", finite(at.z())}};
-    }
-    list.push_back({{"branch", std::move(branch)}, {"bodies", std::move(bodies)}});
-  }
-  const Json document = {{"schema", "boxbeam.assemblies/1"},
-                         {"kind", "planar"},
-                         {"time", finite(time)},
-                         {"assemblies", std::move(list)}};
+  using Named = std::pair<std::string, Eigen::Vector3d>;
+  Json document = Json::object();
+  report::Fields to(document);
+  to.constant("schema", "boxbeam.assemblies/1");
+  to.constant("kind", "planar");
+  to.number("time", "s", time);
+  to.list("assemblies", "", assemblies, [](report::Fields& of, const AssemblyResult& assembly) {
+    report::put_branch(of, assembly.branch);
+    of.named(
+        "bodies", assembly.bodies, [](const Named& body) { return body.first; },
+        [](report::Fields& at, const Named& body) {
+          at.number("x", "m", body.second.x());
+          at.number("y", "m", body.second.y());
+          at.number("angle", "rad", body.second.z());
+        });
+  });
   return document.dump(2) + "\n";
 }
 

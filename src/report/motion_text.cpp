@@ -12,6 +12,10 @@ namespace boxbeam {
 
 using layout::Table;
 
+std::string motion_text(const Project& project, const AnyMotionResult& motion) {
+  return std::visit([&](const auto& of_kind) { return motion_text(project, of_kind); }, motion);
+}
+
 std::string motion_text(const Project& project, const MotionResult& motion) {
   std::string out = layout::line(fmt::format(
       "{}: {} degree{} of freedom (Gruebler {}, rank {}), {} driver{}", visible(project.title),

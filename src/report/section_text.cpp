@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "document_fields.hpp"
 #include "profile_text.hpp"
 #include "text_layout.hpp"
 
 namespace boxbeam {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string in(double value, double scale, const char* unit) {
   return fmt::format("{:.6g} {}", value == 0.0 ? 0.0 : value * scale, unit);
@@ -23,39 +21,48 @@ std::string place(const SectionPlace& at) {
   return fmt::format("y {:.6g} mm, z {:.6g} mm", mm(at.y), mm(at.z));
 }
 
-Json json_of(const SectionSummary& summary) {
-  const SectionProperties& p = summary.properties;
-  Json json{{"schema", "boxbeam.section/1"},
-            {"name", summary.section.name},
-            {"area", p.area.value()},
-            {"I_y", p.I_y.value()},
-            {"I_z", p.I_z.value()}};
-  if (summary.torsion.I_T) json["I_T"] = summary.torsion.I_T->value();
-  json["W_y"] = p.W_y.value();
-  json["W_z"] = p.W_z.value();
-  json["I_yz"] = p.I_yz.value();
-  json["I_1"] = p.I_1.value();
-  json["I_2"] = p.I_2.value();
-  json["principal_angle"] = p.principal_angle;
-  json["centroid"] = Json::array({p.centroid_y.value(), p.centroid_z.value()});
-  if (summary.torsion.shear_centre) {
-    json["shear_centre"] = Json::array(
-        {summary.torsion.shear_centre->y.value(), summary.torsion.shear_centre->z.value()});
-  }
-  json["A_m"] = summary.torsion.enclosed.value();
-  json["steel"] = summary.steel;
-  json["plates"] = Json::array();
-  for (const SlenderPlate& plate : summary.plates) {
-    json["plates"].push_back({{"plate", plate.plate},
-                              {"ratio", plate.ratio},
-                              {"class", class_of(plate.ratio, plate.limits)},
-                              {"limits", Json::array({plate.limits.class_1, plate.limits.class_2,
-                                                      plate.limits.class_3})}});
-  }
-  return json;
-}
-
 }  // namespace
+
+using report::Field;
+using report::Fields;
+
+void report::put_section_summary(Fields& to, const SectionSummary& summary) {
+  const SectionProperties& p = summary.properties;
+  const auto place = [&](const Field& field, const SectionPlace& at) {
+    const double yz[] = {at.y.value(), at.z.value()};
+    to.numbers(field, "m", yz, {"y", "z"});
+  };
+  to.constant("schema", "boxbeam.section/1");
+  to.text("name", summary.section.name);
+  to.number("area", "m^2", p.area.value());
+  to.number("I_y", "m^4", p.I_y.value());
+  to.number("I_z", "m^4", p.I_z.value());
+  if (to.is_describing() || summary.torsion.I_T) {
+    to.optional().number({"I_T", "absent where it is not known"}, "m^4",
+                         [&] { return summary.torsion.I_T->value(); });
+  }
+  to.number("W_y", "m^3", p.W_y.value());
+  to.number("W_z", "m^3", p.W_z.value());
+  to.number("I_yz", "m^4", p.I_yz.value());
+  to.number("I_1", "m^4", p.I_1.value());
+  to.number("I_2", "m^4", p.I_2.value());
+  to.number("principal_angle", "rad", p.principal_angle);
+  place("centroid", {p.centroid_y, p.centroid_z});
+  if (to.is_describing() || summary.torsion.shear_centre) {
+    to.optional();
+    place({"shear_centre", "absent where it is not known"},
+          summary.torsion.shear_centre.value_or(SectionPlace{}));
+  }
+  to.number({"A_m", "inside the mid-lines of the walls"}, "m^2", summary.torsion.enclosed.value());
+  to.text("steel", summary.steel);
+  to.list("plates", "{plate}", summary.plates, [](Fields& of, const SlenderPlate& plate) {
+    of.text("plate", plate.plate);
+    of.number({"ratio", "c/t"}, "1", plate.ratio);
+    of.whole({"class", "1 to 4"}, class_of(plate.ratio, plate.limits));
+    const double limits[] = {plate.limits.class_1, plate.limits.class_2, plate.limits.class_3};
+    of.numbers("limits", "1", limits, {"class_1", "class_2", "class_3"});
+  });
+}
 
 std::string section_text(const SectionSummary& summary) {
   const SectionProperties& p = summary.properties;
@@ -103,10 +110,12 @@ std::string section_text(const SectionSummary& summary) {
 }
 
 std::string section_json(const std::vector<SectionSummary>& summaries) {
-  if (summaries.size() == 1) return json_of(summaries.front()).dump(2) + "\n";
   Json list = Json::array();
-  for (const SectionSummary& summary : summaries) list.push_back(json_of(summary));
-  return list.dump(2) + "\n";
+  for (const SectionSummary& summary : summaries) {
+    Fields fields(list.emplace_back(Json::object()));
+    report::put_section_summary(fields, summary);
+  }
+  return (list.size() == 1 ? list.front() : list).dump(2) + "\n";
 }
 
 }  // namespace boxbeam

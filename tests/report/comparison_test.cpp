@@ -44,15 +44,9 @@ const Verified& gear() {
   return verified;
 }
 
-std::string motion_document(const Project& project, const std::vector<double>& times) {
-  if (is_flexible(project)) return motion_json(flexible_motion_of(project));
-  if (in_space(project)) return motion_json(chain_motion_of(project, times, "world"));
-  return motion_json(motion_of(project, times));
-}
-
 Comparison compared(const Verified& with, const PublishedValues& values) {
   return compare(with.project, with.verification, values, [&](const std::vector<double>& times) {
-    return motion_document(with.project, times);
+    return any_motion_of(with.project, times);
   });
 }
 
@@ -332,7 +326,7 @@ TEST_CASE("the motion is asked for where a key wants it, once for all instants",
   std::vector<std::vector<double>> asked;
   const auto motion = [&](const std::vector<double>& times) {
     asked.push_back(times);
-    return motion_document(rig().project, times);
+    return any_motion_of(rig().project, times);
   };
   const test::TemporaryFolder folder;
   const auto compared_rows = [&](const std::string& rows) {

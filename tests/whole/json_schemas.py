@@ -23,7 +23,7 @@ failures = []
 
 
 def schema_of(document):
-    text = (PROJECT / "src" / "report" / "schema" / f"{document}.schema.json").read_text()
+    text = subprocess.run([PROGRAM, "schema", document], capture_output=True, check=True).stdout
     schema = json.loads(text)
     jsonschema.Draft202012Validator.check_schema(schema)
     return jsonschema.Draft202012Validator(schema)

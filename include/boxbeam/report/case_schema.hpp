@@ -9,7 +9,8 @@ namespace boxbeam {
 /// "comparison"; and "keys", which is for people.
 std::vector<std::string> schema_names();
 
-/// The JSON Schema (draft 2020-12) of a document; of "keys" a reference in Markdown. Throws InputError for another name.
+/// The JSON Schema (draft 2020-12) of a document; of "keys" a reference in Markdown. Throws
+/// InputError for another name.
 std::string schema_of(const std::string& document);
 
 }  // namespace boxbeam

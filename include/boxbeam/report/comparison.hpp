@@ -7,6 +7,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/project/published_values.hpp"
 #include "boxbeam/report/document.hpp"
+#include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 
 namespace boxbeam {
@@ -31,9 +32,8 @@ struct ComparedValue {
   Agreement agreement = Agreement::agrees;
 };
 
-/// The document of the motion, "boxbeam.motion/1", with the states at these times [s]; of elastic
-/// links, which have none, without them.
-using MotionDocument = std::function<std::string(const std::vector<double>& times)>;
+/// The motion at these times [s]; of elastic links, which have no instants, without them.
+using MotionAt = std::function<AnyMotionResult(const std::vector<double>& times)>;
 
 struct Comparison {
   std::string path;                 ///< of the table
@@ -53,7 +53,7 @@ struct Comparison {
 /// Throws InputError for keys that are no result, with the nearest one, and for units of another
 /// dimension, and what `motion` throws.
 Comparison compare(const Project& project, const Verification& verification,
-                   const PublishedValues& published, const MotionDocument& motion);
+                   const PublishedValues& published, const MotionAt& motion);
 
 /// The table with differences first said in one line, plain text.
 std::string comparison_text(const Project& project, const Comparison& comparison);

@@ -4,9 +4,7 @@
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
-#include "boxbeam/verification/chain_motion_result.hpp"
-#include "boxbeam/verification/flexible_motion_result.hpp"
-#include "boxbeam/verification/motion_result.hpp"
+#include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 
 namespace boxbeam {
@@ -15,16 +13,11 @@ namespace boxbeam {
 /// is says its schema, schema_of("results").
 std::string results_json(const Project& project, const Verification& verification);
 
-/// The motion document, "boxbeam.motion/1", kind planar.
-std::string motion_json(const MotionResult& motion);
-
-/// The same of kind spatial: vectors of three in the axes that "axes" names; hand formulas of the
-/// case in world axes.
-std::string motion_json(const ChainMotionResult& motion);
-
-/// The same of kind flexible: "frequencies", "static", "harmonic" (phasors as [re, im] of
-/// e^(i omega t), of which the imaginary part counts) and "discretisation", the errors.
-std::string motion_json(const FlexibleMotionResult& motion);
+/// The motion document, "boxbeam.motion/1", of its kind: planar; spatial with vectors of three in
+/// the axes that "axes" names and hand formulas in world axes; flexible with "frequencies",
+/// "static", "harmonic" (phasors as [re, im] of e^(i omega t), of which the imaginary part counts)
+/// and "discretisation", the errors.
+std::string motion_json(const AnyMotionResult& motion);
 
 /// The assemblies at an instant, "boxbeam.assemblies/1".
 std::string assemblies_json(const std::vector<AssemblyResult>& assemblies, double time);

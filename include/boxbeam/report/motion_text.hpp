@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
-#include "boxbeam/verification/chain_motion_result.hpp"
-#include "boxbeam/verification/flexible_motion_result.hpp"
-#include "boxbeam/verification/motion_result.hpp"
+#include "boxbeam/verification/any_motion_result.hpp"
 
 namespace boxbeam {
 
 /// The motion of a mechanism as tables.
+std::string motion_text(const Project& project, const AnyMotionResult& motion);
 std::string motion_text(const Project& project, const MotionResult& motion);
 std::string motion_text(const Project& project, const ChainMotionResult& motion);
 std::string motion_text(const Project& project, const FlexibleMotionResult& motion);

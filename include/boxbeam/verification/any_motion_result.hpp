@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "boxbeam/verification/chain_motion_result.hpp"
+#include "boxbeam/verification/flexible_motion_result.hpp"
+#include "boxbeam/verification/motion_result.hpp"
+
+namespace boxbeam {
+
+/// The motion of a mechanism alone, of whichever kind.
+using AnyMotionResult = std::variant<MotionResult, ChainMotionResult, FlexibleMotionResult>;
+
+/// The motion of a case's mechanism at the given times [s], or where none is given at times of its
+/// own; of elastic links, which have no instants, without them. `axes` as chain_motion_of wants
+/// them. Throws what the motion of the kind throws.
+AnyMotionResult any_motion_of(const Project& project, const std::vector<double>& times,
+                              const std::string& axes = "world");
+
+}  // namespace boxbeam

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "boxbeam/report/comparison.hpp"
+#include "boxbeam/verification/any_motion_result.hpp"
+#include "boxbeam/verification/history_fatigue.hpp"
+#include "boxbeam/verification/section_summary.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "fields.hpp"
+
+/// The fields of the documents in JSON.
+namespace boxbeam::report {
+
+void put_results(Fields& to, const Project& project, const Verification& verification);
+void put_motion(Fields& to, const AnyMotionResult& motion);
+void put_motion(Fields& to, const MotionResult& motion);
+void put_motion(Fields& to, const ChainMotionResult& motion);
+void put_motion(Fields& to, const FlexibleMotionResult& motion);
+void put_history(Fields& to, const HistoryDemand& demand, const HistoryFatigue& fatigue);
+void put_section_summary(Fields& to, const SectionSummary& summary);
+void put_comparison(Fields& to, const Project& project, const Comparison& comparison);
+
+}  // namespace boxbeam::report
