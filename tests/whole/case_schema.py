@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The schema of a case says what the program reads, no more and no less.
 
-All shipped cases and templates are valid by the schema, and those in sections/templates/every-key/,
+All shipped cases and templates are valid by the schema, and those in src/project/every_key/,
 which have every kind of table. In every kind of table of these:
 - a key that nobody knows is refused by both, and the keys that the program then says it knows are
   those of the schema;
@@ -214,7 +214,7 @@ def main(program, root):
         cases.append((file.parent, case))
         if file.parent.name == "templates":
             templates[file.stem] = cases[-1]
-    for file in sorted(root.glob("sections/templates/every-key/*.toml")):
+    for file in sorted(root.glob("src/project/every_key/*.toml")):
         case = tomllib.loads(file.read_text(encoding="utf-8"))
         errors = [f"{list(e.absolute_path)}: {e.message}" for e in schema.validator.iter_errors(case)]
         assert not errors, f"{file}: {errors[:5]}"
