@@ -189,7 +189,7 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
   if (!problems.empty()) return project.mechanism;
   // Of a tree that does not last nothing is recorded; its keys are those of the case.
   KeyRecorder* const recorder = std::exchange(problems.recorder, nullptr);
-  const AnyMechanism mechanism = mechanism_of(problems, changed, project, beam_body, links, tables);
+  AnyMechanism mechanism = mechanism_of(problems, changed, project, beam_body, links, tables);
   problems.recorder = recorder;
   return mechanism;
 }

@@ -190,9 +190,6 @@ std::string comparison_text(const Project& project, const Comparison& comparison
   return report::text_of(comparison_document(project, comparison), layout::width());
 }
 
-using report::Field;
-using report::Fields;
-
 void report::put_comparison(Fields& to, const Project& project, const Comparison& comparison) {
   to.constant("schema", "boxbeam.comparison/1");
   to.text("case", project.name);

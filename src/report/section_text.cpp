@@ -23,7 +23,6 @@ std::string place(const SectionPlace& at) {
 
 }  // namespace
 
-using report::Field;
 using report::Fields;
 
 void report::put_section_summary(Fields& to, const SectionSummary& summary) {
