@@ -89,7 +89,10 @@ void TableReader::note(const Key& key, KeyShape shape, const Asked& asked) {
                          [&](const AskedKey& of) { return of.name == name; });
   // Who asks first whether a key is there does without it.
   const bool looked_for = at != visit.keys.end();
-  if (!looked_for) at = visit.keys.insert(at, AskedKey{.name = name});
+  if (!looked_for) {
+    at = visit.keys.emplace(at);
+    at->name = name;
+  }
   if (at->meaning.empty()) at->meaning = key.meaning;
   // What is read as something else by way of this one has been noted.
   if (at->shape != KeyShape::unknown || shape == KeyShape::unknown) return;

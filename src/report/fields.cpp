@@ -42,7 +42,7 @@ Json object_schema() {
           {"additionalProperties", false}};
 }
 
-Json words_schema(Names words, bool may_be_null) {
+Json words_schema(FieldNames words, bool may_be_null) {
   Json schema;
   for (const char* word : words) schema["enum"].push_back(word);
   if (may_be_null) schema["enum"].push_back(nullptr);
@@ -58,9 +58,9 @@ Fields Fields::describing(Json& schema) {
   return fields;
 }
 
-void Fields::either(std::initializer_list<Names> groups) {
+void Fields::either(std::initializer_list<FieldNames> groups) {
   if (!is_describing()) return;
-  for (const Names& group : groups) {
+  for (const FieldNames& group : groups) {
     Json names = Json::array();
     for (const char* name : group) names.push_back(name);
     (*schema_)["oneOf"].push_back({{"required", names}});
@@ -129,12 +129,13 @@ void Fields::text_or_null(const Field& field, const std::optional<std::string>& 
   put(field, value ? Json(*value) : Json());
 }
 
-void Fields::word(const Field& field, std::string_view value, Names words) {
+void Fields::word(const Field& field, std::string_view value, FieldNames words) {
   if (is_describing()) return describe(field, words_schema(words, false));
   put(field, Json(value));
 }
 
-void Fields::word_or_null(const Field& field, std::optional<std::string_view> value, Names words) {
+void Fields::word_or_null(const Field& field, std::optional<std::string_view> value,
+                          FieldNames words) {
   if (is_describing()) return describe(field, words_schema(words, true));
   put(field, value ? Json(*value) : Json());
 }
@@ -150,7 +151,7 @@ void Fields::boolean(const Field& field, bool value) {
 }
 
 void Fields::numbers(const Field& field, std::string_view unit, std::span<const double> values,
-                     Names names, std::size_t fewest) {
+                     FieldNames names, std::size_t fewest) {
   if (is_describing()) {
     Json schema{{"type", "array"}, {"items", {{"type", "number"}}}};
     if (!unit.empty()) schema["items"]["x-unit"] = unit;
@@ -201,7 +202,7 @@ void Fields::rows(const Field& field, std::string_view unit, const Eigen::Matrix
 
 void Fields::named_words(const Field& field,
                          const std::vector<std::pair<std::string, std::string>>& values,
-                         Names words) {
+                         FieldNames words) {
   if (is_describing()) {
     return describe(field,
                     {{"type", "object"}, {"additionalProperties", words_schema(words, false)}});

@@ -35,7 +35,7 @@ struct Field {
 };
 
 /// Names of the numbers of a vector.
-using Names = std::initializer_list<const char*>;
+using FieldNames = std::initializer_list<const char*>;
 
 /// The fields of one object. Where the schema is described there are no values: a value may be
 /// given as a function, which is then not called, and what is filled for a list's entries is filled
@@ -56,7 +56,7 @@ class Fields {
   }
 
   /// Of optional fields all of exactly one group are there.
-  void either(std::initializer_list<Names> groups);
+  void either(std::initializer_list<FieldNames> groups);
 
   /// A finite number in an SI unit, "1" where it has none; OutputError where it is not finite.
   template <class Value>
@@ -81,8 +81,8 @@ class Fields {
   }
   void text_or_null(const Field& field, const std::optional<std::string>& value);
   /// One of a few words; null where there is none.
-  void word(const Field& field, std::string_view value, Names words);
-  void word_or_null(const Field& field, std::optional<std::string_view> value, Names words);
+  void word(const Field& field, std::string_view value, FieldNames words);
+  void word_or_null(const Field& field, std::optional<std::string_view> value, FieldNames words);
   /// Always the same.
   void constant(const Field& field, const char* value);
   void boolean(const Field& field, bool value);
@@ -94,7 +94,7 @@ class Fields {
   }
   /// Numbers of one unit; `names` where each is asked for by a name and not by its place.
   void numbers(const Field& field, std::string_view unit, std::span<const double> values,
-               Names names = {}, std::size_t fewest = 0);
+               FieldNames names = {}, std::size_t fewest = 0);
 
   void wholes(const Field& field, std::initializer_list<int> values);
   void vector(const Field& field, std::string_view unit, const Eigen::Vector3d& value) {
@@ -153,7 +153,8 @@ class Fields {
   }
   /// Words by names of the user's own.
   void named_words(const Field& field,
-                   const std::vector<std::pair<std::string, std::string>>& values, Names words);
+                   const std::vector<std::pair<std::string, std::string>>& values,
+                   FieldNames words);
 
  private:
   using Fill = std::function<void(Fields&)>;
