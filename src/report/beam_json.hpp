@@ -7,7 +7,7 @@
 namespace boxbeam::report {
 
 /// Sides of a station as documents write them.
-inline constexpr Names sides{"-", "+", "0"};
+inline constexpr FieldNames sides{"-", "+", "0"};
 
 /// Masses, and the cut forces at the verified stations.
 void put_beam(Fields& to, const Project& project, const Verification& verification);

@@ -6,7 +6,7 @@
 namespace boxbeam::report {
 namespace {
 
-constexpr Names signs{"+", "-", "0"};
+constexpr FieldNames signs{"+", "-", "0"};
 
 const char* sign_text(int sign) { return sign > 0 ? "+" : (sign < 0 ? "-" : "0"); }
 
