@@ -156,12 +156,10 @@ int named_body(TableReader& table, const Key& of, const AnyMechanism& mechanism)
 }  // namespace
 
 int body_of(TableReader& table, const Key& of, const Mechanism& mechanism) {
-  const std::string_view key = of.name;
   return named_body(table, of, mechanism);
 }
 
 int body_of(TableReader& table, const Key& of, const spatial::Mechanism& mechanism) {
-  const std::string_view key = of.name;
   return named_body(table, of, mechanism);
 }
 
