@@ -20,7 +20,8 @@ long double at(const Polynomial<Degree>& p, long double x) {
 
 std::deque<SituationRun> bending_runs_of(const Project& project) {
   ElasticModel model;
-  if (is_flexible(project)) model.level = ModelLevel::flexible;
+  if (std::holds_alternative<flexible::Mechanism>(project.mechanism))
+    model.level = ModelLevel::flexible;
   return run_situations(project, model);
 }
 

@@ -16,10 +16,10 @@ Scenes reference_scenes() {
 
 Scenes scenes_of(Project project) {
   Scenes scenes;
-  if (is_flexible(project)) {
+  if (std::holds_alternative<flexible::Mechanism>(project.mechanism)) {
     scenes.flexible = project;
     scenes.missing = "its mechanism is of elastic links, not of rigid bodies in the plane";
-  } else if (in_space(project)) {
+  } else if (project.in_space) {
     scenes.missing = "its mechanism is a chain in space, whose motion is explicit";
   } else {
     scenes.planar = project;

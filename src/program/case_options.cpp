@@ -1,6 +1,6 @@
 #include "program/case_options.hpp"
 
-#include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/front_end.hpp"
 
 namespace boxbeam::program {
 namespace {
@@ -13,14 +13,7 @@ void take_model(const CaseOptions& options, Project& project) {
                          : options.model == "rigid" ? ModelDemand::rigid
                                                     : ModelDemand::flexible;
   if (project.model.demand != ModelDemand::flexible) return;
-  if (in_space(project)) {
-    throw InputError("the bodies of a mechanism in space are rigid; there is no flexible model",
-                     "use --model auto or --model rigid");
-  }
-  if (project.dynamics == Dynamics::newton_chain) {
-    throw InputError("the published Newton chain is one of rigid bodies",
-                     "use --model auto or --model rigid, or --dynamics rigorous");
-  }
+  front_end_of(project)->require_elastic_model();
 }
 
 }  // namespace

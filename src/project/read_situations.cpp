@@ -2,26 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 #include "boxbeam/project/limits.hpp"
+#include "front_end_reader.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
 namespace {
-
-/// The parts of a case that a situation may change: how the mechanism runs, not what is verified.
-constexpr std::array changeable{"mechanism", "bodies", "joints", "drivers",
-                                "forces",    "loops",  "motion"};
-constexpr std::array changeable_elastic{"mechanism", "links", "joints", "loads", "motion"};
-
-/// What a situation changes, for a mechanism of rigid bodies or of elastic links.
-struct Changeable {
-  std::span<const char* const> parts;
-  const char* example;
-  std::string beam;  ///< the beam's body or link
-};
 
 /// The value of a key as the report shows it.
 std::string text_of(const Node& value) {
@@ -137,33 +125,11 @@ void drop_old_kind(Node& root, const Change& change) {
   });
 }
 
-/// The mechanism of a changed case.
-AnyMechanism mechanism_of(ProblemList& problems, const Node& changed, const Project& project,
-                          const std::string& beam_body, const LinkDefaults& links,
-                          TimeTables& tables) {
-  TableReader reader(problems, changed, "");
-  if (is_flexible(project)) return read_flexible(reader, links);
-  if (in_space(project)) {
-    spatial::Mechanism mechanism = read_chain(reader, beam_body, tables);
-    if (!problems.empty()) return project.mechanism;
-    spatial::BeamPlacement placement = project.placement;
-    placement.body = body_index(mechanism, beam_body);
-    place_beam(reader, project.beam, placement, mechanism);
-    return mechanism;
-  }
-  MechanismDraft draft = read_mechanism(reader, beam_body, tables);
-  if (!problems.empty()) return project.mechanism;
-  return place_at_centres(std::move(draft), project.beam, project.beam_body);
-}
-
 /// The mechanism as it runs in a situation: the case once more with other values.
 AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& situation,
-                               const Project& project, const std::string& beam_body,
-                               const LinkDefaults& links, TimeTables& tables) {
+                               const Project& project, const FrontEndReader& front_end) {
   ProblemList& problems = set.problems();
-  const Changeable changeable_here =
-      is_flexible(project) ? Changeable{changeable_elastic, "loads.drilling.phase", beam_body}
-                           : Changeable{changeable, "drivers.exciter.frequency", beam_body};
+  const Changeable changeable = front_end.changeable();
   std::vector<Change> changes;
   collect(set.members("another value of that key of the case"), {}, changes);
   // The case without its situations: each would copy all of them.
@@ -177,8 +143,7 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
     if (change.parts[0] == "drivers" || change.parts.size() > 3) drop_old_kind(changed, change);
   }
   for (const Change& change : changes) {
-    if (!may_change(problems, change, changeable_here) ||
-        !is_there(problems, change, changes, root))
+    if (!may_change(problems, change, changeable) || !is_there(problems, change, changes, root))
       continue;
     const Node::Member& member = *change.member;
     situation.set.push_back(fmt::format("{} = {}", change.key(), text_of(member.value)));
@@ -189,7 +154,8 @@ AnyMechanism changed_mechanism(TableReader& set, const Node& root, Situation& si
   if (!problems.empty()) return project.mechanism;
   // Of a tree that does not last nothing is recorded; its keys are those of the case.
   KeyRecorder* const recorder = std::exchange(problems.recorder, nullptr);
-  AnyMechanism mechanism = mechanism_of(problems, changed, project, beam_body, links, tables);
+  TableReader reader(problems, changed, "");
+  AnyMechanism mechanism = front_end.changed_mechanism(reader);
   problems.recorder = recorder;
   return mechanism;
 }
@@ -266,8 +232,8 @@ double read_cycles(TableReader& table) {
 
 }  // namespace
 
-void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
-                     const LinkDefaults& links, TimeTables& tables, Project& project) {
+void read_situations(TableReader& root, const Node& tree, const FrontEndReader& front_end,
+                     Project& project) {
   std::vector<TableReader> listed = root.tables({"situations", "ways in which the beam is used"});
   const bool asked = root.has("fatigue");
   TableReader fatigue = root.table("fatigue", false);
@@ -296,7 +262,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
           {"sudden_start",
            "elastic links: the vibrating loads are switched on at once on the structure at rest"},
           false);
-      if (situation.sudden_start && !is_flexible(project)) {
+      if (situation.sudden_start && !front_end.vibrates()) {
         table.problem("sudden_start", "a sudden start is known for elastic links only",
                       "leave it out, or write the start as a driver or a force over time");
       }
@@ -304,8 +270,7 @@ void read_situations(TableReader& root, const Node& tree, const std::string& bea
         TableReader set =
             table.table({"set", "what differs: \"drivers.exciter.frequency\" = \"0.8 Hz\""});
         set.accept_all();
-        situation.changed =
-            changed_mechanism(set, tree, situation, project, beam_body, links, tables);
+        situation.changed = changed_mechanism(set, tree, situation, project, front_end);
       }
     }
     table.finish();

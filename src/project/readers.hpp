@@ -201,10 +201,11 @@ Length station_of(TableReader& table, const Key& key, const TaperedBeam& beam);
 planar::NewtonChain read_newton_chain(TableReader table, const planar::Mechanism& mechanism,
                                       const TaperedBeam& beam, int beam_body);
 
-/// [[situations]], or the only one there is. `tree` is the case, which a situation changes;
-/// `links` is what elastic links have in common.
-void read_situations(TableReader& root, const Node& tree, const std::string& beam_body,
-                     const LinkDefaults& links, TimeTables& tables, Project& project);
+class FrontEndReader;
+
+/// [[situations]], or the only one there is. `tree` is the case, which a situation changes.
+void read_situations(TableReader& root, const Node& tree, const FrontEndReader& front_end,
+                     Project& project);
 
 void read_demands(TableReader& root, Project& project);
 

@@ -138,14 +138,14 @@ Problem problem_of(const PublishedValues& published, const PublishedValue& row, 
 /// The instants that the keys name, each once; what is wrong with them goes to the problems.
 std::vector<NamedInstant> instants_in(const Project& project, const PublishedValues& published,
                                       std::vector<Problem>& problems) {
+  const std::string obstacle = front_end_of(project)->obstacle_to_instants();
   std::vector<NamedInstant> instants;
   for (const PublishedValue& row : published.rows) {
     const auto text = instant_in(row.key);
     if (!text) continue;
-    if (is_flexible(project)) {
+    if (!obstacle.empty()) {
       problems.push_back(
-          problem_of(published, row, row.key_column,
-                     "elastic links vibrate about one posture: there are no instants to choose",
+          problem_of(published, row, row.key_column, obstacle,
                      "write motion.static. or motion.harmonic., then joints or points"));
       continue;
     }

@@ -218,9 +218,9 @@ Steps published_steps(const EdgePlace& place) {
 Steps hole_factor_steps(const Project& project, const StressPoint& point) {
   const EdgePlace place = place_of(project, point);
   switch (point.concentration->hole_case) {
-    case HoleCase::in_plane_bending: return wall_hole_steps(place, in_space(project));
+    case HoleCase::in_plane_bending: return wall_hole_steps(place, project.in_space);
     case HoleCase::membrane_tension:
-      return in_space(project) ? wall_hole_steps(place, true) : flange_hole_steps(place);
+      return project.in_space ? wall_hole_steps(place, true) : flange_hole_steps(place);
     case HoleCase::out_of_plane_bending: return flat_plate_steps(place);
     case HoleCase::published_exponential: return published_steps(place);
   }

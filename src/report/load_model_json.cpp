@@ -1,35 +1,9 @@
 #include "load_model_json.hpp"
 
+#include "front_end_text.hpp"
+
 namespace boxbeam::report {
 namespace {
-
-/// Gravity and masses of a mechanism of rigid bodies.
-struct RigidBodies {
-  std::vector<double> gravity;
-  struct Body {
-    std::string name;
-    double mass = 0.0;
-    std::optional<double> inertia;  ///< of a body in the plane
-  };
-  std::vector<Body> bodies;
-};
-
-std::optional<RigidBodies> rigid_bodies_of(const Project& project) {
-  if (is_flexible(project)) return std::nullopt;
-  RigidBodies of;
-  if (in_space(project)) {
-    const spatial::Mechanism& mechanism = spatial_of(project);
-    of.gravity.assign(mechanism.gravity.begin(), mechanism.gravity.end());
-    for (const spatial::Body& body : mechanism.bodies)
-      of.bodies.push_back({body.name, body.mass, {}});
-  } else {
-    const planar::Mechanism& mechanism = planar_of(project);
-    of.gravity.assign(mechanism.gravity.begin(), mechanism.gravity.end());
-    for (const Body& body : mechanism.bodies)
-      of.bodies.push_back({body.name, body.mass, body.inertia});
-  }
-  return of;
-}
 
 void put_force(Fields& to, const Field& field, const Eigen::Vector2d& force) {
   to.object(field, [&](Fields& of) {
@@ -45,19 +19,19 @@ std::string situation_name(const Project& project, std::size_t situation) {
 }
 
 void put_mechanism(Fields& to, const Project& project) {
-  to.object_or_null({"mechanism", "rigid bodies; null for elastic links"}, rigid_bodies_of(project),
-                    [](Fields& of, const RigidBodies& rigid) {
-                      of.numbers({"gravity", "x, y in the plane, x, y, z in space"}, "m/s^2",
-                                 rigid.gravity, {"x", "y", "z"}, 2);
-                      of.named(
-                          "bodies", rigid.bodies, [](const auto& body) { return body.name; },
-                          [](Fields& one, const RigidBodies::Body& body) {
-                            one.number("mass", "kg", body.mass);
-                            one.number_or_null(
-                                {"inertia", "about the centre of mass; null in space"}, "kg m^2",
-                                body.inertia);
-                          });
-                    });
+  to.object_or_null(
+      {"mechanism", "rigid bodies; null for elastic links"},
+      front_end_text_of(project)->rigid_bodies(), [](Fields& of, const RigidBodies& rigid) {
+        of.numbers({"gravity", "x, y in the plane, x, y, z in space"}, "m/s^2", rigid.gravity,
+                   {"x", "y", "z"}, 2);
+        of.named(
+            "bodies", rigid.bodies, [](const auto& body) { return body.name; },
+            [](Fields& one, const RigidBodies::Body& body) {
+              one.number("mass", "kg", body.mass);
+              one.number_or_null({"inertia", "about the centre of mass; null in space"}, "kg m^2",
+                                 body.inertia);
+            });
+      });
 }
 
 void put_freedom(Fields& to, const Verification& verification) {

@@ -9,9 +9,9 @@
 namespace boxbeam {
 namespace {
 
-bool in_plane(const Project& project, const Verification&) { return !in_space(project); }
+bool in_plane(const Project& project, const Verification&) { return !project.in_space; }
 
-bool in_three_dimensions(const Project& project, const Verification&) { return in_space(project); }
+bool in_three_dimensions(const Project& project, const Verification&) { return project.in_space; }
 
 bool is_driven(const Project&, const Verification& verification) {
   return !verification.cycles.empty() && !verification.drivers.empty();

@@ -10,6 +10,7 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
+#include "front_end_text.hpp"
 
 namespace boxbeam {
 namespace {
@@ -128,116 +129,10 @@ void add_beside(const Project& project, const Verification& verification,
 
 namespace {
 
-void add_branches(const Project& project, std::vector<std::string>& remarks) {
-  const auto* plane = std::get_if<planar::Mechanism>(&project.mechanism);
-  if (plane == nullptr || !plane->loops.empty()) return;
-  remarks.push_back(
-      "the case names no loop: the motion is on the branch to which the sketch leads, which is "
-      "neither checked nor reported; add [loops] where a loop has two assemblies");
-}
-
-void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closure,
-                 std::vector<std::string>& remarks) {
-  for (const double time : closure.change_points) {
-    remarks.push_back(fmt::format(
-        "at t = {} the mechanism passes a change point, where it could go over to another branch; "
-        "the smooth one is followed, and a real mechanism needs a guide there",
-        text::seconds(time)));
-  }
-  const planar::DegreesOfFreedom& freedom = closure.freedom;
-  if (freedom.redundant > 0) {
-    remarks.push_back(
-        fmt::format("{} repeat each other: the beam's loads are determined, theirs are not",
-                    fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", ")));
-  }
-  if (freedom.undriven == 0 && closure.digits.left < 9.0) {
-    remarks.push_back(fmt::format(
-        "close to a dead point only {:.0f} digits of velocities are left (t = {}): loads there "
-        "depend strongly on lengths and on the driver",
-        std::floor(closure.digits.left), text::seconds(closure.digits.time.value())));
-  }
-}
-
-/// The functions of time that a mechanism follows, by name.
-using NamedFunctions = std::vector<std::pair<std::string, const Driver*>>;
-
-NamedFunctions named_functions_of(const planar::Mechanism& mechanism) {
-  NamedFunctions functions;
-  for (const planar::Joint& joint : mechanism.joints) {
-    if (const auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
-      functions.emplace_back("driver " + joint.name, &driven->driver);
-    }
-  }
-  for (const planar::AppliedForce& force : mechanism.forces) {
-    if (const auto* push = std::get_if<planar::PointForce>(&force.kind)) {
-      functions.emplace_back("force " + force.name, &push->size);
-    } else if (const auto* couple = std::get_if<planar::Couple>(&force.kind)) {
-      functions.emplace_back("couple " + force.name, &couple->size);
-    }
-  }
-  return functions;
-}
-
-NamedFunctions named_functions_of(const spatial::Mechanism& mechanism) {
-  NamedFunctions functions;
-  for (const spatial::Joint& joint : mechanism.joints) {
-    if (joint.kind == spatial::JointKind::fixed) continue;
-    functions.emplace_back("the driver of joint " + joint.name, &joint.driver);
-  }
-  for (const spatial::AppliedLoad& load : mechanism.loads) {
-    functions.emplace_back("load " + load.name, &load.size);
-  }
-  for (const spatial::LineForce& line : mechanism.line_forces) {
-    functions.emplace_back("load " + line.name, &line.size);
-  }
-  return functions;
-}
-
-/// Notes drivers and loads that the time looked at cuts off.
-void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motion,
-                 std::vector<std::string>& remarks) {
-  const double end = (motion.begin + motion.period).value();
-  for (const auto& [name, driver] : named_functions_of(mechanism)) {
-    const DriverTiming timing = timing_of(*driver, false);
-    if (timing.end > end * (1.0 + 1e-9)) {
-      remarks.push_back(fmt::format("the time looked at ends at {}, before {} does at {}",
-                                    text::seconds(end), name, text::seconds(timing.end)));
-    }
-    for (const double omega : timing.omegas) {
-      const double waves = motion.period.value() * omega / (2.0 * std::numbers::pi);
-      if (std::abs(waves - std::round(waves)) < 1e-6 * waves) continue;
-      remarks.push_back(
-          fmt::format("the time looked at, {}, holds {:.4g} cycles of {}, not a whole number",
-                      text::seconds(motion.period.value()), waves, name));
-    }
-  }
-}
-
-/// Notes how far curves leave the points of their tables.
-void add_overshoots(const NamedFunctions& functions, std::vector<std::string>& remarks) {
-  constexpr double rounding = 1e-6;
-  for (const auto& [name, driver] : functions) {
-    const auto* table = std::get_if<TableDriver>(driver);
-    if (table == nullptr) continue;
-    const Overshoot overshoot = table->curve.overshoot();
-    if (overshoot.share <= rounding) continue;
-    remarks.push_back(fmt::format(
-        "{}: between two points of its table the cubic curve leaves them by {:.2g} % of the range "
-        "of all points, at t = {}",
-        name, 100.0 * overshoot.share, text::seconds(overshoot.at)));
-  }
-}
-
 void add_motion(const Project& project, const MotionSummary& motion,
                 std::vector<std::string>& remarks) {
   const Situation& situation = project.situations[motion.situation];
-  if (motion.closure) add_closure(planar_of(project), *motion.closure, remarks);
-  if (in_space(project)) {
-    add_cut_off(spatial_in(project, situation), motion, remarks);
-    add_overshoots(named_functions_of(spatial_in(project, situation)), remarks);
-  } else if (!is_flexible(project)) {
-    add_overshoots(named_functions_of(planar_in(project, situation)), remarks);
-  }
+  report::front_end_text_of(project)->add_remarks(motion, remarks);
   // Of a situation that only its sequence counts, the sequence says how it repeats.
   const double cycles = situation.cycles;
   if (cycles == 0.0) return;
@@ -259,7 +154,7 @@ void add_warping(const Project& project, std::vector<std::string>& remarks) {
   const bool path = std::any_of(segments.begin(), segments.end(), [](const Segment& segment) {
     return std::holds_alternative<ThinWalled>(segment.from.outer);
   });
-  if (!in_space(project) || !path) return;
+  if (!project.in_space || !path) return;
   remarks.push_back(
       "torsion of thin-walled paths is Saint-Venant's, with free warping: where warping is held, "
       "as "
@@ -400,7 +295,7 @@ void add_nested_profiles(const Project& project, std::vector<std::string>& remar
     if (!segment.from.inner) continue;
     names += (names.empty() ? "" : ", ") + segment.name;
     for (const Section* end : {&segment.from, &segment.to})
-      share = std::max(share, share_between(*end, in_space(project)));
+      share = std::max(share, share_between(*end, project.in_space));
   }
   if (names.empty()) return;
   // Profiles about one centroid need no tie for V.
@@ -423,7 +318,7 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
     remarks.push_back((gate.blocks ? "not applicable: " : "") + gate.text);
   }
   add_details(project, remarks);
-  add_branches(project, remarks);
+  report::front_end_text_of(project)->add_remarks(remarks);
   for (const MotionSummary& motion : verification.motions) {
     const std::size_t before = remarks.size();
     add_motion(project, motion, remarks);

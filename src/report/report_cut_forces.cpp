@@ -21,7 +21,7 @@ std::vector<std::vector<CutForceName>> groups_of(const Project& project) {
   for (const CutForceName& name : cut_forces_looked_at(project)) {
     (quantity_of(name.which) == Quantity::force ? forces : moments).push_back(name);
   }
-  if (in_space(project)) return {forces, moments};
+  if (project.in_space) return {forces, moments};
   forces.insert(forces.end(), moments.begin(), moments.end());
   return {forces};
 }
@@ -69,7 +69,7 @@ Chapter cut_force_chapter(const Source& source) {
   if (source.level == ReportLevel::summary) return chapter;
   std::vector<Block>& blocks = chapter.blocks;
   blocks.emplace_back(Paragraph{
-      in_space(source.project)
+      source.project.in_space
           ? "N tension positive, V_y and V_z along +y and +z, T about +x, M_y > 0 puts +z in "
             "tension, M_z > 0 -y; - and + are the two sides of a jump."
           : "N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two sides "

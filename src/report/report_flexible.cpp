@@ -6,8 +6,8 @@
 
 #include "blocks.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
+#include "front_end_text.hpp"
 #include "function_text.hpp"
-#include "report_parts.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -138,9 +138,7 @@ Table joint_forces_table(const FlexibleMotionResult& motion) {
   return table;
 }
 
-}  // namespace
-
-Entries flexible_entries(const Mechanism& mechanism) {
+Entries entries_of(const Mechanism& mechanism) {
   Entries entries;
   entries.emplace_back(
       "division",
@@ -154,7 +152,7 @@ Entries flexible_entries(const Mechanism& mechanism) {
   return entries;
 }
 
-std::vector<Block> flexible_blocks(const Mechanism& mechanism, const ElasticModel& model) {
+std::vector<Block> blocks_of(const Mechanism& mechanism, const ElasticModel& model) {
   std::string taken;
   if (model.level == ModelLevel::rigid) taken += ", elastic links as rigid ones";
   if (model.parts > 0)
@@ -166,6 +164,31 @@ std::vector<Block> flexible_blocks(const Mechanism& mechanism, const ElasticMode
         "Links and joints as the case gives them. The model takes: {}.", taken.substr(2))});
   }
   return blocks;
+}
+
+class FlexibleText : public FrontEndText {
+ public:
+  explicit FlexibleText(const Project& project) : project_(&project) {}
+
+  std::string gravity() const override {
+    const Eigen::Vector2d& g = flexible_of(*project_).gravity;
+    return fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y());
+  }
+
+  Entries entries() const override { return entries_of(flexible_of(*project_)); }
+
+  std::vector<Block> blocks(const Verification& verification) const override {
+    return blocks_of(flexible_of(*project_), verification.model.chosen);
+  }
+
+ private:
+  const Project* project_;
+};
+
+}  // namespace
+
+std::unique_ptr<const FrontEndText> flexible_text(const Project& project) {
+  return std::make_unique<FlexibleText>(project);
 }
 
 std::vector<Block> vibration_blocks(const ElasticFigures& figures, const ElasticModel& model) {

@@ -4,9 +4,8 @@
 
 #include "blocks.hpp"
 #include "boxbeam/project/detail_catalogue.hpp"
-#include "function_text.hpp"
+#include "front_end_text.hpp"
 #include "profile_text.hpp"
-#include "report_parts.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -114,25 +113,10 @@ std::string situation_text(const Project& project, const Situation& situation) {
   return out;
 }
 
-void append(Entries more, Entries& entries) {
-  entries.insert(entries.end(), std::make_move_iterator(more.begin()),
-                 std::make_move_iterator(more.end()));
-}
-
 void add_mechanism(const Project& project, Entries& entries) {
-  if (in_space(project)) {
-    const Eigen::Vector3d& g = spatial_of(project).gravity;
-    entries.emplace_back(
-        "gravity", fmt::format("({}, {}, {}) m/s^2", plain(g.x()), plain(g.y()), plain(g.z())));
-    append(spatial_entries(project), entries);
-    return;
-  }
-  const Eigen::Vector2d& g =
-      is_flexible(project) ? flexible_of(project).gravity : planar_of(project).gravity;
-  entries.emplace_back("gravity", fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y()));
-  append(is_flexible(project) ? flexible_entries(flexible_of(project))
-                              : planar_entries(planar_of(project)),
-         entries);
+  const std::unique_ptr<const FrontEndText> text = front_end_text_of(project);
+  entries.emplace_back("gravity", text->gravity());
+  for (auto& entry : text->entries()) entries.push_back(std::move(entry));
 }
 
 void add_fatigue(const Project& project, Entries& entries) {
@@ -174,12 +158,6 @@ void add_demands(const Project& project, Entries& entries) {
 }
 
 }  // namespace
-
-void add_duration(const Duration& duration, Entries& entries) {
-  if (duration.length == 0.0) return;
-  entries.emplace_back("motion", fmt::format("{} s looked at, after {} s left out",
-                                             plain(duration.length), plain(duration.settle)));
-}
 
 Chapter inputs_chapter(const Source& source) {
   if (source.level == ReportLevel::summary) return {"Inputs", {}};

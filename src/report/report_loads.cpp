@@ -69,7 +69,7 @@ void add_spatial(const Source& source, std::vector<Block>& blocks) {
 Chapter loads_chapter(const Source& source) {
   Chapter chapter{"Loads on the beam", {}};
   if (source.level == ReportLevel::summary) return chapter;
-  if (in_space(source.project)) {
+  if (source.project.in_space) {
     add_spatial(source, chapter.blocks);
   } else {
     add_planar(source, chapter.blocks);

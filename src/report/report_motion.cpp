@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "blocks.hpp"
-#include "report_parts.hpp"
+#include "front_end_text.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -14,7 +14,7 @@ using text::Quantity;
 /// How long a motion is looked at, and how densely.
 std::string period_text(const Project& project, const MotionSummary& motion) {
   const Situation& situation = project.situations[motion.situation];
-  if (is_flexible(project) && flexible_in(project, situation).frequency == 0.0) {
+  if (motion.stands_still) {
     return "none: the loads stand still" + in_brackets(situation.name);
   }
   return fmt::format("{}, {} instants solved, extremes refined between them{}",
@@ -24,9 +24,7 @@ std::string period_text(const Project& project, const MotionSummary& motion) {
 
 /// The functions of time that move the beam.
 Entries drivers_of(const Project& project) {
-  Entries entries = in_space(project)      ? spatial_entries(project)
-                    : is_flexible(project) ? flexible_entries(flexible_of(project))
-                                           : planar_entries(planar_of(project));
+  Entries entries = front_end_text_of(project)->entries();
   std::erase_if(entries, [](const auto& entry) { return entry.first != "driver"; });
   return entries;
 }

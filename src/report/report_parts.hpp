@@ -23,20 +23,8 @@ struct Source {
 
 // report_inputs.cpp
 Chapter inputs_chapter(const Source& source);
-/// How the mechanism of a case is joined, driven and loaded.
-void add_duration(const Duration& duration, Entries& entries);
-Entries planar_entries(const planar::Mechanism& mechanism);      // report_planar.cpp
-Entries spatial_entries(const Project& project);                 // report_spatial.cpp
-Entries flexible_entries(const flexible::Mechanism& mechanism);  // report_flexible.cpp
-
 // report_mechanism.cpp
 Chapter mechanism_chapter(const Source& source);
-/// How the joints of a planar mechanism close, and its bodies.
-std::vector<Block> planar_blocks(const Project& project, const ClosureSummary& closure);
-/// The bodies of a mechanism in space and the joints that carry them.
-std::vector<Block> spatial_blocks(const spatial::Mechanism& mechanism);
-/// Elastic links and their joints, and what the model takes otherwise.
-std::vector<Block> flexible_blocks(const flexible::Mechanism& mechanism, const ElasticModel& model);
 
 // report_motion.cpp
 Chapter motion_chapter(const Source& source);

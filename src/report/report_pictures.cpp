@@ -35,7 +35,7 @@ std::string mechanism_caption(const Source& source) {
   const double begin = source.verification.postures.front().time.value();
   const std::string what = fmt::format(
       "The mechanism {} and at the critical instants, with the loads on the beam",
-      is_flexible(source.project) ? "unloaded"
+      source.verification.elastic ? "unloaded"
                                   : "at t = " + (begin == 0.0 ? "0" : text::seconds(begin)));
   const BeamLoadRow* largest = nullptr;
   for (const PostureFigure& posture : source.verification.postures) {
@@ -60,10 +60,10 @@ std::string stroke_text(const DriverLine& driver) {
 std::string motion_caption(const Source& source) {
   const auto& closure = source.verification.motions.front().closure;
   // Elsewhere forces are prescribed and the motion is the answer.
-  const bool driven = !is_flexible(source.project) && (!closure || closure->freedom.undriven == 0);
+  const bool driven = !source.verification.elastic && (!closure || closure->freedom.undriven == 0);
   const std::string what =
       driven ? "Position, speed and acceleration that the drivers prescribe"
-      : is_flexible(source.project)
+      : source.verification.elastic
           ? "Displacement, speed and acceleration with which the points of the prescribed loads "
             "answer them"
           : "Position, speed and acceleration that the prescribed forces cause";

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "blocks.hpp"
+#include "front_end_text.hpp"
 #include "function_text.hpp"
-#include "report_parts.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -166,9 +166,7 @@ struct ForceText {
   }
 };
 
-}  // namespace
-
-Entries planar_entries(const Mechanism& mechanism) {
+Entries entries_of(const Mechanism& mechanism) {
   const Names names{mechanism};
   Entries entries;
   for (const planar::Joint& joint : mechanism.joints) {
@@ -190,8 +188,7 @@ Entries planar_entries(const Mechanism& mechanism) {
   return entries;
 }
 
-std::vector<Block> planar_blocks(const Project& project, const ClosureSummary& closure) {
-  const Mechanism& mechanism = planar_of(project);
+std::vector<Block> blocks_of(const Mechanism& mechanism, const ClosureSummary& closure) {
   const planar::DegreesOfFreedom& freedom = closure.freedom;
   Facts facts;
   const auto add = [&](const char* name, std::string text) {
@@ -225,6 +222,93 @@ std::vector<Block> planar_blocks(const Project& project, const ClosureSummary& c
                           cell(text::Quantity::inertia, body.inertia)));
   }
   return {std::move(facts), std::move(table)};
+}
+
+void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closure,
+                 std::vector<std::string>& remarks) {
+  for (const double time : closure.change_points) {
+    remarks.push_back(fmt::format(
+        "at t = {} the mechanism passes a change point, where it could go over to another branch; "
+        "the smooth one is followed, and a real mechanism needs a guide there",
+        text::seconds(time)));
+  }
+  const planar::DegreesOfFreedom& freedom = closure.freedom;
+  if (freedom.redundant > 0) {
+    remarks.push_back(
+        fmt::format("{} repeat each other: the beam's loads are determined, theirs are not",
+                    fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", ")));
+  }
+  if (freedom.undriven == 0 && closure.digits.left < 9.0) {
+    remarks.push_back(fmt::format(
+        "close to a dead point only {:.0f} digits of velocities are left (t = {}): loads there "
+        "depend strongly on lengths and on the driver",
+        std::floor(closure.digits.left), text::seconds(closure.digits.time.value())));
+  }
+}
+
+NamedFunctions named_functions_of(const planar::Mechanism& mechanism) {
+  NamedFunctions functions;
+  for (const planar::Joint& joint : mechanism.joints) {
+    if (const auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
+      functions.emplace_back("driver " + joint.name, &driven->driver);
+    }
+  }
+  for (const planar::AppliedForce& force : mechanism.forces) {
+    if (const auto* push = std::get_if<planar::PointForce>(&force.kind)) {
+      functions.emplace_back("force " + force.name, &push->size);
+    } else if (const auto* couple = std::get_if<planar::Couple>(&force.kind)) {
+      functions.emplace_back("couple " + force.name, &couple->size);
+    }
+  }
+  return functions;
+}
+
+class PlanarText : public FrontEndText {
+ public:
+  explicit PlanarText(const Project& project) : project_(&project) {}
+
+  std::string gravity() const override {
+    const Eigen::Vector2d& g = planar_of(*project_).gravity;
+    return fmt::format("({:.6g}, {:.6g}) m/s^2", g.x(), g.y());
+  }
+
+  Entries entries() const override { return entries_of(planar_of(*project_)); }
+
+  std::vector<Block> blocks(const Verification& verification) const override {
+    return blocks_of(planar_of(*project_), *verification.motions.front().closure);
+  }
+
+  std::optional<RigidBodies> rigid_bodies() const override {
+    const Mechanism& mechanism = planar_of(*project_);
+    RigidBodies of;
+    of.gravity.assign(mechanism.gravity.begin(), mechanism.gravity.end());
+    for (const Body& body : mechanism.bodies) {
+      of.bodies.push_back({body.name, body.mass, body.inertia});
+    }
+    return of;
+  }
+
+  void add_remarks(std::vector<std::string>& remarks) const override {
+    if (!planar_of(*project_).loops.empty()) return;
+    remarks.emplace_back(
+        "the case names no loop: the motion is on the branch to which the sketch leads, which is "
+        "neither checked nor reported; add [loops] where a loop has two assemblies");
+  }
+
+  void add_remarks(const MotionSummary& motion, std::vector<std::string>& remarks) const override {
+    add_closure(planar_of(*project_), *motion.closure, remarks);
+    const Situation& situation = project_->situations[motion.situation];
+    add_overshoots(named_functions_of(planar_in(*project_, situation)), remarks);
+  }
+
+ private:
+  const Project* project_;
+};
+
+}  // namespace
+
+std::unique_ptr<const FrontEndText> planar_text(const Project& project) {
+  return std::make_unique<PlanarText>(project);
 }
 
 }  // namespace boxbeam::report

@@ -78,8 +78,8 @@ Chapter section_chapter(const Source& source) {
   const std::vector<const StressPoint*> points = points_per_station(source.verification);
   if (points.empty()) return chapter;
   add_pictures(source, {"section"}, chapter.blocks);
-  chapter.blocks.emplace_back(in_space(source.project) ? spatial_table(points)
-                                                       : planar_table(points));
+  chapter.blocks.emplace_back(source.project.in_space ? spatial_table(points)
+                                                      : planar_table(points));
   chapter.blocks.emplace_back(
       Paragraph{"eff: without holes and without what shear lag leaves idle of the flanges."});
   return chapter;

@@ -2,11 +2,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "blocks.hpp"
 #include "boxbeam/mechanism/spatial/rotation.hpp"
+#include "front_end_text.hpp"
 #include "function_text.hpp"
-#include "report_parts.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -91,13 +93,7 @@ Table bodies_table(const Mechanism& mechanism) {
   return table;
 }
 
-}  // namespace
-
-std::vector<Block> spatial_blocks(const Mechanism& mechanism) {
-  return {joints_table(mechanism), bodies_table(mechanism)};
-}
-
-Entries spatial_entries(const Project& project) {
+Entries entries_of(const Project& project) {
   const Mechanism& mechanism = spatial_of(project);
   const spatial::BeamPlacement& placement = project.placement;
   Entries entries;
@@ -132,6 +128,85 @@ Entries spatial_entries(const Project& project) {
   }
   add_duration(mechanism.duration, entries);
   return entries;
+}
+
+NamedFunctions named_functions_of(const spatial::Mechanism& mechanism) {
+  NamedFunctions functions;
+  for (const spatial::Joint& joint : mechanism.joints) {
+    if (joint.kind == spatial::JointKind::fixed) continue;
+    functions.emplace_back("the driver of joint " + joint.name, &joint.driver);
+  }
+  for (const spatial::AppliedLoad& load : mechanism.loads) {
+    functions.emplace_back("load " + load.name, &load.size);
+  }
+  for (const spatial::LineForce& line : mechanism.line_forces) {
+    functions.emplace_back("load " + line.name, &line.size);
+  }
+  return functions;
+}
+
+/// Notes drivers and loads that the time looked at cuts off.
+void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motion,
+                 std::vector<std::string>& remarks) {
+  const double end = (motion.begin + motion.period).value();
+  for (const auto& [name, driver] : named_functions_of(mechanism)) {
+    const DriverTiming timing = timing_of(*driver, false);
+    if (timing.end > end * (1.0 + 1e-9)) {
+      remarks.push_back(fmt::format("the time looked at ends at {}, before {} does at {}",
+                                    text::seconds(end), name, text::seconds(timing.end)));
+    }
+    for (const double omega : timing.omegas) {
+      const double waves = motion.period.value() * omega / (2.0 * std::numbers::pi);
+      if (std::abs(waves - std::round(waves)) < 1e-6 * waves) continue;
+      remarks.push_back(
+          fmt::format("the time looked at, {}, holds {:.4g} cycles of {}, not a whole number",
+                      text::seconds(motion.period.value()), waves, name));
+    }
+  }
+}
+
+class SpatialText : public FrontEndText {
+ public:
+  explicit SpatialText(const Project& project) : project_(&project) {}
+
+  std::string gravity() const override {
+    const Eigen::Vector3d& g = spatial_of(*project_).gravity;
+    return fmt::format("({}, {}, {}) m/s^2", plain(g.x()), plain(g.y()), plain(g.z()));
+  }
+
+  Entries entries() const override { return entries_of(*project_); }
+
+  std::vector<Block> blocks(const Verification&) const override {
+    const Mechanism& mechanism = spatial_of(*project_);
+    return {joints_table(mechanism), bodies_table(mechanism)};
+  }
+
+  std::optional<RigidBodies> rigid_bodies() const override {
+    const Mechanism& mechanism = spatial_of(*project_);
+    RigidBodies of;
+    of.gravity.assign(mechanism.gravity.begin(), mechanism.gravity.end());
+    for (const spatial::Body& body : mechanism.bodies) {
+      of.bodies.push_back({body.name, body.mass, {}});
+    }
+    return of;
+  }
+
+  void add_remarks(const MotionSummary& motion, std::vector<std::string>& remarks) const override {
+    const Mechanism& mechanism = spatial_in(*project_, project_->situations[motion.situation]);
+    add_cut_off(mechanism, motion, remarks);
+    add_overshoots(named_functions_of(mechanism), remarks);
+  }
+
+  using FrontEndText::add_remarks;
+
+ private:
+  const Project* project_;
+};
+
+}  // namespace
+
+std::unique_ptr<const FrontEndText> spatial_text(const Project& project) {
+  return std::make_unique<SpatialText>(project);
 }
 
 }  // namespace boxbeam::report

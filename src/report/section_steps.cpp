@@ -237,7 +237,7 @@ std::string inertia_symbol(const std::string& of, const StressPoint& point) {
 }
 
 Steps section_steps(const Project& project, const StressPoint& point) {
-  const bool space = in_space(project);
+  const bool space = project.in_space;
   const std::optional<PlainBox> box = plain_box_of(point.section);
   Steps steps;
   if (box) append(steps, plain_box_steps(*box, point.gross, space));

@@ -354,9 +354,9 @@ std::string title_of(const Project& project, const CheckResult& result) {
     return check.criterion == Criterion::deflection ? title : title + ", stresses given";
   }
   const StressPoint& point = result.basis->point;
-  return in_space(project) ? fmt::format("{} (y = {}, z = {})", title, text::mm(point.y.value()),
-                                         text::mm(point.z.value()))
-                           : fmt::format("{} (z = {})", title, text::mm(point.z.value()));
+  return project.in_space ? fmt::format("{} (y = {}, z = {})", title, text::mm(point.y.value()),
+                                        text::mm(point.z.value()))
+                          : fmt::format("{} (z = {})", title, text::mm(point.z.value()));
 }
 
 }  // namespace

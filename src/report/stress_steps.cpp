@@ -223,7 +223,7 @@ SectionProperties net_without_lag(const Project& project, const StressPoint& poi
 /// S and b for which V S/(I_y b) is the stress at a point in the plane; nothing where the flow
 /// there is another one.
 std::optional<LevelMoment> level_moment_at(const Project& project, const StressPoint& point) {
-  if (in_space(project)) return std::nullopt;
+  if (project.in_space) return std::nullopt;
   const auto at = level_moment_of(point.section, holes_at(project.beam, point.station.s), point.z,
                                   point.prismatic.shear[cut_force::V_z]);
   // A seam takes the flow of its web.
@@ -375,14 +375,13 @@ std::string shear_coefficient_note(std::size_t which, bool space, const StressPo
 Steps normal_section_steps(const Project& project, const StressPoint& point) {
   if (point.concentration) return hole_factor_steps(project, point);
   Steps steps = section_steps(project, point);
-  if (point.net.I_yz.value() != 0.0)
-    append(steps, skew_coefficient_steps(point, in_space(project)));
+  if (point.net.I_yz.value() != 0.0) append(steps, skew_coefficient_steps(point, project.in_space));
   return steps;
 }
 
 Steps normal_stress_steps(const std::string& symbol, const Project& project,
                           const StressPoint& point, const CutForces& cut) {
-  const bool space = in_space(project);
+  const bool space = project.in_space;
   if (point.concentration) {
     return {sum_step(symbol, contributions_of(point.influence.normal, 'k', cut, space))};
   }
@@ -393,7 +392,7 @@ Steps normal_stress_steps(const std::string& symbol, const Project& project,
 }
 
 Steps shear_section_steps(const Project& project, const StressPoint& point) {
-  const bool space = in_space(project);
+  const bool space = project.in_space;
   const SectionProperties net = net_without_lag(project, point);
   const auto at = level_moment_at(project, point);
   const std::string z = text::mm(point.z.value());
@@ -429,8 +428,8 @@ Steps shear_section_steps(const Project& project, const StressPoint& point) {
 
 Steps shear_stress_steps(const std::string& symbol, const Project& project,
                          const StressPoint& point, const CutForces& cut) {
-  return in_space(project) ? spatial_shear_steps(symbol, point, cut)
-                           : planar_shear_steps(symbol, project, point, cut);
+  return project.in_space ? spatial_shear_steps(symbol, point, cut)
+                          : planar_shear_steps(symbol, project, point, cut);
 }
 
 }  // namespace boxbeam::report

@@ -165,7 +165,7 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs) {
   if (!project.strength.shear_lag) return {};
   std::vector<BendingZone> zones = zones_about(BendingAxis::y, project, runs);
-  if (in_space(project)) {
+  if (project.in_space) {
     const std::vector<BendingZone> others = zones_about(BendingAxis::z, project, runs);
     zones.insert(zones.end(), others.begin(), others.end());
   }

@@ -375,7 +375,7 @@ class StationChecks {
         most = std::max(most, results[i].check.utilisation());
       }
     }
-    if (in_space(*project_)) {
+    if (project_->in_space) {
       for (const StressPoint& point : points) {
         if (!point.stretch) continue;
         for (const Criterion criterion : stress_criteria) {

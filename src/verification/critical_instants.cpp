@@ -129,7 +129,7 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
 std::vector<ShownInstant> instants_to_show(const Project& project,
                                            const Verification& verification) {
   // In space two moments and several situations compete for the place.
-  const double share = in_space(project) ? 1e-2 : nothing;
+  const double share = project.in_space ? 1e-2 : nothing;
   std::vector<Shared> found;
   for (const CriticalInstant& instant : verification.critical_instants) {
     if (!instant.quantity.starts_with("M") && !is_stress(instant)) continue;

@@ -305,11 +305,10 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
   return loads;
 }
 
-LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
+LoadsAt elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
                          const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
   if (model.level == ModelLevel::rigid) return rigid;
-  const RigidMotion bodies{&planar_in(project, situation), &motion, &project.beam,
-                           std::move(rigid)};
+  const RigidMotion bodies{&mechanism, &motion, &project.beam, std::move(rigid)};
   const ElasticBody elastic = elastic_body_of(project, model.parts);
   if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);
   const auto modes = static_cast<std::size_t>(model.modes);

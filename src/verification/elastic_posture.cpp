@@ -142,20 +142,14 @@ std::vector<BeamLoadRow> load_rows(const Project& project, const DeformedPosture
                                    const BeamLoads& loads) {
   const flexible::Mechanism& mechanism = *posture.structure->mechanism;
   const int link = project.beam_body;
-  const Eigen::Rotation2Dd R_WB(mechanism.links[static_cast<std::size_t>(link)].angle);
-  const std::vector<std::string> names = flexible::names_of_beam_loads(mechanism, link);
-  std::vector<BeamLoadRow> rows;
-  for (std::size_t i = 0; i < loads.points.size(); ++i) {
-    const PointLoad& load = loads.points[i];
-    BeamLoadRow& row = rows.emplace_back();
-    row.name = names[i];
-    row.s = load.s;
-    row.force = load.force;
-    row.moment = load.moment;
-    row.world.head<2>() = R_WB * Eigen::Vector2d(load.force.x(), load.force.z());
-    // y points into the plane: counter-clockwise is negative about it.
-    row.couple.z() = -load.moment.y();
-    row.place = drawn_place(posture, {link, {load.s.value(), 0.0}});
+  const double angle = mechanism.links[static_cast<std::size_t>(link)].angle;
+  Eigen::Matrix3d R_WS = Eigen::Matrix3d::Zero();
+  R_WS.col(0) << std::cos(angle), std::sin(angle), 0.0;
+  R_WS.col(1) << 0.0, 0.0, -1.0;
+  R_WS.col(2) << -std::sin(angle), std::cos(angle), 0.0;
+  std::vector<BeamLoadRow> rows = load_rows(loads, Time{}, R_WS);
+  for (BeamLoadRow& row : rows) {
+    row.place = drawn_place(posture, {link, {row.s.value(), 0.0}});
   }
   return rows;
 }

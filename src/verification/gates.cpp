@@ -200,7 +200,7 @@ std::string class_4_text(double ratio, double limit, const std::string& effectiv
 void look_at_class(const Project& project, const std::string& segment, const Profile& profile,
                    bool alike, const AreaSums& sums, const std::vector<SituationHistory>& histories,
                    bool member_buckles, GateList& gates) {
-  const std::vector<Web> webs = in_space(project) ? plates_of(profile) : webs_of(profile, alike);
+  const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
   for (const SlenderPlate& plate : slender_plates_of(profile, project.material)) {
     gates.add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
               plate.ratio / plate.limit);
@@ -288,7 +288,7 @@ double class_3_use_at(const Project& project, const Station& station,
   std::optional<AreaSums> sums;
   double largest = 0.0;
   const auto look_at = [&](const Profile& profile) {
-    for (const Web& web : in_space(project) ? plates_of(profile) : webs_of(profile, alike)) {
+    for (const Web& web : project.in_space ? plates_of(profile) : webs_of(profile, alike)) {
       const auto yield = yield_strength_of(project.material, web.thickness);
       if (web.flange || !yield) continue;
       const double ratio = web.depth() / web.thickness;
@@ -379,7 +379,7 @@ void look_at_second_order(const Project& project, const ModelChoice& model,
     }
   };
   look(of.in_plane, "in the plane of motion", true);
-  if (of.across) look(*of.across, "across it", in_space(project));
+  if (of.across) look(*of.across, "across it", project.in_space);
   // There an error of the axial force, such as the bent beam's shortening causes by the inertia of
   // what it moves, is amplified more than threefold: 1/(1 - 0.7).
   constexpr double proven = 0.7;
@@ -406,8 +406,8 @@ void look_at_second_order(const Project& project, const ModelChoice& model,
 }
 
 /// What its loads leave unbalanced is known of a vibrating beam only after it was chosen.
-bool is_beyond_tolerance(const Project& project, const ModelChoice& model) {
-  if (is_flexible(project) || model.weighed.empty()) return false;
+bool is_beyond_tolerance(const ModelChoice& model) {
+  if (!model.bends_rigid_motion || model.weighed.empty()) return false;
   if (model.chosen.level == ModelLevel::rigid) return false;
   return model.weighed.back().found.value_or(0.0) > model.tolerance;
 }
@@ -417,7 +417,7 @@ bool is_beyond_tolerance(const Project& project, const ModelChoice& model) {
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
   std::vector<Gate> gates;
   const bool neighbours = !project.pins.empty() || !project.rods.empty();
-  if (!is_flexible(project) && neighbours && model.chosen.level != ModelLevel::rigid) {
+  if (neighbours && model.chosen.level != ModelLevel::rigid) {
     gates.push_back({"", "",
                      "pins and rods are checked with the reactions of rigid bodies, in which the "
                      "beam's vibration is missing: their forces may be larger, and those that pass "
@@ -425,7 +425,7 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                      true});
   }
   look_at_second_order(project, model, gates);
-  if (project.model.demand == ModelDemand::automatic && is_beyond_tolerance(project, model)) {
+  if (project.model.demand == ModelDemand::automatic && is_beyond_tolerance(model)) {
     const double found = *model.weighed.back().found;
     gates.push_back(
         {"", "",

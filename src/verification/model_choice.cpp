@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
+#include <memory>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/balance_defect.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibration_estimate.hpp"
@@ -15,108 +16,7 @@
 namespace boxbeam {
 namespace {
 
-LadderCase ladder_case(const Project& project, const Situation& situation) {
-  return {&flexible_in(project, situation), project.beam_body, &project.beam};
-}
-
 bool runs(const Situation& situation) { return situation.between.empty(); }
-
-/// A model that the user demands, with the error that it is found to have.
-ModelChoice demanded(const Project& project, const ElasticModel& model) {
-  ModelChoice choice;
-  choice.chosen = model;
-  choice.tolerance = project.model.tolerance;
-  ModelEstimate& estimate = choice.weighed.emplace_back();
-  estimate.model = model;
-  estimate.basis = "as demanded";
-  for (const Situation& situation : project.situations) {
-    if (!runs(situation)) continue;
-    const LadderCase of = ladder_case(project, situation);
-    estimate.error = std::max(estimate.error, error_of(of, model));
-    choice.harmonics = {{of.mechanism->frequency, 1.0}};
-  }
-  estimate.found = estimate.error;
-  choice.reason = fmt::format(
-      "{}, as demanded: found {} from all elements of a finer division with all elasticity, "
-      "where {} would be the tolerance",
-      describe(model), percent_text(estimate.error), percent_text(choice.tolerance));
-  return choice;
-}
-
-/// What either of two models counts.
-ElasticModel both(const ElasticModel& a, const ElasticModel& b) {
-  ElasticModel most;
-  most.level = std::max(a.level, b.level);
-  most.modes = most.level == ModelLevel::modal ? std::max(a.modes, b.modes) : 0;
-  most.parts = std::max(a.parts, b.parts);
-  most.element = a.element ? a.element : b.element;
-  most.axial = a.axial || b.axial;
-  return most;
-}
-
-/// One model for situations that each ask for their own: what any of them counts. Where that is
-/// not good enough for all, whose errors may cancel, all elements of the finer division that each
-/// was verified against.
-ModelChoice for_all(const Project& project, const std::vector<ModelChoice>& choices,
-                    const std::vector<const Situation*>& of) {
-  const auto cost = [](const ElasticModel& model) {
-    return std::tuple(model.level, model.modes, model.parts, model.axial);
-  };
-  const auto costliest = std::max_element(
-      choices.begin(), choices.end(),
-      [&](const ModelChoice& a, const ModelChoice& b) { return cost(a.chosen) < cost(b.chosen); });
-  ModelChoice choice = *costliest;
-  choice.harmonics.clear();
-  for (const ModelChoice& one : choices) {
-    choice.chosen = both(choice.chosen, one.chosen);
-    for (const LoadHarmonic& harmonic : one.harmonics) {
-      const bool known =
-          std::any_of(choice.harmonics.begin(), choice.harmonics.end(),
-                      [&](const auto& other) { return other.frequency == harmonic.frequency; });
-      if (!known) choice.harmonics.push_back(harmonic);
-    }
-  }
-  const std::string& asking = of[static_cast<std::size_t>(costliest - choices.begin())]->name;
-  choice.reason = fmt::format("situation \"{}\" asks for most: {}", asking, costliest->reason);
-  const bool same = std::all_of(choices.begin(), choices.end(), [&](const ModelChoice& one) {
-    return cost(one.chosen) == cost(choice.chosen);
-  });
-  if (same) return choice;
-  const auto largest_error = [&] {
-    double error = 0.0;
-    for (const Situation* situation : of) {
-      error = std::max(error, error_of(ladder_case(project, *situation), choice.chosen));
-    }
-    return error;
-  };
-  double found = largest_error();
-  if (found > choice.tolerance) {
-    constexpr int fewest = 32;
-    const int parts = std::max(fewest, 2 * choice.chosen.parts);
-    choice.chosen = {ModelLevel::flexible, 0, parts, flexible::Element::corrected, true};
-    found = largest_error();
-  }
-  choice.weighed.push_back({choice.chosen, "the most that any situation asks for", found, found});
-  choice.reason += fmt::format("; all situations together: {}, found {} at most",
-                               describe(choice.chosen), percent_text(found));
-  return choice;
-}
-
-ModelChoice choose_elastic(const Project& project) {
-  if (project.model.demand == ModelDemand::rigid) return demanded(project, {});
-  if (project.model.demand == ModelDemand::flexible) {
-    return demanded(project, {ModelLevel::flexible, 0, 0, {}, false});
-  }
-  std::vector<ModelChoice> choices;
-  std::vector<const Situation*> of;
-  for (const Situation& situation : project.situations) {
-    if (!runs(situation)) continue;
-    choices.push_back(climb_ladder(ladder_case(project, situation), project.model.tolerance));
-    of.push_back(&situation);
-  }
-  if (choices.size() == 1) return choices.front();
-  return for_all(project, choices, of);
-}
 
 /// A joint that slides with dry friction, by name; "" where there is none.
 std::string dry_friction_in(const Project& project, const std::deque<SituationRun>& rigid) {
@@ -125,35 +25,6 @@ std::string dry_friction_in(const Project& project, const std::deque<SituationRu
     for (const planar::FrictionContact& contact : planar::friction_contacts_of(mechanism)) {
       if (contact.law.coulomb == 0.0) continue;
       return mechanism.joints[static_cast<std::size_t>(contact.joint)].name;
-    }
-  }
-  return "";
-}
-
-/// Why the vibration of the beam is not estimated; "" where it is.
-std::string not_estimated(const Project& project, const std::deque<SituationRun>& rigid) {
-  if (in_space(project)) return "elastic links are counted in the plane only";
-  if (project.dynamics == Dynamics::newton_chain) {
-    return "the Newton chain's loads are not in balance with the beam's inertia";
-  }
-  if (project.beam_body == planar::ground) return "the beam is none of the mechanism's bodies";
-  for (const SituationRun& run : rigid) {
-    const planar::Mechanism& mechanism = planar_in(project, *run.situation);
-    const std::string obstacle = obstacle_to_links(mechanism);
-    if (!obstacle.empty()) {
-      return fmt::format(
-          "joint {} couples two turns by a ratio, which no joint of elastic links does", obstacle);
-    }
-    const planar::DegreesOfFreedom& freedom = planar_motion_of(run).freedom;
-    if (freedom.undriven > 0) {
-      return "forces decide the motion: with its drivers held the mechanism is free to move";
-    }
-    if (!planar_motion_of(run).closed) return "the motion does not repeat";
-    if (freedom.redundant > 0) {
-      return fmt::format(
-          "joints repeat each other ({}), and without play they leave elastic links no unique "
-          "forces",
-          fmt::join(planar::names_of_joints(mechanism, freedom.repeating), ", "));
     }
   }
   return "";
@@ -292,12 +163,13 @@ std::string tabled_forces_in(const Project& project) {
 }
 
 /// Climbs from rigid bodies to bent ones and to ever more modes.
-ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid) {
+ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid,
+                               const std::string& obstacle) {
   ModelChoice choice;
+  choice.bends_rigid_motion = true;
   choice.tolerance = project.model.tolerance;
   choice.second_order = estimate_second_order(project, rigid);
   const SecondOrderEstimate& second = choice.second_order;
-  const std::string obstacle = not_estimated(project, rigid);
   if (!obstacle.empty()) {
     choose_unvibrated(project, obstacle, choice);
     return choice;
@@ -429,15 +301,17 @@ namespace {
 
 /// Rigid bodies for loads that were measured; else what the estimate says, and where it says that
 /// the beam vibrates under loads from a table, that they may have been measured.
-ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>& rigid) {
+ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationRun>& rigid,
+                             const std::string& obstacle) {
   if (project.model.measured_loads && project.model.demand != ModelDemand::flexible) {
     ModelChoice choice;
+    choice.bends_rigid_motion = true;
     choice.tolerance = project.model.tolerance;
     choice.second_order = estimate_second_order(project, rigid);
     choose_unvibrated(project, "the loads are measured, they contain the vibration", choice, "");
     return choice;
   }
-  ModelChoice choice = choose_by_estimate(project, rigid);
+  ModelChoice choice = choose_by_estimate(project, rigid, obstacle);
   if (choice.chosen.level == ModelLevel::rigid) return choice;
   const std::string tabled = tabled_forces_in(project);
   if (!tabled.empty()) {
@@ -452,7 +326,7 @@ ModelChoice choose_planar(const Project& project, const std::deque<SituationRun>
 /// States what the chosen model's loads leave unbalanced when the beam bends as far as it does.
 void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid,
                    const std::deque<SituationRun>& by_model, ModelChoice& choice) {
-  if (choice.weighed.empty() || !not_estimated(project, rigid).empty()) return;
+  if (choice.weighed.empty()) return;
   const ElasticBody elastic = elastic_body_of(project, 8);
   double unbalanced = 0.0;
   for (std::size_t i = 0; i < rigid.size(); ++i) {
@@ -483,23 +357,26 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
 }  // namespace
 
 ModelledRuns run_by_chosen_model(const Project& project) {
-  if (is_flexible(project)) {
-    ModelChoice model = choose_elastic(project);
-    std::deque<SituationRun> runs = run_situations(project, model.chosen);
-    model.second_order = estimate_second_order(project, runs);
-    return {std::move(model), std::move(runs)};
+  const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
+  if (std::optional<ModelChoice> own = front_end->own_model()) {
+    std::deque<SituationRun> runs = run_situations(project, own->chosen);
+    own->second_order = estimate_second_order(project, runs);
+    return {std::move(*own), std::move(runs)};
   }
   std::deque<SituationRun> rigid = run_situations(project);
-  ModelChoice model = choose_planar(project, rigid);
+  const std::string obstacle = front_end->obstacle_to_vibration(rigid);
+  ModelChoice model = choose_for_rigid(project, rigid, obstacle);
   if (model.chosen.level == ModelLevel::rigid) return {std::move(model), std::move(rigid)};
   std::deque<SituationRun> runs = run_situations(project, model.chosen);
-  weigh_balance(project, rigid, runs, model);
+  if (obstacle.empty()) weigh_balance(project, rigid, runs, model);
   return {std::move(model), std::move(runs)};
 }
 
 ModelChoice choose_model(const Project& project) {
-  if (is_flexible(project)) return choose_elastic(project);
-  return choose_planar(project, run_situations(project));
+  const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
+  if (std::optional<ModelChoice> own = front_end->own_model()) return std::move(*own);
+  const std::deque<SituationRun> rigid = run_situations(project);
+  return choose_for_rigid(project, rigid, front_end->obstacle_to_vibration(rigid));
 }
 
 }  // namespace boxbeam

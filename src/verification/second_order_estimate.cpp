@@ -8,12 +8,10 @@
 #include <limits>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/material.hpp"
-#include "boxbeam/verification/elastic_motion.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
@@ -105,57 +103,12 @@ std::string words_of(const std::vector<double>& at) {
                         : fmt::format("pinned at s = {:.3g} m and {:.3g} m", at[0], at[1]);
 }
 
-/// Makes a posture whose axial force counts so many times.
-using MakePosture = std::function<LoadedPosture(double factor)>;
-
 /// How a beam is held at an instant, in both planes.
 struct Held {
   MakePosture in_plane, across;
   std::string in_plane_words, across_words;
   bool whole = false;
 };
-
-/// Whether the whole mechanism can be stopped in a posture and hold the beam there.
-bool holds_whole(const Project& project, const SituationRun& run) {
-  if (is_flexible(project) || in_space(project)) return false;
-  if (project.dynamics == Dynamics::newton_chain || project.beam_body == planar::ground)
-    return false;
-  const planar::DegreesOfFreedom& freedom = planar_motion_of(run).freedom;
-  return freedom.undriven == 0 && freedom.redundant == 0 &&
-         obstacle_to_links(planar_in(project, *run.situation)).empty();
-}
-
-std::vector<double> places_of_loads(const BeamLoads& loads) {
-  double largest = 0.0;
-  for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
-  std::vector<double> places;
-  constexpr double nothing = 1e-9;
-  for (const PointLoad& load : loads.points) {
-    if (load.force.norm() > nothing * largest) places.push_back(load.s.value());
-  }
-  return places;
-}
-
-/// Where what carries the beam takes hold of it.
-std::vector<double> supports_of(const Project& project, const SituationRun& run,
-                                const BeamLoads& loads) {
-  const double length = project.beam.length().value();
-  if (in_space(project)) {
-    const spatial::Mechanism& mechanism = spatial_in(project, *run.situation);
-    const spatial::BeamPlacement placement = placement_in(project, mechanism);
-    const Eigen::Vector3d& joint = mechanism.joints[static_cast<std::size_t>(placement.body)].point;
-    return {std::clamp(spatial::in_beam(placement, joint).x(), 0.0, length)};
-  }
-  if (is_flexible(project)) {
-    std::vector<double> places;
-    for (const flexible::Joint& joint : flexible_in(project, *run.situation).joints) {
-      if (joint.a.link == project.beam_body) places.push_back(joint.a.p.x());
-      if (joint.b.link == project.beam_body) places.push_back(joint.b.p.x());
-    }
-    return outermost(places, length);
-  }
-  return outermost(places_of_loads(loads), length);
-}
 
 MakePosture alone(const Project& project, Plane plane, const std::vector<double>& at,
                   const BeamLoads& loads) {
@@ -164,31 +117,19 @@ MakePosture alone(const Project& project, Plane plane, const std::vector<double>
   };
 }
 
-/// `instant`: of the run's loads.
 Held held_at(const Project& project, const SituationRun& run, Time time, const BeamLoads& loads) {
-  const std::vector<double> at = supports_of(project, run, loads);
+  const std::vector<double> at =
+      outermost(run.motion->supports(loads), project.beam.length().value());
   Held held;
   held.across = alone(project, Plane::y, at, loads);
   held.across_words = words_of(at);
   held.in_plane = alone(project, Plane::z, at, loads);
   held.in_plane_words = words_of(at);
-  if (!holds_whole(project, run)) return held;
-  const planar::Mechanism& mechanism = planar_in(project, *run.situation);
-  const planar::Motion& motion = planar_motion_of(run);
-  // Where loads break, the history has instants that the motion has not.
-  const planar::State state = planar::StateFinder(mechanism, motion).at(time.value());
-  const MakePosture whole = [&project, &mechanism, state, loads](double factor) {
-    return loaded_posture(mechanism, state, elastic_body_of(project, parts), project.beam, loads,
-                          factor);
-  };
-  try {
-    stands(whole(0.0));
-  } catch (const AnalysisError&) {
-    return held;  // a dead point: the stopped mechanism is free to move there
+  if (MakePosture whole = run.motion->stopped(time, loads)) {
+    held.in_plane = std::move(whole);
+    held.in_plane_words = "held as its mechanism holds it";
+    held.whole = true;
   }
-  held.in_plane = whole;
-  held.in_plane_words = "held as its mechanism holds it";
-  held.whole = true;
   return held;
 }
 
@@ -316,7 +257,7 @@ class Estimating {
         continue;
       }
       compare(held.in_plane, loads, compared);
-      if (in_space(*project_)) compare(held.across, in_plane(loads, Plane::y), across);
+      if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), across);
     }
     if (!result_.change) return;
     result_.change = std::max(*result_.change, compared.relative());

@@ -63,7 +63,7 @@ class StressPoints {
         station_(station),
         details_(project.fatigue, station),
         taper_(taper_at(project.beam, station)),
-        set_(in_space(project) ? PointSet::in_space : PointSet::in_plane),
+        set_(project.in_space ? PointSet::in_space : PointSet::in_plane),
         field_(stress_field_of(judged_section_at(project, station),
                                holes_at(project.beam, station.s), taper_)),
         gross_(properties_of(field_.section)),

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
-#include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/verification/critical_instants.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/pictures.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
+#include "planar_pictures.hpp"
 
 namespace boxbeam {
 namespace {
@@ -74,7 +74,7 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
   if (project.beam_body == planar::ground) return comparison;
   const auto body = planar::beam_body_of(project.beam, project.beam_body);
   const BeamLoads rigorous = planar::beam_loads_of(planar_of(project), state, body);
-  for (const BeamLoadRow& row : load_rows(project, planar_of(project), rigorous, state)) {
+  for (const BeamLoadRow& row : load_rows(project, rigorous, state)) {
     if (row.s == chain.first_station) comparison.rigorous_first += row.world.head<2>();
     if (row.s == chain.second_station) comparison.rigorous_second += row.world.head<2>();
   }
@@ -92,25 +92,6 @@ ChainComparison chain_comparison_of(const Project& project, const std::deque<Sit
   return compare_chain(project, finder.at(largest_M->time.value()));
 }
 
-DigitsLeft digits_left_over(const planar::Mechanism& mechanism, const planar::Motion& motion) {
-  const auto worst = std::min_element(
-      motion.states.begin(), motion.states.end(),
-      [](const planar::State& a, const planar::State& b) { return a.pivot < b.pivot; });
-  return {planar::digits_left_at(planar::condition_of(mechanism, worst->q)), si<Time>(worst->time)};
-}
-
-ClosureSummary closure_of(const planar::Mechanism& mechanism, const planar::Motion& motion) {
-  ClosureSummary closure;
-  closure.freedom = motion.freedom;
-  closure.branch = planar::branch_of(mechanism, motion.states.front().q);
-  if (motion.freedom.undriven == 0) closure.digits = digits_left_over(mechanism, motion);
-  closure.change_points = motion.change_points;
-  for (const planar::State& state : motion.states) {
-    closure.largest_residual = std::max(closure.largest_residual, state.residual);
-  }
-  return closure;
-}
-
 MotionSummary summary_of(const Project& project, const SituationRun& run) {
   MotionSummary summary;
   summary.situation = index_of(project, *run.situation);
@@ -119,10 +100,9 @@ MotionSummary summary_of(const Project& project, const SituationRun& run) {
   summary.begin = run.loads.begin();
   summary.period = run.loads.period();
   summary.closed = run.loads.closed();
+  summary.stands_still = run.motion->stands_still();
   summary.imbalance = run.imbalance;
-  if (std::holds_alternative<planar::Motion>(run.motion)) {
-    summary.closure = closure_of(planar_in(project, *run.situation), planar_motion_of(run));
-  }
+  summary.closure = run.motion->closure();
   return summary;
 }
 
@@ -214,7 +194,7 @@ std::span<const CutForceName> cut_forces_looked_at(const Project& project) {
   static constexpr CutForceName all[] = {{cut_force::N, "N"},     {cut_force::V_y, "V_y"},
                                          {cut_force::V_z, "V_z"}, {cut_force::T, "T"},
                                          {cut_force::M_y, "M_y"}, {cut_force::M_z, "M_z"}};
-  if (in_space(project)) return all;
+  if (project.in_space) return all;
   return in_the_plane;
 }
 

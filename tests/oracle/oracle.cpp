@@ -101,7 +101,8 @@ class Search {
   Findings findings() {
     for (const Station& station : stations()) look_at(station);
     look_at_deflection();
-    if (!is_flexible(project_) && !in_space(project_)) look_at_neighbours();
+    if (!std::holds_alternative<flexible::Mechanism>(project_.mechanism) && !project_.in_space)
+      look_at_neighbours();
     return std::move(found_);
   }
 
@@ -182,7 +183,7 @@ class Search {
     const TaperedBeam& beam = project_.beam;
     LocalSection local;
     local.here = boxbeam::section_at(beam, station);
-    local.space = in_space(project_);
+    local.space = project_.in_space;
     for (const BeamHole& hole : beam.holes) {
       if (hole.s == station.s) local.holes.push_back(hole.hole);
     }
@@ -634,7 +635,7 @@ class Search {
     }
     for (const double t : {left, right})
       if (h_w / t > 72.0 / 1.2 * eps(t)) gate("web that may buckle in shear");
-    if (in_space(project_)) {
+    if (project_.in_space) {
       for (const double t : {top, bottom})
         if (c_flange / t > 72.0 / 1.2 * eps(t)) gate("flange that may buckle in shear");
     }

@@ -28,7 +28,7 @@ struct Drawn {
       : project(read_project(test::project_file(path))),
         runs(run_situations(project)),
         cycle(cycle_figure_of(project, runs.front())),
-        drivers(driver_lines_of(project, runs.front())) {}
+        drivers(runs.front().motion->driver_lines(runs.front().loads)) {}
 
   Project project;
   std::deque<SituationRun> runs;
@@ -143,7 +143,7 @@ TEST_CASE("every frame has the same bodies, and cut forces at the same stations"
       CHECK(frame.posture.loads.size() == cycle.frames[0].posture.loads.size());
     }
     // Rigid bodies keep their lengths while they move; elastic ones are drawn magnified.
-    if (is_flexible(drawn.project)) continue;
+    if (std::holds_alternative<flexible::Mechanism>(drawn.project.mechanism)) continue;
     for (const CycleFrame& frame : cycle.frames) {
       for (std::size_t b = 0; b < frame.posture.bodies.size(); ++b) {
         const auto& now = frame.posture.bodies[b].points;
@@ -216,7 +216,7 @@ TEST_CASE("the couple of a load in world axes is its moment in those of the beam
     for (const CycleFrame& frame : drawn.cycle.frames) {
       for (const BeamLoadRow& row : frame.posture.loads) {
         CHECK(row.couple.norm() == Approx(row.moment.norm()).margin(1e-9));
-        if (!in_space(drawn.project)) {
+        if (!drawn.project.in_space) {
           CHECK(row.couple.z() == Approx(-row.moment.y()).margin(1e-9));
         }
       }
@@ -321,7 +321,7 @@ TEST_CASE(
   // second.
   const Project project = parse_project("shaken.toml", shaken_beam);
   const std::deque<SituationRun> runs = run_situations(project);
-  const std::vector<DriverLine> lines = driver_lines_of(project, runs.front());
+  const std::vector<DriverLine> lines = runs.front().motion->driver_lines(runs.front().loads);
   REQUIRE(lines.size() == 1);
   const DriverLine& line = lines.front();
   CHECK(line.name == "exciter");
@@ -342,7 +342,7 @@ TEST_CASE("the Newton chain knows no force of the driver") {
   const Project project = read_project(test::project_file("sections/sledge-rig/published.toml"), {},
                                        Dynamics::newton_chain);
   const std::deque<SituationRun> runs = run_situations(project);
-  const std::vector<DriverLine> lines = driver_lines_of(project, runs.front());
+  const std::vector<DriverLine> lines = runs.front().motion->driver_lines(runs.front().loads);
   REQUIRE(lines.size() == 1);
   CHECK(lines.front().force.empty());
   // The thesis: 25 mm at 0.7 Hz.

@@ -4,9 +4,11 @@
 #include <complex>
 #include <numbers>
 
+#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/flexible_motion.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "boxbeam/beam/tapered_beam.hpp"
@@ -16,6 +16,8 @@ struct PointLoad {
   Length s;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axis point at s [N m]
+  /// Of the joint or force that it comes from, which owns the text; "" of what bending adds.
+  std::string_view name = {};
 };
 
 /// Load per length on a stretch of one segment, in beam axes, as polynomials of the distance from

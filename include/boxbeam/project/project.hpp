@@ -231,6 +231,7 @@ struct Project {
   std::vector<std::string> overrides;
 
   AnyMechanism mechanism;             ///< as the case writes it, before any situation
+  bool in_space = false;              ///< all six cut forces count; in the plane N, V_z and M_y
   std::vector<Situation> situations;  ///< at least one; the first runs
   TaperedBeam beam;
   std::vector<HoleInput> hole_inputs;  ///< one per hole of the beam
@@ -253,12 +254,6 @@ struct Project {
   std::vector<GivenStress> given_stresses;
   std::vector<HandFormula> hand_formulas;
 };
-
-/// Whether the beam moves in space: all six cut forces count. In the plane these are N, V_z, M_y.
-bool in_space(const Project& project);
-
-/// Whether the mechanism has elastic links.
-bool is_flexible(const Project& project);
 
 /// The mechanism of a case: rigid bodies in the plane, in space, or elastic links.
 const planar::Mechanism& planar_of(const Project& project);

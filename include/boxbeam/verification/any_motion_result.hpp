@@ -14,9 +14,7 @@ namespace boxbeam {
 using AnyMotionResult = std::variant<MotionResult, ChainMotionResult, FlexibleMotionResult>;
 
 /// The motion of a case's mechanism at the given times [s], or where none is given at times of its
-/// own; of elastic links, which have no instants, without them. `axes` as chain_motion_of wants
-/// them. Throws what the motion of the kind throws.
-AnyMotionResult any_motion_of(const Project& project, const std::vector<double>& times,
-                              const std::string& axes = "world");
+/// own; world axes. Throws what FrontEnd::motion throws.
+AnyMotionResult any_motion_of(const Project& project, const std::vector<double>& times);
 
 }  // namespace boxbeam

@@ -87,7 +87,7 @@ class ElasticMotion {
 };
 
 /// Loads on the beam of a planar case by a model of it: those of rigid bodies, or with vibration.
-LoadsAt elastic_loads_of(const Project& project, const Situation& situation,
+LoadsAt elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
                          const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid);
 
 }  // namespace boxbeam

@@ -59,6 +59,8 @@ struct ModelChoice {
   SecondOrderEstimate second_order;
   /// Whether the chosen model has what the beam's axial force does to the bent beam.
   bool counts_second_order = false;
+  /// Whether it is the beam of rigid bodies that bends, about the motion that these have.
+  bool bends_rigid_motion = false;
 };
 
 /// Whether what the beam's axial force does to the bent beam is in the cut forces, or known to be

@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/mechanism/planar/motion.hpp"
-#include "boxbeam/mechanism/spatial/chain.hpp"
-#include "boxbeam/project/project.hpp"
+#include "boxbeam/beam/beam_loads.hpp"
 
 namespace boxbeam {
 
@@ -14,7 +12,7 @@ namespace boxbeam {
 struct BeamLoadRow {
   Time time;
   std::size_t situation = 0;  ///< index in the case
-  std::string name;           ///< of the joint or load; of the Newton chain the beam's point
+  std::string name;           ///< of the joint or load; of what has none the beam's point there
   Length s;
   Eigen::Vector3d world = Eigen::Vector3d::Zero();   ///< force, world axes [N]
   Eigen::Vector3d couple = Eigen::Vector3d::Zero();  ///< the moment below, world axes [N m]
@@ -48,16 +46,8 @@ struct PostureFigure {
   double magnified = 0.0;  ///< so many times displacements are drawn; zero: no elastic links
 };
 
-/// The bodies, rods, guides and bearings without loads.
-PostureFigure posture_figure(const Project& project, const planar::Mechanism& mechanism,
-                             const planar::State& state, const std::string& why);
-PostureFigure posture_figure(const Project& project, const spatial::Mechanism& mechanism,
-                             const spatial::State& state, const std::string& why);
-
-/// What the joints and loads do to the beam, and where in that state.
-std::vector<BeamLoadRow> load_rows(const Project& project, const planar::Mechanism& mechanism,
-                                   const BeamLoads& loads, const planar::State& state);
-std::vector<BeamLoadRow> load_rows(const Project& project, const spatial::Mechanism& mechanism,
-                                   const BeamLoads& loads, const spatial::State& state);
+/// What the joints and loads do to the beam, without their places. `R_WS`: columns are the beam's
+/// axes in the world.
+std::vector<BeamLoadRow> load_rows(const BeamLoads& loads, Time time, const Eigen::Matrix3d& R_WS);
 
 }  // namespace boxbeam

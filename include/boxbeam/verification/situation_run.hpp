@@ -2,31 +2,11 @@
 
 #include <deque>
 #include <memory>
-#include <variant>
 
-#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
-#include "boxbeam/mechanism/spatial/motion.hpp"
-#include "boxbeam/project/project.hpp"
-#include "boxbeam/verification/load_history.hpp"
-#include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/front_end.hpp"
 
 namespace boxbeam {
-
-/// The vibration of elastic links: the mechanism as the model takes it, and its response.
-struct FlexibleMotion {
-  std::shared_ptr<const flexible::Mechanism> mechanism;
-  std::shared_ptr<const flexible::Structure> structure;
-  flexible::Response response;
-  /// The motion whose inertia is in the response: its own, or as much as the model counts.
-  flexible::LinkColumns<flexible::Complex> inertial;
-};
-
-/// Solves the model of a mechanism of elastic links. Quasi-static: without inertia. Modal: the
-/// inertia of the modes' own motion, and the static response to it and to the loads (mode
-/// acceleration, in balance to round-off). Throws AnalysisError where the structure is free to move
-/// or, undamped, in resonance.
-FlexibleMotion flexible_motion_of(const flexible::Mechanism& mechanism, const ElasticModel& model);
 
 /// A situation that runs: its motion, and the loads on the beam over it. Stays where it is made,
 /// for its loads look at its motion.
@@ -38,7 +18,7 @@ struct SituationRun {
   SituationRun& operator=(const SituationRun&) = delete;
 
   const Situation* situation;
-  std::variant<planar::Motion, spatial::Motion, FlexibleMotion> motion;
+  std::unique_ptr<const SolvedMotion> motion;
   LoadHistory loads;
   double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
 };
@@ -61,9 +41,6 @@ struct SituationHistory {
 
 /// The motion of a mechanism of rigid bodies in the plane.
 const planar::Motion& planar_motion_of(const SituationRun& run);
-
-/// The vibration of elastic links.
-const FlexibleMotion& flexible_motion_of(const SituationRun& run);
 
 std::size_t index_of(const Project& project, const Situation& situation);
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/equivalent_mass.hpp"
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/closure_summary.hpp"
 #include "boxbeam/verification/code_comparison.hpp"
 #include "boxbeam/verification/cycle_figure.hpp"
 #include "boxbeam/verification/elastic_figures.hpp"
@@ -88,25 +88,10 @@ struct PublishedConcentration {
   double factor = 0.0;
 };
 
-/// What is left of the arithmetic at the instant nearest to a dead point.
-struct DigitsLeft {
-  double left = 0.0;  ///< decimal digits of velocities
-  Time time;
-};
-
 /// Something that a case asks for and that could not be judged.
 struct NotJudged {
   std::string what;    ///< "fatigue", "rod hanger"
   std::string reason;  ///< "no stress range"
-};
-
-/// What there is to know of a mechanism whose joints are equations to be solved.
-struct ClosureSummary {
-  planar::DegreesOfFreedom freedom;
-  std::vector<int> branch;            ///< sign per loop
-  DigitsLeft digits;                  ///< meaningless where forces decide the motion
-  std::vector<double> change_points;  ///< times at which two branches cross [s]
-  double largest_residual = 0.0;      ///< of the constraints, over all instants [m, rad]
 };
 
 /// What is to be known of the motion in a situation.
@@ -115,8 +100,9 @@ struct MotionSummary {
   std::size_t instants = 0;
   Time begin;
   Time period;
-  bool closed = true;      ///< the motion repeats by itself after its period
-  double imbalance = 0.0;  ///< of force and moment on the beam, relative to the largest load
+  bool closed = true;         ///< the motion repeats by itself after its period
+  bool stands_still = false;  ///< nothing moves, and the loads are always the same
+  double imbalance = 0.0;     ///< of force and moment on the beam, relative to the largest load
   /// Nothing for a chain, whose motion is explicit, and for elastic links.
   std::optional<ClosureSummary> closure;
 };

@@ -190,10 +190,11 @@ void each_point(const Mechanism& mechanism, int link, const OfJoint& of_joint,
 }
 
 /// A force and couple (x, y, couple in the world) at a place of a link, as a load on its axis.
-PointLoad point_load(const Link& link, Length s, const Eigen::Vector2d& p,
+PointLoad point_load(const Link& link, std::string_view name, Length s, const Eigen::Vector2d& p,
                      const Eigen::Vector3d& world) {
   const Eigen::Vector2d force = Eigen::Rotation2Dd(-link.angle) * world.head<2>();
   PointLoad load;
+  load.name = name;
   load.s = s;
   load.force = {force.x(), 0.0, force.y()};
   load.moment.y() = -world[2] + p.y() * force.x();
@@ -306,21 +307,23 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
       intervals_of(stretches, borders_of(structure.links[index], mechanism.element));
   // The beam's own places are met exactly: cut forces jump there.
   const std::vector<Length> places = places_of(beam);
-  const auto add_point = [&](const Eigen::Vector2d& p, const Eigen::Vector3d& constant,
-                             const Eigen::Vector3cd& harmonic) {
+  const auto add_point = [&](std::string_view name, const Eigen::Vector2d& p,
+                             const Eigen::Vector3d& constant, const Eigen::Vector3cd& harmonic) {
     const Length s = place_near(places, si<Length>(p.x()));
-    result.constant.points.push_back(point_load(of, s, p, constant));
-    result.sine.points.push_back(point_load(of, s, p, harmonic.real()));
-    result.cosine.points.push_back(point_load(of, s, p, harmonic.imag()));
+    result.constant.points.push_back(point_load(of, name, s, p, constant));
+    result.sine.points.push_back(point_load(of, name, s, p, harmonic.real()));
+    result.cosine.points.push_back(point_load(of, name, s, p, harmonic.imag()));
   };
   each_point(
       mechanism, link,
       [&](std::size_t joint, const Eigen::Vector2d& p, double sign) {
-        add_point(p, sign * joint_force(structure, joint, response.constant),
+        add_point(mechanism.joints[joint].name, p,
+                  sign * joint_force(structure, joint, response.constant),
                   sign * joint_force(structure, joint, response.harmonic));
       },
       [&](const Load& load) {
-        add_point(load.at.p, load.constant, std::polar(1.0, load.phase) * load.amplitude);
+        add_point(load.name, load.at.p, load.constant,
+                  std::polar(1.0, load.phase) * load.amplitude);
       });
 
   const Eigen::Vector2d g = Eigen::Rotation2Dd(-of.angle) * mechanism.gravity;
@@ -355,17 +358,6 @@ BeamLoads beam_loads_at(const BeamResponse& response, double time) {
   add(loads, std::sin(angle), response.sine);
   add(loads, std::cos(angle), response.cosine);
   return loads;
-}
-
-std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, int link) {
-  std::vector<std::string> names;
-  each_point(
-      mechanism, link,
-      [&](std::size_t joint, const Eigen::Vector2d&, double) {
-        names.push_back(mechanism.joints[joint].name);
-      },
-      [&](const Load& load) { names.push_back(load.name); });
-  return names;
 }
 
 }  // namespace boxbeam::flexible

@@ -24,8 +24,10 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
   const double alpha = state.a[i + 2];
 
   BeamLoads loads;
-  const auto add = [&](const Eigen::Vector2d& point, const Eigen::Vector2d& force, double moment) {
+  const auto add = [&](std::string_view name, const Eigen::Vector2d& point,
+                       const Eigen::Vector2d& force, double moment) {
     PointLoad load;
+    load.name = name;
     load.s = place_near(beam.places, si<Length>(beam.centre + point.x()));
     load.force = in_beam_axes(force, angle);
     // y points into the plane: a counter-clockwise moment is negative about it.
@@ -33,10 +35,14 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
     loads.points.push_back(load);
   };
   for (const Reaction& reaction : reactions_of(mechanism, state)) {
-    if (reaction.on == beam.body) add(reaction.point, reaction.force, reaction.moment);
+    if (reaction.on != beam.body) continue;
+    add(mechanism.joints[static_cast<std::size_t>(reaction.joint)].name, reaction.point,
+        reaction.force, reaction.moment);
   }
   for (const AppliedLoad& load : applied_loads_of(mechanism, state.time, state.q, state.v)) {
-    if (load.on == beam.body) add(load.point, load.vector, load.moment);
+    if (load.on != beam.body) continue;
+    add(mechanism.forces[static_cast<std::size_t>(load.force)].name, load.point, load.vector,
+        load.moment);
   }
 
   // y points into the plane: counter-clockwise is negative about it.
@@ -51,20 +57,6 @@ BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const Be
   // gives out of the plane where they arise.
   for (LineLoad& line : loads.lines) line.couple[0] = line.couple[2] = {};
   return loads;
-}
-
-std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, const State& state,
-                                             int beam_body) {
-  std::vector<std::string> names;
-  for (const Reaction& reaction : reactions_of(mechanism, state)) {
-    if (reaction.on != beam_body) continue;
-    names.push_back(mechanism.joints[static_cast<std::size_t>(reaction.joint)].name);
-  }
-  for (const AppliedLoad& load : applied_loads_of(mechanism, state.time, state.q, state.v)) {
-    if (load.on != beam_body) continue;
-    names.push_back(mechanism.forces[static_cast<std::size_t>(load.force)].name);
-  }
-  return names;
 }
 
 }  // namespace boxbeam::planar

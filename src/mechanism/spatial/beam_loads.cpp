@@ -95,9 +95,10 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
 
   BeamLoads loads;
   // Vectors in the world.
-  const auto add = [&](const Attachment& place, const Wrench& wrench) {
+  const auto add = [&](std::string_view name, const Attachment& place, const Wrench& wrench) {
     const Eigen::Vector3d at = in_beam(beam.placement, state, place);
     PointLoad load;
+    load.name = name;
     load.s = place_near(beam.places, si<Length>(at.x()));
     load.force = R_WS.transpose() * wrench.force;
     load.moment =
@@ -107,9 +108,9 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
   const std::vector<Wrench> joints = chain.joint_wrenches(state);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    if (static_cast<int>(i) == own) add({own, joint.point}, joints[i]);
+    if (static_cast<int>(i) == own) add(joint.name, {own, joint.point}, joints[i]);
     if (joint.parent == own) {
-      add(place_on_carrier(mechanism, i), {-joints[i].force, -joints[i].moment});
+      add(joint.name, place_on_carrier(mechanism, i), {-joints[i].force, -joints[i].moment});
     }
   }
   for (const AppliedLoad& load : mechanism.loads) {
@@ -117,7 +118,7 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     const Eigen::Vector3d vector =
         driver_at(load.size, state.time).value * in_world(state, load.axes, load.direction);
     const bool force = load.kind == LoadKind::force;
-    add(load.at,
+    add(load.name, load.at,
         force ? Wrench{vector, Eigen::Vector3d::Zero()} : Wrench{Eigen::Vector3d::Zero(), vector});
   }
 
@@ -145,18 +146,6 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     }
   }
   return loads;
-}
-
-std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, int beam_body) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    if (static_cast<int>(i) == beam_body || joint.parent == beam_body) names.push_back(joint.name);
-  }
-  for (const AppliedLoad& load : mechanism.loads) {
-    if (load.on == beam_body) names.push_back(load.name);
-  }
-  return names;
 }
 
 }  // namespace boxbeam::spatial

@@ -168,9 +168,9 @@ TEST_CASE("Loads on an elastic beam are in balance, of any kind and division",
           const CutForces end = cut_forces_of(loads).at({si<Length>(length), Side::before});
           CHECK(std::isfinite(end.M_y.value()));
         }
-        const auto names = names_of_beam_loads(mechanism, 1);
-        CHECK(names == std::vector<std::string>{"joint 1", "joint 3", "joint 4", "load"});
-        CHECK(response.constant.points.size() == names.size());
+        std::vector<std::string_view> names;
+        for (const PointLoad& load : response.constant.points) names.push_back(load.name);
+        CHECK(names == std::vector<std::string_view>{"joint 1", "joint 3", "joint 4", "load"});
       }
     }
   }

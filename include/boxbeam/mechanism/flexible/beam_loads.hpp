@@ -37,7 +37,4 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
 /// constant + sine sin(omega t) + cosine cos(omega t).
 BeamLoads beam_loads_at(const BeamResponse& response, double time);
 
-/// The joints and loads behind the point loads, in their order.
-std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, int link);
-
 }  // namespace boxbeam::flexible

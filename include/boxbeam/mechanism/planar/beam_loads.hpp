@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "boxbeam/beam/beam_loads.hpp"
@@ -27,9 +26,5 @@ Eigen::Vector3d in_beam_axes(const Eigen::Vector2d& world, double angle);
 /// applied to it, and its own weight and inertia per length, along and across the axis. What acts
 /// off the axis adds its couple.
 BeamLoads beam_loads_of(const Mechanism& mechanism, const State& state, const BeamBody& beam);
-
-/// Of its point loads, in their order, the joints and forces that they come from.
-std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, const State& state,
-                                             int beam_body);
 
 }  // namespace boxbeam::planar

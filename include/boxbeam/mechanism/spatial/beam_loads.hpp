@@ -52,7 +52,4 @@ BeamBody beam_body_of(const TaperedBeam& beam, const BeamPlacement& placement,
 /// between ends of segments.
 BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& beam);
 
-/// The joints and loads behind its point loads, in their order.
-std::vector<std::string> names_of_beam_loads(const Mechanism& mechanism, int beam_body);
-
 }  // namespace boxbeam::spatial

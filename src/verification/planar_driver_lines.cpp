@@ -1,26 +1,12 @@
-#include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 #include <optional>
 
 #include "boxbeam/mechanism/planar/constraints.hpp"
-#include "boxbeam/mechanism/spatial/chain.hpp"
-#include "boxbeam/verification/cycle_figure.hpp"
-#include "boxbeam/verification/pictures.hpp"
+#include "front_ends.hpp"
+#include "planar_pictures.hpp"
 
 namespace boxbeam {
 namespace {
-
-/// Position, speed and acceleration of a coordinate, and what drives it.
-void add_sample(DriverLine& line, double time, const DriverState& motion,
-                std::optional<double> force) {
-  line.times.push_back(time);
-  line.position.push_back(motion.value);
-  line.speed.push_back(motion.rate);
-  line.acceleration.push_back(motion.acceleration);
-  if (force) line.force.push_back(*force);
-}
 
 /// The solved states, thinned where they are many, with the one at the end.
 std::vector<const planar::State*> shown_states(const planar::Motion& motion) {
@@ -102,9 +88,10 @@ std::vector<DriverLine> lines_of_forces(const planar::Mechanism& mechanism,
   return lines;
 }
 
-std::vector<DriverLine> planar_lines_of(const Project& project, const SituationRun& run) {
-  const planar::Mechanism& mechanism = planar_in(project, *run.situation);
-  const planar::Motion& motion = planar_motion_of(run);
+}  // namespace
+
+std::vector<DriverLine> driver_lines_of(const Project& project, const planar::Mechanism& mechanism,
+                                        const planar::Motion& motion) {
   std::vector<DriverLine> lines;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
@@ -120,84 +107,6 @@ std::vector<DriverLine> planar_lines_of(const Project& project, const SituationR
     for (DriverLine& line : lines_of_forces(mechanism, motion)) lines.push_back(std::move(line));
   }
   return lines;
-}
-
-/// So many evenly divided steps of the time looked at.
-constexpr int space_steps = 192;
-
-std::vector<DriverLine> lines_in_space_of(const Project& project, const SituationRun& run) {
-  const spatial::Mechanism& mechanism = spatial_in(project, *run.situation);
-  const spatial::Chain chain(mechanism);
-  std::vector<DriverLine> lines(mechanism.joints.size());
-  for (int k = 0; k <= space_steps; ++k) {
-    const double time =
-        (run.loads.begin() + run.loads.period() * (static_cast<double>(k) / space_steps)).value();
-    const spatial::State state = chain.at(time);
-    const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const spatial::Joint& joint = mechanism.joints[i];
-      if (joint.kind == spatial::JointKind::fixed) continue;
-      const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
-      lines[i].name = spatial::driver_text(joint);
-      lines[i].turns = joint.kind == spatial::JointKind::revolute;
-      add_sample(lines[i], time, driver_at(joint.driver, time),
-                 axis.dot(lines[i].turns ? wrenches[i].moment : wrenches[i].force));
-    }
-  }
-  std::erase_if(lines, [](const DriverLine& line) {
-    return std::all_of(line.position.begin(), line.position.end(),
-                       [&](double value) { return value == line.position.front(); });
-  });
-  return lines;
-}
-
-/// A harmonic force or couple and the displacement along it.
-DriverLine line_of(const flexible::Load& load, bool couple, const FlexibleMotion& motion) {
-  constexpr int steps = 192;
-  const flexible::Response& response = motion.response;
-  const double omega = 2.0 * std::numbers::pi * response.frequency;
-  Eigen::Vector3d along = load.amplitude;
-  if (couple)
-    along.head<2>().setZero();
-  else
-    along.z() = 0.0;
-  const double size = along.norm();
-  along /= size;
-  const double still =
-      along.dot(flexible::motion_at(*motion.structure, load.at, response.constant));
-  // A real vector does not conjugate what it is multiplied with.
-  const flexible::Complex moving = along.cast<flexible::Complex>().dot(
-      flexible::motion_at(*motion.structure, load.at, response.harmonic));
-  DriverLine line;
-  line.name = couple && load.amplitude.head<2>().norm() > 0.0 ? load.name + ", couple" : load.name;
-  line.turns = couple;
-  for (int k = 0; k <= steps; ++k) {
-    const double time = k / (steps * response.frequency);
-    const flexible::Complex now = moving * std::polar(1.0, omega * time);
-    const DriverState state{still + now.imag(), omega * now.real(), -omega * omega * now.imag()};
-    add_sample(line, time, state,
-               along.dot(load.constant) + size * std::sin(omega * time + load.phase));
-  }
-  return line;
-}
-
-std::vector<DriverLine> elastic_lines_of(const Project& project, const SituationRun& run) {
-  const FlexibleMotion& motion = flexible_motion_of(run);
-  std::vector<DriverLine> lines;
-  if (motion.response.frequency == 0.0) return lines;
-  for (const flexible::Load& load : flexible_in(project, *run.situation).loads) {
-    if (load.amplitude.head<2>().norm() > 0.0) lines.push_back(line_of(load, false, motion));
-    if (load.amplitude.z() != 0.0) lines.push_back(line_of(load, true, motion));
-  }
-  return lines;
-}
-
-}  // namespace
-
-std::vector<DriverLine> driver_lines_of(const Project& project, const SituationRun& run) {
-  if (is_flexible(project)) return elastic_lines_of(project, run);
-  if (in_space(project)) return lines_in_space_of(project, run);
-  return planar_lines_of(project, run);
 }
 
 }  // namespace boxbeam

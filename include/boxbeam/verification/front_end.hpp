@@ -1,0 +1,113 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/any_motion_result.hpp"
+#include "boxbeam/verification/closure_summary.hpp"
+#include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/loaded_posture.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/posture.hpp"
+
+namespace boxbeam {
+
+struct DriverLine;
+struct ElasticFigures;
+
+/// The mechanism as it stands at a time, with the loads on the beam; the text says why it is shown.
+using PostureAt = std::function<PostureFigure(Time, const std::string& why)>;
+
+/// Makes a posture whose axial force counts so many times.
+using MakePosture = std::function<LoadedPosture(double factor)>;
+
+/// A situation as its front end has solved it: what a verification and its pictures ask of whatever
+/// moves and loads the beam. It looks at the project and the situation, which stay.
+class SolvedMotion {
+ public:
+  SolvedMotion() = default;
+  SolvedMotion(const SolvedMotion&) = delete;
+  SolvedMotion& operator=(const SolvedMotion&) = delete;
+  virtual ~SolvedMotion() = default;
+
+  /// The loads on the beam over the time that is looked at. Throws AnalysisError.
+  virtual LoadHistory loads() const = 0;
+
+  virtual double gravity() const = 0;  ///< its size [m/s^2]
+
+  /// Whether nothing moves and the loads are always the same.
+  virtual bool stands_still() const { return false; }
+
+  /// What is drawn of it under its loads. Elastic links are drawn with their displacements
+  /// magnified, by the same factor at all times.
+  virtual PostureAt postures(const LoadHistory& loads) const = 0;
+
+  /// What moves the mechanism. In the plane the drivers; where they leave a freedom to forces, also
+  /// the points and angles that forces and couples act on, or, where nothing of that kind acts, the
+  /// coordinates of the first body that is moved, without force. In space the joints that move,
+  /// elastic links the harmonic loads with the motion of their points.
+  /// Where the Newton chain loads the beam, the drivers' forces are not known: they are left out.
+  virtual std::vector<DriverLine> driver_lines(const LoadHistory& loads) const = 0;
+
+  /// Where what carries the beam takes hold of it, under its loads of an instant [m].
+  virtual std::vector<double> supports(const BeamLoads& loads) const = 0;
+
+  /// The whole mechanism stopped at a time and holding the beam, under its loads then; nothing
+  /// where it cannot be stopped and hold it.
+  virtual MakePosture stopped(Time, const BeamLoads&) const { return {}; }
+
+  /// How it closes; nothing where there is nothing to close.
+  virtual std::optional<ClosureSummary> closure() const { return {}; }
+};
+
+/// A kind of mechanism, or another source of loads, as the verification sees it: the only place
+/// where kinds are told apart. It looks at the project, which stays.
+class FrontEnd {
+ public:
+  FrontEnd() = default;
+  FrontEnd(const FrontEnd&) = delete;
+  FrontEnd& operator=(const FrontEnd&) = delete;
+  virtual ~FrontEnd() = default;
+
+  /// Solves a situation by a model. Throws AnalysisError where a step cannot be done or loads on
+  /// the beam are not determined.
+  virtual std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
+                                                    const ElasticModel& model) const = 0;
+
+  /// The model of what is elastic itself; nothing of rigid bodies, whose beam may bend.
+  virtual std::optional<ModelChoice> own_model() const { return {}; }
+
+  /// Why the vibration of the beam is not estimated; "" where it is, in the plane.
+  virtual std::string obstacle_to_vibration(const std::deque<SituationRun>& rigid) const = 0;
+
+  /// Throws InputError where an elastic model cannot be asked for.
+  virtual void require_elastic_model() const {}
+
+  /// What is drawn of elastic links beside the beam; nothing of rigid bodies.
+  virtual std::optional<ElasticFigures> elastic_figures(const SituationRun& run,
+                                                        const ElasticModel& model) const;
+
+  /// The motion alone at the given times [s], or where none is given at times of its own; vectors
+  /// in the axes of a body, or with "" of the world. Throws InputError for what it cannot be asked
+  /// for, AnalysisError where it cannot be had.
+  virtual AnyMotionResult motion(const std::vector<double>& times,
+                                 const std::string& axes) const = 0;
+
+  /// Why there are no instants to choose; "" where there are.
+  virtual std::string obstacle_to_instants() const { return ""; }
+
+  /// The ways to assemble it at an instant [s]. Throws InputError where there is one only.
+  virtual std::vector<AssemblyResult> assemblies(double time) const = 0;
+};
+
+std::unique_ptr<const FrontEnd> front_end_of(const Project& project);
+
+/// Loads that stop where one of them has slid off the end of the beam, with an AnalysisError.
+LoadsAt staying_on(const TaperedBeam& beam, LoadsAt loads);
+
+}  // namespace boxbeam

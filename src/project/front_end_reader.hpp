@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "readers.hpp"
+
+namespace boxbeam::readers {
+
+/// The parts of a case that a situation may change: how the mechanism runs, not what is verified.
+struct Changeable {
+  std::span<const char* const> parts;
+  const char* example;  ///< "drivers.exciter.frequency"
+  std::string beam;     ///< the beam's body or link
+};
+
+/// How a kind of case is read, into the project that it is made for: the only place of the reader
+/// where kinds are told apart.
+class FrontEndReader {
+ public:
+  FrontEndReader() = default;
+  FrontEndReader(const FrontEndReader&) = delete;
+  FrontEndReader& operator=(const FrontEndReader&) = delete;
+  virtual ~FrontEndReader() = default;
+
+  /// The beam and what moves or loads it. `tree` is the case.
+  virtual void read(TableReader& root, const Node& tree) = 0;
+
+  virtual Changeable changeable() const = 0;
+
+  /// The mechanism once more, with what a situation changes.
+  virtual AnyMechanism changed_mechanism(TableReader& root) const = 0;
+
+  /// Whether it vibrates of itself, so that it can be started.
+  virtual bool vibrates() const { return false; }
+
+  /// What is checked beside the beam.
+  virtual void read_neighbours(TableReader&) {}
+};
+
+/// Everything given stays as long as the reader.
+std::unique_ptr<FrontEndReader> front_end_reader(Kind kind, const Sections& sections,
+                                                 TimeTables& tables, Project& project);
+
+std::unique_ptr<FrontEndReader> planar_reader(const Sections& sections, TimeTables& tables,
+                                              Project& project);  // planar_case.cpp
+std::unique_ptr<FrontEndReader> spatial_reader(const Sections& sections, TimeTables& tables,
+                                               Project& project);  // spatial_case.cpp
+std::unique_ptr<FrontEndReader> flexible_reader(const Sections& sections,
+                                                Project& project);  // flexible_case.cpp
+
+/// The parts of a mechanism of rigid bodies that a situation may change.
+Changeable changeable_of_bodies(const std::string& beam_body);
+
+/// Notes what is known of rigid mechanisms in the plane only, in a case of another kind.
+void refuse_planar_parts(TableReader& root, const char* kind);
+
+}  // namespace boxbeam::readers

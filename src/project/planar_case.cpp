@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "front_end_reader.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+/// Whether a joint pushes a body: with a force, not with a moment alone.
+bool acts_on(const planar::Joint& joint, int body) {
+  const auto [a, b] = planar::ends_of(joint);
+  if (a.body != body && b.body != body) return false;
+  for (int row = 0; row < planar::equations_of(joint); ++row) {
+    if (planar::is_length_equation(joint, row)) return true;
+  }
+  return false;
+}
+
+EquivalentMassDemand read_equivalent_mass(TableReader table, const planar::Mechanism& mechanism,
+                                          int beam_body) {
+  EquivalentMassDemand demand;
+  demand.joint = joint_of(table, {"joint", "whose mass is felt"}, mechanism);
+  demand.on = body_of(table, {"on", "the body that feels it"}, mechanism);
+  demand.adjust = body_of(table, {"adjust", "the body whose mass is adjusted"}, mechanism);
+  demand.wanted = si<Mass>(table.positive({"wanted", "the equivalent mass wanted"}, wanted::mass));
+  table.finish();
+  if (demand.adjust >= 0 && demand.adjust == beam_body) {
+    table.problem("adjust", "the mass of the beam comes from its sections and cannot be adjusted",
+                  "name another body");
+  }
+  if (demand.joint >= 0 && demand.on >= 0 &&
+      !acts_on(mechanism.joints[static_cast<std::size_t>(demand.joint)], demand.on)) {
+    table.problem("on",
+                  fmt::format("joint \"{}\" does not push body \"{}\"", table.text("joint"),
+                              table.text("on")),
+                  "name a body that the joint connects");
+  }
+  return demand;
+}
+
+/// Where a point of a body is written.
+Place place_of_point(const Node& root, const std::string& body, const std::string& point) {
+  return root.find("bodies")->find(body)->find("points")->find(point)->place;
+}
+
+/// The beam body's points, named on the axis.
+void add_points_of_body(const Node& root, ProblemList& problems, Project& project) {
+  if (project.beam_body == planar::ground) return;
+  const Body& body = planar_of(project).bodies[static_cast<std::size_t>(project.beam_body)];
+  const double centre = mass_properties_of(project.beam).centre.value();
+  const double length = project.beam.length().value();
+  for (const BodyPoint& point : body.points) {
+    const double s = centre + point.p.x();
+    if (s < -1e-9 * length || s > (1.0 + 1e-9) * length) {
+      problems.add(place_of_point(root, body.name, point.name),
+                   fmt::format("point \"{}\" of the beam body lies off the beam, at s = {:.6g} m",
+                               point.name, s),
+                   fmt::format("s goes from 0 to {:.6g} m", length));
+      continue;
+    }
+    project.beam.points.push_back({point.name, place_near(places_of(project.beam), si<Length>(s))});
+  }
+}
+
+class PlanarReader : public FrontEndReader {
+ public:
+  PlanarReader(const Sections& sections, TimeTables& tables, Project& project)
+      : sections_(&sections), tables_(&tables), project_(&project) {}
+
+  void read(TableReader& root, const Node& tree) override {
+    read_model(root, Kind::planar, project_->model);
+    TableReader beam = root.table({"beam", "the verified beam"});
+    read_beam(beam, *sections_, *project_);
+    beam_body_ =
+        beam.text({"body", "the body that is the beam; its mass comes from the sections"}, "");
+    MechanismDraft draft = read_mechanism(root, beam_body_, *tables_);
+    if (!beam_body_.empty() || !root.has("beam")) {
+      // A missing table or unknown name has been noted; any body stands in, so that reading goes
+      // on.
+      project_->beam_body = std::max(0, body_of(beam, "body", draft.mechanism));
+    }
+    beam.finish();
+    if (root.problems().empty()) {
+      project_->mechanism = place_at_centres(std::move(draft), project_->beam, project_->beam_body);
+      add_points_of_body(tree, root.problems(), *project_);
+    } else {
+      project_->mechanism = std::move(draft.mechanism);
+    }
+    if (root.has("newton_chain")) {
+      project_->chain = read_newton_chain(
+          root.table(
+              {"newton_chain", "the published chain of bodies, for its loads and for comparison"}),
+          planar_of(*project_), project_->beam, project_->beam_body);
+    }
+    if (root.has("equivalent_mass")) {
+      project_->equivalent_mass = read_equivalent_mass(
+          root.table({"equivalent_mass", "the mass that the mechanism feels like at a joint"}),
+          planar_of(*project_), project_->beam_body);
+    }
+  }
+
+  Changeable changeable() const override { return changeable_of_bodies(beam_body_); }
+
+  AnyMechanism changed_mechanism(TableReader& root) const override {
+    MechanismDraft draft = read_mechanism(root, beam_body_, *tables_);
+    if (!root.problems().empty()) return project_->mechanism;
+    return place_at_centres(std::move(draft), project_->beam, project_->beam_body);
+  }
+
+  void read_neighbours(TableReader& root) override {
+    readers::read_neighbours(root, *sections_, *project_);
+  }
+
+ private:
+  const Sections* sections_;
+  TimeTables* tables_;
+  Project* project_;
+  std::string beam_body_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrontEndReader> planar_reader(const Sections& sections, TimeTables& tables,
+                                              Project& project) {
+  return std::make_unique<PlanarReader>(sections, tables, project);
+}
+
+}  // namespace boxbeam::readers

@@ -1,0 +1,92 @@
+#include <algorithm>
+
+#include "front_end_reader.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+/// A place of interest under a place in beam axes, if the beam is there; one of a kind at a place.
+void add_point_under(const std::string& name, const Eigen::Vector3d& at, Project& project) {
+  const double length = project.beam.length().value();
+  if (at.x() < -1e-9 * length || at.x() > (1.0 + 1e-9) * length) return;
+  const BeamPoint point{name, place_near(places_of(project.beam), si<Length>(at.x()))};
+  const auto same = [&](const BeamPoint& other) {
+    return other.name == point.name && other.s == point.s;
+  };
+  std::vector<BeamPoint>& points = project.beam.points;
+  if (std::none_of(points.begin(), points.end(), same)) points.push_back(point);
+}
+
+/// The beam's own points in space, projected on its axis, and what loads at points of other bodies
+/// that do not move against it stand over.
+void add_points_on_axis(Project& project) {
+  const spatial::Mechanism& mechanism = spatial_of(project);
+  const auto body = static_cast<std::size_t>(project.beam_body);
+  for (const spatial::BodyPoint& point : mechanism.bodies[body].points) {
+    add_point_under(point.name, in_beam(project.placement, point.p), project);
+  }
+  for (const spatial::AppliedLoad& load : mechanism.loads) {
+    if (load.on != project.beam_body || load.at.body == project.beam_body) continue;
+    for (const spatial::LastingPlace& place : lasting_places_of(mechanism, project.placement)) {
+      if (place.name == load.name) add_point_under(place.name, place.at, project);
+    }
+  }
+}
+
+class SpatialReader : public FrontEndReader {
+ public:
+  SpatialReader(const Sections& sections, TimeTables& tables, Project& project)
+      : sections_(&sections), tables_(&tables), project_(&project) {}
+
+  void read(TableReader& root, const Node&) override {
+    read_model(root, Kind::spatial, project_->model);
+    project_->in_space = true;
+    TableReader beam = root.table({"beam", "the verified beam"});
+    read_beam(beam, *sections_, *project_);
+    beam_body_ =
+        beam.text({"body", "the body that is the beam; its mass comes from the sections"}, "");
+    spatial::Mechanism mechanism = read_chain(root, beam_body_, *tables_);
+    project_->beam_body = std::max(0, body_of(beam, "body", mechanism));
+    if (root.problems().empty()) {
+      project_->placement = read_placement(beam, mechanism, project_->beam_body);
+    } else {
+      for (const char* key : {"start", "axis", "z"}) static_cast<void>(beam.has(key));
+    }
+    beam.finish();
+    refuse_planar_parts(root, "spatial");
+    if (root.problems().empty()) {
+      place_beam(root, project_->beam, project_->placement, mechanism);
+      project_->hand_formulas = read_hand_formulas(root, mechanism);
+    } else {
+      for (const char* key : {"hand_formulas", "hand_symbols"}) static_cast<void>(root.has(key));
+    }
+    project_->mechanism = std::move(mechanism);
+    if (root.problems().empty()) add_points_on_axis(*project_);
+  }
+
+  Changeable changeable() const override { return changeable_of_bodies(beam_body_); }
+
+  AnyMechanism changed_mechanism(TableReader& root) const override {
+    spatial::Mechanism mechanism = read_chain(root, beam_body_, *tables_);
+    if (!root.problems().empty()) return project_->mechanism;
+    spatial::BeamPlacement placement = project_->placement;
+    placement.body = body_index(mechanism, beam_body_);
+    place_beam(root, project_->beam, placement, mechanism);
+    return mechanism;
+  }
+
+ private:
+  const Sections* sections_;
+  TimeTables* tables_;
+  Project* project_;
+  std::string beam_body_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrontEndReader> spatial_reader(const Sections& sections, TimeTables& tables,
+                                               Project& project) {
+  return std::make_unique<SpatialReader>(sections, tables, project);
+}
+
+}  // namespace boxbeam::readers

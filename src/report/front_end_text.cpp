@@ -1,0 +1,47 @@
+#include "front_end_text.hpp"
+
+#include <fmt/format.h>
+
+#include "boxbeam/report/format.hpp"
+#include "function_text.hpp"
+
+namespace boxbeam::report {
+
+std::unique_ptr<const FrontEndText> front_end_text_of(const Project& project) {
+  struct OfKind {
+    const Project& project;
+    std::unique_ptr<const FrontEndText> operator()(const planar::Mechanism&) const {
+      return planar_text(project);
+    }
+    std::unique_ptr<const FrontEndText> operator()(const spatial::Mechanism&) const {
+      return spatial_text(project);
+    }
+    std::unique_ptr<const FrontEndText> operator()(const flexible::Mechanism&) const {
+      return flexible_text(project);
+    }
+  };
+  return std::visit(OfKind{project}, project.mechanism);
+}
+
+void add_duration(const Duration& duration, Entries& entries) {
+  if (duration.length == 0.0) return;
+  entries.emplace_back("motion", fmt::format("{} s looked at, after {} s left out",
+                                             plain(duration.length), plain(duration.settle)));
+}
+
+/// Notes how far curves leave the points of their tables.
+void add_overshoots(const NamedFunctions& functions, std::vector<std::string>& remarks) {
+  constexpr double rounding = 1e-6;
+  for (const auto& [name, driver] : functions) {
+    const auto* table = std::get_if<TableDriver>(driver);
+    if (table == nullptr) continue;
+    const Overshoot overshoot = table->curve.overshoot();
+    if (overshoot.share <= rounding) continue;
+    remarks.push_back(fmt::format(
+        "{}: between two points of its table the cubic curve leaves them by {:.2g} % of the range "
+        "of all points, at t = {}",
+        name, 100.0 * overshoot.share, text::seconds(overshoot.at)));
+  }
+}
+
+}  // namespace boxbeam::report

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report_parts.hpp"
+
+/// What a report says of a front end: the only place of the report where kinds are told apart.
+namespace boxbeam::report {
+
+/// Gravity and masses of a mechanism of rigid bodies.
+struct RigidBodies {
+  std::vector<double> gravity;
+  struct Body {
+    std::string name;
+    double mass = 0.0;
+    std::optional<double> inertia;  ///< of a body in the plane
+  };
+  std::vector<Body> bodies;
+};
+
+/// The functions of time that a mechanism follows, by name.
+using NamedFunctions = std::vector<std::pair<std::string, const Driver*>>;
+
+class FrontEndText {
+ public:
+  FrontEndText() = default;
+  FrontEndText(const FrontEndText&) = delete;
+  FrontEndText& operator=(const FrontEndText&) = delete;
+  virtual ~FrontEndText() = default;
+
+  virtual std::string gravity() const = 0;  ///< "(0, -9.81) m/s^2"
+
+  /// How it is joined, driven and loaded: the inputs. Drivers are called "driver".
+  virtual Entries entries() const = 0;
+
+  /// What the chapter on the mechanism says of it.
+  virtual std::vector<Block> blocks(const Verification& verification) const = 0;
+
+  virtual std::optional<RigidBodies> rigid_bodies() const { return {}; }
+
+  /// Remarks on the case.
+  virtual void add_remarks(std::vector<std::string>&) const {}
+  /// Remarks on the motion of a situation.
+  virtual void add_remarks(const MotionSummary&, std::vector<std::string>&) const {}
+};
+
+std::unique_ptr<const FrontEndText> front_end_text_of(const Project& project);
+
+std::unique_ptr<const FrontEndText> planar_text(const Project& project);    // report_planar.cpp
+std::unique_ptr<const FrontEndText> spatial_text(const Project& project);   // report_spatial.cpp
+std::unique_ptr<const FrontEndText> flexible_text(const Project& project);  // report_flexible.cpp
+
+/// How long a motion that integrates is looked at.
+void add_duration(const Duration& duration, Entries& entries);
+
+/// Notes how far curves leave the points of their tables.
+void add_overshoots(const NamedFunctions& functions, std::vector<std::string>& remarks);
+
+}  // namespace boxbeam::report

@@ -1,0 +1,74 @@
+#include "boxbeam/verification/front_end.hpp"
+
+#include <fmt/format.h>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/elastic_figures.hpp"
+#include "front_ends.hpp"
+
+namespace boxbeam {
+
+std::optional<ElasticFigures> FrontEnd::elastic_figures(const SituationRun&,
+                                                        const ElasticModel&) const {
+  return {};
+}
+
+std::unique_ptr<const FrontEnd> front_end_of(const Project& project) {
+  struct OfKind {
+    const Project& project;
+    std::unique_ptr<const FrontEnd> operator()(const planar::Mechanism&) const {
+      return planar_front_end(project);
+    }
+    std::unique_ptr<const FrontEnd> operator()(const spatial::Mechanism&) const {
+      return spatial_front_end(project);
+    }
+    std::unique_ptr<const FrontEnd> operator()(const flexible::Mechanism&) const {
+      return flexible_front_end(project);
+    }
+  };
+  return std::visit(OfKind{project}, project.mechanism);
+}
+
+AnyMotionResult any_motion_of(const Project& project, const std::vector<double>& times) {
+  return front_end_of(project)->motion(times, "");
+}
+
+LoadsAt staying_on(const TaperedBeam& beam, LoadsAt loads) {
+  return [length = beam.length().value(), loads = std::move(loads)](Time time) {
+    BeamLoads at = loads(time);
+    for (const PointLoad& load : at.points) {
+      const double s = load.s.value();
+      if (s >= -1e-9 * length && s <= (1.0 + 1e-9) * length) continue;
+      throw AnalysisError(
+          {fmt::format("a joint slides off the beam: it stands at s = {:.6g} m, and "
+                       "the beam goes from 0 to {:.6g} m",
+                       s, length),
+           "beam",
+           time.value(),
+           {},
+           {}});
+    }
+    return at;
+  };
+}
+
+void add_sample(DriverLine& line, double time, const DriverState& motion,
+                std::optional<double> force) {
+  line.times.push_back(time);
+  line.position.push_back(motion.value);
+  line.speed.push_back(motion.rate);
+  line.acceleration.push_back(motion.acceleration);
+  if (force) line.force.push_back(*force);
+}
+
+
+std::vector<Time> break_times_in(const std::vector<DriverUse>& functions, double begin,
+                                 double length) {
+  std::vector<Time> times;
+  for (const Break& at : breaks_of(functions, begin, begin + length)) {
+    times.push_back(si<Time>(at.at));
+  }
+  return times;
+}
+
+}  // namespace boxbeam

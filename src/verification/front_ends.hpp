@@ -1,0 +1,25 @@
+#pragma once
+
+#include "boxbeam/verification/cycle_figure.hpp"
+#include "boxbeam/verification/front_end.hpp"
+
+/// The front ends, each in a source of its own.
+namespace boxbeam {
+
+std::unique_ptr<const FrontEnd> planar_front_end(const Project& project);
+std::unique_ptr<const FrontEnd> spatial_front_end(const Project& project);
+std::unique_ptr<const FrontEnd> flexible_front_end(const Project& project);
+
+/// The model of elastic links: the cheapest whose error of the governing stress is within the
+/// tolerance that the case asks for, or the one that it demands.
+ModelChoice choose_for_links(const Project& project);
+
+/// Adds position, speed and acceleration of a coordinate at a time, and what drives it.
+void add_sample(DriverLine& line, double time, const DriverState& motion,
+                std::optional<double> force);
+
+/// When drivers and forces are not smooth, within a time that is looked at.
+std::vector<Time> break_times_in(const std::vector<DriverUse>& functions, double begin,
+                                 double length);
+
+}  // namespace boxbeam

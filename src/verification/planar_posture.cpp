@@ -1,0 +1,110 @@
+#include <cmath>
+
+#include "boxbeam/mechanism/planar/constraints.hpp"
+#include "planar_pictures.hpp"
+
+namespace boxbeam {
+namespace {
+
+Eigen::Vector3d lifted(const Eigen::Vector2d& p) { return {p.x(), p.y(), 0.0}; }
+
+/// The beam's axes in the world, where it moves in the plane.
+Eigen::Matrix3d beam_axes(const Project& project, const planar::State& state) {
+  const int body =
+      project.beam_body != planar::ground ? project.beam_body : project.chain->axis_body;
+  const double angle = state.q[3 * body + 2];
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  Eigen::Matrix3d R_WS;
+  R_WS << c, 0.0, -s,  //
+      s, 0.0, c,       //
+      0.0, -1.0, 0.0;
+  return R_WS;
+}
+
+/// On the beam's axis, or where the beam is no body at the body point of the load's name.
+Eigen::Vector3d place_of(const Project& project, const planar::State& state,
+                                const BeamLoadRow& row) {
+  if (project.beam_body != planar::ground) {
+    const double centre = mass_properties_of(project.beam).centre.value();
+    return lifted(planar::position_of({project.beam_body, {row.s.value() - centre, 0.0}}, state.q));
+  }
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < planar_of(project).bodies.size(); ++i) {
+    for (const BodyPoint& point : planar_of(project).bodies[i].points) {
+      if (point.name != row.name) continue;
+      place = lifted(planar::position_of({static_cast<int>(i), point.p}, state.q));
+    }
+  }
+  return place;
+}
+
+}  // namespace
+
+std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads,
+                                   const planar::State& state) {
+  std::vector<BeamLoadRow> rows =
+      load_rows(loads, si<Time>(state.time), beam_axes(project, state));
+  for (BeamLoadRow& row : rows) {
+    for (const BeamPoint& point : project.beam.points) {
+      if (row.name.empty() && point.s == row.s) row.name = point.name;
+    }
+    row.place = place_of(project, state, row);
+  }
+  return rows;
+}
+
+PostureFigure posture_figure(const Project& project, const planar::Mechanism& mechanism,
+                             const planar::State& state, const BeamLoads& loads,
+                             const std::string& why) {
+  const auto place = [&](const planar::Attachment& at) {
+    return lifted(planar::position_of(at, state.q));
+  };
+  PostureFigure figure;
+  figure.time = si<Time>(state.time);
+  figure.why = why;
+  figure.loads = load_rows(project, loads, state);
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const int body = static_cast<int>(i);
+    PostureFigure::Line line;
+    for (const BodyPoint& point : mechanism.bodies[i].points) {
+      line.points.push_back(place({body, point.p}));
+    }
+    line.beam = body == project.beam_body;
+    if (line.beam) {
+      const double centre = mass_properties_of(project.beam).centre.value();
+      const double length = project.beam.length().value();
+      line.strokes.push_back(
+          {place({body, {-centre, 0.0}}), place({body, {length - centre, 0.0}})});
+      for (const BodyPoint& point : mechanism.bodies[i].points) {
+        if (std::abs(point.p.y()) < 1e-9 * length) continue;
+        line.strokes.push_back({place({body, {point.p.x(), 0.0}}), place({body, point.p})});
+      }
+    }
+    figure.bodies.push_back(std::move(line));
+  }
+  for (const planar::Joint& joint : mechanism.joints) {
+    const auto [a, b] = planar::ends_of(joint);
+    const auto* driven = std::get_if<planar::Driven>(&joint.kind);
+    const bool between = std::holds_alternative<planar::Distance>(joint.kind) ||
+                         (driven != nullptr && driven->coordinate == planar::Coordinate::length);
+    if (between) figure.rods.push_back({place(a), place(b)});
+    if (between || std::holds_alternative<planar::Pin>(joint.kind)) {
+      for (const planar::Attachment& end : {a, b}) {
+        if (end.body == planar::ground) figure.grounds.push_back(lifted(end.p));
+      }
+    }
+    const auto add_guide = [&](const auto& slide) {
+      const double direction =
+          slide.direction +
+          (slide.guide.body == planar::ground ? 0.0 : state.q[3 * slide.guide.body + 2]);
+      figure.guides.push_back(
+          {place(slide.point), Eigen::Vector3d(std::cos(direction), std::sin(direction), 0.0)});
+    };
+    if (const auto* slider = std::get_if<planar::Slider>(&joint.kind)) add_guide(*slider);
+    if (const auto* slot = std::get_if<planar::PinInSlot>(&joint.kind)) add_guide(*slot);
+  }
+  return figure;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/spatial/beam_loads.hpp"
+#include "boxbeam/mechanism/spatial/chain.hpp"
+#include "boxbeam/mechanism/spatial/motion.hpp"
+#include "boxbeam/verification/chain_motion_result.hpp"
+#include "front_ends.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Where a joint is on the body that carries it, world [m].
+Eigen::Vector3d place_of(const spatial::Joint& joint, const spatial::State& state) {
+  return spatial::position_of(state, {joint.parent, joint.at});
+}
+
+/// The origin of a posture in space.
+Eigen::Vector3d origin_of(const Project& project, const spatial::Mechanism& mechanism,
+                          const spatial::State& state) {
+  return place_of(mechanism.joints[static_cast<std::size_t>(placement_in(project, mechanism).body)],
+                  state);
+}
+
+std::vector<BeamLoadRow> load_rows(const Project& project, const spatial::Mechanism& mechanism,
+                                   const BeamLoads& loads, const spatial::State& state) {
+  const spatial::BeamPlacement beam = placement_in(project, mechanism);
+  const Eigen::Matrix3d& R_WB = state.bodies[static_cast<std::size_t>(beam.body)].R_WB;
+  std::vector<BeamLoadRow> rows = load_rows(loads, si<Time>(state.time), R_WB * beam.axes);
+  const Eigen::Vector3d origin = origin_of(project, mechanism, state);
+  for (BeamLoadRow& row : rows) {
+    const Eigen::Vector3d on_axis = beam.start + row.s.value() * beam.axes.col(0);
+    row.place = spatial::position_of(state, {beam.body, on_axis}) - origin;
+  }
+  return rows;
+}
+
+/// The bodies that the beam's joint carries, and axes of joints.
+PostureFigure posture_figure(const Project& project, const spatial::Mechanism& mechanism,
+                             const spatial::State& state, const std::string& why) {
+  const Eigen::Vector3d origin = origin_of(project, mechanism, state);
+  const spatial::BeamPlacement placement = placement_in(project, mechanism);
+  const int beam = placement.body;
+  const spatial::Joint& root = mechanism.joints[static_cast<std::size_t>(beam)];
+  PostureFigure figure;
+  figure.time = si<Time>(state.time);
+  figure.why = why;
+  figure.grounds.push_back(Eigen::Vector3d::Zero());
+
+  std::vector<bool> shown(mechanism.bodies.size(), false);
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const spatial::Joint& joint = mechanism.joints[i];
+    shown[i] = joint.parent == root.parent ||
+               (joint.parent != spatial::ground && shown[static_cast<std::size_t>(joint.parent)]);
+    if (!shown[i]) continue;
+    const int body = static_cast<int>(i);
+    const auto place = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+      return spatial::position_of(state, {body, p}) - origin;
+    };
+    PostureFigure::Line line;
+    line.beam = body == beam;
+    const auto add_point = [&](const Eigen::Vector3d& p) {
+      const bool known = std::any_of(line.points.begin(), line.points.end(), [&](const auto& of) {
+        return (of - place(p)).norm() < 1e-9 * project.beam.length().value();
+      });
+      if (!known) line.points.push_back(place(p));
+    };
+    add_point(joint.point);
+    for (const spatial::BodyPoint& point : mechanism.bodies[i].points) add_point(point.p);
+    for (const spatial::Joint& carried : mechanism.joints) {
+      if (carried.parent == body) add_point(carried.at);
+    }
+    if (line.beam) {
+      const auto on_axis = [&](double s) {
+        return place(placement.start + s * placement.axes.col(0));
+      };
+      const double length = project.beam.length().value();
+      const Eigen::Vector3d axis = (on_axis(length) - on_axis(0.0)) / length;
+      line.strokes.push_back({on_axis(0.0), on_axis(length)});
+      for (const Eigen::Vector3d& point : line.points) {
+        const double s = std::clamp(axis.dot(point - on_axis(0.0)), 0.0, length);
+        if ((point - on_axis(s)).norm() < 1e-9 * length) continue;
+        line.strokes.push_back({on_axis(s), point});
+      }
+    } else {
+      for (std::size_t k = 1; k < line.points.size(); ++k) {
+        line.strokes.push_back({line.points.front(), line.points[k]});
+      }
+    }
+    if (joint.kind != spatial::JointKind::fixed) {
+      figure.guides.push_back(
+          {place_of(joint, state) - origin, spatial::in_world(state, joint.parent, joint.axis)});
+    }
+    figure.bodies.push_back(std::move(line));
+  }
+  return figure;
+}
+
+/// So many evenly divided steps of the time looked at.
+constexpr int space_steps = 192;
+
+std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadHistory& loads) {
+  const spatial::Mechanism& mechanism = chain.mechanism();
+  std::vector<DriverLine> lines(mechanism.joints.size());
+  for (int k = 0; k <= space_steps; ++k) {
+    const double time =
+        (loads.begin() + loads.period() * (static_cast<double>(k) / space_steps)).value();
+    const spatial::State state = chain.at(time);
+    const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const spatial::Joint& joint = mechanism.joints[i];
+      if (joint.kind == spatial::JointKind::fixed) continue;
+      const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
+      lines[i].name = spatial::driver_text(joint);
+      lines[i].turns = joint.kind == spatial::JointKind::revolute;
+      add_sample(lines[i], time, driver_at(joint.driver, time),
+                 axis.dot(lines[i].turns ? wrenches[i].moment : wrenches[i].force));
+    }
+  }
+  std::erase_if(lines, [](const DriverLine& line) {
+    return std::all_of(line.position.begin(), line.position.end(),
+                       [&](double value) { return value == line.position.front(); });
+  });
+  return lines;
+}
+
+class SpatialMotion : public SolvedMotion {
+ public:
+  SpatialMotion(const Project& project, const spatial::Mechanism& mechanism)
+      : project_(&project), chain_(std::make_shared<const spatial::Chain>(mechanism)) {
+    motion_ = spatial::motion_of(*chain_);
+  }
+
+  LoadHistory loads() const override {
+    const spatial::Mechanism& mechanism = chain_->mechanism();
+    LoadSpan span{si<Time>(motion_.begin), si<Time>(motion_.period), motion_.instants,
+                  motion_.closed};
+    span.breaks =
+        break_times_in(spatial::functions_of(mechanism), motion_.begin, motion_.period);
+    auto body =
+        spatial::beam_body_of(project_->beam, placement_in(*project_, mechanism), mechanism);
+    return {span, staying_on(project_->beam, [chain = chain_, body](Time time) {
+              return spatial::beam_loads_of(*chain, chain->at(time.value()), body);
+            })};
+  }
+
+  double gravity() const override { return chain_->mechanism().gravity.norm(); }
+
+  PostureAt postures(const LoadHistory& loads) const override {
+    return [this, &loads](Time time, const std::string& why) {
+      const spatial::State state = chain_->at(time.value());
+      PostureFigure posture = posture_figure(*project_, chain_->mechanism(), state, why);
+      posture.loads = load_rows(*project_, chain_->mechanism(), loads.loads_at(time), state);
+      return posture;
+    };
+  }
+
+  std::vector<DriverLine> driver_lines(const LoadHistory& loads) const override {
+    return driver_lines_of(*chain_, loads);
+  }
+
+  /// The joint that carries the beam's body clamps it.
+  std::vector<double> supports(const BeamLoads&) const override {
+    const spatial::Mechanism& mechanism = chain_->mechanism();
+    const spatial::BeamPlacement placement = placement_in(*project_, mechanism);
+    const Eigen::Vector3d& joint = mechanism.joints[static_cast<std::size_t>(placement.body)].point;
+    return {std::clamp(spatial::in_beam(placement, joint).x(), 0.0,
+                       project_->beam.length().value())};
+  }
+
+ private:
+  const Project* project_;
+  std::shared_ptr<const spatial::Chain> chain_;
+  spatial::Motion motion_;
+};
+
+class SpatialFrontEnd : public FrontEnd {
+ public:
+  explicit SpatialFrontEnd(const Project& project) : project_(&project) {}
+
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
+                                            const ElasticModel&) const override {
+    return std::make_unique<SpatialMotion>(*project_, spatial_in(*project_, situation));
+  }
+
+  std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {
+    return "elastic links are counted in the plane only";
+  }
+
+  void require_elastic_model() const override {
+    throw InputError("the bodies of a mechanism in space are rigid; there is no flexible model",
+                     "use --model auto or --model rigid");
+  }
+
+  AnyMotionResult motion(const std::vector<double>& times, const std::string& axes) const override {
+    return chain_motion_of(*project_, times, axes.empty() ? "world" : axes);
+  }
+
+  std::vector<AssemblyResult> assemblies(double) const override {
+    throw InputError("a mechanism in space is a chain, which has one assembly only",
+                     "leave out --assemblies");
+  }
+
+ private:
+  const Project* project_;
+};
+
+}  // namespace
+
+std::unique_ptr<const FrontEnd> spatial_front_end(const Project& project) {
+  return std::make_unique<SpatialFrontEnd>(project);
+}
+
+}  // namespace boxbeam
