@@ -131,13 +131,13 @@ const Json& units_of_quantities() {
 }
 
 void put_instant(Fields& to, const Project& project, const CriticalInstant& instant) {
-  to.text({"quantity", "cut force, or stress"}, instant.quantity);
+  to.text({"quantity", "cut force, or stress"}, instant.quantity());
   to.text("situation", situation_name(project, instant.situation));
   to.number("station", "m", instant.station.s.value());
   to.word("side", to_text(instant.station.side), sides);
   to.number("time", "s", instant.time.value());
   const Json& units = units_of_quantities();
-  to.number_in("value", units.value(instant.quantity, "1"), "quantity", instant.value, units);
+  to.number_in("value", units.value(instant.quantity(), "1"), "quantity", instant.value, units);
 }
 
 }  // namespace
@@ -159,7 +159,11 @@ void put_results(Fields& to, const Project& project, const Verification& verific
   });
   to.list({"codes", "the governing fatigue check by other codes"}, "{code}", verification.codes,
           put_code);
-  to.texts("remarks", [&] { return remarks_of(project, verification); });
+  to.texts("remarks", [&] {
+    std::vector<std::string> texts;
+    for (const Remark& remark : remarks_of(project, verification)) texts.push_back(remark.whole());
+    return texts;
+  });
   put_mechanism(to, project);
   put_freedom(to, verification);
   put_equivalent_mass(to, project, verification);

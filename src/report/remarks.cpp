@@ -309,14 +309,28 @@ void add_nested_profiles(const Project& project, std::vector<std::string>& remar
 
 }  // namespace
 
-std::vector<std::string> remarks_of(const Project& project, const Verification& verification) {
-  std::vector<std::string> remarks;
-  for (const std::string& assumption : project.assumptions)
-    remarks.push_back("assumed: " + assumption);
-  for (std::string& odd : odd_things(project, verification)) remarks.push_back(std::move(odd));
-  for (const GateText& gate : gate_texts_of(verification)) {
-    remarks.push_back((gate.blocks ? "not applicable: " : "") + gate.text);
+std::string Remark::whole() const {
+  switch (kind) {
+    case Kind::assumed: return "assumed: " + text;
+    case Kind::not_applicable: return "not applicable: " + text;
+    case Kind::other: return text;
   }
+  return text;
+}
+
+std::vector<Remark> remarks_of(const Project& project, const Verification& verification) {
+  using Kind = Remark::Kind;
+  std::vector<Remark> all;
+  for (const std::string& assumption : project.assumptions) {
+    all.push_back({Kind::assumed, assumption});
+  }
+  for (std::string& odd : odd_things(project, verification)) {
+    all.push_back({Kind::other, std::move(odd)});
+  }
+  for (GateText& gate : gate_texts_of(verification)) {
+    all.push_back({gate.blocks ? Kind::not_applicable : Kind::other, std::move(gate.text)});
+  }
+  std::vector<std::string> remarks;
   add_details(project, remarks);
   report::front_end_text_of(project)->add_remarks(remarks);
   for (const MotionSummary& motion : verification.motions) {
@@ -347,7 +361,8 @@ std::vector<std::string> remarks_of(const Project& project, const Verification& 
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +
       (knows_second_order(verification.model) ? "" : ", second order (bending by N w)"));
-  return remarks;
+  for (std::string& remark : remarks) all.push_back({Kind::other, std::move(remark)});
+  return all;
 }
 
 }  // namespace boxbeam

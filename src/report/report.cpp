@@ -39,16 +39,12 @@ report::Facts title_facts(const Project& project, const Verification& verificati
 }
 
 Chapter remarks_chapter(const Source& source) {
-  const std::string assumed = "assumed: ";
-  const std::string blocking = "not applicable: ";
   Bullets blocks, assumptions, others;
-  for (std::string& remark : remarks_of(source.project, source.verification)) {
-    if (remark.starts_with(assumed)) {
-      assumptions.items.push_back(remark.substr(assumed.size()));
-    } else if (remark.starts_with(blocking)) {
-      blocks.items.push_back(remark.substr(blocking.size()));
-    } else {
-      others.items.push_back(std::move(remark));
+  for (Remark& remark : remarks_of(source.project, source.verification)) {
+    switch (remark.kind) {
+      case Remark::Kind::assumed: assumptions.items.push_back(std::move(remark.text)); break;
+      case Remark::Kind::not_applicable: blocks.items.push_back(std::move(remark.text)); break;
+      case Remark::Kind::other: others.items.push_back(std::move(remark.text)); break;
     }
   }
   Chapter chapter{"Assumptions and remarks", {}};

@@ -30,9 +30,8 @@ Entries drivers_of(const Project& project) {
 }
 
 Quantity quantity_of(const CriticalInstant& instant) {
-  if (instant.quantity == "stress") return Quantity::stress;
-  const bool moment = instant.quantity.starts_with("M") || instant.quantity == "T";
-  return moment ? Quantity::moment : Quantity::force;
+  if (!instant.force) return Quantity::stress;
+  return instant.force->is_moment() ? Quantity::moment : Quantity::force;
 }
 
 std::string end_text(End end) {
@@ -53,11 +52,10 @@ Table critical_table(const Source& source) {
       {"quantity", "extreme", "value", "s [m]", "t [s]"});
   if (several) table.header.emplace_back("situation");
   for (const CriticalInstant& instant : source.verification.critical_instants) {
-    std::vector<Cell> row =
-        row_of(instant.quantity == "stress" ? "stress, governing place" : instant.quantity,
-               end_text(instant.end),
-               Cell{text::with_unit(quantity_of(instant), instant.value), instant.value},
-               to_text(instant.station), cell(Quantity::time, instant.time.value()));
+    std::vector<Cell> row = row_of(
+        instant.force ? instant.quantity() : "stress, governing place", end_text(instant.end),
+        Cell{text::with_unit(quantity_of(instant), instant.value), instant.value},
+        to_text(instant.station), cell(Quantity::time, instant.time.value()));
     if (several) row.push_back(cell(project.situations[instant.situation].name));
     add_row(table, std::move(row));
   }

@@ -19,11 +19,11 @@ std::string use_text(const Check& check) {
                      text::percent(check.utilisation()), check.passes() ? "passes" : "fails");
 }
 
-/// Where and when a quantity is largest, whatever its sign; nullptr where it is not looked at.
-const CriticalInstant* largest_of(const Source& source, const std::string& first_letter) {
+/// Where and when a bending moment is largest, whatever its sign; nullptr where none is looked at.
+const CriticalInstant* largest_moment_of(const Source& source) {
   const CriticalInstant* largest = nullptr;
   for (const CriticalInstant& instant : source.verification.critical_instants) {
-    if (!instant.quantity.starts_with(first_letter)) continue;
+    if (!instant.force || !instant.force->bends()) continue;
     if (largest == nullptr || std::abs(instant.value) > std::abs(largest->value)) {
       largest = &instant;
     }
@@ -89,9 +89,9 @@ std::string cut_force_caption(const Source& source) {
   const std::string what =
       "Cut forces along the beam at the critical instants, and between which "
       "values they stay";
-  const CriticalInstant* moment = largest_of(source, "M");
+  const CriticalInstant* moment = largest_moment_of(source);
   if (moment == nullptr) return what + ".";
-  return fmt::format("{}: {} reaches {} at s = {} m, t = {}.", what, moment->quantity,
+  return fmt::format("{}: {} reaches {} at s = {} m, t = {}.", what, moment->quantity(),
                      text::kNm(moment->value), to_text(moment->station),
                      text::seconds(moment->time.value()));
 }

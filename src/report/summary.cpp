@@ -21,14 +21,14 @@ std::string remarks_summary(const Project& project, const Verification& verifica
   std::string out;
   std::size_t others = 0;
   std::size_t hidden = 0;
-  for (const std::string& remark : remarks_of(project, verification)) {
-    if (remark.starts_with("assumed: ")) {
+  for (const Remark& remark : remarks_of(project, verification)) {
+    if (remark.kind == Remark::Kind::assumed) {
       ++hidden;
-    } else if (remark.starts_with("not applicable: ")) {
+    } else if (remark.kind == Remark::Kind::not_applicable) {
       // Where nothing fails it stands above, with the verdict.
-      if (verification.verdict == Verdict::fail) out += layout::item(remark);
+      if (verification.verdict == Verdict::fail) out += layout::item(remark.whole());
     } else if (others++ < most) {
-      out += layout::item(remark);
+      out += layout::item(remark.text);
     } else {
       ++hidden;
     }

@@ -136,6 +136,7 @@ void add_box_points(const StressField& field, bool inner, PointSet set,
       points.push_back(wall_point(field, fmt::format("{}neutral axis {}", before, y_name), neutral,
                                   face, middle.value(), 0.0,
                                   si<Length>(graph.walls[neutral.wall].thickness)));
+      points.back().neutral = !inner;
     }
   }
 }
@@ -219,7 +220,9 @@ void add_polygon_points(const StressField& field, std::vector<SectionPoint>& poi
     add(fmt::format("corner {}", ++number), place.y.value(), place.z.value());
   }
   const double z = field.sums.z / field.sums.area;
-  if (!in_hole(field, si<Length>(z))) add("neutral axis", field.sums.y / field.sums.area, z);
+  if (in_hole(field, si<Length>(z))) return;
+  add("neutral axis", field.sums.y / field.sums.area, z);
+  points.back().neutral = true;
 }
 
 void add_plate_points(const StressField& field, PointSet set, std::vector<SectionPoint>& points) {
@@ -230,13 +233,17 @@ void add_plate_points(const StressField& field, PointSet set, std::vector<Sectio
   points.push_back(plate_point(field, "fibre -z", 0.0, -z));
   const bool solid = !in_hole(field, middle);
   if (set == PointSet::in_plane) {
-    if (solid) points.push_back(plate_point(field, "neutral axis", y, middle.value()));
+    if (!solid) return;
+    points.push_back(plate_point(field, "neutral axis", y, middle.value()));
+    points.back().neutral = true;
     return;
   }
   for (const double side : {1.0, -1.0}) {
     const std::string y_name = signed_axis(side, 'y');
-    if (solid)
+    if (solid) {
       points.push_back(plate_point(field, "neutral axis " + y_name, side * y, middle.value()));
+      points.back().neutral = true;
+    }
     for (const double up : {1.0, -1.0}) {
       points.push_back(plate_point(field, fmt::format("corner {} {}", y_name, signed_axis(up, 'z')),
                                    side * y, up * z));
@@ -279,6 +286,7 @@ void add_hollow_points(const StressField& field, PointSet set, std::vector<Secti
     add_web_ends(field, false, points);
     // In a hole at mid-height there is no neutral fibre.
     for (SectionPoint& point : points_at_level(field, "neutral axis", middle, set)) {
+      point.neutral = true;
       points.push_back(std::move(point));
     }
   } else if (has_webs(outer)) {

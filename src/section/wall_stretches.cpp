@@ -22,8 +22,11 @@ const char* name_of(WallPart part) {
     case WallPart::bottom_flange: return "bottom flange";
     case WallPart::left_web: return "left web";
     case WallPart::right_web: return "right web";
-    default: return "wall";
+    case WallPart::corner:
+    case WallPart::stiffener:
+    case WallPart::path: break;
   }
+  return "wall";
 }
 
 /// The fractions of a wall of a box or tube that lie between the inner faces of its neighbours;
@@ -66,6 +69,7 @@ std::vector<WallStretch> solid_stretches_of(const StressField& field) {
   const double top = extent.z_high.value(), bottom = extent.z_low.value();
   if (std::holds_alternative<Plate>(field.section.outer)) {
     add("side +y", left, bottom, left, top);
+    stretches.back().left_side = true;
     add("side -y", right, bottom, right, top);
     add("top", right, top, left, top);
     add("bottom", right, bottom, left, bottom);

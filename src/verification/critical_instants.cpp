@@ -10,19 +10,14 @@ namespace {
 
 double size_of(const CriticalInstant& instant) { return std::abs(instant.value); }
 
-bool is_stress(const CriticalInstant& instant) { return instant.quantity == "stress"; }
-
 /// What is so small beside the largest force, moments over the length of the beam, is the rounding
 /// of sums or no load to speak of.
 constexpr double nothing = 1e-5;
 
 void drop_nothing(const Project& project, std::vector<CriticalInstant>& cut) {
-  const auto is_moment = [](const CriticalInstant& instant) {
-    return instant.quantity.starts_with("M") || instant.quantity == "T";
-  };
   const double length = project.beam.length().value();
   const auto as_force = [&](const CriticalInstant& instant) {
-    return size_of(instant) / (is_moment(instant) ? length : 1.0);
+    return size_of(instant) / (instant.force->is_moment() ? length : 1.0);
   };
   double largest = 0.0;
   for (const CriticalInstant& instant : cut) largest = std::max(largest, as_force(instant));
@@ -33,7 +28,7 @@ void drop_nothing(const Project& project, std::vector<CriticalInstant>& cut) {
 /// What to call an extreme; "" where it is smaller than a share of the other of its quantity.
 std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
                             const CriticalInstant& instant, double share) {
-  if (is_stress(instant)) {
+  if (!instant.force) {
     const std::string end = instant.end == End::largest    ? "highest"
                             : instant.end == End::smallest ? "lowest"
                                                            : "largest equivalent";
@@ -41,12 +36,12 @@ std::string name_of_extreme(const std::vector<CriticalInstant>& instants,
   }
   double size = 0.0;
   for (const CriticalInstant& other : instants) {
-    if (other.quantity == instant.quantity) size = std::max(size, size_of(other));
+    if (other.quantity() == instant.quantity()) size = std::max(size, size_of(other));
   }
   if (size_of(instant) < share * size) return "";
   if (instant.end == End::largest)
-    return (instant.value > 0.0 ? "largest " : "least negative ") + instant.quantity;
-  return (instant.value > 0.0 ? "smallest " : "most negative ") + instant.quantity;
+    return (instant.value > 0.0 ? "largest " : "least negative ") + instant.quantity();
+  return (instant.value > 0.0 ? "smallest " : "most negative ") + instant.quantity();
 }
 
 /// An instant at which one or more quantities have their extremes.
@@ -58,7 +53,7 @@ struct Shared {
   /// Of a quantity that is there with both extremes, at different places, the larger counts.
   void add(const CriticalInstant& instant, const std::string& why) {
     for (auto& [other, other_why] : reasons) {
-      if (other->quantity != instant.quantity) continue;
+      if (other->quantity() != instant.quantity()) continue;
       if (size_of(instant) <= size_of(*other)) return;
       other = &instant;
       other_why = why;
@@ -70,14 +65,14 @@ struct Shared {
   double largest_moment() const {
     double largest = 0.0;
     for (const auto& [instant, why] : reasons) {
-      if (!is_stress(*instant)) largest = std::max(largest, size_of(*instant));
+      if (instant->force) largest = std::max(largest, size_of(*instant));
     }
     return largest;
   }
 
   bool has_stress() const {
     return std::any_of(reasons.begin(), reasons.end(),
-                       [](const auto& reason) { return is_stress(*reason.first); });
+                       [](const auto& reason) { return !reason.first->force; });
   }
 
   std::string why() const {
@@ -104,7 +99,7 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
       if (largest ? value > so_far : value < so_far) best = &station;
     }
     const Extreme& at = best->of[quantity.which].*end;
-    instants.push_back({quantity.name, best->station, at.time, at.value, at.situation,
+    instants.push_back({quantity, best->station, at.time, at.value, at.situation,
                         largest ? End::largest : End::smallest});
   };
   for (const auto end : {&Envelope::largest, &Envelope::smallest}) {
@@ -116,8 +111,7 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
     governing = verification.governing(Criterion::yield);
   if (governing != nullptr && governing->basis) {
     const auto add_stress = [&](const Extreme& at, End end) {
-      instants.push_back(
-          {"stress", governing->check.station, at.time, at.value, at.situation, end});
+      instants.push_back({{}, governing->check.station, at.time, at.value, at.situation, end});
     };
     const bool ranges = governing->check.criterion == Criterion::fatigue;
     add_stress(governing->basis->highest, ranges ? End::largest : End::neither);
@@ -132,7 +126,7 @@ std::vector<ShownInstant> instants_to_show(const Project& project,
   const double share = project.in_space ? 1e-2 : nothing;
   std::vector<Shared> found;
   for (const CriticalInstant& instant : verification.critical_instants) {
-    if (!instant.quantity.starts_with("M") && !is_stress(instant)) continue;
+    if (instant.force && !instant.force->bends()) continue;
     const std::string why = name_of_extreme(verification.critical_instants, instant, share);
     if (why.empty()) continue;
     const auto motion =

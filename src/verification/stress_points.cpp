@@ -79,7 +79,7 @@ class StressPoints {
     const bool space = set_ == PointSet::in_space;
     for (const SectionPoint& place : points_of(field_, set_)) {
       // In space nothing is neutral.
-      const bool neutral = !space && !walls && place.name.starts_with("neutral axis");
+      const bool neutral = !space && !walls && place.neutral;
       StressPoint& point = add(place);
       if (!neutral) resist(point);
       point.shear_detail = if_asked(fatigue.shear);
@@ -105,7 +105,7 @@ class StressPoints {
     for (const WallStretch& stretch : wall_stretches_of(field_)) {
       bool only_end = false;
       if (mirrored && !stretch.round) {
-        if (stretch.solid && stretch.name != "side +y") continue;
+        if (stretch.solid && !stretch.left_side) continue;
         if (!stretch.solid) {
           const Wall& wall = field_.flow->at.graph.walls[stretch.wall];
           const bool right = wall.part == WallPart::right_web ||

@@ -45,8 +45,9 @@ std::string VerdictText::whole() const {
 VerdictText verdict_text_of(const Project& project, const Verification& verification) {
   VerdictText text{word_of(verification.verdict), {}};
   const std::vector<NotJudged>& missing = verification.not_judged;
-  const bool no_range = std::any_of(missing.begin(), missing.end(),
-                                    [](const NotJudged& of) { return of.what == "fatigue"; });
+  const bool no_range = std::any_of(missing.begin(), missing.end(), [](const NotJudged& of) {
+    return of.by == Criterion::fatigue;
+  });
   if (!project.fatigue.asked) {
     text.line += " (strength only)";
   } else if (no_range && verification.verdict == Verdict::pass) {

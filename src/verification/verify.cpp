@@ -84,9 +84,9 @@ ChainComparison compare_chain(const Project& project, const planar::State& state
 /// The published chain beside the rigorous loads, at the instant of the largest M.
 ChainComparison chain_comparison_of(const Project& project, const std::deque<SituationRun>& runs,
                                     const std::vector<CriticalInstant>& instants) {
-  const auto largest_M =
-      std::find_if(instants.begin(), instants.end(),
-                   [](const CriticalInstant& instant) { return instant.quantity == "M"; });
+  const auto largest_M = std::find_if(
+      instants.begin(), instants.end(),
+      [](const CriticalInstant& instant) { return instant.force && instant.force->bends(); });
   const SituationRun& run = run_of(runs, project.situations[largest_M->situation]);
   planar::StateFinder finder(planar_in(project, *run.situation), planar_motion_of(run));
   return compare_chain(project, finder.at(largest_M->time.value()));
@@ -126,14 +126,14 @@ void check_neighbours(const Project& project, const std::deque<SituationRun>& ru
   for (const PinInput& pin : project.pins) {
     const auto is_checked = [&](const NeighbourResult& of) { return of.check.point == pin.name; };
     if (std::none_of(result.neighbours.begin(), result.neighbours.end(), is_checked)) {
-      result.not_judged.push_back({"pin " + pin.name, "no force"});
+      result.not_judged.push_back({Criterion::pin, "pin " + pin.name, "no force"});
     }
   }
   RodChecks rods = check_rods(project, runs);
   for (NeighbourResult& rod : rods.results) result.neighbours.push_back(std::move(rod));
   for (Gate& gate : rods.gates) result.gates.push_back(std::move(gate));
   for (const std::string& name : rods.unloaded) {
-    result.not_judged.push_back({"rod " + name, "no force"});
+    result.not_judged.push_back({Criterion::rod, "rod " + name, "no force"});
   }
   for (const NeighbourResult& neighbour : result.neighbours) {
     result.checks.push_back({neighbour.check, {}});
@@ -142,7 +142,7 @@ void check_neighbours(const Project& project, const std::deque<SituationRun>& ru
   if (const auto deflection = check_deflection(project, runs)) {
     result.checks.push_back({*deflection, {}});
   } else {
-    result.not_judged.push_back({"deflection", "the beam never bends"});
+    result.not_judged.push_back({Criterion::deflection, "deflection", "the beam never bends"});
   }
 }
 
@@ -154,7 +154,8 @@ void look_for_fatigue(const Project& project, Verification& result) {
     return result.governing(criterion) != nullptr;
   });
   if (project.fatigue.asked && !found) {
-    result.not_judged.insert(result.not_judged.begin(), {"fatigue", "no stress range"});
+    result.not_judged.insert(result.not_judged.begin(),
+                             {Criterion::fatigue, "fatigue", "no stress range"});
   }
 }
 

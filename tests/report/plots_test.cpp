@@ -216,7 +216,7 @@ TEST_CASE("the values at the extremes are those of the results") {
   const std::vector<SvgText> motion = texts_of(rig.svg("motion"));
   const std::vector<SvgText> mechanism = texts_of(rig.svg("mechanism"));
   for (const CriticalInstant& instant : verification.critical_instants) {
-    if (instant.quantity != "M") continue;
+    if (instant.quantity() != "M") continue;
     CHECK(has(cut, text::significant(1e-3 * instant.value) + " ("));
     CHECK(has(cut, "t = " + text::seconds(instant.time.value())));
     CHECK(has(motion, text::seconds(instant.time.value())));

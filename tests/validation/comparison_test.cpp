@@ -240,7 +240,7 @@ std::map<std::string, std::function<double()>> computed() {
   values["M pivot rigorous"] = [] {
     double largest = 0.0;
     for (const CriticalInstant& c : rig().critical_instants) {
-      if (c.quantity == "M") largest = std::max(largest, c.value);
+      if (c.quantity() == "M") largest = std::max(largest, c.value);
     }
     return largest / 1e3;
   };

@@ -14,7 +14,7 @@ using namespace boxbeam;
 namespace {
 
 bool is_moment(const CriticalInstant& instant) {
-  return instant.quantity.starts_with("M") || instant.quantity == "T";
+  return instant.quantity().starts_with("M") || instant.quantity() == "T";
 }
 
 }  // namespace
@@ -25,12 +25,12 @@ TEST_CASE("what is nothing beside the largest force is no extreme") {
     const double length = of.project.beam.length().value();
     double force = 0.0;
     for (const CriticalInstant& instant : of.verification.critical_instants) {
-      if (instant.quantity == "stress") continue;
+      if (instant.quantity() == "stress") continue;
       force = std::max(force, std::abs(instant.value) / (is_moment(instant) ? length : 1.0));
     }
     for (const CriticalInstant& instant : of.verification.critical_instants) {
-      CAPTURE(instant.quantity, instant.value);
-      if (instant.quantity == "stress") continue;
+      CAPTURE(instant.quantity(), instant.value);
+      if (instant.quantity() == "stress") continue;
       CHECK(std::abs(instant.value) > 1e-6 * force * (is_moment(instant) ? length : 1.0));
     }
   }
@@ -41,10 +41,10 @@ TEST_CASE("a quantity has each of its extremes once") {
     CAPTURE(of.path);
     std::set<std::pair<std::string, End>> known;
     for (const CriticalInstant& instant : of.verification.critical_instants) {
-      CAPTURE(instant.quantity);
-      CHECK(known.insert({instant.quantity, instant.end}).second);
+      CAPTURE(instant.quantity());
+      CHECK(known.insert({instant.quantity(), instant.end}).second);
       for (const CriticalInstant& other : of.verification.critical_instants) {
-        if (other.quantity != instant.quantity || other.end == instant.end) continue;
+        if (other.quantity() != instant.quantity() || other.end == instant.end) continue;
         const bool larger = instant.end == End::largest;
         CHECK((larger ? instant.value >= other.value : instant.value <= other.value));
       }

@@ -183,9 +183,9 @@ TEST_CASE("Drill truck: the sudden start counts, and more than the steady vibrat
 TEST_CASE("Drill truck: what a sudden start adds is remarked, without vibration it is not",
           "[drill_truck][boom][whole]") {
   const auto remarked = [](const Project& project) {
-    const std::vector<std::string> remarks = remarks_of(project, verify(project));
-    return std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
-      return remark.find("after a sudden start joint") != std::string::npos;
+    const std::vector<Remark> remarks = remarks_of(project, verify(project));
+    return std::any_of(remarks.begin(), remarks.end(), [](const Remark& remark) {
+      return remark.text.find("after a sudden start joint") != std::string::npos;
     });
   };
   Project project = read_project(truck);

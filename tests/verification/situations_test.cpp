@@ -287,7 +287,7 @@ TEST_CASE("the governing situation is named: strength in the storm, fatigue in n
   // Forces grow with the square of the speed, beside the weight: the critical bending is in the
   // storm too.
   for (const CriticalInstant& instant : verification.critical_instants) {
-    if (instant.quantity == "M") CHECK(instant.situation == 1);
+    if (instant.quantity() == "M") CHECK(instant.situation == 1);
   }
   REQUIRE(verification.motions.size() == 2);
   CHECK(verification.motions[1].period.value() == Approx(1.0 / 0.7 / 1.3).epsilon(1e-12));

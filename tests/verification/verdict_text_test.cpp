@@ -128,14 +128,14 @@ TEST_CASE("pins and rods without a force, and a beam that never bends, are named
   const Verification verification = verify(project);
   CHECK(verdict_text_of(project, verification).line ==
         "PASS for strength; fatigue: no stress range; pin bolt: no force; rod idler: no force");
-  CHECK(contains(remarks_of(project, verification).back(), ", rods, deflection"));
+  CHECK(contains(remarks_of(project, verification).back().text, ", rods, deflection"));
 }
 
 TEST_CASE("what is not checked names rods where they have no check") {
   const std::string flat = "kind = \"plate\"\nwidth = \"50 mm\"\nheight = \"100 mm\"\n";
   const auto last_remark = [&](const std::string& rods) {
     const Project project = test::held_bar(true, flat, rods);
-    return remarks_of(project, verify(project)).back();
+    return remarks_of(project, verify(project)).back().text;
   };
   CHECK(contains(last_remark(""), ", rods"));
   const std::string rod =
@@ -143,9 +143,9 @@ TEST_CASE("what is not checked names rods where they have no check") {
       "curve = \"c\"\n";
   CHECK(contains(last_remark(rod), "bending of rods by their own weight and inertia"));
   const Project project = test::held_bar(true, flat, rod);
-  const std::vector<std::string> remarks = remarks_of(project, verify(project));
-  CHECK(std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
-    return remark.starts_with("rod hanger is never compressed");
+  const std::vector<Remark> remarks = remarks_of(project, verify(project));
+  CHECK(std::any_of(remarks.begin(), remarks.end(), [](const Remark& remark) {
+    return remark.text.starts_with("rod hanger is never compressed");
   }));
 }
 
@@ -187,12 +187,12 @@ TEST_CASE("what ties nested profiles together is said not to be checked, with it
   const Box inner = symmetric_box(mm(100), mm(200), mm(10), mm(10));
   const auto said = [&] {
     project.beam.segments[0].from = project.beam.segments[0].to = {outer, inner};
-    const std::vector<std::string> remarks = remarks_of(project, verify(project));
-    const auto found = std::find_if(remarks.begin(), remarks.end(), [](const std::string& of) {
-      return contains(of, "the outer and the inner profile");
+    const std::vector<Remark> remarks = remarks_of(project, verify(project));
+    const auto found = std::find_if(remarks.begin(), remarks.end(), [](const Remark& of) {
+      return contains(of.text, "the outer and the inner profile");
     });
     REQUIRE(found != remarks.end());
-    return *found;
+    return found->text;
   };
   CHECK(!contains(said(), "% of V"));
   // With a top flange of 24 the outer centroid lies e above that of the inner box, which adds
@@ -223,10 +223,10 @@ TEST_CASE("in space nested profiles beside one another carry V across the beam t
                      24 * 150 * e * e + 276 * (16 * std::pow(67 - e, 2) + 8 * std::pow(71 + e, 2));
   const double I_i = (200.0 * 100 * 100 * 100 - 180.0 * 80 * 80 * 80) / 12;
   const double tied = A_o * A_i * e * e / (A_o + A_i);
-  const std::vector<std::string> remarks = remarks_of(project, verify(project));
+  const std::vector<Remark> remarks = remarks_of(project, verify(project));
   const std::string expected = fmt::format("up to {:.2g} % of V", 100 * tied / (I_o + I_i + tied));
   CHECK(std::any_of(remarks.begin(), remarks.end(),
-                    [&](const std::string& of) { return contains(of, expected); }));
+                    [&](const Remark& of) { return contains(of.text, expected); }));
 }
 
 }  // namespace verdict_text_test

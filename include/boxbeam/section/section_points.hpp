@@ -49,6 +49,7 @@ struct SectionPoint {
   StressInfluence prismatic;  ///< shear by V S/(I t), for comparison; the same without taper
   std::optional<SeamThroat> throat = std::nullopt;  ///< where a web of a box meets its flange
   SectionPart part = SectionPart::fibre;
+  bool neutral = false;  ///< of the outer profile, on the axis where N and M_y leave no bending
   std::optional<WallTorsion> torsion = std::nullopt;  ///< in walls: what its c_T is made of
 };
 

@@ -18,6 +18,7 @@ struct WallStretch {
   double face = 0.0;            ///< 1 the right face, -1 the left one; 0 the outer one of a cell
   Length plate;                 ///< thickness that decides the yield strength
   bool solid = false;           ///< on a face of a solid, or across it: between `low` and `high`
+  bool left_side = false;  ///< of a plate, its side at +y: in the plane both are stressed alike
   SectionPlace low, high;
 };
 

@@ -37,6 +37,9 @@ struct Envelope {
 struct CutForceName {
   cut_force::Index which;
   const char* name;
+
+  bool is_moment() const { return which >= cut_force::T; }
+  bool bends() const { return which == cut_force::M_y || which == cut_force::M_z; }
 };
 
 /// N, V and M (V_z and M_y) in the plane, all six in space.
@@ -58,12 +61,15 @@ enum class End {
 /// Where and when a quantity has its extreme: a cut force over the whole beam and all situations,
 /// the stress at the governing place only.
 struct CriticalInstant {
-  std::string quantity;  ///< the name of a cut force, or "stress"
+  std::optional<CutForceName> force;  ///< nothing: the stress
   Station station;
   Time time;
   double value = 0.0;         ///< SI: N, N m, Pa
   std::size_t situation = 0;  ///< index in the case
   End end = End::largest;
+
+  /// The name of its cut force, or "stress".
+  std::string quantity() const { return force ? force->name : "stress"; }
 };
 
 /// The same loads by the Newton chain, beside the rigorous ones.
@@ -90,6 +96,7 @@ struct PublishedConcentration {
 
 /// Something that a case asks for and that could not be judged.
 struct NotJudged {
+  Criterion by;        ///< what would have judged it
   std::string what;    ///< "fatigue", "rod hanger"
   std::string reason;  ///< "no stress range"
 };
