@@ -7,11 +7,11 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \usepackage[utf8]{inputenc}
 \usepackage{textcomp}
 \usepackage{lmodern}
-% One design size of each face for all sizes: the faces are most of a report's bytes.
+% One design size of each face for all sizes, and one bold face: they are most of a report's bytes.
 \DeclareFontFamily{T1}{lmr}{}
 \DeclareFontShape{T1}{lmr}{m}{n}{<->ec-lmr9}{}
 \DeclareFontShape{T1}{lmr}{m}{it}{<->ec-lmri9}{}
-\DeclareFontShape{T1}{lmr}{bx}{n}{<->ec-lmbx9}{}
+\DeclareFontShape{T1}{lmr}{bx}{n}{<->ec-lmssbx10}{}
 \DeclareFontShape{T1}{lmr}{b}{n}{<->ssub*lmr/bx/n}{}
 \DeclareFontFamily{T1}{lmss}{}
 \DeclareFontShape{T1}{lmss}{m}{n}{<->ec-lmss10}{}
@@ -22,7 +22,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \DeclareFontShape{TS1}{lmss}{bx}{n}{<->ts1-lmssbx10}{}
 \DeclareFontFamily{TS1}{lmr}{}
 \DeclareFontShape{TS1}{lmr}{m}{n}{<->ts1-lmr9}{}
-\DeclareFontShape{TS1}{lmr}{bx}{n}{<->ts1-lmbx9}{}
+\DeclareFontShape{TS1}{lmr}{bx}{n}{<->ts1-lmssbx10}{}
 \DeclareFontFamily{OT1}{lmr}{}
 \DeclareFontShape{OT1}{lmr}{m}{n}{<->rm-lmr9}{}
 \DeclareFontShape{OT1}{lmr}{bx}{n}{<->rm-lmbx9}{}
@@ -198,7 +198,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \columnwidth=\hsize\parskip=0pt\footnotesize\lineskip=1pt\lineskiplimit=.5pt\relax}
  {\par\egroup\vskip4pt\sheetrest}
 \newcommand{\sheethead}[3]{\hbox to\linewidth{\vtop{\hsize=.78\linewidth\raggedright\sffamily\bfseries#1\par
-  \normalfont\ttfamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
+  \normalfont\sffamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
 \newdimen\sheetindent
 \newcommand{\widest}[1]{\setbox0\hbox{$\displaystyle#1$}\ifdim\wd0>.3\linewidth\else
   \ifdim\wd0>\sheetindent\sheetindent=\wd0\fi\fi}
