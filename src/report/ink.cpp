@@ -18,17 +18,23 @@ void put_line(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& p
   drawing.shapes.emplace_back(Line{{from, to}, pen});
 }
 
+void put_head(Drawing& drawing, const Pixel& tip, const Eigen::Vector2d& along, double length,
+              const std::string& colour) {
+  constexpr double slenderness = 0.35;
+  const Eigen::Vector2d side = slenderness * length * Eigen::Vector2d(-along.y(), along.x());
+  const Pixel neck = tip - length * along;
+  drawing.shapes.emplace_back(
+      Line{{tip, neck + side, neck - side}, {"", 1.0, {}, colour, "head"}, true});
+}
+
 void put_arrow(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& pen) {
-  constexpr double longest = 8.0, slenderness = 0.35;
+  constexpr double longest = 8.0;
   const double length = (to - from).norm();
   if (length == 0.0) return;
   const Eigen::Vector2d along = (to - from) / length;
   const double head = std::min(longest, length);
-  const Pixel neck = to - head * along;
-  const Eigen::Vector2d side = slenderness * head * Eigen::Vector2d(-along.y(), along.x());
   put_line(drawing, from, to - 0.8 * head * along, pen);
-  drawing.shapes.emplace_back(
-      Line{{to, neck + side, neck - side}, {"", 1.0, {}, pen.stroke, "head"}, true});
+  put_head(drawing, to, along, head, pen.stroke);
 }
 
 void put_axes(Drawing& drawing, const Panel& panel) {

@@ -14,6 +14,10 @@ void put_text(Drawing& drawing, const std::string& text, const Pixel& at,
 
 void put_line(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& pen);
 
+/// The head of an arrow that points along a unit vector.
+void put_head(Drawing& drawing, const Pixel& tip, const Eigen::Vector2d& along, double length,
+              const std::string& colour);
+
 /// An arrow that ends at a place; its head is of the pen's colour.
 void put_arrow(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& pen);
 

@@ -75,7 +75,7 @@ void put_couple(Drawing& drawing, const Pixel& at, bool counter_clockwise, const
       side * Eigen::Vector2d(-std::sin(angle_of(parts)), std::cos(angle_of(parts)));
   const Pixel end = arc.points.back();
   drawing.shapes.emplace_back(std::move(arc));
-  put_arrow(drawing, end - 2.0 * onwards, end + 6.0 * onwards, pen);
+  put_head(drawing, end + 6.0 * onwards, onwards, 8.0, pen.stroke);
 }
 
 }  // namespace
@@ -187,8 +187,8 @@ void draw_loads(Drawing& drawing, Labels& labels, const PostureFigure& posture,
   for (const BeamLoadRow& row : posture.loads) {
     const Eigen::Vector2d force = projection.view * row.world;
     const double couple = projection.normal().dot(row.couple);
-    const bool pushes = force.norm() >= 0.05 * longest ||
-                        (row.world.norm() > 0.0 && force.norm() >= 0.3 * row.world.norm());
+    const bool pushes = force.norm() > 0.0 &&
+                        (force.norm() >= 0.05 * longest || force.norm() >= 0.3 * row.world.norm());
     const bool turns = std::abs(couple) > look.least_couple;
     if (!pushes && !turns) continue;
     const Pixel tip = projection.at(row.place);
