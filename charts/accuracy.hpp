@@ -30,11 +30,11 @@ struct AccuracyRun {
 std::string chart_csv(const charts::Chart& chart);
 std::string map_csv(const charts::Map& map);
 
-/// Draws all charts and maps into a folder by gnuplot, NAME.svg each, and where `pdf_folder` is not
-/// empty NAME.pdf there; scripts as those of `draw_figures`. Returns the names of the SVG files.
+/// Draws all charts and maps into a folder by gnuplot, NAME.svg each, and where `tex_folder` is not
+/// empty NAME.tex there; scripts as those of `draw_figures`. Returns the names of the SVG files.
 /// Throws OutputError where gnuplot is missing or fails.
 std::vector<std::string> draw_charts(const std::vector<TopicShown>& topics,
-                                     const std::string& folder, const std::string& pdf_folder = "");
+                                     const std::string& folder, const std::string& tex_folder = "");
 
 /// All charts and maps in one document, which judges nothing: first a table of the settings that
 /// the program uses by itself, then a chapter per topic with a sentence on what to choose below

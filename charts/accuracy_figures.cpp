@@ -5,7 +5,7 @@
 namespace boxbeam {
 
 std::vector<std::string> draw_charts(const std::vector<TopicShown>& topics,
-                                     const std::string& folder, const std::string& pdf_folder) {
+                                     const std::string& folder, const std::string& tex_folder) {
   std::vector<DrawnFigure> figures;
   for (const TopicShown& topic : topics) {
     for (const charts::Chart& chart : topic.result.charts) {
@@ -17,7 +17,7 @@ std::vector<std::string> draw_charts(const std::vector<TopicShown>& topics,
           {map.name, [&](plot::Script& script) { plot::stability_map(script, map); }});
     }
   }
-  return draw_into(folder, pdf_folder, figures);
+  return draw_into(folder, tex_folder, figures);
 }
 
 }  // namespace boxbeam

@@ -60,7 +60,9 @@ std::string colour_of(const Cell& cell, const ValueRange& range) {
   }
   if (!cell.value || !std::isfinite(*cell.value) || !range.any) return solved_colour;
   const double span = range.high - range.low;
-  return shade(span > 0.0 ? (*cell.value - range.low) / span : 1.0);
+  // So many shades as an eye tells apart: cells of one are drawn in one go.
+  constexpr double shades = 48.0;
+  return shade(span > 0.0 ? std::round(shades * (*cell.value - range.low) / span) / shades : 1.0);
 }
 
 /// Where the cells of one axis stand, and where one ends and the next begins.
@@ -128,7 +130,7 @@ void draw_cells(Script& gp, const MapPanel& of, const Panel& panel, const Steps&
   std::vector<std::string> curves;
   if (!of.cells.empty())
     curves.push_back(fmt::format(
-        "${} using 1:2:3:4:5:6:7 with boxxyerror fs solid lw 0.4 lc rgb variable", boxes));
+        "${} using 1:2:3:4:5:6:7 with boxxyerror fs solid noborder lc rgb variable", boxes));
   if (!wrong.empty()) {
     gp.block(fmt::format("wrong{}", number), wrong);
     curves.push_back(

@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "ink.hpp"
+
 namespace boxbeam::plot {
 namespace {
 
-constexpr double sample = 30.0;  ///< length of a legend's stroke
 constexpr double legend_row = 18.0;
 
 bool meet(const Frame& a, const Frame& b) {
@@ -170,8 +171,9 @@ double Labels::disturbance(const Pixel& from, const Pixel& to) const {
   return sum;
 }
 
-bool Labels::put(Script& gp, const std::string& text, const Pixel& at, const Frame& bounds,
-                 const char* colour, double gap) {
+std::optional<Labels::Spot> Labels::spot_for(const std::string& text, const Pixel& at,
+                                             const Frame& bounds, double gap,
+                                             const Eigen::Vector2d& towards) {
   const double width = text_width(text);
   constexpr double half = 0.7071;
   static const std::array<Eigen::Vector2d, 12> sides{{{1.0, half},
@@ -186,6 +188,7 @@ bool Labels::put(Script& gp, const std::string& text, const Pixel& at, const Fra
                                                       {-half, 1.0},
                                                       {half, -1.0},
                                                       {-half, -1.0}}};
+  constexpr double turned_away = 6.0;
   double least = 1e300;
   Frame best;
   for (const double more : {0.0, 6.0, 14.0, 24.0, 36.0, 50.0, 70.0}) {
@@ -194,21 +197,39 @@ bool Labels::put(Script& gp, const std::string& text, const Pixel& at, const Fra
       if (!within(box, bounds)) continue;
       if (std::any_of(boxes_.begin(), boxes_.end(), [&](const Frame& b) { return meet(b, box); }))
         continue;
-      double cost = more;
+      double cost = more + turned_away * (1.0 - side.normalized().dot(towards));
       for (const auto& [from, to] : lines_) cost += 3.0 * length_inside(from, to, box);
       if (cost >= least) continue;
       least = cost;
       best = box;
     }
   }
-  if (least == 1e300) return false;
+  if (least == 1e300) return std::nullopt;
   boxes_.push_back(best);
-  put_text(gp, text, {best.left, 0.5 * (best.bottom + best.top)}, "left", colour);
+  Spot spot{{best.left, 0.5 * (best.bottom + best.top)}, std::nullopt};
   const Pixel near = nearest_of(best, at);
   if ((near - at).norm() > gap + 12.0) {
-    put_line(gp, near, at, fmt::format("lw 0.6 lc rgb '{}'", colour));
+    spot.lead = near;
     keep_off(near, at);
   }
+  return spot;
+}
+
+bool Labels::put(Script& gp, const std::string& text, const Pixel& at, const Frame& bounds,
+                 const char* colour, double gap) {
+  const auto spot = spot_for(text, at, bounds, gap, {0.0, 0.0});
+  if (!spot) return false;
+  put_text(gp, text, spot->left, "left", colour);
+  if (spot->lead) put_line(gp, *spot->lead, at, fmt::format("lw 0.6 lc rgb '{}'", colour));
+  return true;
+}
+
+bool Labels::put(Drawing& drawing, const std::string& text, const Pixel& at, const Frame& bounds,
+                 const std::string& colour, double gap, const Eigen::Vector2d& towards) {
+  const auto spot = spot_for(text, at, bounds, gap, towards);
+  if (!spot) return false;
+  put_text(drawing, text, spot->left, Anchor::left, colour);
+  if (spot->lead) put_line(drawing, *spot->lead, at, {colour, 0.6, {}, "", "lead"});
   return true;
 }
 
@@ -277,9 +298,9 @@ constexpr double widest = figure_width - 20.0;  ///< of an entry
 std::vector<LegendEntry> broken(const std::vector<LegendEntry>& entries) {
   std::vector<LegendEntry> rows;
   for (const LegendEntry& entry : entries) {
-    const std::vector<std::string> lines = wrapped(entry.title, widest - sample - 20.0);
-    rows.push_back({lines.front(), entry.style, entry.point});
-    for (std::size_t i = 1; i < lines.size(); ++i) rows.push_back({lines[i], "", ""});
+    const std::vector<std::string> lines = wrapped(entry.title, widest - legend_stroke - 20.0);
+    rows.push_back({lines.front(), entry.style, entry.point, entry.pen});
+    for (std::size_t i = 1; i < lines.size(); ++i) rows.push_back({lines[i], ""});
   }
   return rows;
 }
@@ -288,7 +309,7 @@ std::vector<LegendEntry> broken(const std::vector<LegendEntry>& entries) {
 std::pair<std::size_t, double> columns_of(const std::vector<LegendEntry>& entries) {
   double longest = 0.0;
   for (const LegendEntry& entry : entries) longest = std::max(longest, text_width(entry.title));
-  const double one = std::min(sample + 20.0 + longest, widest);
+  const double one = std::min(legend_stroke + 20.0 + longest, widest);
   const auto fit = static_cast<std::size_t>((figure_width - 10.0) / one);
   return {std::clamp<std::size_t>(fit, 1, std::max<std::size_t>(1, entries.size())), one};
 }
@@ -304,23 +325,31 @@ double height_of_legend(const std::vector<LegendEntry>& entries) {
   return legend_row * static_cast<double>(rows_of(broken(entries))) + 4.0;
 }
 
-void draw_legend(Script& gp, const std::vector<LegendEntry>& of, double bottom) {
+std::vector<LegendRow> rows_of_legend(const std::vector<LegendEntry>& of, double bottom) {
   const std::vector<LegendEntry> entries = broken(of);
   const auto [columns, one] = columns_of(entries);
   const std::size_t rows = std::max<std::size_t>(1, rows_of(entries));
   const double left = 0.5 * (figure_width - one * static_cast<double>(columns)) + 6.0;
+  std::vector<LegendRow> legend;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     // Down the columns, so that what belongs together stands together.
     const std::size_t row = i % rows;
     const std::size_t column = i / rows;
-    const double x = left + one * static_cast<double>(column);
-    const double y = bottom + legend_row * (static_cast<double>(rows - 1 - row) + 0.5);
-    if (!entries[i].style.empty()) put_line(gp, {x, y}, {x + sample, y}, entries[i].style);
-    if (!entries[i].point.empty()) {
-      gp << "set label '' at " << screen(gp, {x + 0.5 * sample, y}) << " point " << entries[i].point
-         << "\n";
+    legend.emplace_back(entries[i],
+                        Pixel(left + one * static_cast<double>(column),
+                              bottom + legend_row * (static_cast<double>(rows - 1 - row) + 0.5)));
+  }
+  return legend;
+}
+
+void draw_legend(Script& gp, const std::vector<LegendEntry>& entries, double bottom) {
+  for (const auto& [entry, at] : rows_of_legend(entries, bottom)) {
+    if (!entry.style.empty()) put_line(gp, at, at + Pixel(legend_stroke, 0.0), entry.style);
+    if (!entry.point.empty()) {
+      gp << "set label '' at " << screen(gp, at + Pixel(0.5 * legend_stroke, 0.0)) << " point "
+         << entry.point << "\n";
     }
-    put_text(gp, entries[i].title, {x + sample + 8.0, y});
+    put_text(gp, entry.title, at + Pixel(legend_words, 0.0));
   }
 }
 

@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "drawing.hpp"
 #include "plot_script.hpp"
 
 /// Places in a figure, and labels that keep off each other. Pixels from the lower left corner, of a
 /// figure that is `figure_width` wide.
 namespace boxbeam::plot {
-
-using Pixel = Eigen::Vector2d;
 
 struct Frame {
   double left = 0.0, bottom = 0.0, right = 0.0, top = 0.0;
@@ -63,7 +62,20 @@ class Labels {
   bool put(Script& gp, const std::string& text, const Pixel& at, const Frame& bounds,
            const char* colour = "#202020", double gap = 7.0);
 
+  /// The same in a drawing, if it may be towards a direction.
+  bool put(Drawing& drawing, const std::string& text, const Pixel& at, const Frame& bounds,
+           const std::string& colour, double gap, const Eigen::Vector2d& towards);
+
  private:
+  /// The left end of a text at the middle of its height, and where a line from there to its place
+  /// begins.
+  struct Spot {
+    Pixel left;
+    std::optional<Pixel> lead;
+  };
+  std::optional<Spot> spot_for(const std::string& text, const Pixel& at, const Frame& bounds,
+                               double gap, const Eigen::Vector2d& towards);
+
   std::vector<Frame> boxes_;
   std::vector<std::pair<Pixel, Pixel>> lines_;
 };
@@ -105,7 +117,14 @@ struct LegendEntry {
   std::string title;
   std::string style;       ///< of the stroke before it: "lw 1.8 lc rgb '...'"; "" without one
   std::string point = {};  ///< of a mark on it: "pt 7 ps 0.7 lc rgb '...'"
+  Pen pen = {};            ///< of the stroke in a drawing
 };
+
+/// A line of a legend where it is drawn: the beginning of its stroke.
+using LegendRow = std::pair<LegendEntry, Pixel>;
+inline constexpr double legend_stroke = 30.0;  ///< length of a legend's stroke [px]
+inline constexpr double legend_words = 38.0;   ///< where the words begin behind its begin [px]
+std::vector<LegendRow> rows_of_legend(const std::vector<LegendEntry>& entries, double bottom);
 
 /// How high a legend over the whole width is [px].
 double height_of_legend(const std::vector<LegendEntry>& entries);

@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/files.hpp"
 #include "gnuplot_process.hpp"
+#include "gnuplot_svg.hpp"
+#include "latex_drawing.hpp"
 #include "process.hpp"
+#include "svg.hpp"
 
 namespace boxbeam {
 namespace {
@@ -24,29 +29,44 @@ void move_to(const fs::path& from, const fs::path& to) {
     throw OutputError(fmt::format("{} cannot be written: {}", to.string(), error.message()));
 }
 
+std::string content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 }  // namespace
 
-std::vector<std::string> draw_into(const std::string& folder, const std::string& pdf_folder,
+std::vector<std::string> draw_into(const std::string& folder, const std::string& tex_folder,
                                    const std::vector<DrawnFigure>& figures) {
   const report::ScratchFolder scratch(folder);
-  std::vector<Drawing> drawings;
+  std::vector<std::string> scripts;
   for (const DrawnFigure& figure : figures) {
+    const auto* write = std::get_if<0>(&figure.draw);
+    if (write == nullptr) continue;
     plot::Script script((scratch.path() / fmt::format("{}.gp", figure.name)).string());
-    figure.draw(script);
-    drawings.push_back({figure.name, Drawing::svg});
-    if (!pdf_folder.empty()) drawings.push_back({figure.name, Drawing::pdf});
+    (*write)(script);
+    scripts.push_back(figure.name);
   }
-  run_gnuplot(scratch.path(), drawings);
+  run_gnuplot(scratch.path(), scripts);
 
-  std::vector<std::string> written;
   for (const DrawnFigure& figure : figures) {
-    const std::string svg = fmt::format("{}.svg", figure.name);
-    const std::string pdf = fmt::format("{}.pdf", figure.name);
-    const std::string script = fmt::format("{}.gp", figure.name);
-    move_to(scratch.path() / script, fs::path(folder) / "plots" / script);
-    move_to(scratch.path() / svg, fs::path(folder) / svg);
-    if (!pdf_folder.empty()) move_to(scratch.path() / pdf, fs::path(pdf_folder) / pdf);
-    written.push_back(svg);
+    const fs::path file = scratch.path() / fmt::format("{}.svg", figure.name);
+    const auto* draw = std::get_if<1>(&figure.draw);
+    const plot::Drawing drawing =
+        draw != nullptr ? (*draw)() : plot::drawing_of_gnuplot(content_of(file));
+    write_file(file.string(), plot::svg_of(drawing));
+    write_file((scratch.path() / fmt::format("{}.tex", figure.name)).string(),
+               plot::latex_of(drawing));
+  }
+  std::vector<std::string> written;
+  const auto take = [&](const std::string& name, const fs::path& to) {
+    move_to(scratch.path() / name, to / name);
+  };
+  for (const std::string& name : scripts) take(name + ".gp", fs::path(folder) / "plots");
+  for (const DrawnFigure& figure : figures) {
+    if (!tex_folder.empty()) take(figure.name + ".tex", tex_folder);
+    take(figure.name + ".svg", folder);
+    written.push_back(figure.name + ".svg");
   }
   return written;
 }

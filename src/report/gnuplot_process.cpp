@@ -23,38 +23,22 @@ constexpr const char* not_installed = "gnuplot is not installed (apt install gnu
 /// A gnuplot at work.
 struct Run {
   report::Process process;
-  Drawing drawing;
+  std::string name;  ///< of what it draws
 };
 
-/// Takes the time of drawing out of a PDF: the same input gives the same bytes. Cairo before 1.17
-/// knows no other way.
-void make_timeless(const fs::path& pdf) {
-  std::fstream file(pdf, std::ios::in | std::ios::out | std::ios::binary);
-  std::string content(std::istreambuf_iterator<char>(file), {});
-  constexpr std::string_view entry = "/CreationDate (D:";
-  const std::size_t at = content.rfind(entry);
-  if (at == std::string::npos) return;
-  file.clear();
-  file.seekp(static_cast<std::streamoff>(at + entry.size()));
-  file << "19700101000000";
-}
+std::string file_of(const std::string& name) { return name + ".svg"; }
 
-std::string log_of(const Drawing& drawing) { return drawing.file() + ".log"; }
+std::string log_of(const std::string& name) { return file_of(name) + ".log"; }
 
 /// Starts gnuplot on a script in a folder.
-Run start_gnuplot(const fs::path& folder, const Drawing& drawing) {
+Run start_gnuplot(const fs::path& folder, const std::string& name) {
   // Names in UTF-8 wherever it runs, one time zone, and no terminal before the script's own: that
   // of the user's shell may need a display.
-  report::Command command{{"gnuplot", "-d"},
-                          folder,
-                          log_of(drawing),
-                          {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC0"}, {"GNUTERM", "unknown"}}};
-  if (drawing.format == Drawing::pdf) {
-    command.arguments.emplace_back("-e");
-    command.arguments.emplace_back("pdf = 1");
-  }
-  command.arguments.push_back(drawing.name + ".gp");
-  return {report::start(command), drawing};
+  const report::Command command{{"gnuplot", "-d", name + ".gp"},
+                                folder,
+                                log_of(name),
+                                {{"LC_ALL", "C.UTF-8"}, {"TZ", "UTC0"}, {"GNUTERM", "unknown"}}};
+  return {report::start(command), name};
 }
 
 /// Whether a file ends with a text, empty lines apart: where the disk is full gnuplot leaves a part
@@ -73,15 +57,11 @@ bool ends_with(const fs::path& path, std::string_view ending) {
 std::string trouble_of(const fs::path& folder, const Run& run) {
   const std::optional<int> code = exit_code_of(run.process);
   if (!code) return not_installed;
-  const fs::path file = folder / run.drawing.file();
+  const fs::path file = folder / file_of(run.name);
   std::error_code error;
-  if (*code == 0 && fs::exists(file, error)) {
-    const bool pdf = run.drawing.format == Drawing::pdf;
-    if (!ends_with(file, pdf ? "%%EOF" : "</svg>")) return "only a part could be written";
-    if (pdf) make_timeless(file);
-    return "";
-  }
-  std::ifstream log(folder / log_of(run.drawing));
+  if (*code == 0 && fs::exists(file, error))
+    return ends_with(file, "</svg>") ? "" : "only a part could be written";
+  std::ifstream log(folder / log_of(run.name));
   std::string words = "it ended without a message";
   for (std::string line; std::getline(log, line);) {
     if (line.find_first_not_of(" ^") == std::string::npos) continue;
@@ -94,10 +74,10 @@ std::string trouble_of(const fs::path& folder, const Run& run) {
 
 }  // namespace
 
-void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
+void run_gnuplot(const fs::path& folder, const std::vector<std::string>& names) {
   const std::size_t at_once = std::max(2U, std::thread::hardware_concurrency());
-  for (const Drawing& drawing : drawings) {
-    const fs::path script = folder / (drawing.name + ".gp");
+  for (const std::string& name : names) {
+    const fs::path script = folder / (name + ".gp");
     if (!ends_with(script, script_end))
       throw OutputError(fmt::format("no plots: {} could be written only in part", script.string()));
   }
@@ -106,12 +86,12 @@ void run_gnuplot(const fs::path& folder, const std::vector<Drawing>& drawings) {
   const auto wait_for_first = [&] {
     const std::string trouble = trouble_of(folder, running.front());
     if (!trouble.empty())
-      troubles += fmt::format("\n  {}: {}", running.front().drawing.file(), trouble);
+      troubles += fmt::format("\n  {}: {}", file_of(running.front().name), trouble);
     running.pop_front();
   };
-  for (const Drawing& drawing : drawings) {
+  for (const std::string& name : names) {
     if (running.size() == at_once) wait_for_first();
-    running.push_back(start_gnuplot(folder, drawing));
+    running.push_back(start_gnuplot(folder, name));
     if (running.back().process.id < 0)
       throw report::MissingTool(
           fmt::format("no plots: {}; everything else is written", not_installed));

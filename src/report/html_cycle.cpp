@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <span>
 #include <vector>
 
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/format.hpp"
+#include "cycle_drawing.hpp"
 #include "html_text.hpp"
 #include "json_number.hpp"
-#include "svg_posture.hpp"
+#include "mechanism_drawing.hpp"
+#include "svg.hpp"
 
 namespace boxbeam::report::html {
 namespace {
@@ -59,146 +62,194 @@ Json row_of(const std::vector<CutForces>& line, cut_force::Index which, const Di
 }
 
 /// The cut forces that are not zero everywhere; in the plane N, V and M in any case.
-Json cut_forces_of(const CycleFigure& cycle, bool in_space) {
+struct Shown {
+  const Quantity* of;
+  const char* name;
+  Digits digits;
+};
+
+std::vector<Shown> cut_forces_of(const CycleFigure& cycle, bool in_space) {
   double largest_force = 0.0;
   double largest_moment = 0.0;
   for (const Quantity& of : quantities) {
     double& largest = std::string_view(of.unit) == "kN" ? largest_force : largest_moment;
     largest = std::max(largest, largest_of(cycle, of.which));
   }
-  Json all = Json::array();
+  std::vector<Shown> shown;
   for (const Quantity& of : quantities) {
     const double largest = largest_of(cycle, of.which);
     const double group = std::string_view(of.unit) == "kN" ? largest_force : largest_moment;
     const bool zero = largest <= 1e-9 * group;
     if (in_space ? zero : of.plane_name == nullptr) continue;
-    const Digits digits(zero ? 0.0 : 1e-3 * largest);
-    Json frames = Json::array();
-    for (const CycleFrame& frame : cycle.frames) {
-      frames.push_back(row_of(frame.values, of.which, digits));
-    }
-    all.push_back({{"name", in_space ? of.space_name : of.plane_name},
-                   {"unit", of.unit},
-                   {"digit", digits.unit()},
-                   {"low", row_of(cycle.smallest, of.which, digits)},
-                   {"high", row_of(cycle.largest, of.which, digits)},
-                   {"frames", std::move(frames)}});
+    shown.push_back(
+        {&of, in_space ? of.space_name : of.plane_name, Digits(zero ? 0.0 : 1e-3 * largest)});
   }
-  return all;
+  return shown;
 }
 
-/// The coordinates of a frame in the order in which the script reads them.
-class Places {
- public:
-  Places(bool in_space, double largest) : in_space_(in_space), digits_(largest) {}
-  Json unit() const { return digits_.unit(); }
+/// A coordinate in tenths of a pixel.
+long tenths(double value) { return std::lround(10.0 * value); }
 
-  Json of(const PostureFigure& posture) const {
-    Json row = Json::array();
-    for (const auto& body : posture.bodies) {
-      for (const Eigen::Vector3d& point : body.points) add(point, digits_, row);
-      for (const auto& stroke : body.strokes) add(stroke, digits_, row);
+/// Numbers as their steps from those of a row before.
+void subtract(Json& row, const Json& before, std::size_t first) {
+  for (std::size_t i = first; i < row.size(); ++i) {
+    if (row[i].is_number()) row[i] = row[i].get<long>() - before[i].get<long>();
+  }
+}
+
+/// Whether two frames hold the same shapes, at other places.
+bool alike(const Json& a, const Json& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Json& one, const Json& other) {
+    return one[0] == other[0] && one.size() == other.size();
+  });
+}
+
+/// Drawings as lists of shapes: the number of a kind, then places, y downwards, or a place and
+/// words; coordinates in tenths of a pixel. A kind is a class with what ends its lines: "z", or
+/// from their one place all the rest of an outline that is drawn again and again.
+class Shapes {
+ public:
+  Json of(const plot::Drawing& drawing) {
+    Json list = Json::array();
+    for (const plot::Shape& shape : drawing.shapes) {
+      list.push_back(std::visit([&](const auto& one) { return row(one, drawing.height); }, shape));
     }
-    for (const auto& rod : posture.rods) add(rod, digits_, row);
-    for (const auto& guide : posture.guides) {
-      add(guide.from, digits_, row);
-      add(guide.to, Digits(1.0), row);
+    return list;
+  }
+  /// One drawing behind the other, each by its steps from the one before where both hold the same.
+  Json of(const std::vector<plot::Drawing>& drawings) {
+    Json frames = Json::array();
+    for (const plot::Drawing& drawing : drawings) frames.push_back(of(drawing));
+    for (std::size_t f = frames.size(); f-- > 1;) {
+      if (!alike(frames[f], frames[f - 1])) continue;
+      for (std::size_t i = 0; i < frames[f].size(); ++i)
+        subtract(frames[f][i], frames[f - 1][i], 1);
     }
-    for (const Eigen::Vector3d& ground : posture.grounds) add(ground, digits_, row);
+    return frames;
+  }
+  const Json& kinds() const { return kinds_; }
+
+ private:
+  Json begin(const std::string& style, const std::string& ending) {
+    const auto [known, is_new] = numbers_.try_emplace({style, ending}, numbers_.size());
+    if (is_new) kinds_.push_back({style, ending});
+    return Json::array({known->second});
+  }
+  static void add(Json& row, const plot::Pixel& place, double height) {
+    row.push_back(tenths(place.x()));
+    row.push_back(tenths(height - place.y()));
+  }
+
+  Json row(const plot::Line& line, double height) {
+    constexpr std::size_t long_one = 4;
+    const std::vector<plot::Pixel>& places = line.points;
+    const bool is_outline = places.size() >= long_one;
+    std::string ending;
+    for (std::size_t i = 1; is_outline && i < places.size(); ++i) {
+      const plot::Pixel from = places[i - 1] - places[0];
+      const plot::Pixel to = places[i] - places[0];
+      // From rounded place to rounded place, so that roundings do not add up.
+      ending +=
+          fmt::format("{}{} {}", i == 1 ? "l" : " ",
+                      plot::pixels(0.1 * static_cast<double>(tenths(to.x()) - tenths(from.x()))),
+                      plot::pixels(0.1 * static_cast<double>(tenths(from.y()) - tenths(to.y()))));
+    }
+    if (line.closed) ending += 'z';
+    Json row = begin(line.pen.kind, ending);
+    for (std::size_t i = 0; i < (is_outline ? 1 : places.size()); ++i) add(row, places[i], height);
+    return row;
+  }
+  Json row(const plot::Dot& dot, double height) {
+    Json row = begin(dot.pen.kind, "");
+    add(row, dot.at, height);
+    return row;
+  }
+  Json row(const plot::Words& words, double height) {
+    static constexpr const char* sides[] = {"", " middle", " end"};
+    Json row = begin(words.kind + sides[static_cast<int>(words.anchor)], "");
+    add(row, words.at, height);
+    row.push_back(visible(words.runs.front().text));
     return row;
   }
 
-  void add(const Eigen::Vector3d& p, const Digits& digits, Json& row) const {
-    for (int i = 0; i < (in_space_ ? 3 : 2); ++i) row.push_back(digits.of(p[i]));
-  }
-  void add(const Eigen::Vector3d& p, Json& row) const { add(p, digits_, row); }
-
- private:
-  void add(const PostureFigure::Stroke& stroke, const Digits& digits, Json& row) const {
-    add(stroke.from, digits, row);
-    add(stroke.to, digits, row);
-  }
-
-  bool in_space_;
-  Digits digits_;
+  Json kinds_ = Json::array();
+  std::map<std::pair<std::string, std::string>, std::size_t> numbers_;
 };
 
-double largest_coordinate(const CycleFigure& cycle) {
-  double largest = 0.0;
-  const auto take = [&](const Eigen::Vector3d& p) {
-    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+/// In every view what stands still, and a list of shapes for each frame.
+Json views_of(const CycleFigure& cycle, Shapes& shapes) {
+  Json views = Json::array();
+  for (const plot::MovingView& view : plot::moving_views_of(cycle)) {
+    views.push_back({{"name", view.name},
+                     {"width", view.back.width},
+                     {"height", view.back.height},
+                     {"back", shapes.of(view.back)},
+                     {"frames", shapes.of(view.frames)}});
+  }
+  return views;
+}
+
+/// The paper of the diagrams, and of each quantity its numbers over the cycle with where they go:
+/// `zero` is the height of the value zero, `scale` so many tenths of pixels upwards per digit; each
+/// frame by its steps from the one before.
+Json diagrams_of(const CycleFigure& cycle, const std::vector<Shown>& cut, Shapes& shapes) {
+  std::vector<double> stations;
+  for (const Station& at : cycle.stations) stations.push_back(finite(at.s.value()));
+  std::vector<plot::AlongBeam> along;
+  for (const Shown& shown : cut) {
+    plot::AlongBeam of{fmt::format("{} [{}]", shown.name, shown.of->unit), {}, {}};
+    for (const CutForces& at : cycle.smallest)
+      of.low.push_back(1e-3 * finite(value_of(at, shown.of->which)));
+    for (const CutForces& at : cycle.largest)
+      of.high.push_back(1e-3 * finite(value_of(at, shown.of->which)));
+    along.push_back(std::move(of));
+  }
+  const plot::DiagramPaper paper = plot::diagram_paper(stations, along);
+  Json x = Json::array();
+  for (const double at : paper.x) x.push_back(tenths(at));
+  Json all = Json::array();
+  for (std::size_t k = 0; k < cut.size(); ++k) {
+    const auto& [of, name, digits] = cut[k];
+    Json frames = Json::array();
+    for (const CycleFrame& frame : cycle.frames)
+      frames.push_back(row_of(frame.values, of->which, digits));
+    for (std::size_t f = frames.size(); f-- > 1;) subtract(frames[f], frames[f - 1], 0);
+    all.push_back({{"name", name},
+                   {"unit", of->unit},
+                   {"digit", digits.unit()},
+                   {"zero", tenths(paper.back.height - paper.scales[k].zero)},
+                   {"scale", Json::parse(fmt::format("{:.6g}", 10.0 * paper.scales[k].per_unit *
+                                                                   digits.unit().get<double>()))},
+                   {"low", row_of(cycle.smallest, of->which, digits)},
+                   {"high", row_of(cycle.largest, of->which, digits)},
+                   {"frames", std::move(frames)}});
+  }
+  return {{"width", paper.back.width},
+          {"height", paper.back.height},
+          {"back", shapes.of(paper.back)},
+          {"x", std::move(x)},
+          {"cut", std::move(all)}};
+}
+
+/// Of every load its name, and in each frame which act and the sizes of force [kN] and couple
+/// [kN m].
+Json loads_of(const CycleFigure& cycle) {
+  const auto size = [](double value) {
+    return Json::parse(fmt::format("{:.4g}", 1e-3 * finite(value)));
   };
-  for (const CycleFrame& frame : cycle.frames) {
-    for (const auto& body : frame.posture.bodies) {
-      for (const Eigen::Vector3d& point : body.points) take(point);
-    }
-    for (const auto& guide : frame.posture.guides) take(guide.from);
-    for (const Eigen::Vector3d& ground : frame.posture.grounds) take(ground);
-    for (const BeamLoadRow& load : frame.posture.loads) take(load.place);
-  }
-  return largest;
-}
-
-Json mechanism_of(const CycleFigure& cycle, bool in_space) {
-  const Places places(in_space, largest_coordinate(cycle));
-  const PostureFigure& first = cycle.frames.front().posture;
-  Json bodies = Json::array();
-  for (const auto& body : first.bodies) {
-    bodies.push_back(
-        {{"beam", body.beam}, {"points", body.points.size()}, {"strokes", body.strokes.size()}});
-  }
-  Json frames = Json::array();
-  for (const CycleFrame& frame : cycle.frames) frames.push_back(places.of(frame.posture));
-  return {{"space", in_space},
-          {"digit", places.unit()},
-          {"guideDigit", Digits(1.0).unit()},
-          {"bodies", std::move(bodies)},
-          {"rods", first.rods.size()},
-          {"guides", first.guides.size()},
-          {"grounds", first.grounds.size()},
-          {"magnified", finite(first.magnified)},
-          {"frames", std::move(frames)}};
-}
-
-/// Of every load its name, place, force and couple, world axes; numbered where it has no name. In
-/// the plane a couple has one component.
-Json loads_of(const CycleFigure& cycle, bool in_space) {
-  const Places places(in_space, largest_coordinate(cycle));
-  double largest = 0.0;
-  double largest_couple = 0.0;
-  for (const CycleFrame& frame : cycle.frames) {
-    for (const BeamLoadRow& load : frame.posture.loads) {
-      largest = std::max(largest, 1e-3 * load.world.cwiseAbs().maxCoeff());
-      largest_couple = std::max(largest_couple, 1e-3 * load.couple.cwiseAbs().maxCoeff());
-    }
-  }
-  const Digits digits(largest);
-  const Digits couple_digits(largest_couple);
   std::vector<std::string> names;
   Json frames = Json::array();
   for (const CycleFrame& frame : cycle.frames) {
     Json& of_frame = frames.emplace_back(Json::array());
     for (const BeamLoadRow& load : frame.posture.loads) {
-      const std::string name = load.name.empty()
-                                   ? fmt::format("s = {} m", text::significant(load.s.value(), 3))
-                                   : visible(load.name);
+      const std::string name = visible(plot::name_of(load));
       const auto known = std::find(names.begin(), names.end(), name);
-      Json row = Json::array({known - names.begin()});
+      const auto number = known - names.begin();
       if (known == names.end()) names.push_back(name);
-      places.add(load.place, row);
-      places.add(1e-3 * load.world, digits, row);
-      if (in_space) {
-        places.add(1e-3 * load.couple, couple_digits, row);
-      } else {
-        row.push_back(couple_digits.of(1e-3 * load.couple.z()));
-      }
-      of_frame.push_back(std::move(row));
+      of_frame.push_back(Json::array({number, size(load.world.norm()), size(load.couple.norm())}));
     }
   }
-  return {{"digit", digits.unit()},
-          {"coupleDigit", couple_digits.unit()},
-          {"names", names},
-          {"frames", std::move(frames)}};
+  return {{"names", names}, {"frames", std::move(frames)}};
 }
 
 /// The frame and station of the largest bending moment, or where there is none of the normal force.
@@ -234,9 +285,8 @@ std::string harmless(const std::string& json) {
   return out;
 }
 
-Json data_of(const CycleFigure& cycle) {
+Json data_of(const CycleFigure& cycle, Shapes& shapes) {
   const auto [frame, station] = critical_place(cycle);
-  const bool in_space = is_in_space(cycle);
   Json times = Json::array();
   for (const CycleFrame& of : cycle.frames) {
     times.push_back(Json::parse(fmt::format("{:.6g}", finite(of.time.value()))));
@@ -247,6 +297,7 @@ Json data_of(const CycleFigure& cycle) {
     stations.push_back(Json::parse(fmt::format("{:.6g}", finite(at.s.value()))));
     sides += to_text(at.side);
   }
+  const std::vector<Shown> cut = cut_forces_of(cycle, plot::is_in_space(cycle));
   return {{"repeats", cycle.repeats},
           {"frame", frame},
           {"station", station},
@@ -254,15 +305,17 @@ Json data_of(const CycleFigure& cycle) {
           {"times", std::move(times)},
           {"stations", std::move(stations)},
           {"sides", sides},
-          {"mechanism", mechanism_of(cycle, in_space)},
-          {"loads", loads_of(cycle, in_space)},
-          {"cut", cut_forces_of(cycle, in_space)}};
+          {"views", views_of(cycle, shapes)},
+          {"loads", loads_of(cycle)},
+          {"diagrams", diagrams_of(cycle, cut, shapes)}};
 }
 
 std::string data_of(const MovingPicture& picture) {
+  Shapes shapes;
   Json situations = Json::array();
-  for (const CycleFigure& cycle : picture.cycles) situations.push_back(data_of(cycle));
-  const Json data = {{"first", picture.first}, {"situations", std::move(situations)}};
+  for (const CycleFigure& cycle : picture.cycles) situations.push_back(data_of(cycle, shapes));
+  const Json data = {
+      {"first", picture.first}, {"kinds", shapes.kinds()}, {"situations", std::move(situations)}};
   return harmless(data.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
@@ -273,15 +326,20 @@ std::string cycle_figure(const MovingPicture& picture) {
   assert(!cycle.frames.empty());
   const auto [frame, station] = critical_place(cycle);
   const std::string time = text::seconds(cycle.frames[frame].time.value());
+  const plot::MovingView view = plot::moving_views_of(cycle).front();
+  plot::Drawing still = view.back;
+  const std::vector<plot::Shape>& now = view.frames[frame].shapes;
+  still.shapes.insert(still.shapes.end(), now.begin(), now.end());
   return fmt::format(
       "<figure class=\"cycle\" id=\"moving-figure\">\n<div class=\"pane\">\n{0}</div>\n"
       "<noscript><p>Shown at t = {1}, where the bending moment is largest; with scripts allowed "
-      "the "
-      "drawing moves over the cycle.</p></noscript>\n"
+      "the drawing moves over the cycle.</p></noscript>\n"
       "<script type=\"application/json\">{2}</script>\n"
       "<figcaption><b>Moving figure.</b> {3}</figcaption>\n</figure>\n",
-      posture_svg(cycle, frame, "Mechanism at t = " + time), time, data_of(picture),
-      escaped(picture.caption));
+      plot::svg_in_page(still, fmt::format("class=\"mechanism\" role=\"img\" "
+                                           "aria-label=\"Mechanism at t = {}\"",
+                                           time)),
+      time, data_of(picture), escaped(picture.caption));
 }
 
 }  // namespace boxbeam::report::html

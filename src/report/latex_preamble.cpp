@@ -7,19 +7,22 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \usepackage[utf8]{inputenc}
 \usepackage{textcomp}
 \usepackage{lmodern}
-% One design size of each face for all sizes: the faces are most of a report's bytes.
+% One design size of each face for all sizes, and one bold face: they are most of a report's bytes.
 \DeclareFontFamily{T1}{lmr}{}
 \DeclareFontShape{T1}{lmr}{m}{n}{<->ec-lmr9}{}
 \DeclareFontShape{T1}{lmr}{m}{it}{<->ec-lmri9}{}
-\DeclareFontShape{T1}{lmr}{bx}{n}{<->ec-lmbx9}{}
+\DeclareFontShape{T1}{lmr}{bx}{n}{<->ec-lmssbx10}{}
 \DeclareFontShape{T1}{lmr}{b}{n}{<->ssub*lmr/bx/n}{}
 \DeclareFontFamily{T1}{lmss}{}
 \DeclareFontShape{T1}{lmss}{m}{n}{<->ec-lmss10}{}
 \DeclareFontShape{T1}{lmss}{bx}{n}{<->ec-lmssbx10}{}
 \DeclareFontShape{T1}{lmss}{b}{n}{<->ssub*lmss/bx/n}{}
+\DeclareFontFamily{TS1}{lmss}{}
+\DeclareFontShape{TS1}{lmss}{m}{n}{<->ts1-lmss10}{}
+\DeclareFontShape{TS1}{lmss}{bx}{n}{<->ts1-lmssbx10}{}
 \DeclareFontFamily{TS1}{lmr}{}
 \DeclareFontShape{TS1}{lmr}{m}{n}{<->ts1-lmr9}{}
-\DeclareFontShape{TS1}{lmr}{bx}{n}{<->ts1-lmbx9}{}
+\DeclareFontShape{TS1}{lmr}{bx}{n}{<->ts1-lmssbx10}{}
 \DeclareFontFamily{OT1}{lmr}{}
 \DeclareFontShape{OT1}{lmr}{m}{n}{<->rm-lmr9}{}
 \DeclareFontShape{OT1}{lmr}{bx}{n}{<->rm-lmbx9}{}
@@ -37,7 +40,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \usepackage{graphicx}
 \usepackage{xcolor}
 
-% The same input gives the same bytes; figures of gnuplot are PDF 1.5 to 1.7.
+% The same input gives the same bytes; figures of other programs may be PDF up to 1.7.
 \pdfsuppressptexinfo=15
 \pdftrailerid{}
 \pdfminorversion=7
@@ -104,6 +107,16 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 
 \newcommand{\tablecaption}[1]{\par\vskip6pt{\raggedright\noindent\sffamily\footnotesize\color{quiet}\hskip0pt#1\par}\nopagebreak\vskip-2pt}
 
+% A drawing of the program's own: NAME.tex beside the report, else any other file that can be shown. It is
+% as wide as the text where it is 620 wide.
+\newcommand{\figurefile}[1]{\InputIfFileExists{#1.tex}{\unskip}{\includegraphics{#1}}}
+\newenvironment{drawing}[2]{\unitlength=.75484pt\sffamily\fontsize{12\unitlength}{12\unitlength}\selectfont
+  \begin{picture}(#1,#2)\ignorespaces}{\end{picture}}
+\newcommand{\strokes}[1]{\put(0,0){\pdfliteral{q .75202 0 0 .75202 0 0 cm 1 J 1 j #1 Q}}\ignorespaces}
+% \words{x}{y}{side}{colour}{text}
+\newcommand{\words}[5]{\put(#1,#2){\color[HTML]{#4}\hbox to0pt{\ifx#3l\else\hss\fi#5\ifx#3r\else\hss\fi}}\ignorespaces}
+\newcommand{\run}[3]{\raise#1\unitlength\hbox{\fontsize{#2\unitlength}{#2\unitlength}\selectfont#3}}
+
 % A figure, never larger than it is, and somewhat smaller where that fits the page. Where it does not,
 % it waits: what follows in its chapter may fill the page before it.
 % \takefigure{file}{height of what comes with it}{caption}
@@ -113,7 +126,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
 \makeatletter
 \newdimen\figureleast
 \newcommand{\lowerfigure}[1]{\ifdim\ht\figurebox>#1\setbox\figurebox\hbox{\resizebox{!}{#1}{\box\figurebox}}\fi}
-\newcommand{\loadfigure}[2]{\def\figureextra{#2}\setbox\figurebox\hbox{\includegraphics{#1}}%
+\newcommand{\loadfigure}[2]{\def\figureextra{#2}\setbox\figurebox\hbox{\figurefile{#1}}%
   \ifdim\wd\figurebox>\linewidth\setbox\figurebox\hbox{\resizebox{\linewidth}{!}{\box\figurebox}}\fi
   \lowerfigure{.7\textheight}\figureleast=.85\ht\figurebox
   \ifdim\figureleast>.4\textheight\lowerfigure{\figureleast}\else\lowerfigure{.4\textheight}\fi}
@@ -145,7 +158,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \hbox to\linewidth{\hfil\vtop{\hsize=\dimexpr\linewidth-4em\relax\captionlines{\numbered{\the\figurenumber}\figurecaption}}\hfil}\vskip8pt}
 % Two figures abreast, somewhat lower where that fits the page: \figurepair{file}{caption}{file}{caption}
 \newdimen\halfheight
-\newcommand{\halffigure}[1]{\setbox0\hbox{\includegraphics{#1}}%
+\newcommand{\halffigure}[1]{\setbox0\hbox{\figurefile{#1}}%
   \ifdim\wd0>.485\linewidth\setbox0\hbox{\resizebox{.485\linewidth}{!}{\box0}}\fi
   \ifdim\ht0>\halfheight\setbox0\hbox{\resizebox{!}{\halfheight}{\box0}}\fi
   \hbox to.485\linewidth{\hfil\box0\hfil}}
@@ -185,7 +198,7 @@ const char* const latex_preamble = R"(\documentclass[a4paper,10pt]{article}
   \columnwidth=\hsize\parskip=0pt\footnotesize\lineskip=1pt\lineskiplimit=.5pt\relax}
  {\par\egroup\vskip4pt\sheetrest}
 \newcommand{\sheethead}[3]{\hbox to\linewidth{\vtop{\hsize=.78\linewidth\raggedright\sffamily\bfseries#1\par
-  \normalfont\ttfamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
+  \normalfont\sffamily\scriptsize\color{quiet}#2}\hfil{\sffamily\bfseries\color{\sheetcolour}#3}}\nobreak\vskip1pt}
 \newdimen\sheetindent
 \newcommand{\widest}[1]{\setbox0\hbox{$\displaystyle#1$}\ifdim\wd0>.3\linewidth\else
   \ifdim\wd0>\sheetindent\sheetindent=\wd0\fi\fi}

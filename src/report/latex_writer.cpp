@@ -85,8 +85,8 @@ double height_with(const Picture& picture) {
 }
 
 std::string block(const Picture& picture) {
-  return fmt::format("\\takefigure{{{}.pdf}}{{{:.0f}pt}}{{{}}}\n", picture.name,
-                     height_with(picture), running(picture.caption));
+  return fmt::format("\\takefigure{{{}}}{{{:.0f}pt}}{{{}}}\n", picture.name, height_with(picture),
+                     running(picture.caption));
 }
 
 std::string block(const MovingPicture& /*on paper nothing moves*/) { return ""; }
@@ -231,7 +231,7 @@ Needed needed_by(const std::vector<Block>& blocks, std::size_t i, double heading
 
 std::string room_for(const Needed& needed) {
   if (needed.picture == nullptr) return fmt::format("\\need{{{:.0f}pt}}\n", needed.height);
-  return fmt::format("\\needfigure{{{}.pdf}}{{{:.0f}pt}}{{{:.0f}pt}}\n", needed.picture->name,
+  return fmt::format("\\needfigure{{{}}}{{{:.0f}pt}}{{{:.0f}pt}}\n", needed.picture->name,
                      needed.height, needed.instead);
 }
 
@@ -241,8 +241,8 @@ std::string pair_of_pictures(const std::vector<Block>& blocks, std::size_t i) {
   const auto* left = std::get_if<Picture>(&blocks[i]);
   const auto* right = std::get_if<Picture>(&blocks[i + 1]);
   if (left == nullptr || right == nullptr) return "";
-  return fmt::format("\\figurepair{{{}.pdf}}{{{}}}{{{}.pdf}}{{{}}}\n", left->name,
-                     running(left->caption), right->name, running(right->caption));
+  return fmt::format("\\figurepair{{{}}}{{{}}}{{{}}}{{{}}}\n", left->name, running(left->caption),
+                     right->name, running(right->caption));
 }
 
 /// What a chapter has for paper.

@@ -8,222 +8,289 @@
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
+#include "ink.hpp"
 
 namespace boxbeam::plot {
+namespace {
 
-std::vector<std::string> draw_bodies(Script& gp, const PostureFigure& posture, const View& view,
-                                     const Ink& ink) {
-  std::vector<std::string> plots;
-  const auto strokes = [&](const std::string& name, const std::vector<PostureFigure::Stroke>& lines,
-                           const std::string& style) {
-    if (lines.empty()) return;
-    std::vector<Row4> rows;
-    for (const auto& line : lines) {
-      const Eigen::Vector3d along = line.to - line.from;
-      rows.emplace_back(line.from[view.across], line.from[view.up], along[view.across],
-                        along[view.up]);
-    }
-    gp.block(name, rows);
-    plots.push_back(fmt::format("${} using 1:2:3:4 with vectors nohead {} lc rgb '{}'", name, style,
-                                ink.colour));
-  };
-  const auto points = [&](const std::string& name, const std::vector<Eigen::Vector3d>& places,
-                          const std::string& style, const std::string& rgb) {
-    if (places.empty()) return;
-    std::vector<Row2> rows;
-    for (const Eigen::Vector3d& place : places)
-      rows.emplace_back(place[view.across], place[view.up]);
-    gp.block(name, rows);
-    plots.push_back(fmt::format("${} using 1:2 with {} lc rgb '{}'", name, style, rgb));
-  };
-  std::vector<PostureFigure::Stroke> guides;
-  for (const auto& guide : posture.guides) {
-    guides.push_back(
-        {guide.from - ink.guide_length * guide.to, guide.from + ink.guide_length * guide.to});
-  }
-  strokes(ink.prefix + "_guides", guides, "lw 0.9 dt (2,3)");
-  strokes(ink.prefix + "_rods", posture.rods, "lw 1.6 dt (5,3)");
-  for (std::size_t b = 0; b < posture.bodies.size(); ++b) {
-    const auto& body = posture.bodies[b];
-    const std::string name = fmt::format("{}_{}", ink.prefix, b);
-    if (body.beam) {
-      strokes(name + "_axis", body.strokes, "lw 4");
-      points(name, body.points, "points pt 7 ps 0.5", ink.colour);
-    } else if (body.points.size() == 1) {
-      points(name, body.points, "points pt 5 ps 1.1", ink.colour);
-    } else if (!body.strokes.empty()) {
-      strokes(name + "_lines", body.strokes, "lw 1.6");
-      points(name, body.points, "points pt 7 ps 0.5", ink.colour);
-    } else {
-      points(name, body.points, "linespoints lw 1.6 pt 7 ps 0.5", ink.colour);
-    }
-  }
-  points(ink.prefix + "_grounds", posture.grounds, "points pt 9 ps 1.1", "#505050");
-  return plots;
-}
+constexpr double ring = 12.0;               ///< radius of a couple's arrow [px]
+constexpr double longest_load_name = 90.0;  ///< [px]
+constexpr const char* load_ink = "#202020";
 
-std::vector<std::string> draw_traces(Script& gp, const Verification& verification, const View& view,
-                                     const std::string& prefix) {
-  std::vector<std::string> plots;
-  if (verification.cycles.empty()) return plots;
-  const std::vector<CycleFrame>& frames = verification.cycles.front().frames;
-  const bool closed = verification.cycles.front().repeats;
-  for (std::size_t b = 0; b < frames.front().posture.bodies.size(); ++b) {
-    for (std::size_t k = 0; k < frames.front().posture.bodies[b].points.size(); ++k) {
-      std::vector<Row2> rows;
-      for (std::size_t i = 0; i < frames.size() + (closed ? 1 : 0); ++i) {
-        const Eigen::Vector3d& place = frames[i % frames.size()].posture.bodies[b].points[k];
-        rows.emplace_back(place[view.across], place[view.up]);
+/// Strokes one behind the other as lines, as far as each goes on from the last without a corner.
+std::vector<std::vector<Eigen::Vector3d>> chains_of(
+    const std::vector<PostureFigure::Stroke>& strokes) {
+  constexpr double bend = 0.7;  // cosine
+  std::vector<std::vector<Eigen::Vector3d>> chains;
+  for (const auto& [from, to] : strokes) {
+    if (!chains.empty()) {
+      std::vector<Eigen::Vector3d>& last = chains.back();
+      const Eigen::Vector3d way = last.back() - last[last.size() - 2];
+      const Eigen::Vector3d next = to - from;
+      if ((from - last.back()).norm() <= 1e-9 * way.norm() &&
+          way.dot(next) > bend * way.norm() * next.norm()) {
+        last.push_back(to);
+        continue;
       }
-      const std::string name = fmt::format("{}_{}_{}", prefix, b, k);
-      gp.block(name, rows);
-      plots.push_back(fmt::format("${} using 1:2 with lines lw 0.6 lc rgb '#9a9a9a'", name));
     }
+    chains.push_back({from, to});
   }
-  return plots;
+  return chains;
 }
 
-namespace {
-
-Eigen::Vector2d seen(const Eigen::Vector3d& v, const View& view) {
-  return {v[view.across], v[view.up]};
-}
-
-Pixel pixel_of(const Panel& panel, const Eigen::Vector3d& place, const View& view) {
-  return panel.at(place[view.across], place[view.up]);
-}
-
-}  // namespace
-
-void keep_off_bodies(Labels& labels, const Panel& panel, const PostureFigure& posture,
-                     const View& view) {
-  const auto line = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-    labels.keep_off(pixel_of(panel, from, view), pixel_of(panel, to, view));
-  };
-  for (const auto& body : posture.bodies) {
-    for (const PostureFigure::Stroke& stroke : body.strokes) line(stroke.from, stroke.to);
-    if (!body.strokes.empty()) continue;
-    for (std::size_t k = 1; k < body.points.size(); ++k) line(body.points[k - 1], body.points[k]);
+void draw_body(Drawing& drawing, const PostureFigure::Line& body, const Projection& projection,
+               const std::string& colour) {
+  const Pen pen = body.beam ? Pen{colour, 4.0, {}, "", "beam"} : Pen{colour, 1.6, {}, "", "body"};
+  const Pen full{"", 1.0, {}, colour, "joint"};
+  if (body.points.size() == 1 && !body.beam) {
+    constexpr double half = 5.0;
+    const Pixel at = projection.at(body.points.front());
+    Line block{{}, {"", 1.0, {}, colour, "block"}, true};
+    for (const Pixel& corner : {Pixel(-half, -half), {half, -half}, {half, half}, {-half, half}})
+      block.points.push_back(at + corner);
+    drawing.shapes.emplace_back(std::move(block));
+    return;
   }
-  for (const PostureFigure::Stroke& rod : posture.rods) line(rod.from, rod.to);
-  const auto keep_free = [&](const Eigen::Vector3d& place) {
-    const Pixel at = pixel_of(panel, place, view);
-    labels.keep_free({at.x() - 7.0, at.y() - 7.0, at.x() + 7.0, at.y() + 7.0});
-  };
-  for (const auto& body : posture.bodies) {
-    if (body.points.size() == 1) keep_free(body.points.front());
+  auto chains = chains_of(body.strokes);
+  if (chains.empty() && body.points.size() > 1) chains.push_back(body.points);
+  for (const auto& chain : chains) {
+    Line line{{}, pen};
+    for (const Eigen::Vector3d& place : chain) line.points.push_back(projection.at(place));
+    drawing.shapes.emplace_back(std::move(line));
   }
-  for (const Eigen::Vector3d& place : posture.grounds) keep_free(place);
+  for (const Eigen::Vector3d& point : body.points)
+    drawing.shapes.emplace_back(Dot{projection.at(point), 2.5, full});
 }
-
-double least_couple_of(const Verification& verification) {
-  double force = 0.0;
-  double couple = 0.0;
-  for (const PostureFigure& posture : verification.postures) {
-    for (const BeamLoadRow& row : posture.loads) {
-      force = std::max(force, row.world.norm());
-      couple = std::max(couple, row.couple.norm());
-    }
-  }
-  return std::max(0.02 * couple, 1e-6 * force * extents_of(verification).size().maxCoeff());
-}
-
-namespace {
-
-constexpr double ring = 12.0;  ///< radius of a couple's arrow [px]
 
 /// Three quarters of a circle about a place with a head at its end, open below.
-void put_couple(Script& gp, const Pixel& at, bool counter_clockwise, const std::string& style) {
-  constexpr int parts = 24;
+void put_couple(Drawing& drawing, const Pixel& at, bool counter_clockwise, const Pen& pen) {
+  constexpr int parts = 16;
   constexpr double quarter = 0.5 * std::numbers::pi;
-  constexpr double to_tip = 6.0;  // so long that the head has room on its line
   const double side = counter_clockwise ? 1.0 : -1.0;
   const auto angle_of = [&](int k) { return -quarter + side * quarter * (0.5 + 3.0 * k / parts); };
-  const auto on_ring = [&](int k) -> Pixel {
-    return at + ring * Pixel(std::cos(angle_of(k)), std::sin(angle_of(k)));
-  };
-  for (int k = 1; k < parts; ++k) put_line(gp, on_ring(k - 1), on_ring(k), style);
-  const Pixel onwards(-std::sin(angle_of(parts)), std::cos(angle_of(parts)));
-  put_arrow(gp, on_ring(parts - 2), on_ring(parts) + side * to_tip * onwards,
-            style + " front size screen 0.012,20 filled");
-}
-
-/// The component of a couple about the line of sight, counter-clockwise.
-double turning(const Eigen::Vector3d& couple, const View& view) {
-  return Eigen::Vector3d::Unit(view.across).cross(Eigen::Vector3d::Unit(view.up)).dot(couple);
+  Line arc{{}, pen};
+  for (int k = 0; k <= parts; ++k)
+    arc.points.push_back(at + ring * Pixel(std::cos(angle_of(k)), std::sin(angle_of(k))));
+  const Eigen::Vector2d onwards =
+      side * Eigen::Vector2d(-std::sin(angle_of(parts)), std::cos(angle_of(parts)));
+  const Pixel end = arc.points.back();
+  drawing.shapes.emplace_back(std::move(arc));
+  put_head(drawing, end + 6.0 * onwards, onwards, 8.0, pen.stroke);
 }
 
 }  // namespace
 
-void draw_loads(Script& gp, Labels& labels, const Panel& panel, const PostureFigure& posture,
-                const View& view, const LoadInk& look) {
-  constexpr const char* ink = "#202020";
-  const std::string style = fmt::format("lw 1.6 lc rgb '{}'", ink);
+View flat_view(int across, int up) {
+  View view = View::Zero();
+  view(0, across) = view(1, up) = 1.0;
+  return view;
+}
+
+Pixel Projection::at(const Eigen::Vector3d& place) const {
+  const Eigen::Vector2d seen = view * place;
+  return panel.at(seen.x(), seen.y());
+}
+
+Eigen::Vector3d Projection::normal() const {
+  return Eigen::Vector3d(view.row(0)).cross(Eigen::Vector3d(view.row(1)));
+}
+
+void each_place(const PostureFigure& posture,
+                const std::function<void(const Eigen::Vector3d&)>& take) {
+  const auto ends = [&](const std::vector<PostureFigure::Stroke>& strokes) {
+    for (const auto& [from, to] : strokes) {
+      take(from);
+      take(to);
+    }
+  };
+  for (const auto& body : posture.bodies) {
+    std::for_each(body.points.begin(), body.points.end(), take);
+    ends(body.strokes);
+  }
+  ends(posture.rods);
+  std::for_each(posture.grounds.begin(), posture.grounds.end(), take);
+}
+
+void draw_bodies(Drawing& drawing, const PostureFigure& posture, const Projection& projection,
+                 const std::string& colour, double guide) {
+  for (const auto& [place, along] : posture.guides) {
+    const Pixel middle = projection.at(place);
+    const Eigen::Vector2d half = guide * (projection.view * along);
+    put_line(drawing, middle - half, middle + half, {colour, 0.9, {2.0, 3.0}, "", "guide"});
+  }
+  for (const Eigen::Vector3d& place : posture.grounds) {
+    const Pixel tip = projection.at(place);
+    drawing.shapes.emplace_back(Line{{tip, tip + Pixel(-6.0, -10.0), tip + Pixel(6.0, -10.0)},
+                                     {"", 1.0, {}, quiet_ink, "ground"},
+                                     true});
+  }
+  for (const auto& [from, to] : posture.rods) {
+    put_line(drawing, projection.at(from), projection.at(to), {colour, 1.6, {8.0, 5.0}, "", "rod"});
+  }
+  for (const bool front : {false, true}) {
+    for (const auto& body : posture.bodies) {
+      if (body.beam == front) draw_body(drawing, body, projection, colour);
+    }
+  }
+}
+
+void draw_traces(Drawing& drawing, const Verification& verification, const Projection& projection) {
+  if (verification.cycles.empty()) return;
+  const std::vector<CycleFrame>& frames = verification.cycles.front().frames;
+  for (std::size_t b = 0; b < frames.front().posture.bodies.size(); ++b) {
+    for (std::size_t k = 0; k < frames.front().posture.bodies[b].points.size(); ++k) {
+      Line line{{}, {"#9a9a9a", 0.6, {}, "", "trace"}};
+      for (const CycleFrame& frame : frames)
+        line.points.push_back(projection.at(frame.posture.bodies[b].points[k]));
+      if (verification.cycles.front().repeats) line.points.push_back(line.points.front());
+      drawing.shapes.emplace_back(std::move(line));
+    }
+  }
+}
+
+void keep_off_bodies(Labels& labels, const PostureFigure& posture, const Projection& projection) {
+  const auto line = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    labels.keep_off(projection.at(from), projection.at(to));
+  };
+  const auto keep_free = [&](const Eigen::Vector3d& place, double below) {
+    const Pixel at = projection.at(place);
+    labels.keep_free({at.x() - 7.0, at.y() - below, at.x() + 7.0, at.y() + 7.0});
+  };
+  for (const auto& body : posture.bodies) {
+    for (const auto& [from, to] : body.strokes) line(from, to);
+    for (std::size_t k = 1; body.strokes.empty() && k < body.points.size(); ++k)
+      line(body.points[k - 1], body.points[k]);
+    if (body.points.size() == 1) keep_free(body.points.front(), 7.0);
+  }
+  for (const auto& [from, to] : posture.rods) line(from, to);
+  for (const Eigen::Vector3d& place : posture.grounds) keep_free(place, 11.0);
+}
+
+std::string name_of(const BeamLoadRow& load) {
+  return load.name.empty() ? fmt::format("s = {} m", text::significant(load.s.value(), 3))
+                           : load.name;
+}
+
+void draw_loads(Drawing& drawing, Labels& labels, const PostureFigure& posture,
+                const Projection& projection, const LoadInk& look) {
+  const Pen push{load_ink, 1.6, {}, "", "load"};
+  const Pen turn{load_ink, 1.6, {}, "", "couple"};
   double longest = 0.0;
   for (const BeamLoadRow& row : posture.loads) longest = std::max(longest, row.world.norm());
-  struct Words {
+  struct Beside {
     std::string text;
     Pixel at;
     double gap;
+    Eigen::Vector2d towards;
   };
-  std::vector<Words> words;
+  std::vector<Beside> words;
   for (const BeamLoadRow& row : posture.loads) {
-    const Eigen::Vector2d force = seen(row.world, view);
-    const double couple = turning(row.couple, view);
-    const bool pushes = force.norm() >= 0.05 * longest ||
-                        (row.world.norm() > 0.0 && force.norm() >= 0.3 * row.world.norm());
+    const Eigen::Vector2d force = projection.view * row.world;
+    const double couple = projection.normal().dot(row.couple);
+    const bool pushes = force.norm() > 0.0 &&
+                        (force.norm() >= 0.05 * longest || force.norm() >= 0.3 * row.world.norm());
     const bool turns = std::abs(couple) > look.least_couple;
     if (!pushes && !turns) continue;
-    const Pixel tip = pixel_of(panel, row.place, view);
+    const Pixel tip = projection.at(row.place);
     const Pixel tail = tip - look.pixels_per_newton * force;
     if (pushes) {
       labels.keep_off(tail, tip);
-      put_arrow(gp, tail, tip, style + " front size screen 0.012,20 filled");
+      put_arrow(drawing, tail, tip, push);
     }
     if (turns) {
       labels.keep_free({tip.x() - ring, tip.y() - ring, tip.x() + ring, tip.y() + ring});
-      put_couple(gp, tip, couple > 0.0, style);
+      put_couple(drawing, tip, couple > 0.0, turn);
     }
-    std::string text = fitted(
-        row.name.empty() ? fmt::format("s = {} m", text::significant(row.s.value(), 3)) : row.name,
-        longest_load_name);
+    std::string text = fitted(name_of(row), longest_load_name);
     if (look.with_size && pushes) text += "  " + text::kN(row.world.norm());
     if (look.with_size && turns) text += (pushes ? ", " : "  ") + text::kNm(std::abs(couple));
-    words.push_back({std::move(text), pushes ? tail : tip, pushes ? 4.0 : ring + 3.0});
+    words.push_back({std::move(text), pushes ? tail : tip, pushes ? 4.0 : ring + 3.0,
+                     pushes ? Eigen::Vector2d(-force.normalized()) : Eigen::Vector2d(0.0, 1.0)});
   }
   // When all that must not be hit is known.
-  for (const Words& of : words) labels.put(gp, of.text, of.at, panel.frame, ink, of.gap);
+  for (const Beside& of : words)
+    labels.put(drawing, of.text, of.at, projection.panel.frame, load_ink, of.gap, of.towards);
 }
 
-void Extents::take(const Eigen::Vector3d& point) {
-  low = low.cwiseMin(point);
-  high = high.cwiseMax(point);
+void Room::take(const Eigen::Vector3d& place) {
+  low_ = low_.cwiseMin(view_ * place);
+  high_ = high_.cwiseMax(view_ * place);
 }
 
-void Extents::take(const PostureFigure& posture) {
-  for (const auto& body : posture.bodies) {
-    for (const Eigen::Vector3d& point : body.points) take(point);
-    for (const PostureFigure::Stroke& stroke : body.strokes) {
-      take(stroke.from);
-      take(stroke.to);
-    }
+void Room::take(const PostureFigure& posture) {
+  each_place(posture, [&](const Eigen::Vector3d& place) { take(place); });
+}
+
+void Room::take_loads(const PostureFigure& posture, const LoadInk& look) {
+  for (const BeamLoadRow& row : posture.loads) {
+    const Eigen::Vector2d back = -look.pixels_per_newton * (view_ * row.world);
+    const double name = std::min(text_width(name_of(row)), longest_load_name) + 4.0;
+    // Behind a name alone there is always room on one side; with its size it stands where it can.
+    const double half = 0.5 * (name + text_width("  00.00 kN"));
+    const bool rightwards = back.x() > 0.0;
+    arrows_.push_back({view_ * row.place, back,
+                       look.with_size ? half
+                       : rightwards   ? 0.0
+                                      : name,
+                       look.with_size ? half
+                       : rightwards   ? name
+                                      : 0.0});
   }
-  for (const Eigen::Vector3d& place : posture.grounds) take(place);
 }
 
-Extents extents_of(const Verification& verification) {
-  Extents extents;
-  for (const PostureFigure& posture : verification.postures) extents.take(posture);
-  if (!verification.cycles.empty()) {
-    for (const CycleFrame& frame : verification.cycles.front().frames) extents.take(frame.posture);
+Frame Room::at(double metres_per_pixel) const {
+  constexpr double margin = 12.0, beside = 20.0;
+  const Eigen::Vector2d low = low_ / metres_per_pixel;
+  const Eigen::Vector2d high = high_ / metres_per_pixel;
+  Frame frame{low.x() - margin, low.y() - margin, high.x() + margin, high.y() + margin};
+  for (const Arrow& arrow : arrows_) {
+    const Pixel tail = arrow.tip / metres_per_pixel + arrow.back;
+    frame = {std::min(frame.left, tail.x() - arrow.left), std::min(frame.bottom, tail.y() - beside),
+             std::max(frame.right, tail.x() + arrow.right), std::max(frame.top, tail.y() + beside)};
   }
-  return extents;
+  return frame;
 }
 
-Panel panel_to_scale(const Frame& frame, double metres_per_pixel, double across, double up) {
+double finest_scale(double size, const std::function<bool(double)>& fits) {
+  double fine = 1e-3 * size / figure_width;
+  double coarse = 1e6 * fine;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(fine * coarse);
+    (fits(middle) ? coarse : fine) = middle;
+  }
+  return coarse;
+}
+
+void LoadSizes::take(const PostureFigure& posture) {
+  for (const BeamLoadRow& row : posture.loads) {
+    force_ = std::max(force_, row.world.norm());
+    couple_ = std::max(couple_, row.couple.norm());
+  }
+}
+
+double LoadSizes::least_couple(double size) const {
+  return std::max(0.02 * couple_, 1e-6 * force_ * size);
+}
+
+LoadSizes load_sizes_of(const Verification& verification) {
+  LoadSizes sizes;
+  for (const PostureFigure& posture : verification.postures) sizes.take(posture);
+  return sizes;
+}
+
+Room room_of(const Verification& verification, const View& view) {
+  Room room(view);
+  for (const PostureFigure& posture : verification.postures) room.take(posture);
+  if (verification.cycles.empty()) return room;
+  for (const CycleFrame& frame : verification.cycles.front().frames) room.take(frame.posture);
+  return room;
+}
+
+Panel panel_to_scale(const Frame& frame, double metres_per_pixel, const Eigen::Vector2d& middle) {
   const double half_width = 0.5 * metres_per_pixel * (frame.right - frame.left);
   const double half_height = 0.5 * metres_per_pixel * (frame.top - frame.bottom);
-  return {frame, across - half_width, across + half_width, up - half_height, up + half_height};
+  return {frame, middle.x() - half_width, middle.x() + half_width, middle.y() - half_height,
+          middle.y() + half_height};
 }
 
 }  // namespace boxbeam::plot

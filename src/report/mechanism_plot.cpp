@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ink.hpp"
 #include "mechanism_drawing.hpp"
 
 namespace boxbeam::plot {
@@ -32,36 +33,11 @@ std::vector<std::string> title_of(const PostureFigure& posture, std::size_t numb
   return lines;
 }
 
-/// The corners of the mechanism with its arrows and their names at a scale [px], from the origin of
-/// the world.
-Frame drawn_extent(const Verification& verification, const Extents& extents, double largest_force,
-                   double metres_per_pixel) {
-  constexpr double margin = 12.0;
-  const Eigen::Vector3d low = extents.low / metres_per_pixel;
-  const Eigen::Vector3d high = extents.high / metres_per_pixel;
-  Frame frame{low.x() - margin, low.y() - margin, high.x() + margin, high.y() + margin};
-  for (const PostureFigure& posture : verification.postures) {
-    for (const BeamLoadRow& row : posture.loads) {
-      const Eigen::Vector3d tail =
-          row.place / metres_per_pixel - row.world * (arrow / largest_force);
-      const double name = 0.5 * text_width(row.name + "  00.00 kN");
-      frame.left = std::min(frame.left, tail.x() - name);
-      frame.right = std::max(frame.right, tail.x() + name);
-      frame.bottom = std::min(frame.bottom, tail.y() - 20.0);
-      frame.top = std::max(frame.top, tail.y() + 20.0);
-    }
-  }
-  return frame;
-}
-
 /// The layout in which the mechanism is largest, in a figure no higher than a page.
-Layout layout_of(const Verification& verification, const Extents& extents, double largest_force) {
+Layout layout_of(const Verification& verification, const Room& room) {
   constexpr double highest = 650.0;  // on paper a higher one would be shrunk
   const std::vector<PostureFigure>& postures = verification.postures;
   const auto count = static_cast<int>(postures.size()) - 1;
-  const auto drawn = [&](double scale) {
-    return drawn_extent(verification, extents, largest_force, scale);
-  };
   Layout best;
   for (int columns = 1; columns <= std::min(count, 3); ++columns) {
     const int rows = (count + columns - 1) / columns;
@@ -73,20 +49,15 @@ Layout layout_of(const Verification& verification, const Extents& extents, doubl
     const double above = title_row * static_cast<double>(lines) + 8.0;
     const double most = std::min(460.0, (highest - foot) / rows - above - below_frame);
     if (most < 120.0) continue;
-    // The finest scale that fits, between one far too fine and one at which arrows alone fill it.
-    double fine = 1e-3 * extents.size().maxCoeff() / figure_width;
-    double coarse = 1e6 * fine;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = std::sqrt(fine * coarse);
-      const Frame at = drawn(middle);
-      const bool fits = at.right - at.left <= width && at.top - at.bottom <= most;
-      (fits ? coarse : fine) = middle;
-    }
-    if (best.width > 0.0 && coarse >= best.metres_per_pixel) continue;
-    const Frame at = drawn(coarse);
+    const double scale = finest_scale(room.size().maxCoeff(), [&](double metres_per_pixel) {
+      const Frame at = room.at(metres_per_pixel);
+      return at.right - at.left <= width && at.top - at.bottom <= most;
+    });
+    if (best.width > 0.0 && scale >= best.metres_per_pixel) continue;
+    const Frame at = room.at(scale);
     const Pixel middle(0.5 * (at.left + at.right), 0.5 * (at.bottom + at.top));
-    best = {columns, rows,           coarse, width, std::clamp(at.top - at.bottom, 130.0, most),
-            above,   middle * coarse};
+    best = {columns, rows,          scale, width, std::clamp(at.top - at.bottom, 130.0, most),
+            above,   middle * scale};
   }
   return best;
 }
@@ -105,54 +76,47 @@ std::string foot_text(const Verification& verification) {
 
 }  // namespace
 
-void mechanism(Script& gp, const Project&, const Verification& verification) {
+Drawing mechanism(const Project&, const Verification& verification) {
   const auto count = static_cast<int>(verification.postures.size()) - 1;
-  double largest_force = 1e-9;
-  for (const PostureFigure& posture : verification.postures) {
-    for (const BeamLoadRow& row : posture.loads) {
-      largest_force = std::max(largest_force, row.world.norm());
-    }
-  }
-  const Layout layout = layout_of(verification, extents_of(verification), largest_force);
+  const View view = flat_view(0, 1);
+  Room room = room_of(verification, view);
+  const LoadSizes sizes = load_sizes_of(verification);
+  const LoadInk look{arrow / sizes.force(), sizes.least_couple(room.size().maxCoeff()), true};
+  for (const PostureFigure& posture : verification.postures) room.take_loads(posture, look);
+  const Layout layout = layout_of(verification, room);
   const double step = layout.height + layout.above + below_frame;
-  gp.begin("mechanism", foot + layout.rows * step);
-  put_text(gp, foot_text(verification), {0.5 * gp.width(), 0.5 * foot}, "center", "#505050");
-  const double least_couple = least_couple_of(verification);
-  const double guide = 0.5 * arrow * layout.metres_per_pixel;
+  Drawing drawing{figure_width, foot + layout.rows * step, {}};
+  put_text(drawing, foot_text(verification), {0.5 * drawing.width, 0.5 * foot}, Anchor::middle,
+           quiet_ink);
   for (int k = 0; k < count; ++k) {
     const PostureFigure& posture = verification.postures[static_cast<std::size_t>(k) + 1];
     const double left = left_of_frame + (k % layout.columns) * (layout.width + left_of_frame + 8.0);
-    const int row = k / layout.columns;
-    const double top = gp.height() - layout.above - row * step;
-    const Panel panel =
-        panel_to_scale({left, top - layout.height, left + layout.width, top},
-                       layout.metres_per_pixel, layout.middle.x(), layout.middle.y());
-    place(gp, panel);
-    put_footing(gp, panel, "x [m]");
+    const double top = drawing.height - layout.above - (k / layout.columns) * step;
+    const Projection projection{
+        view, panel_to_scale({left, top - layout.height, left + layout.width, top},
+                             layout.metres_per_pixel, layout.middle)};
+    const Panel& panel = projection.panel;
+    const std::string ink = colour(static_cast<std::size_t>(k));
+    put_axes(drawing, panel);
+    put_footing(drawing, panel, "x [m]");
     const std::vector<std::string> title =
         title_of(posture, static_cast<std::size_t>(k) + 1, layout.width);
     for (std::size_t i = 0; i < title.size(); ++i) {
-      put_text(gp, title[i],
+      put_text(drawing, title[i],
                {left - 38.0, top + 12.0 + title_row * static_cast<double>(title.size() - 1 - i)},
-               "left", i == 0 ? "#202020" : colour(static_cast<std::size_t>(k)));
+               Anchor::left, i == 0 ? "#202020" : ink);
     }
-    put_text(gp, "y [m]", {left + 4.0, top - 8.0}, "left", "#505050");
+    put_text(drawing, "y [m]", {left + 4.0, top - 8.0}, Anchor::left, quiet_ink);
     Labels labels;
     labels.keep_free({left, top - 16.0, left + 44.0, top});
-    keep_off_bodies(labels, panel, posture, View{});
-    keep_off_bodies(labels, panel, verification.postures.front(), View{});
-    std::vector<std::string> curves =
-        draw_traces(gp, verification, View{}, fmt::format("trace{}", k));
-    const auto add = [&](const PostureFigure& of, const std::string& prefix, const char* ink) {
-      for (std::string& curve : draw_bodies(gp, of, View{}, {prefix, ink, guide})) {
-        curves.push_back(std::move(curve));
-      }
-    };
-    add(verification.postures.front(), fmt::format("rest{}", k), "#c4c4c4");
-    add(posture, fmt::format("at{}", k), colour(static_cast<std::size_t>(k)));
-    draw_loads(gp, labels, panel, posture, View{}, {arrow / largest_force, least_couple, true});
-    gp.plot(curves);
+    keep_off_bodies(labels, posture, projection);
+    keep_off_bodies(labels, verification.postures.front(), projection);
+    draw_traces(drawing, verification, projection);
+    draw_bodies(drawing, verification.postures.front(), projection, "#c4c4c4", 0.5 * arrow);
+    draw_bodies(drawing, posture, projection, ink, 0.5 * arrow);
+    draw_loads(drawing, labels, posture, projection, look);
   }
+  return drawing;
 }
 
 }  // namespace boxbeam::plot

@@ -80,12 +80,16 @@ void write_pdf(const Document& document, const std::string& figures, const std::
   const fs::path log = target.parent_path() / (target.stem().string() + ".log");
   const ScratchFolder scratch(target.has_parent_path() ? target.parent_path() : fs::path("."));
   const auto has_picture = [&](const std::string& name) {
-    const fs::path figure = fs::path(figures) / (name + ".pdf");
-    std::error_code error;
-    if (figures.empty() || !fs::is_regular_file(figure, error)) return false;
-    const fs::path from = fs::absolute(figure, error);
-    if (!error) fs::create_symlink(from, scratch.path() / (name + ".pdf"), error);
-    return !error || error == std::errc::file_exists;  // a picture may be shown twice
+    if (figures.empty()) return false;
+    for (const char* extension : {".tex", ".pdf"}) {
+      const fs::path figure = fs::path(figures) / (name + extension);
+      std::error_code error;
+      if (!fs::is_regular_file(figure, error)) continue;
+      const fs::path from = fs::absolute(figure, error);
+      if (!error) fs::create_symlink(from, scratch.path() / (name + extension), error);
+      if (!error || error == std::errc::file_exists) return true;  // a picture may be shown twice
+    }
+    return false;
   };
   write_file((scratch.path() / "report.tex").string(), latex_of(document, has_picture));
 

@@ -8,6 +8,7 @@
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/verify.hpp"
+#include "drawing.hpp"
 
 /// What the figures share: the script they are written into, and the house style.
 namespace boxbeam::plot {
@@ -74,8 +75,9 @@ std::string quoted(const std::string& text);
 std::string time_label(Time time, const std::string& situation = "");
 
 // The figures, each in a file of its own.
-void mechanism(Script& gp, const Project& project, const Verification& verification);
-void mechanism_in_space(Script& gp, const Project& project, const Verification& verification);
+Drawing mechanism(const Project& project, const Verification& verification);
+Drawing mechanism_in_space(const Project& project, const Verification& verification);
+Drawing modes(const Project& project, const Verification& verification);
 void motion(Script& gp, const Project& project, const Verification& verification);
 void cut_forces(Script& gp, const Project& project, const Verification& verification);
 void cut_forces_in_space(Script& gp, const Project& project, const Verification& verification);
@@ -85,7 +87,6 @@ void section(Script& gp, const Project& project, const Verification& verificatio
 void stress(Script& gp, const Project& project, const Verification& verification);
 void sn(Script& gp, const Project& project, const Verification& verification);
 void spectrum(Script& gp, const Project& project, const Verification& verification);
-void modes(Script& gp, const Project& project, const Verification& verification);
 void frequency_response(Script& gp, const Project& project, const Verification& verification);
 void joint_forces(Script& gp, const Project& project, const Verification& verification);
 void sudden_start(Script& gp, const Project& project, const Verification& verification);

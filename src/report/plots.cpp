@@ -62,13 +62,14 @@ bool vibrates(const Project&, const Verification& verification) {
 struct FigureKind {
   const char* name;
   bool (*shown)(const Project&, const Verification&);
-  void (*draw)(plot::Script&, const Project&, const Verification&);
+  void (*plot)(plot::Script&, const Project&, const Verification&);      ///< by gnuplot
+  plot::Drawing (*draw)(const Project&, const Verification&) = nullptr;  ///< where gnuplot does not
 };
 
 /// All of them, in the order of a report.
 constexpr FigureKind kinds[] = {
-    {"mechanism", in_plane, plot::mechanism},
-    {"mechanism", in_three_dimensions, plot::mechanism_in_space},
+    {"mechanism", in_plane, nullptr, plot::mechanism},
+    {"mechanism", in_three_dimensions, nullptr, plot::mechanism_in_space},
     {"motion", is_driven, plot::motion},
     {"cut-forces", in_plane, plot::cut_forces},
     {"cut-forces", in_three_dimensions, plot::cut_forces_in_space},
@@ -78,7 +79,7 @@ constexpr FigureKind kinds[] = {
     {"stress", has_history, plot::stress},
     {"sn", has_curve, plot::sn},
     {"spectrum", has_several_ranges, plot::spectrum},
-    {"modes", is_elastic, plot::modes},
+    {"modes", is_elastic, nullptr, plot::modes},
     {"frequency-response", vibrates, plot::frequency_response},
     {"joint-forces", vibrates, plot::joint_forces},
     {"sudden-start", vibrates, plot::sudden_start},
@@ -104,19 +105,22 @@ std::vector<std::string> files_of_figures() {
   std::vector<std::string> files;
   for (const FigureKind& kind : kinds) {
     files.push_back(fmt::format("{}.svg", kind.name));
-    files.push_back(fmt::format("plots/{}.gp", kind.name));
+    if (kind.plot != nullptr) files.push_back(fmt::format("plots/{}.gp", kind.name));
   }
   return files;
 }
 
 std::vector<std::string> draw_figures(const Project& project, const Verification& verification,
-                                      const std::string& folder, const std::string& pdf_folder) {
+                                      const std::string& folder, const std::string& tex_folder) {
   std::vector<DrawnFigure> figures;
   for (const FigureKind& kind : kinds_of(project, verification)) {
-    figures.push_back(
-        {kind.name, [&, kind](plot::Script& script) { kind.draw(script, project, verification); }});
+    if (kind.draw != nullptr)
+      figures.push_back({kind.name, [&, kind] { return kind.draw(project, verification); }});
+    else
+      figures.push_back(
+          {kind.name, [&, kind](plot::Script& gp) { kind.plot(gp, project, verification); }});
   }
-  return draw_into(folder, pdf_folder, figures);
+  return draw_into(folder, tex_folder, figures);
 }
 
 }  // namespace boxbeam

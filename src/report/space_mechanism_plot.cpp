@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "boxbeam/report/format.hpp"
+#include "ink.hpp"
 #include "mechanism_drawing.hpp"
 
 namespace boxbeam::plot {
@@ -22,15 +23,16 @@ struct Sheet {
 };
 
 /// The two of three views that show most: together they have all coordinates.
-std::array<Sheet, 2> sheets_of(const Extents& extents) {
-  static constexpr Sheet front{{0, 2}, "seen along y", "x [m]", "z [m]"};
-  static constexpr Sheet side{{1, 2}, "seen along x", "y [m]", "z [m]"};
-  static constexpr Sheet above{{0, 1}, "seen along z", "x [m]", "y [m]"};
-  const Eigen::Vector3d size = extents.size();
-  const double of_front = size.x() * size.z();
-  const double of_side = size.y() * size.z();
-  const double of_above = size.x() * size.y();
-  if (of_above <= std::min(of_front, of_side)) return {front, side};
+std::array<Sheet, 2> sheets_of(const Verification& verification) {
+  const Sheet front{flat_view(0, 2), "seen along y", "x [m]", "z [m]"};
+  const Sheet side{flat_view(1, 2), "seen along x", "y [m]", "z [m]"};
+  const Sheet above{flat_view(0, 1), "seen along z", "x [m]", "y [m]"};
+  const auto area = [&](const Sheet& sheet) {
+    return room_of(verification, sheet.view).size().prod();
+  };
+  const double of_front = area(front);
+  const double of_side = area(side);
+  if (area(above) <= std::min(of_front, of_side)) return {front, side};
   if (of_side <= of_front) return {front, above};
   return {above, side};
 }
@@ -47,34 +49,11 @@ std::vector<std::size_t> instants_of(const Verification& verification) {
   return numbers;
 }
 
-double largest_force_of(const PostureFigure& posture) {
-  double largest = 1e-9;
-  for (const BeamLoadRow& row : posture.loads) largest = std::max(largest, row.world.norm());
-  return largest;
-}
-
-/// The corners of a view at a scale [px], with arrows and their names, from the origin.
-Frame drawn_extent(const Verification& verification, const std::vector<std::size_t>& shown,
-                   const Extents& extents, const View& view, double metres_per_pixel) {
-  constexpr double margin = 12.0;
-  const Eigen::Vector3d low = extents.low / metres_per_pixel;
-  const Eigen::Vector3d high = extents.high / metres_per_pixel;
-  Frame frame{low[view.across] - margin, low[view.up] - margin, high[view.across] + margin,
-              high[view.up] + margin};
-  for (const std::size_t k : shown) {
-    const PostureFigure& posture = verification.postures[k];
-    const double length = arrow / largest_force_of(posture);
-    for (const BeamLoadRow& row : posture.loads) {
-      const Eigen::Vector3d tail = row.place / metres_per_pixel - length * row.world;
-      const double name = std::min(text_width(row.name), longest_load_name) + 4.0;
-      const double side = row.world[view.across] > 0.0 ? -1.0 : 1.0;
-      frame.left = std::min(frame.left, tail[view.across] + std::min(0.0, side * name));
-      frame.right = std::max(frame.right, tail[view.across] + std::max(0.0, side * name));
-      frame.bottom = std::min(frame.bottom, tail[view.up] - text_line);
-      frame.top = std::max(frame.top, tail[view.up] + text_line);
-    }
-  }
-  return frame;
+/// The longest arrow of each instant is its largest force.
+LoadInk look_of(const PostureFigure& posture, double least_couple) {
+  LoadSizes sizes;
+  sizes.take(posture);
+  return {arrow / sizes.force(), least_couple, false};
 }
 
 /// How the frames stand, all on one scale: a row or a column for each instant, the views of it
@@ -90,14 +69,9 @@ constexpr double name_row = 18.0;  ///< number and time of an instant above its 
 constexpr double view_row = 22.0;  ///< the name of a view above its frame
 constexpr double highest = 650.0;  ///< of the figure: on paper a higher one would be shrunk
 
-/// The layout with the largest scale.
-Layout layout_of(const Verification& verification, const std::vector<std::size_t>& shown,
-                 const Extents& extents, const std::array<Sheet, 2>& sheets, double below) {
-  const auto count = static_cast<double>(std::max<std::size_t>(shown.size(), 1));
-  const auto drawn = [&](double scale) {
-    return std::array{drawn_extent(verification, shown, extents, sheets[0].view, scale),
-                      drawn_extent(verification, shown, extents, sheets[1].view, scale)};
-  };
+/// The layout with the largest scale for what two views must show of so many instants.
+Layout layout_of(const std::array<Room, 2>& rooms, std::size_t instants, double below) {
+  const auto count = static_cast<double>(std::max<std::size_t>(instants, 1));
   Layout best;
   for (const bool column : {false, true}) {
     const double columns = column ? count : 2.0;
@@ -107,7 +81,7 @@ Layout layout_of(const Verification& verification, const std::vector<std::size_t
         highest - below - rows * (view_row + below_frame) - (column ? 1.0 : count) * name_row;
     const auto sizes_of = [&](double scale) {
       constexpr double least = 70.0, narrowest = 100.0;
-      const auto at = drawn(scale);
+      const std::array at{rooms[0].at(scale), rooms[1].at(scale)};
       Layout layout{column, scale, {}, {}, {}, {}};
       for (std::size_t j = 0; j < 2; ++j) {
         layout.width[j] = std::max(at[j].right - at[j].left, narrowest);
@@ -125,18 +99,15 @@ Layout layout_of(const Verification& verification, const std::vector<std::size_t
     const auto up_of = [&](const Layout& of) {
       return column ? of.height[0] + of.height[1] : count * of.height[0];
     };
-    // The finest scale that fits, between one far too fine and one at which arrows alone fill it.
-    double fine = 1e-3 * extents.size().maxCoeff() / figure_width;
-    double coarse = 1e6 * fine;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = std::sqrt(fine * coarse);
-      const Layout at = sizes_of(middle);
-      (across_of(at) <= room_across && up_of(at) <= room_up ? coarse : fine) = middle;
-    }
-    Layout layout = sizes_of(coarse);
+    const double size = std::max(rooms[0].size().maxCoeff(), rooms[1].size().maxCoeff());
+    const double scale = finest_scale(size, [&](double metres_per_pixel) {
+      const Layout at = sizes_of(metres_per_pixel);
+      return across_of(at) <= room_across && up_of(at) <= room_up;
+    });
+    Layout layout = sizes_of(scale);
     const double spare = std::max(0.0, room_across - across_of(layout)) / columns;
     for (double& width : layout.width) width += spare;
-    if (best.width[0] == 0.0 || coarse < best.metres_per_pixel) best = layout;
+    if (best.width[0] == 0.0 || scale < best.metres_per_pixel) best = layout;
   }
   return best;
 }
@@ -153,46 +124,52 @@ std::vector<LegendEntry> legend_of(const Verification& verification,
                           text::kN(row.world.norm()));
       if (row.couple.norm() > least_couple) text += " and " + text::kNm(row.couple.norm());
     }
-    entries.push_back({text, fmt::format("lw 4 lc rgb '{}'", colour(i))});
+    entries.push_back({text, "", "", {colour(i), 4.0}});
   }
   return entries;
 }
 
 }  // namespace
 
-void mechanism_in_space(Script& gp, const Project&, const Verification& verification) {
+Drawing mechanism_in_space(const Project&, const Verification& verification) {
   const std::vector<std::size_t> shown = instants_of(verification);
-  const Extents extents = extents_of(verification);
-  const std::array<Sheet, 2> sheets = sheets_of(extents);
-  const double least_couple = least_couple_of(verification);
+  const std::array<Sheet, 2> sheets = sheets_of(verification);
+  std::array rooms{room_of(verification, sheets[0].view), room_of(verification, sheets[1].view)};
+  const double size = std::max(rooms[0].size().maxCoeff(), rooms[1].size().maxCoeff());
+  const double least_couple = load_sizes_of(verification).least_couple(size);
+  for (Room& room : rooms) {
+    for (const std::size_t k : shown)
+      room.take_loads(verification.postures[k], look_of(verification.postures[k], least_couple));
+  }
   const std::vector<LegendEntry> legend = legend_of(verification, shown, least_couple);
   const double below = foot + height_of_legend(legend);
-  const Layout layout = layout_of(verification, shown, extents, sheets, below);
+  const Layout layout = layout_of(rooms, shown.size(), below);
   const auto count = static_cast<double>(shown.size());
   const bool column = layout.instant_is_column;
   const double row_height = name_row + view_row + layout.height[0] + below_frame;
   const double height =
       column ? row_height + view_row + layout.height[1] + below_frame : count * row_height;
-  gp.begin("mechanism", below + height);
+  Drawing drawing{figure_width, below + height, {}};
   const PostureFigure& first = verification.postures.front();
   const std::size_t all = verification.postures.size() - 1;
   const std::string some =
       all > shown.size() ? fmt::format(";  {} of {} instants", shown.size(), all) : "";
-  put_text(gp,
+  const double middle = 0.5 * drawing.width;
+  put_text(drawing,
            fitted(fmt::format("origin: the beam's joint;  grey: {}{}",
                               time_label(first.time, first.situation), some),
-                  gp.width() - 20.0),
-           {0.5 * gp.width(), foot - 12.0}, "center", "#505050");
-  put_text(gp, "arrows: loads on the beam, the longest of each instant its largest",
-           {0.5 * gp.width(), foot - 29.0}, "center", "#505050");
-  draw_legend(gp, legend, foot);
+                  drawing.width - 20.0),
+           {middle, foot - 12.0}, Anchor::middle, quiet_ink);
+  put_text(drawing, "arrows: loads on the beam, the longest of each instant its largest",
+           {middle, foot - 29.0}, Anchor::middle, quiet_ink);
+  draw_legend(drawing, legend, foot);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const PostureFigure& posture = verification.postures[shown[i]];
     const auto step = static_cast<double>(i);
     for (std::size_t j = 0; j < sheets.size(); ++j) {
       const Sheet& sheet = sheets[j];
       double left = left_of_frame;
-      double top = gp.height() - name_row - view_row;
+      double top = drawing.height - name_row - view_row;
       if (column) {
         left += step * (layout.width[0] + left_of_frame);
         if (j == 1) top -= layout.height[0] + below_frame + view_row;
@@ -201,36 +178,28 @@ void mechanism_in_space(Script& gp, const Project&, const Verification& verifica
         top -= step * row_height;
       }
       if (j == 0) {
-        put_text(gp,
+        put_text(drawing,
                  fitted(fmt::format("({}) {}", shown[i], time_label(posture.time)),
                         layout.width[0] + 36.0),
-                 {left - 40.0, top + view_row + 8.0}, "left", colour(i));
+                 {left - 40.0, top + view_row + 8.0}, Anchor::left, colour(i));
       }
-      const Panel panel =
-          panel_to_scale({left, top - layout.height[j], left + layout.width[j], top},
-                         layout.metres_per_pixel, layout.across[j], layout.up[j]);
-      place(gp, panel);
-      put_footing(gp, panel, sheet.across);
-      put_text(gp, fmt::format("{}, {}", sheet.up, sheet.name), {left - 40.0, top + 10.0}, "left",
-               "#505050");
+      const Projection projection{
+          sheet.view, panel_to_scale({left, top - layout.height[j], left + layout.width[j], top},
+                                     layout.metres_per_pixel, {layout.across[j], layout.up[j]})};
+      put_axes(drawing, projection.panel);
+      put_footing(drawing, projection.panel, sheet.across);
+      put_text(drawing, fmt::format("{}, {}", sheet.up, sheet.name), {left - 40.0, top + 10.0},
+               Anchor::left, quiet_ink);
       Labels labels;
-      keep_off_bodies(labels, panel, posture, sheet.view);
-      keep_off_bodies(labels, panel, first, sheet.view);
-      const std::string name = fmt::format("{}_{}", i, j);
-      std::vector<std::string> curves = draw_traces(gp, verification, sheet.view, "trace" + name);
-      const auto add = [&](const PostureFigure& of, const std::string& prefix, const char* rgb) {
-        const Ink look{prefix + name, rgb, 0.4 * arrow * layout.metres_per_pixel};
-        for (std::string& curve : draw_bodies(gp, of, sheet.view, look)) {
-          curves.push_back(std::move(curve));
-        }
-      };
-      add(first, "rest", "#c4c4c4");
-      add(posture, "at", colour(i));
-      draw_loads(gp, labels, panel, posture, sheet.view,
-                 {arrow / largest_force_of(posture), least_couple, false});
-      gp.plot(curves);
+      keep_off_bodies(labels, posture, projection);
+      keep_off_bodies(labels, first, projection);
+      draw_traces(drawing, verification, projection);
+      draw_bodies(drawing, first, projection, "#c4c4c4", 0.4 * arrow);
+      draw_bodies(drawing, posture, projection, colour(i), 0.4 * arrow);
+      draw_loads(drawing, labels, posture, projection, look_of(posture, least_couple));
     }
   }
+  return drawing;
 }
 
 }  // namespace boxbeam::plot

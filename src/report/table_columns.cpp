@@ -1,7 +1,5 @@
 #include "table_columns.hpp"
 
-#include <algorithm>
-
 namespace boxbeam::report {
 
 bool is_number(const std::string& cell) {
@@ -12,9 +10,15 @@ bool is_number(const std::string& cell) {
 }
 
 bool holds_numbers(const Table& table, std::size_t column) {
-  return !table.rows.empty() &&
-         std::all_of(table.rows.begin(), table.rows.end(),
-                     [column](const auto& row) { return is_number(row[column].text); });
+  bool any = false;
+  for (const auto& row : table.rows) {
+    const std::string& cell = row[column].text;
+    // Nothing in the first column is a name that goes on.
+    const bool left_out = cell.empty() && column > 0;
+    if (!left_out && !is_number(cell)) return false;
+    any = any || !cell.empty();
+  }
+  return any;
 }
 
 }  // namespace boxbeam::report

@@ -11,7 +11,8 @@ namespace boxbeam::report {
 /// itself.
 bool is_number(const std::string& cell);
 
-/// A column of numbers, which stands at the right: every cell is one.
+/// A column of numbers, which stands at the right: every cell is one, but what is left out of any
+/// column but the first.
 bool holds_numbers(const Table& table, std::size_t column);
 
 }  // namespace boxbeam::report

@@ -23,19 +23,15 @@ std::string item(const std::string& text);
 /// A short name and what is said of it, wrapped beside it.
 std::string entry(const std::string& name, const std::string& text);
 
-/// Columns after the first are right-aligned where every entry begins with a digit or a sign. Where
-/// the page is too narrow, cells are wrapped, and what has no room beside the first column stands
-/// below.
+/// A table of texts, as wide as the page at most.
 class Table {
  public:
   explicit Table(std::vector<std::string> header);
-  void row(std::vector<std::string> cells);
+  void row(const std::vector<std::string>& cells);
   std::string text() const;
 
  private:
-  report::Table as_report_table() const;
-
-  std::vector<std::vector<std::string>> rows_;
+  report::Table table_;
 };
 
 }  // namespace boxbeam::layout

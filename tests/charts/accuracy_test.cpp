@@ -13,6 +13,8 @@
 #include "boxbeam/report/latex_writer.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "catch.hpp"
+#include "src/report/gnuplot_svg.hpp"
+#include "src/report/svg.hpp"
 #include "support/invented_charts.hpp"
 #include "support/program.hpp"
 #include "support/svg_text.hpp"
@@ -46,7 +48,7 @@ std::vector<TopicShown> all_topics() {
 const fs::path& drawn() {
   static const test::TemporaryFolder folder;
   static const bool done = [] {
-    draw_charts(all_topics(), folder.path().string(), (folder.path() / "pdf").string());
+    draw_charts(all_topics(), folder.path().string(), (folder.path() / "tex").string());
     return true;
   }();
   static const fs::path path = folder.path();
@@ -78,12 +80,25 @@ std::vector<std::vector<std::string>> records_of(const std::string& csv) {
   return records;
 }
 
-/// How often a mark of gnuplot's number stands in a figure.
-std::size_t marks_in(const std::string& svg, int type) {
-  const std::string mark = "#gpPt" + std::to_string(type - 1) + "' transform";
+std::size_t matches_in(const std::string& svg, const char* pattern) {
+  const std::regex wanted(pattern);
+  return static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(svg.begin(), svg.end(), wanted), {}));
+}
+
+std::size_t discs_in(const std::string& svg) {
+  return matches_in(svg, "<circle fill[^>]* r=\"[1-9]");
+}
+std::size_t rings_in(const std::string& svg) { return matches_in(svg, "<circle stroke"); }
+
+/// Strokes of a path that go as far down as to the right and no further: one of each cross.
+std::size_t crosses_in(const std::string& svg) {
+  static const std::regex stroke("M[^a-zM\"]*l([0-9.]+?) ?([0-9]+|[0-9]*\\.[0-9])(?=[M\"])");
   std::size_t count = 0;
-  for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + 1))
-    ++count;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), stroke), end; at != end; ++at) {
+    constexpr double rounding = 0.15;
+    if (std::abs(std::stod((*at)[1]) - std::stod((*at)[2])) < rounding) ++count;
+  }
   return count;
 }
 
@@ -175,9 +190,10 @@ TEST_CASE("charts and maps are drawn without a warning and can be read", "[repor
     CAPTURE(name);
     const std::string before = svg_of(name);
     CHECK(test::words_of_gnuplot(drawn(), name).empty());
-    CHECK(svg_of(name) == before);
+    CHECK(plot::svg_of(plot::drawing_of_gnuplot(svg_of(name))) == before);
     test::check_legible(before);
-    CHECK(test::read_file(drawn() / "pdf" / (name + ".pdf")).starts_with("%PDF-"));
+    std::ofstream(drawn() / (name + ".svg")) << before;  // as it was
+    CHECK(test::read_file(drawn() / "tex" / (name + ".tex")).starts_with("\\begin{drawing}"));
   }
 }
 
@@ -192,7 +208,7 @@ TEST_CASE("every failed setting of a chart is drawn, every reason told", "[repor
         defaults += point.is_default ? 1 : 0;
       }
     }
-    CHECK(marks_in(svg, 2) == failed * panels_of(chart));
+    CHECK(crosses_in(svg) == failed * panels_of(chart));
     const std::vector<test::SvgText> texts = test::texts_of(svg);
     CHECK(test::has(texts, "failed") == (failed > 0));
     CHECK(test::has(texts, "default") == (defaults > 0));
@@ -207,10 +223,10 @@ TEST_CASE("every solved setting of a chart is drawn once in each panel where it 
   // The first own method has round marks, the first of others hollow ones; the legend shows each
   // once, and a ring marks the default.
   const std::string svg = svg_of("plain");
-  CHECK(marks_in(svg, 7) == 2 * 8 + 1);
-  CHECK(marks_in(svg, 6) == 2 * 8 + 1 + 2 + 1);
-  CHECK(marks_in(svg_of("untimed"), 7) == 8 + 1);
-  CHECK(marks_in(svg_of("uncounted"), 7) == 8 + 1);
+  CHECK(discs_in(svg) == 2 * 8 + 1);
+  CHECK(rings_in(svg) == 2 * 8 + 1 + 2 + 1);
+  CHECK(discs_in(svg_of("untimed")) == 8 + 1);
+  CHECK(discs_in(svg_of("uncounted")) == 8 + 1);
 }
 
 TEST_CASE("a chart names its methods, its scene, its reference and its levels",
@@ -282,8 +298,8 @@ TEST_CASE("every trial of a map is drawn in the colour and with the mark of its 
           test::has(test::texts_of(svg), std::to_string(panel.count(Outcome::solved)) + " solved"));
     }
     // And one of each in the legend.
-    CHECK(marks_in(svg, 2) == wrong + 1);
-    CHECK(marks_in(svg, 7) == refused + 1);
+    CHECK(crosses_in(svg) == wrong + 1);
+    CHECK(discs_in(svg) == refused + 1);
     CHECK(solved + wrong + refused == 120 * map.panels.size());
   }
 }

@@ -3,9 +3,12 @@
 
 #include "boxbeam/report/html_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "boxbeam/report/report.hpp"
 #include "catch.hpp"
@@ -80,13 +83,63 @@ Document full_of(const std::string& text) {
   return document;
 }
 
+/// The steps of a row added to the row before.
+void add(nlohmann::json& row, const nlohmann::json& before, std::size_t first) {
+  for (std::size_t i = first; i < row.size(); ++i) {
+    if (row[i].is_number()) row[i] = row[i].get<long>() + before[i].get<long>();
+  }
+}
+
 nlohmann::json cycle_data(const test::Markup& page) {
   for (const test::Element& script : test::elements_named(page, "script")) {
     if (script.attributes.count("type") == 0) continue;
     const nlohmann::json all = nlohmann::json::parse(script.text);
-    return all.at("situations").at(all.at("first").get<std::size_t>());
+    nlohmann::json data = all.at("situations").at(all.at("first").get<std::size_t>());
+    for (nlohmann::json& view : data["views"]) {
+      nlohmann::json& frames = view["frames"];
+      for (std::size_t f = 1; f < frames.size(); ++f) {
+        const bool alike =
+            std::equal(frames[f].begin(), frames[f].end(), frames[f - 1].begin(),
+                       frames[f - 1].end(), [](const nlohmann::json& a, const nlohmann::json& b) {
+                         return a[0] == b[0] && a.size() == b.size();
+                       });
+        for (std::size_t i = 0; alike && i < frames[f].size(); ++i)
+          add(frames[f][i], frames[f - 1][i], 1);
+      }
+    }
+    for (nlohmann::json& cut : data["diagrams"]["cut"]) {
+      for (std::size_t f = 1; f < cut["frames"].size(); ++f)
+        add(cut["frames"][f], cut["frames"][f - 1], 0);
+    }
+    return data;
   }
   return {};
+}
+
+/// The places of the first shape of a kind in a frame: x, y, ...
+std::vector<double> places_of(const test::Markup& page, const nlohmann::json& frame,
+                              const std::string& kind) {
+  for (const test::Element& script : test::elements_named(page, "script")) {
+    if (script.attributes.count("type") == 0) continue;
+    const nlohmann::json kinds = nlohmann::json::parse(script.text).at("kinds");
+    for (const nlohmann::json& shape : frame) {
+      const nlohmann::json& of = kinds.at(shape.at(0).get<std::size_t>());
+      if (of.at(0) != kind) continue;
+      std::vector<double> places;
+      for (std::size_t i = 1; i < shape.size(); ++i) places.push_back(0.1 * shape[i].get<double>());
+      std::istringstream steps(of.at(1).get<std::string>().erase(0, 1));  // of an outline
+      for (double step = 0.0; steps >> step;) places.push_back(places[places.size() - 2] + step);
+      return places;
+    }
+  }
+  FAIL("nothing is drawn of the kind " + kind);
+  return {};
+}
+
+bool has_text(const test::Markup& page, const std::string& words) {
+  const std::vector<test::Element> texts = test::elements_named(page, "text");
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const test::Element& text) { return text.text == words; });
 }
 
 }  // namespace
@@ -260,59 +313,85 @@ TEST_CASE("a page of a shipped case holds all numbers, links to itself only and 
   }
 }
 
-TEST_CASE("the moving picture has the places and forces of its frames to five digits") {
+TEST_CASE("the moving picture has its places to a tenth of a pixel and its forces to five digits") {
   const CycleFigure cycle = turning_beam("P");
   Document document;
   document.chapters = {{"", {MovingPicture{{cycle}, 0, "Turning."}}}};
   const test::Markup page = test::read_markup(html_of(document, no_pictures));
   const nlohmann::json data = cycle_data(page);
-  const nlohmann::json& mechanism = data["mechanism"];
-  CHECK(mechanism["space"] == false);
+  REQUIRE(data["views"].size() == 1);  // in the plane
+  const nlohmann::json& frames = data["views"][0]["frames"];
   CHECK(data["repeats"] == true);
   CHECK(data["frame"] == 3);  // of the largest moment
   CHECK(data["station"] == 0);
-  REQUIRE(data["cut"].size() == 3);  // N, V, M
+  const nlohmann::json& diagrams = data["diagrams"];
+  REQUIRE(diagrams["cut"].size() == 3);  // N, V, M
+  // One scale for all: the beam is 2 m long and begins on the ground.
+  const std::vector<double> still = places_of(page, frames[0], "beam");
+  REQUIRE(still.size() == 4);
+  const double scale = 0.5 * std::hypot(still[2] - still[0], still[3] - still[1]);
+  CHECK(scale > 50.0);
   for (std::size_t f = 0; f < cycle.frames.size(); ++f) {
     const CycleFrame& frame = cycle.frames[f];
     CHECK(data["times"][f].get<double>() == Approx(frame.time.value()));
-    // Points of the beam, its stroke, the rod, the guide and its direction, the ground.
-    const double digit = mechanism["digit"];
-    const double of_guide = mechanism["guideDigit"];
+    const auto check = [&](const std::vector<double>& drawn, std::size_t i, double x, double y) {
+      CHECK(drawn.at(2 * i) == Approx(still[0] + scale * x).margin(0.2));
+      CHECK(drawn.at(2 * i + 1) == Approx(still[1] - scale * y).margin(0.2));
+    };
     const Eigen::Vector3d& end = frame.posture.bodies[0].points[1];
-    const std::vector<double> places{0.0,
-                                     0.0,
-                                     end.x(),
-                                     end.y(),
-                                     0.0,
-                                     0.0,
-                                     end.x(),
-                                     end.y(),
-                                     end.x(),
-                                     end.y(),
-                                     3.0,
-                                     -1.0,
-                                     end.x(),
-                                     end.y(),
-                                     0.6 * digit / of_guide,
-                                     0.8 * digit / of_guide,
-                                     0.0,
-                                     0.0};
-    REQUIRE(mechanism["frames"][f].size() == places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      CHECK(mechanism["frames"][f][i].get<double>() * digit == Approx(places[i]).margin(6e-5));
-    }
-    const nlohmann::json& load = data["loads"]["frames"][f][0];
-    CHECK(load[4].get<double>() * data["loads"]["digit"].get<double>() ==
-          Approx(1e-3 * frame.posture.loads[0].world.y()).epsilon(1e-4));
+    check(places_of(page, frames[f], "beam"), 0, 0.0, 0.0);
+    check(places_of(page, frames[f], "beam"), 1, end.x(), end.y());
+    check(places_of(page, frames[f], "joint"), 0, 0.0, 0.0);
+    check(places_of(page, frames[f], "rod"), 0, end.x(), end.y());
+    check(places_of(page, frames[f], "rod"), 1, 3.0, -1.0);
+    check(places_of(page, frames[f], "ground"), 0, 0.0, 0.0);
+    // A guide has no end: it goes as far to both sides, in its direction.
+    const std::vector<double> guide = places_of(page, frames[f], "guide");
+    CHECK((guide[3] - guide[1]) / (guide[2] - guide[0]) == Approx(-0.8 / 0.6).epsilon(0.01));
+    CHECK(0.5 * (guide[0] + guide[2]) == Approx(still[0] + scale * end.x()).margin(0.2));
+    // The force pulls downwards: its arrow comes from above and ends where it acts.
+    check(places_of(page, frames[f], "head"), 0, end.x(), end.y());
+    const std::vector<double> arrow = places_of(page, frames[f], "load");
+    CHECK(arrow[1] < arrow[3]);
+    CHECK(arrow[0] == Approx(arrow[2]).margin(0.11));
+    CHECK(data["loads"]["frames"][f][0][1].get<double>() ==
+          Approx(-1e-3 * frame.posture.loads[0].world.y()).epsilon(1e-3));
     constexpr cut_force::Index order[] = {cut_force::N, cut_force::V_z, cut_force::M_y};
     for (std::size_t q = 0; q < 3; ++q) {
-      const nlohmann::json& cut = data["cut"][q];
+      const nlohmann::json& cut = diagrams["cut"][q];
       for (std::size_t i = 0; i < 2; ++i) {
         CHECK(cut["frames"][f][i].get<double>() * cut["digit"].get<double>() ==
               Approx(1e-3 * value_of(frame.values[i], order[q])).margin(1e-5));
       }
     }
   }
+}
+
+TEST_CASE("the diagrams' paper holds every value of the cycle") {
+  Document document;
+  document.chapters = {{"", {MovingPicture{{turning_beam("P")}, 0, "Turning."}}}};
+  const test::Markup page = test::read_markup(html_of(document, no_pictures));
+  const nlohmann::json diagrams = cycle_data(page)["diagrams"];
+  const double height = diagrams["height"];
+  double above = 0.0;
+  for (const nlohmann::json& cut : diagrams["cut"]) {
+    double top = 1e300;
+    double bottom = -1e300;
+    for (const char* line : {"low", "high"}) {
+      for (const nlohmann::json& value : cut[line]) {
+        const double y =
+            cut["zero"].get<double>() - cut["scale"].get<double>() * value.get<double>();
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+      }
+    }
+    CHECK(top > above);  // each below the one before
+    CHECK(bottom < 10.0 * height);
+    CHECK(std::max(bottom, cut["zero"].get<double>()) - std::min(top, cut["zero"].get<double>()) ==
+          Approx(920.0).margin(2.0));
+    above = bottom;
+  }
+  CHECK(diagrams["x"].size() == 2);
 }
 
 TEST_CASE("every situation has its data, and the page begins with the one that it is told") {
@@ -344,18 +423,18 @@ TEST_CASE("a couple is drawn as an arrow around its place, with its size") {
   Document document;
   document.chapters = {{"", {MovingPicture{{cycle}, 0, "Turning."}}}};
   const test::Markup page = test::read_markup(html_of(document, no_pictures));
-  std::size_t rings = 0;
-  for (const test::Element& path : test::elements_named(page, "path")) {
-    if (path.attributes.at("class") != "couple") continue;
-    ++rings;
-    // Clockwise on a drawing whose y points down: the sweep of its arc is 1.
-    CHECK(path.attributes.at("d").find(" 0 1 1 ") != std::string::npos);
+  const nlohmann::json data = cycle_data(page);
+  const std::vector<double> ring = places_of(page, data["views"][0]["frames"][3], "couple");
+  REQUIRE(ring.size() >= 8);
+  // Clockwise on a drawing whose y points down: each place is to the right of the way to it.
+  double turned = 0.0;
+  for (std::size_t i = 0; i + 5 < ring.size(); i += 2) {
+    turned += (ring[i + 2] - ring[i]) * (ring[i + 5] - ring[i + 3]) -
+              (ring[i + 3] - ring[i + 1]) * (ring[i + 4] - ring[i + 2]);
   }
-  CHECK(rings == 1);
-  CHECK(test::elements_named(page, "text").at(0).text == "P  2.500 kN m");
-  const nlohmann::json loads = cycle_data(page)["loads"];
-  CHECK(loads["frames"][0][0][5].get<double>() * loads["coupleDigit"].get<double>() ==
-        Approx(-2.5).epsilon(1e-4));
+  CHECK(turned > 0.0);
+  CHECK(has_text(page, "P  2.500 kN m"));
+  CHECK(data["loads"]["frames"][0][0][2].get<double>() == Approx(2.5).epsilon(1e-4));
 }
 
 TEST_CASE("without script the mechanism is drawn as it stands at the largest moment") {
@@ -363,16 +442,18 @@ TEST_CASE("without script the mechanism is drawn as it stands at the largest mom
   Document document;
   document.chapters = {{"", {MovingPicture{{cycle}, 0, "Turning."}}}};
   const test::Markup page = test::read_markup(html_of(document, no_pictures));
-  const std::vector<test::Element> lines = test::elements_named(page, "line");
-  const auto beam = std::find_if(lines.begin(), lines.end(), [](const test::Element& line) {
-    return line.attributes.at("class") == "beam";
+  const std::vector<test::Element> paths = test::elements_named(page, "path");
+  const auto beam = std::find_if(paths.begin(), paths.end(), [](const test::Element& path) {
+    return path.attributes.at("class") == "beam";
   });
-  REQUIRE(beam != lines.end());
-  const auto number = [&](const char* name) { return std::stod(beam->attributes.at(name)); };
+  REQUIRE(beam != paths.end());
+  const std::string way = beam->attributes.at("d");
+  double across = 0.0;
+  double down = 0.0;
+  REQUIRE(std::sscanf(way.c_str() + way.find('l'), "l%lf%lf", &across, &down) == 2);
   // The last frame, 1.2 rad; the y axis of a drawing points down. One decimal is written.
-  const double angle = std::atan2(number("y1") - number("y2"), number("x2") - number("x1"));
-  CHECK(angle == Approx(1.2).margin(0.002));
-  CHECK(test::elements_named(page, "text").at(0).text == "P  4.938 kN");
+  CHECK(std::atan2(-down, across) == Approx(1.2).margin(0.002));
+  CHECK(has_text(page, "P  4.938 kN"));
   CHECK(test::elements_named(page, "noscript").size() == 1);
 }
 

@@ -34,7 +34,7 @@ double ems_of(const std::string& text) {
 
 std::string unescaped(std::string text) {
   const std::pair<const char*, const char*> entities[] = {{"&lt;", "<"},     {"&gt;", ">"},
-                                                          {"&quot;", "\""},  {"&apos;", "'"},
+                                                          {"&quot;", "\""},  {"&#39;", "'"},
                                                           {"\xC2\xA0", " "}, {"&amp;", "&"}};
   for (const auto& [entity, character] : entities) {
     for (std::size_t at = text.find(entity); at != std::string::npos;
@@ -48,41 +48,39 @@ std::string unescaped(std::string text) {
 }  // namespace
 
 std::vector<SvgText> texts_of(const std::string& svg) {
-  static const std::regex group(
-      "<g transform=\"translate\\(([0-9.-]+),([0-9.-]+)\\)( rotate\\([^)]*\\))?\" [^>]*"
-      "font-size=\"([0-9.]+)\"\\s+text-anchor=\"(\\w+)\">\\s*<text[^>]*>(.*?)</text>");
-  static const std::regex span("<tspan([^>]*)>([^<]*)</tspan>");
-  static const std::regex font_size("font-size=\"([0-9.]+)\"");
+  static const std::regex element(
+      "<text x=\"([0-9.-]+)\" y=\"([0-9.-]+)\"( text-anchor=\"(\\w+)\")? "
+      "fill=\"[^\"]*\"(?: xml:space=\"preserve\")?>(.*?)</text>");
+  static const std::regex span(
+      "<tspan dy=\"[^\"]*\" font-size=\"([0-9.]+)\">([^<]*)</tspan>|[^<]+");
+  constexpr double usual = 12.0;
   std::vector<SvgText> texts;
-  for (std::sregex_iterator at(svg.begin(), svg.end(), group), end; at != end; ++at) {
-    CHECK_FALSE((*at)[3].matched);  // nothing is written upright
+  for (std::sregex_iterator at(svg.begin(), svg.end(), element), end; at != end; ++at) {
     SvgText text;
-    text.size = std::stod((*at)[4]);
+    text.size = usual;
     double width = 0.0;
-    const std::string inside = (*at)[6];
-    if (inside.find("<tspan") == std::string::npos) {
-      text.text = unescaped(inside);
-      width = text.size * ems_of(text.text);
-    }
+    const std::string inside = (*at)[5];
     for (std::sregex_iterator part(inside.begin(), inside.end(), span); part != end; ++part) {
-      const std::string attributes = (*part)[1];
-      std::smatch found;
-      const double size =
-          std::regex_search(attributes, found, font_size) ? std::stod(found[1]) : text.size;
-      const std::string piece = unescaped((*part)[2]);
+      const bool smaller = (*part)[1].matched;
+      const std::string piece = unescaped(smaller ? (*part)[2] : (*part)[0]);
       text.text += piece;
-      width += size * ems_of(piece);
+      width += (smaller ? std::stod((*part)[1]) : usual) * ems_of(piece);
     }
     if (text.text.find_first_not_of(' ') == std::string::npos) continue;
     const double x = std::stod((*at)[1]);
     const double y = std::stod((*at)[2]);
-    const std::string anchor = (*at)[5];
-    text.left = anchor == "start" ? x : (anchor == "end" ? x - width : x - 0.5 * width);
+    const std::string anchor = (*at)[4];
+    text.left = anchor.empty() ? x : (anchor == "end" ? x - width : x - 0.5 * width);
     text.right = text.left + width;
     text.top = y - 0.73 * text.size;  // as high as capitals
     text.bottom = y + 0.1 * text.size;
     texts.push_back(text);
   }
+  // None is written in another way, as upright.
+  static const std::regex any("<text");
+  CHECK(std::distance(std::sregex_iterator(svg.begin(), svg.end(), any), {}) ==
+        std::distance(std::sregex_iterator(svg.begin(), svg.end(), element), {}));
+  CHECK(svg.find("rotate") == std::string::npos);
   return texts;
 }
 

@@ -14,7 +14,7 @@ struct SvgText {
   double size = 0.0;
 };
 
-/// All texts of a figure that gnuplot drew. None may be written upright.
+/// All texts of a figure. None may be written upright.
 std::vector<SvgText> texts_of(const std::string& svg);
 
 bool has(const std::vector<SvgText>& texts, const std::string& part);

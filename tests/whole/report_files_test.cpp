@@ -327,7 +327,7 @@ TEST_CASE("two runs give the same bytes in every file", "[files]") {
   const std::map<std::string, std::string> first = run("first");
   const std::map<std::string, std::string> second = run("second");
   for (const char* name : {"report.txt", "report.html", "report.pdf", "results.json",
-                           "mechanism.svg", "plots/mechanism.gp"}) {
+                           "mechanism.svg", "plots/motion.gp"}) {
     INFO(name);
     CHECK(first.count(name) == 1);
   }

@@ -163,7 +163,9 @@ TEST_CASE("the report of a case in space has all six cut forces and its figures"
         std::vector<std::string>{"s", "side", "N", "V_y", "V_z", "T", "M_y", "M_z"});
   for (const char* name : {"cut-forces", "mechanism", "loads", "stress", "sn"}) {
     CHECK(std::filesystem::exists(out + "/" + name + ".svg"));
-    CHECK(std::filesystem::exists(out + "/plots/" + name + ".gp"));
+    // The mechanism is drawn by the program itself.
+    CHECK(std::filesystem::exists(out + "/plots/" + name + ".gp") ==
+          (std::string(name) != "mechanism"));
   }
 }
 

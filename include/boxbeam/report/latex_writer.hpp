@@ -8,7 +8,7 @@
 namespace boxbeam::report {
 
 /// A report as a LaTeX document (pdflatex; packages of texlive-latex-recommended and lmodern only).
-/// `has_picture` says which figures stand as NAME.pdf beside it.
+/// `has_picture` says which figures stand as NAME.tex or NAME.pdf beside it.
 std::string latex_of(const Document& document,
                      const std::function<bool(const std::string& name)>& has_picture);
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "canvas.hpp"
+
+/// What is drawn into a drawing beside its subject: words, arrows, axes.
+namespace boxbeam::plot {
+
+inline constexpr const char* quiet_ink = "#505050";
+
+/// A text at a place, at the middle of its height.
+void put_text(Drawing& drawing, const std::string& text, const Pixel& at,
+              Anchor anchor = Anchor::left, const std::string& colour = "#202020",
+              const std::string& kind = "");
+
+void put_line(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& pen);
+
+/// The head of an arrow that points along a unit vector.
+void put_head(Drawing& drawing, const Pixel& tip, const Eigen::Vector2d& along, double length,
+              const std::string& colour);
+
+/// An arrow that ends at a place; its head is of the pen's colour.
+void put_arrow(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& pen);
+
+/// The border of a panel at the left and below, with its grid and numbers; its axes are linear.
+void put_axes(Drawing& drawing, const Panel& panel);
+
+/// What a panel's abscissa is, below it.
+void put_footing(Drawing& drawing, const Panel& panel, const std::string& text);
+
+/// A legend of strokes, its lower border at a height.
+void draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, double bottom);
+
+}  // namespace boxbeam::plot
