@@ -45,6 +45,7 @@ inline boxbeam::Project cantilever(const std::string& section, const std::vector
   }
   project.beam.density = si<Density>(7850.0);  // at rest and without gravity it weighs nothing
   project.mechanism = mechanism;
+  project.in_space = true;
   project.placement = {0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   return project;
 }

@@ -290,6 +290,7 @@ TEST_CASE("a beam whose vibration is not in balance as far bent as it is does no
   ModelChoice choice;
   choice.tolerance = 0.01;
   choice.weighed = {{{}, "", 0.004, 0.02}};
+  choice.bends_rigid_motion = true;
   const Project project = test::rig();
   for (const ModelLevel level : {ModelLevel::modal, ModelLevel::quasi_static}) {
     choice.chosen.level = level;
