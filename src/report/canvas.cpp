@@ -156,11 +156,15 @@ std::pair<double, double> range_with_zero(double low, double high, double room) 
   return {low < 0.0 ? low - more : low - 0.25 * more, high > 0.0 ? high + more : 0.25 * more};
 }
 
+void Labels::keep_off(const std::vector<Pixel>& polyline) {
+  for (std::size_t i = 1; i < polyline.size(); ++i) keep_off(polyline[i - 1], polyline[i]);
+}
+
 void Labels::keep_off(const Panel& panel, const std::vector<Row2>& rows) {
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    keep_off(panel.at(std::get<0>(rows[i - 1]), std::get<1>(rows[i - 1])),
-             panel.at(std::get<0>(rows[i]), std::get<1>(rows[i])));
-  }
+  std::vector<Pixel> polyline;
+  polyline.reserve(rows.size());
+  for (const auto& [x, y] : rows) polyline.push_back(panel.at(x, y));
+  keep_off(polyline);
 }
 
 double Labels::disturbance(const Pixel& from, const Pixel& to) const {

@@ -50,6 +50,7 @@ class Labels {
   /// What labels must not touch, and what they had better not cross.
   void keep_free(const Frame& box) { boxes_.push_back(box); }
   void keep_off(const Pixel& from, const Pixel& to) { lines_.emplace_back(from, to); }
+  void keep_off(const std::vector<Pixel>& polyline);
   /// The polyline of a curve in a panel.
   void keep_off(const Panel& panel, const std::vector<Row2>& rows);
 
@@ -64,7 +65,7 @@ class Labels {
 
   /// The same in a drawing, if it may be towards a direction.
   bool put(Drawing& drawing, const std::string& text, const Pixel& at, const Frame& bounds,
-           const std::string& colour, double gap, const Eigen::Vector2d& towards);
+           const std::string& colour, double gap, const Eigen::Vector2d& towards = {0.0, 0.0});
 
  private:
   /// The left end of a text at the middle of its height, and where a line from there to its place

@@ -37,12 +37,13 @@ void put_arrow(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& 
   put_head(drawing, to, along, head, pen.stroke);
 }
 
-void put_axes(Drawing& drawing, const Panel& panel) {
+void put_axes(Drawing& drawing, const Panel& panel, bool numbers_up) {
   const Frame& frame = panel.frame;
   const Pen grid{"#e4e4e4", 0.7, {}, "", "grid"};
   const Pen border{"#606060", 1.0, {}, "", "axis"};
   constexpr double tic = 4.5;
-  const auto places = [](double low, double high, double room, double apart) {
+  const auto places = [](double from, double to, double room, double apart) {
+    const auto [low, high] = std::minmax(from, to);
     const int most = std::max(2, static_cast<int>(room / apart));
     const double step = tic_step(high - low, most);
     std::vector<double> values;
@@ -63,10 +64,14 @@ void put_axes(Drawing& drawing, const Panel& panel) {
     const Pixel foot = panel.at(panel.x_low, y);
     put_line(drawing, foot, {frame.right, foot.y()}, grid);
     put_line(drawing, foot, foot - Pixel(tic, 0.0), border);
-    words(y, foot - Pixel(8.0, 0.0), Anchor::right);
+    if (numbers_up) words(y, foot - Pixel(8.0, 0.0), Anchor::right);
   }
   drawing.shapes.emplace_back(Line{
       {{frame.left, frame.top}, {frame.left, frame.bottom}, {frame.right, frame.bottom}}, border});
+}
+
+void put_heading(Drawing& drawing, const Panel& panel, const std::string& text) {
+  put_text(drawing, text, {panel.frame.left - 44.0, panel.frame.top + 15.0});
 }
 
 void put_footing(Drawing& drawing, const Panel& panel, const std::string& text) {

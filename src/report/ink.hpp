@@ -21,8 +21,12 @@ void put_head(Drawing& drawing, const Pixel& tip, const Eigen::Vector2d& along, 
 /// An arrow that ends at a place; its head is of the pen's colour.
 void put_arrow(Drawing& drawing, const Pixel& from, const Pixel& to, const Pen& pen);
 
-/// The border of a panel at the left and below, with its grid and numbers; its axes are linear.
-void put_axes(Drawing& drawing, const Panel& panel);
+/// The border of a panel at the left and below, with its grid and numbers, up the side unless they
+/// stand beside it; its axes are linear.
+void put_axes(Drawing& drawing, const Panel& panel, bool numbers_up = true);
+
+/// What a panel's ordinate is, above its upper left corner.
+void put_heading(Drawing& drawing, const Panel& panel, const std::string& text);
 
 /// What a panel's abscissa is, below it.
 void put_footing(Drawing& drawing, const Panel& panel, const std::string& text);

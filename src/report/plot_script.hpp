@@ -77,13 +77,13 @@ std::string time_label(Time time, const std::string& situation = "");
 // The figures, each in a file of its own.
 Drawing mechanism(const Project& project, const Verification& verification);
 Drawing mechanism_in_space(const Project& project, const Verification& verification);
+Drawing section(const Project& project, const Verification& verification);
 Drawing modes(const Project& project, const Verification& verification);
 void motion(Script& gp, const Project& project, const Verification& verification);
 void cut_forces(Script& gp, const Project& project, const Verification& verification);
 void cut_forces_in_space(Script& gp, const Project& project, const Verification& verification);
 void loads_over_time(Script& gp, const Project& project, const Verification& verification);
 void utilisation(Script& gp, const Project& project, const Verification& verification);
-void section(Script& gp, const Project& project, const Verification& verification);
 void stress(Script& gp, const Project& project, const Verification& verification);
 void sn(Script& gp, const Project& project, const Verification& verification);
 void spectrum(Script& gp, const Project& project, const Verification& verification);

@@ -75,7 +75,7 @@ constexpr FigureKind kinds[] = {
     {"cut-forces", in_three_dimensions, plot::cut_forces_in_space},
     {"loads", over_time, plot::loads_over_time},
     {"utilisation", is_checked_along, plot::utilisation},
-    {"section", has_section, plot::section},
+    {"section", has_section, nullptr, plot::section},
     {"stress", has_history, plot::stress},
     {"sn", has_curve, plot::sn},
     {"spectrum", has_several_ranges, plot::spectrum},

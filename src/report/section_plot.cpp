@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "boxbeam/report/format.hpp"
-#include "canvas.hpp"
+#include "ink.hpp"
 
 namespace boxbeam::plot {
 namespace {
@@ -35,33 +35,42 @@ std::vector<Spot> spots_of(const std::vector<SectionFigure::Point>& points, std:
   return spots;
 }
 
-/// The outlines as one path: material grey, hollows white, in the order of their area.
-std::vector<std::string> draw_material(Script& gp, const SectionFigure& figure) {
-  std::vector<std::string> curves;
-  for (std::size_t k = 0; k < figure.outlines.size(); ++k) {
-    const auto& loop = figure.outlines[k];
-    std::vector<Row2> rows;
+constexpr const char* border = "#303030";
+
+/// Material grey, hollows white, in the order of their area.
+void draw_material(Drawing& drawing, const SectionFigure& figure, const Panel& panel) {
+  for (const auto& loop : figure.outlines) {
+    Line line{{}, {border, 1.1, {}, "#ffffff", "outline"}, true};
     double twice = 0.0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const auto& [y, z] = loop[i];
       const auto& [y_next, z_next] = loop[(i + 1) % loop.size()];
-      rows.emplace_back(1e3 * y, 1e3 * z);
+      line.points.push_back(panel.at(1e3 * y, 1e3 * z));
       twice += y * z_next - y_next * z;
     }
-    rows.push_back(rows.front());
-    const std::string data = fmt::format("loop{}", k);
-    gp.block(data, rows);
-    curves.push_back(fmt::format("${} using 1:2 with filledcurves closed fc rgb '{}'", data,
-                                 twice > 0.0 ? "#d5dde6" : "#ffffff"));
-    curves.push_back(fmt::format("${} using 1:2 with lines lw 1.1 lc rgb '#303030'", data));
+    if (twice > 0.0) line.pen.fill = "#d5dde6";
+    drawing.shapes.emplace_back(std::move(line));
   }
   for (const SectionFigure::Hole& hole : figure.holes) {
-    gp << fmt::format(
-        "set object rectangle center {},{} size {},{} front fs solid border lc rgb '#303030' "
-        "fc rgb '#ffffff'\n",
-        1e3 * hole.y, 1e3 * hole.z, 1e3 * hole.width, 1e3 * hole.height);
+    Line line{{}, {border, 1.0, {}, "#ffffff", "outline"}, true};
+    for (const auto& [across, up] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+      line.points.push_back(
+          panel.at(1e3 * (hole.y + across * hole.width), 1e3 * (hole.z + up * hole.height)));
+    }
+    drawing.shapes.emplace_back(std::move(line));
   }
-  return curves;
+  for (const SectionFigure::Weld& weld : figure.welds) {
+    const Pixel at = panel.at(1e3 * weld.y, 1e3 * weld.z);
+    drawing.shapes.emplace_back(
+        Line{{at + Pixel(0.0, 4.5), at + Pixel(-4.5, -2.5), at + Pixel(4.5, -2.5)},
+             {"", 1.0, {}, border, "weld"},
+             true});
+  }
+}
+
+void put_dot(Drawing& drawing, const Pixel& at, bool governs) {
+  drawing.shapes.emplace_back(
+      Dot{at, governs ? 4.3 : 2.9, {"", 1.0, {}, colour(governs ? 1 : 0), "place"}});
 }
 
 struct Range {
@@ -81,29 +90,31 @@ std::string in_percent(double share) {
 std::size_t rows_of_list(std::size_t shown) { return (shown + 1) / 2; }
 
 /// What is checked, in two columns below the drawing.
-void draw_list(Script& gp, const SectionFigure& figure, std::size_t shown, double top) {
+void draw_list(Drawing& drawing, const SectionFigure& figure, std::size_t shown, double top) {
   const std::size_t rows = std::max<std::size_t>(1, rows_of_list(shown));
   for (std::size_t i = 0; i < shown; ++i) {
     const SectionFigure::Point& point = figure.points[i];
     const double left = i < rows ? 14.0 : 318.0;
     const double y = top - 17.0 * static_cast<double>(i % rows);
-    const char* ink = point.governs ? colour(1) : "#202020";
+    const std::string ink = point.governs ? colour(1) : "#202020";
     const bool stressed = std::abs(point.stress) > 1.0;  // else it is checked for shear alone
-    put_text(gp, fmt::format("{}", i + 1), {left + 16.0, y}, "right", ink);
-    put_text(gp, fitted(point.name, 136.0), {left + 24.0, y}, "left", ink);
-    put_text(gp, stressed ? text::MPa(point.stress) : "shear", {left + 236.0, y}, "right", ink);
-    put_text(gp, in_percent(point.utilisation), {left + 292.0, y}, "right", ink);
+    put_text(drawing, fmt::format("{}", i + 1), {left + 16.0, y}, Anchor::right, ink);
+    put_text(drawing, fitted(point.name, 136.0), {left + 24.0, y}, Anchor::left, ink);
+    put_text(drawing, stressed ? text::MPa(point.stress) : "shear", {left + 236.0, y},
+             Anchor::right, ink);
+    put_text(drawing, in_percent(point.utilisation), {left + 292.0, y}, Anchor::right, ink);
   }
 }
 
-void draw_section(Script& gp, const SectionFigure& figure, const Panel& panel, std::size_t shown) {
-  place(gp, panel);
-  put_heading(gp, panel, "z [mm], seen along the beam");
+void draw_section(Drawing& drawing, const SectionFigure& figure, const Panel& panel,
+                  std::size_t shown) {
+  put_axes(drawing, panel);
+  put_heading(drawing, panel, "z [mm], seen along the beam");
   // +y is left when looking along +x.
-  put_footing(gp, panel, "y [mm]");
+  put_footing(drawing, panel, "y [mm]");
   const double near =
       4.0 * std::abs(panel.x_high - panel.x_low) / (panel.frame.right - panel.frame.left);
-  std::vector<std::string> curves = draw_material(gp, figure);
+  draw_material(drawing, figure, panel);
   Labels labels;
   for (const auto& loop : figure.outlines) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -112,70 +123,45 @@ void draw_section(Script& gp, const SectionFigure& figure, const Panel& panel, s
       labels.keep_off(panel.at(1e3 * y_a, 1e3 * z_a), panel.at(1e3 * y_b, 1e3 * z_b));
     }
   }
-  std::vector<Row2> welds;
-  for (const SectionFigure::Weld& weld : figure.welds) {
-    welds.emplace_back(1e3 * weld.y, 1e3 * weld.z);
-  }
-  if (!welds.empty()) {
-    gp.block("welds", welds);
-    curves.push_back("$welds using 1:2 with points pt 9 ps 0.8 lc rgb '#303030'");
-  }
-  std::vector<Row2> places;
-  std::vector<Row2> governing;
   const std::vector<Spot> spots = spots_of(figure.points, shown, near);
-  for (const Spot& spot : spots) (spot.governs ? governing : places).emplace_back(spot.y, spot.z);
-  if (!places.empty()) {
-    gp.block("places", places);
-    curves.push_back(
-        fmt::format("$places using 1:2 with points pt 7 ps 0.6 lc rgb '{}'", colour(0)));
-  }
-  gp.block("governing", governing);
-  curves.push_back(
-      fmt::format("$governing using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", colour(1)));
   for (const Spot& spot : spots) {
     const Pixel at = panel.at(spot.y, spot.z);
+    put_dot(drawing, at, spot.governs);
     labels.keep_free({at.x() - 4.0, at.y() - 4.0, at.x() + 4.0, at.y() + 4.0});
   }
   for (const Spot& spot : spots) {
-    labels.put(gp, spot.numbers, panel.at(spot.y, spot.z), panel.frame,
-               spot.governs ? colour(1) : colour(0), 7.0);
+    labels.put(drawing, spot.numbers, panel.at(spot.y, spot.z), panel.frame,
+               colour(spot.governs ? 1 : 0), 7.0);
   }
-  gp.plot(curves);
 }
 
-void draw_stress(Script& gp, const SectionFigure& figure, const Panel& panel) {
-  place(gp, panel);
-  put_heading(gp, panel, "highest and lowest over the height");
-  put_footing(gp, panel, "nominal stress [MPa]");
-  gp << "set format y ''\n";
-  std::vector<Row2> high;
-  std::vector<Row2> low;
+void draw_stress(Drawing& drawing, const SectionFigure& figure, const Panel& panel) {
+  put_axes(drawing, panel, false);
+  put_heading(drawing, panel, "highest and lowest over the height");
+  put_footing(drawing, panel, "nominal stress [MPa]");
+  Line high{{}, {colour(0), 1.6}};
+  Line low{{}, {colour(2), 1.6, {4.8, 4.8}}};
   for (const SectionFigure::Level& level : figure.across) {
-    high.emplace_back(1e-6 * level.highest, 1e3 * level.z);
-    low.emplace_back(1e-6 * level.lowest, 1e3 * level.z);
+    high.points.push_back(panel.at(1e-6 * level.highest, 1e3 * level.z));
+    low.points.push_back(panel.at(1e-6 * level.lowest, 1e3 * level.z));
   }
-  std::vector<Row2> band = high;
-  band.insert(band.end(), low.rbegin(), low.rend());
-  band.push_back(band.front());
-  gp.block("band", band);
-  gp.block("high", high);
-  gp.block("low", low);
+  Line band{high.points, {"", 1.0, {}, "#e2e2e2", "band"}, true};
+  band.points.insert(band.points.end(), low.points.rbegin(), low.points.rend());
+  drawing.shapes.emplace_back(std::move(band));
   Labels labels;
-  labels.keep_off(panel, high);
-  labels.keep_off(panel, low);
+  labels.keep_off(high.points);
+  labels.keep_off(low.points);
   const Pixel zero_low = panel.at(0.0, panel.y_low);
   const Pixel zero_high = panel.at(0.0, panel.y_high);
-  put_line(gp, zero_low, zero_high, "lw 0.9 lc rgb '#505050'");
+  put_line(drawing, zero_low, zero_high, {quiet_ink, 0.9});
   labels.keep_off(zero_low, zero_high);
-  std::vector<std::string> curves{"$band using 1:2 with filledcurves closed fc rgb '#e2e2e2'",
-                                  fmt::format("$high using 1:2 with lines {}", line_style(0, 1.6)),
-                                  fmt::format("$low using 1:2 with lines {}", line_style(2, 1.6))};
+  drawing.shapes.emplace_back(std::move(high));
+  drawing.shapes.emplace_back(std::move(low));
   const auto governing = std::find_if(figure.points.begin(), figure.points.end(),
                                       [](const auto& point) { return point.governs; });
-  gp.block("point", std::vector<Row2>{{1e-6 * governing->stress, 1e3 * governing->z}});
-  curves.push_back(fmt::format("$point using 1:2 with points pt 7 ps 0.9 lc rgb '{}'", colour(1)));
-  const auto put = [&](double stress, double z, const char* ink, const std::string& suffix) {
-    labels.put(gp, text::significant(1e-6 * stress) + suffix, panel.at(1e-6 * stress, 1e3 * z),
+  put_dot(drawing, panel.at(1e-6 * governing->stress, 1e3 * governing->z), true);
+  const auto put = [&](double stress, double z, const std::string& ink, const std::string& suffix) {
+    labels.put(drawing, text::significant(1e-6 * stress) + suffix, panel.at(1e-6 * stress, 1e3 * z),
                panel.frame, ink, 6.0);
   };
   put(governing->stress, governing->z, colour(1), " (1)");
@@ -189,13 +175,11 @@ void draw_stress(Script& gp, const SectionFigure& figure, const Panel& panel) {
   };
   end(figure.across.front());
   end(figure.across.back());
-  gp.plot(curves);
-  gp << "set format y '%g'\n";
 }
 
 }  // namespace
 
-void section(Script& gp, const Project& project, const Verification& verification) {
+Drawing section(const Project& project, const Verification& verification) {
   const SectionFigure& figure = *verification.section;
   Range y, z, stress;
   for (const auto& loop : figure.outlines) {
@@ -221,33 +205,34 @@ void section(Script& gp, const Project& project, const Verification& verificatio
       std::max((y.high - y.low) / (width - 2.0 * room), (z.high - z.low) / (highest - 2.0 * room));
   const double height = std::max(150.0, (z.high - z.low) / scale + 2.0 * room);
   const double below = list + footing_room + 4.0;
-  gp.begin("section", below + height + 50.0);
+  Drawing drawing{figure_width, below + height + 50.0, {}};
   const double y_middle = 0.5 * (y.low + y.high);
   const double z_middle = 0.5 * (z.low + z.high);
   const double half_y = 0.5 * scale * width;
   const double half_z = 0.5 * scale * height;
   const std::string situation = figure.situation.empty() ? "" : ", " + figure.situation;
-  put_text(gp,
+  put_text(drawing,
            fitted(fmt::format("s = {} m at {}{}", to_text(figure.station), time_label(figure.time),
                               situation),
-                  gp.width() - 24.0),
+                  drawing.width - 24.0),
            {12.0, below + height + 34.0});
-  put_text(gp, "utilisation", {14.0 + 292.0, list - 6.0}, "right", "#505050");
-  put_text(gp, "stress then", {14.0 + 224.0, list - 6.0}, "right", "#505050");
-  put_text(gp, project.fatigue.published_step ? "" : "checked place", {38.0, list - 6.0}, "left",
-           "#505050");
-  draw_list(gp, figure, shown, list - 24.0);
+  put_text(drawing, "utilisation", {14.0 + 292.0, list - 6.0}, Anchor::right, quiet_ink);
+  put_text(drawing, "stress then", {14.0 + 224.0, list - 6.0}, Anchor::right, quiet_ink);
+  put_text(drawing, project.fatigue.published_step ? "" : "checked place", {38.0, list - 6.0},
+           Anchor::left, quiet_ink);
+  draw_list(drawing, figure, shown, list - 24.0);
   const Frame left{56.0, below, 56.0 + width, below + height};
-  draw_section(gp, figure,
+  draw_section(drawing, figure,
                {left, y_middle + half_y, y_middle - half_y, z_middle - half_z, z_middle + half_z},
                shown);
   const double margin = 0.28 * (stress.high - stress.low);
-  draw_stress(gp, figure,
+  draw_stress(drawing, figure,
               {{412.0, below, 600.0, below + height},
                stress.low - margin,
                stress.high + margin,
                z_middle - half_z,
                z_middle + half_z});
+  return drawing;
 }
 
 }  // namespace boxbeam::plot
