@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "boxbeam/fatigue/reduced_range.hpp"
+
 namespace boxbeam {
 
 namespace {
@@ -114,13 +116,10 @@ Stress equivalent_range(double damage, const SnCurve& curve, const FatigueDemand
 }
 
 std::vector<Cycle> compression_reduced(std::vector<Cycle> cycles) {
-  constexpr double counted = 0.6;
   for (Cycle& cycle : cycles) {
     const double highest = (cycle.mean + 0.5 * cycle.range).value();
     const double lowest = (cycle.mean - 0.5 * cycle.range).value();
-    const double tensile = std::max(highest, 0.0) - std::max(lowest, 0.0);
-    const double compressive = std::min(highest, 0.0) - std::min(lowest, 0.0);
-    cycle.range = si<Stress>(tensile + counted * compressive);
+    cycle.range = si<Stress>(reduced_range(highest, lowest, highest - lowest));
   }
   return cycles;
 }

@@ -159,8 +159,8 @@ void check_neighbours(const Project& project, const std::deque<SituationRun>& ru
     result.checks.push_back({neighbour.check, {}});
   }
   if (!project.deflection) return;
-  if (const auto deflection = check_deflection(project, runs)) {
-    result.checks.push_back({*deflection, {}});
+  if (auto deflection = check_deflection(project, runs)) {
+    result.checks.push_back(std::move(*deflection));
   } else {
     result.not_judged.push_back({"deflection", "the beam never bends"});
   }
