@@ -25,6 +25,14 @@ constexpr std::array<std::pair<ValueKind, Dimension>, 9> dimensions{
 
 constexpr Dimension none{};
 
+bool is_one(const Traced& of) {
+  return of.expression().operation == Operation::constant && of.value() == 1.0;
+}
+
+bool is_nothing(const Traced& of) {
+  return of.expression().operation == Operation::constant && of.value() == 0.0;
+}
+
 }  // namespace
 
 Dimension dimension_of(ValueKind kind) {
@@ -52,11 +60,15 @@ Traced::Traced(double constant) : Traced(Expression{}) {
 }
 
 Traced operator+(const Traced& a, const Traced& b) {
+  if (is_nothing(a)) return b;
+  if (is_nothing(b)) return a;
   assert(a.dimension() == b.dimension());
   return Traced({Operation::sum, "", a.value() + b.value(), a.dimension(), {}, {a.node_, b.node_}});
 }
 
 Traced operator-(const Traced& a, const Traced& b) {
+  if (is_nothing(b)) return a;
+  if (is_nothing(a)) return -b;
   assert(a.dimension() == b.dimension());
   return Traced(
       {Operation::difference, "", a.value() - b.value(), a.dimension(), {}, {a.node_, b.node_}});
@@ -67,12 +79,16 @@ Traced operator-(const Traced& a) {
 }
 
 Traced operator*(const Traced& a, const Traced& b) {
+  if (is_nothing(a) || is_nothing(b)) return 0.0;
+  if (is_one(a)) return b;
+  if (is_one(b)) return a;
   const Dimension dimension{a.dimension().newton + b.dimension().newton,
                             a.dimension().metre + b.dimension().metre};
   return Traced({Operation::product, "", a.value() * b.value(), dimension, {}, {a.node_, b.node_}});
 }
 
 Traced operator/(const Traced& a, const Traced& b) {
+  if (is_nothing(a)) return 0.0;
   const Dimension dimension{a.dimension().newton - b.dimension().newton,
                             a.dimension().metre - b.dimension().metre};
   return Traced(
@@ -126,13 +142,29 @@ Traced call_of(const char* function, double value, std::vector<Traced> arguments
   return Traced(std::move(node));
 }
 
+Traced polynomial(const Traced& x, std::span<const Traced> c) {
+  Traced sum = c.front(), power = 1.0;
+  for (std::size_t k = 1; k < c.size(); ++k) {
+    power = k == 1 ? x : power * x;
+    Expression size = c[k].expression();
+    const bool minus = size.value < 0.0;
+    if (minus) {
+      size.value = -size.value;
+      size.text.erase(0, 1);
+    }
+    const Traced term = Traced(size) * power;
+    sum = minus ? sum - term : sum + term;
+  }
+  return sum;
+}
+
 Traced Derivation::known(Symbol symbol, double value, Shown shown) {
   return Traced({Operation::symbol, symbol.text(), value, dimension_of(shown.kind), shown, {}});
 }
 
 Traced Derivation::given(Symbol symbol, double value, Shown shown, std::string_view note) {
   const Traced of = known(symbol, value, shown);
-  steps_.push_back({symbol.text(), of, false, shown, {}});
+  steps_.push_back({symbol.text(), of, DerivationStep::Role::given, shown, {}});
   if (!note.empty()) steps_.back().notes.push_back({std::string(note), {}});
   return of;
 }
@@ -148,9 +180,14 @@ Traced Derivation::define(Symbol symbol, const Traced& expression, std::string_v
 Traced Derivation::define(Symbol symbol, const Traced& expression, std::string_view note,
                           Shown shown) {
   assert(dimension_of(shown.kind) == expression.dimension());
-  steps_.push_back({symbol.text(), expression, true, shown, {}});
+  steps_.push_back({symbol.text(), expression, DerivationStep::Role::defined, shown, {}});
   if (!note.empty()) steps_.back().notes.push_back({std::string(note), {}});
   return known(symbol, expression.value(), shown);
+}
+
+void Derivation::state(Symbol symbol, const Traced& expression, std::string_view note) {
+  define(symbol, expression, note);
+  steps_.back().role = DerivationStep::Role::stated;
 }
 
 }  // namespace boxbeam

@@ -22,6 +22,10 @@ bool is_sum(const Expression& node) {
   return node.operation == Operation::sum || node.operation == Operation::difference;
 }
 
+bool is_angle_call(const Expression& node) {
+  return node.operation == Operation::call && (node.text == "sin" || node.text == "cos");
+}
+
 bool is_leaf(const Expression& node) {
   return node.operation == Operation::constant || node.operation == Operation::symbol;
 }
@@ -117,6 +121,13 @@ SignedText signed_text(const Expression& node, Look look) {
   if (!term) return {false, text_of(node, look)};
   Fraction of;
   collect_factors(node, false, of);
+  // Nobody writes a one before other factors; angles stand last.
+  const auto is_one = [](const Factor& factor) {
+    return factor.node->operation == Operation::constant && factor.node->text == "1";
+  };
+  if (of.above.size() > 1) std::erase_if(of.above, is_one);
+  std::stable_partition(of.above.begin(), of.above.end(),
+                        [](const Factor& factor) { return !is_angle_call(*factor.node); });
   std::string text = of.above.empty() ? "1" : factors_text(of.above, look);
   if (!of.below.empty()) {
     const std::string below = factors_text(of.below, look);
@@ -192,7 +203,7 @@ std::string sum_text(const Expression& node, Look look) {
 }
 
 std::string call_text(const Expression& node, Look look) {
-  const bool angle = node.text == "sin" || node.text == "cos";
+  const bool angle = is_angle_call(node);
   const Expression& first = *node.parts.front();
   if (angle && look == Look::symbols) {
     if (first.operation == Operation::symbol) return node.text + " " + first.text;
@@ -259,8 +270,9 @@ Step step_of(const DerivationStep& of) {
   for (const DerivationNote& note : of.notes) step.notes.push_back(note_text(note));
   const Expression& node = of.value.expression();
   std::string result = value_text(of.value.value(), of.shown);
-  if (of.defined) {
-    add_formula(step, text_of(node, Look::symbols));
+  if (of.role != DerivationStep::Role::given) add_formula(step, text_of(node, Look::symbols));
+  if (of.role == DerivationStep::Role::stated) return step;
+  if (of.role == DerivationStep::Role::defined) {
     add_formula(step, text_of(node, Look::values));
     if (is_stress_sum(node)) {
       StressSum sum = stress_sum_of(terms_of(node));

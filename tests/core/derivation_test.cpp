@@ -45,13 +45,13 @@ TEST_CASE("The same formula with a recorder keeps what it was given and what it 
   REQUIRE(steps.steps().size() == 3);
   const DerivationStep& r = steps.steps()[0];
   CHECK(r.symbol == "r");
-  CHECK_FALSE(r.defined);
+  CHECK(r.role == DerivationStep::Role::given);
   CHECK(r.shown.kind == ValueKind::length);
   REQUIRE(r.notes.size() == 1);
   CHECK(r.notes.front().text == "of the base");
   const DerivationStep& s = steps.steps()[1];
   CHECK(s.symbol == "s");
-  CHECK(s.defined);
+  CHECK(s.role == DerivationStep::Role::defined);
   CHECK(s.value.value() == 5.0);
   REQUIRE(s.notes.size() == 1);
   REQUIRE(s.notes.front().values.size() == 1);
@@ -75,6 +75,35 @@ TEST_CASE("An expression is the tree of its operations") {
   CHECK((-a).expression().operation == Operation::negative);
   CHECK(pow(a, b).value() == 32.0);
   CHECK(pow(a, b).expression().operation == Operation::power);
+}
+
+TEST_CASE("A constant zero stands for what is not there") {
+  Derivation steps;
+  const Traced F = steps.known("F", si<Force>(2.0)), nothing = 0.0;
+  CHECK((F + nothing).expression().text == "F");
+  CHECK((nothing + F).expression().text == "F");
+  CHECK((F - nothing).expression().text == "F");
+  CHECK((nothing - F).expression().operation == Operation::negative);
+  CHECK((F + nothing * F * F).expression().text == "F");
+  CHECK((F + nothing / F).expression().text == "F");
+}
+
+TEST_CASE("A polynomial is evaluated after Horner and stands with its powers") {
+  CHECK(polynomial(0.3, std::array{2.0, -0.5, 1.5}) == 2.0 + 0.3 * (-0.5 + 0.3 * 1.5));
+  Derivation steps;
+  const Traced x = steps.known("x", 0.3);
+  const Traced of = polynomial(x, std::array<Traced, 3>{2.0, -0.5, 1.5});
+  CHECK(of.value() == Approx(1.985).epsilon(1e-15));
+  const Expression& top = of.expression();
+  CHECK(top.operation == Operation::sum);
+  CHECK(top.parts[0]->operation == Operation::difference);
+  CHECK(top.parts[0]->parts[1]->parts[0]->text == "0.5");
+}
+
+TEST_CASE("What is stated is an expression without values") {
+  Derivation steps;
+  steps.state("x", 2.0 * steps.known("y", 1.0));
+  CHECK(steps.steps().back().role == DerivationStep::Role::stated);
 }
 
 TEST_CASE("What is defined is from then on its symbol alone") {

@@ -44,6 +44,8 @@ TEST_CASE_METHOD(Symbols, "A term has one slash") {
   CHECK(symbols_of(a / (2.0 * b)) == "a/(2 b)");
   CHECK(symbols_of(a / b * l) == "a l/b");
   CHECK(symbols_of(1.0 / a) == "1/a");
+  CHECK(symbols_of(a * (1.0 / b)) == "a/b");
+  CHECK(symbols_of(1.0 * (a + b)) == "a + b");
   CHECK(symbols_of(a / (1.0 - b)) == "a/(1 - b)");
   CHECK(symbols_of(a / (b / l)) == "a/(b/l)");
   CHECK(symbols_of((a + b) / 8.0) == "(a + b)/8");
@@ -72,6 +74,8 @@ TEST_CASE_METHOD(Symbols, "Exponents and functions") {
   CHECK(symbols_of(sin(theta) - sin(3.0 * theta)) == "sin theta - sin 3theta");
   CHECK(values_of(1.0 - 2.0 * cos(2.0 * theta)) == "1 - 2 x cos(2 x 30 deg)");
   CHECK(symbols_of(sin(a + b)) == "sin(a + b)");
+  // Behind what they are multiplied by, where they cannot be read as its function.
+  CHECK(symbols_of(4.0 / (1.0 - a) * sin(2.0 * theta) * b) == "4 b sin 2theta/(1 - a)");
 }
 
 TEST_CASE_METHOD(Symbols, "A minus of the formula is one of the sum; one of a value has brackets") {
@@ -99,8 +103,10 @@ TEST_CASE_METHOD(Symbols, "A step is its symbols, its values and its result, non
   const Traced n = steps.define("n", a * b);
   steps.define("m", n);
   steps.note([] { return "up to {} and {}"; }, n, s);
+  steps.state("r", a * n);
   const Steps of = steps_of(steps);
-  REQUIRE(of.size() == 3);
+  REQUIRE(of.size() == 4);
+  CHECK(of[3].formulas == Texts{"a n"});
   CHECK(of[0].symbol == "d");
   CHECK(of[0].formulas == Texts{"50.00 mm"});
   CHECK(of[0].notes == Texts{"pin"});

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -89,7 +91,9 @@ struct Expression {
   std::vector<std::shared_ptr<const Expression>> parts;
 };
 
-/// A value that knows the expression it comes from. Values of unlike dimension do not add.
+/// A value that knows the expression it comes from. Values of unlike dimension do not add; a
+/// constant zero stands for what is not there, and leaves no trace in a sum or a product; nor does
+/// a constant one in a product.
 class Traced {
  public:
   /// A constant of a formula.
@@ -144,6 +148,19 @@ inline Traced least_of(std::initializer_list<Traced> values) {
   return call_of("min", std::min(values).value(), values);
 }
 
+/// c_0 + c_1 x + c_2 x^2 + ..., evaluated after Horner; an expression has its powers as written.
+template <class Value, std::size_t count>
+Value polynomial(const Value& x, const std::array<Value, count>& c) {
+  Value sum = c.back();
+  for (std::size_t k = count - 1; k-- > 0;) sum = c[k] + x * sum;
+  return sum;
+}
+Traced polynomial(const Traced& x, std::span<const Traced> c);
+template <std::size_t count>
+Traced polynomial(const Traced& x, const std::array<Traced, count>& c) {
+  return polynomial(x, std::span<const Traced>(c));
+}
+
 /// "kappa", or "kappa" and "_web".
 struct Symbol {
   constexpr Symbol(const char* name) : base(name) {}
@@ -159,11 +176,16 @@ struct DerivationNote {
   std::vector<Traced> values;
 };
 
-/// A step of a derivation: a value that is given, or an expression that defines a symbol.
+/// A step of a derivation.
 struct DerivationStep {
+  enum class Role {
+    given,    ///< a value that is known from elsewhere
+    defined,  ///< an expression gives the symbol its value
+    stated,   ///< an expression in symbols alone
+  };
   std::string symbol;
   Traced value;  ///< of a given one the symbol itself
-  bool defined = false;
+  Role role = Role::given;
   Shown shown;
   std::vector<DerivationNote> notes;
 };
@@ -197,6 +219,9 @@ class Derivation {
   /// A step that gives an expression a symbol; what is returned is that symbol from then on.
   Traced define(Symbol symbol, const Traced& expression, std::string_view note = {});
   Traced define(Symbol symbol, const Traced& expression, std::string_view note, Shown shown);
+
+  /// A step that shows an expression in its symbols, without values.
+  void state(Symbol symbol, const Traced& expression, std::string_view note = {});
 
   /// Says more of the last step; the words are asked for only where they are kept.
   template <class Words, class... Values>
