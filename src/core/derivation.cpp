@@ -173,6 +173,8 @@ Traced Derivation::constant(std::string_view text, double value, ValueKind kind)
   return Traced({Operation::constant, std::string(text), value, dimension_of(kind), {kind}, {}});
 }
 
+Traced Derivation::literal(double value, ValueKind kind) { return constant("", value, kind); }
+
 Traced Derivation::define(Symbol symbol, const Traced& expression, std::string_view note) {
   return define(symbol, expression, note, {kind_of(expression.dimension())});
 }

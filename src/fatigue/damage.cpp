@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "boxbeam/fatigue/reduced_range.hpp"
+#include "sn_formulas.hpp"
 
 namespace boxbeam {
 
@@ -111,8 +112,9 @@ double largest_factor(const std::vector<Cycle>& cycles, const SnCurve& curve,
 Stress equivalent_range(double damage, const SnCurve& curve, const FatigueDemand& demand,
                         double cycles) {
   const double m = curve.branches.front().slope;
-  return curve.reference * std::pow(damage * curve.reference_cycles / cycles, 1.0 / m) /
-         (demand.gamma_Ff * demand.gamma_Mf);
+  return si<Stress>(sn::equivalent_from(curve.reference.value(),
+                                        damage * curve.reference_cycles / cycles, m,
+                                        demand.gamma_Ff * demand.gamma_Mf));
 }
 
 std::vector<Cycle> compression_reduced(std::vector<Cycle> cycles) {

@@ -22,6 +22,11 @@ bool is_sum(const Expression& node) {
   return node.operation == Operation::sum || node.operation == Operation::difference;
 }
 
+/// A constant of digits.
+bool is_number(const Expression& node) {
+  return node.operation == Operation::constant && node.text[0] <= '9';
+}
+
 bool is_angle_call(const Expression& node) {
   return node.operation == Operation::call && (node.text == "sin" || node.text == "cos");
 }
@@ -31,7 +36,8 @@ bool is_leaf(const Expression& node) {
 }
 
 std::string leaf_text(const Expression& node, Look look) {
-  if (node.operation == Operation::constant || look == Look::symbols) return node.text;
+  const bool constant = node.operation == Operation::constant;
+  if (!node.text.empty() && (constant || look == Look::symbols)) return node.text;
   return value_text(node.value, node.shown);
 }
 
@@ -57,8 +63,7 @@ struct Fraction {
 };
 
 void add_factor(std::vector<Factor>& factors, const Expression& node) {
-  const bool digits = node.operation == Operation::constant && node.text.front() <= '9';
-  const bool again = !factors.empty() && !digits &&
+  const bool again = !factors.empty() && !is_number(node) &&
                      text_of(*factors.back().node, Look::symbols) == text_of(node, Look::symbols);
   if (again)
     ++factors.back().times;
@@ -102,7 +107,10 @@ std::string factors_text(const std::vector<Factor>& factors, Look look) {
     std::string of = factor_text(factor, look);
     const bool constant = factor.node->operation == Operation::constant;
     if (factors.size() > 1 && !(constant && before.empty())) of = term(of);
-    if (!before.empty()) text += look == Look::values || run_together(before, of) ? " x " : " ";
+    const bool number = constant && factor.node->text.empty();
+    if (!before.empty()) {
+      text += look == Look::values || number || run_together(before, of) ? " x " : " ";
+    }
     text += of;
     before = of;
   }
@@ -121,11 +129,15 @@ SignedText signed_text(const Expression& node, Look look) {
   if (!term) return {false, text_of(node, look)};
   Fraction of;
   collect_factors(node, false, of);
-  // Nobody writes a one before other factors; angles stand last.
+  // Nobody writes a one before other factors; numbers of a denominator stand first, angles last.
   const auto is_one = [](const Factor& factor) {
     return factor.node->operation == Operation::constant && factor.node->text == "1";
   };
-  if (of.above.size() > 1) std::erase_if(of.above, is_one);
+  for (std::vector<Factor>* factors : {&of.above, &of.below}) {
+    if (factors->size() > 1) std::erase_if(*factors, is_one);
+  }
+  std::stable_partition(of.below.begin(), of.below.end(),
+                        [](const Factor& factor) { return is_number(*factor.node); });
   std::stable_partition(of.above.begin(), of.above.end(),
                         [](const Factor& factor) { return !is_angle_call(*factor.node); });
   std::string text = of.above.empty() ? "1" : factors_text(of.above, look);
@@ -224,9 +236,12 @@ std::string power_text(const Expression& node, Look look) {
   const Expression& base = *node.parts[0];
   const Expression& exponent = *node.parts[1];
   std::string below = text_of(base, look), above = text_of(exponent, look);
-  if (!is_leaf(base) && base.operation != Operation::call) below = in_parentheses(below);
+  const bool bare = is_leaf(base) || base.operation == Operation::call;
+  // A value would be read together with a fraction behind it.
+  const bool value = look == Look::values && is_leaf(base) && !is_leaf(exponent);
+  below = bare && !value ? base_text(below) : in_parentheses(below);
   if (!is_leaf(exponent)) above = in_parentheses(above);
-  return base_text(below) + "^" + above;
+  return below + "^" + above;
 }
 
 std::string text_of(const Expression& node, Look look) {
@@ -294,7 +309,8 @@ std::string value_text(double value, const Shown& shown) {
     case ValueKind::number: return text::significant(value, shown.digits > 0 ? shown.digits : 4);
     case ValueKind::factor: return number(value);
     case ValueKind::share: return share(value);
-    case ValueKind::cycles: return text::cycles(value);
+    case ValueKind::cycles:
+      return shown.digits > 0 ? scientific(value, shown.digits) : text::cycles(value);
     case ValueKind::angle: return fmt::format("{:.10g} deg", value * 180.0 / std::numbers::pi);
     case ValueKind::length: return text::mm(value);
     case ValueKind::area: return mm2(value);

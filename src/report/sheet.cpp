@@ -136,8 +136,9 @@ Steps fatigue_steps(const Project& project, const Check& check, const CheckBasis
     derive_reduced_range(of, basis, extremes, range);
   append(steps, steps_of(of));
   for (const SnCurve& curve : basis.curves) {
-    append(steps,
-           curve_steps(curve, curve.kind == StressKind::direct ? basis.point.detail : nullptr));
+    Derivation of_curve;
+    derive_curve(of_curve, curve, curve.kind == StressKind::direct ? basis.point.detail : nullptr);
+    append(steps, steps_of(of_curve));
   }
   append(steps, life_steps(project, check, basis));
   return steps;
@@ -208,30 +209,26 @@ Steps given_yield_steps(const Project& project, const GivenBasis& basis) {
 
 Steps given_fatigue_steps(const Project& project, const GivenBasis& basis) {
   const FatigueInput& fatigue = project.fatigue;
-  const SnCurve curve = curve_of(fatigue.beam.detail);
+  const BeamDetail& detail = *basis.resisting.detail;
+  const SnCurve curve = curve_of(detail.detail);
   Derivation of;
   const Traced range = of.define(
       "d_sigma",
       of.known("sigma_1", basis.stress.peak) + of.known("sigma_2", *basis.stress.opposite),
       "range of the direct stress, both extremes given as positive numbers");
-  Steps steps = steps_of(of);
-  append(steps, curve_steps(curve, &fatigue.beam));
-  Step strength = strength_step(curve, most_cycles_of(project), fatigue.demand.loading);
+  derive_curve(of, curve, &detail);
+  derive_strength(of, curve, most_cycles_of(project), fatigue.demand.loading);
+  const Traced strength = of.known("d_sigma_R", basis.strength);
   if (fatigue.round_strength_to) {
-    strength.notes.push_back(fmt::format("taken as {}, rounded to multiples of {} as published",
-                                         text::MPa(basis.strength.value()),
-                                         text::MPa(fatigue.round_strength_to->value())));
+    of.note([] { return "taken as {}, rounded to multiples of {} as published"; }, strength,
+            of.known("step", *fatigue.round_strength_to));
   }
-  steps.push_back(std::move(strength));
-  Derivation life;
-  const Traced gamma_Ff = life.known("gamma_Ff", fatigue.demand.gamma_Ff, {ValueKind::factor});
-  const Traced gamma_Mf = life.known("gamma_Mf", fatigue.demand.gamma_Mf, {ValueKind::factor});
-  const Traced allowed =
-      life.define("d_sigma_Rd", life.known("d_sigma_R", basis.strength) / (gamma_Ff * gamma_Mf),
-                  "limit: the range that the life allows");
-  life.define("factor", allowed / range);
-  append(steps, steps_of(life));
-  return steps;
+  const Traced gamma_Ff = of.known("gamma_Ff", fatigue.demand.gamma_Ff, {ValueKind::factor});
+  const Traced gamma_Mf = of.known("gamma_Mf", fatigue.demand.gamma_Mf, {ValueKind::factor});
+  const Traced allowed = of.define("d_sigma_Rd", strength / (gamma_Ff * gamma_Mf),
+                                   "limit: the range that the life allows");
+  of.define("factor", allowed / range);
+  return steps_of(of);
 }
 
 Steps deflection_steps(const Project& project, const Check& check, const DeflectionBasis& basis) {

@@ -492,6 +492,7 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     add(Criterion::fatigue, given.peak + *given.opposite, strength,
         strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,
         fatigue_source(fatigue, {curve}));
+    results.back().given->resisting = resisting;
   }
   return results;
 }

@@ -266,7 +266,7 @@ Verification verify(const Project& project, Figures figures) {
   }
   describe_beam(project, result);
   if (const CheckResult* fatigue = result.governing(Criterion::fatigue)) {
-    result.sn = sn_figure(project, *fatigue);
+    result.sn = sn_figure(project, *fatigue, result.checks);
   }
   return result;
 }

@@ -73,7 +73,7 @@ struct Shown {
 /// A node of an expression. SI.
 struct Expression {
   enum class Operation {
-    constant,    ///< stands in the formula itself: "0.6"
+    constant,    ///< stands in the formula itself: "0.6"; without text as its value is printed
     symbol,      ///< a value with a name
     sum,         ///< two parts
     difference,  ///< two parts
@@ -215,6 +215,9 @@ class Derivation {
   static Traced constant(std::string_view text, boost::units::quantity<Unit> value) {
     return constant(text, value.value(), kind_of(value));
   }
+
+  /// A number of a formula without a name, printed as its kind is.
+  static Traced literal(double value, ValueKind kind);
 
   /// A step that gives an expression a symbol; what is returned is that symbol from then on.
   Traced define(Symbol symbol, const Traced& expression, std::string_view note = {});

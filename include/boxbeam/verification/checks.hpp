@@ -49,7 +49,8 @@ struct CheckBasis {
 /// What the check of a stress rests on that was given.
 struct GivenBasis {
   GivenStress stress;
-  Stress strength;  ///< f_y, or the range of its cycles, as the case rounds it
+  Stress strength;                 ///< f_y, or the range of its cycles, as the case rounds it
+  ResistingDetail resisting = {};  ///< of its ranges
 };
 
 /// What the check of a deflection rests on.
