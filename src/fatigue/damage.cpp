@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "boxbeam/fatigue/reduced_range.hpp"
+#include "sn_formulas.hpp"
+
 namespace boxbeam {
 
 namespace {
@@ -109,18 +112,16 @@ double largest_factor(const std::vector<Cycle>& cycles, const SnCurve& curve,
 Stress equivalent_range(double damage, const SnCurve& curve, const FatigueDemand& demand,
                         double cycles) {
   const double m = curve.branches.front().slope;
-  return curve.reference * std::pow(damage * curve.reference_cycles / cycles, 1.0 / m) /
-         (demand.gamma_Ff * demand.gamma_Mf);
+  return si<Stress>(sn::equivalent_from(curve.reference.value(),
+                                        damage * curve.reference_cycles / cycles, m,
+                                        demand.gamma_Ff * demand.gamma_Mf));
 }
 
 std::vector<Cycle> compression_reduced(std::vector<Cycle> cycles) {
-  constexpr double counted = 0.6;
   for (Cycle& cycle : cycles) {
     const double highest = (cycle.mean + 0.5 * cycle.range).value();
     const double lowest = (cycle.mean - 0.5 * cycle.range).value();
-    const double tensile = std::max(highest, 0.0) - std::max(lowest, 0.0);
-    const double compressive = std::min(highest, 0.0) - std::min(lowest, 0.0);
-    cycle.range = si<Stress>(tensile + counted * compressive);
+    cycle.range = si<Stress>(reduced_range(highest, lowest, highest - lowest));
   }
   return cycles;
 }

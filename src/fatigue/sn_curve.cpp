@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <limits>
+
+#include "sn_formulas.hpp"
 
 namespace boxbeam {
 namespace {
@@ -17,15 +18,6 @@ constexpr double cut_off_cycles = 1e8;
 constexpr std::array categories{160, 140, 125, 112, 100, 90, 80, 71, 63, 56, 50, 45, 40, 36};
 constexpr const char* edition = "EN 1993-1-9:2005+AC:2009";
 
-/// x^m; the slopes of most codes are whole numbers.
-double power(double x, double m) {
-  if (m == 3.0) return x * x * x;
-  if (m == 5.0) return (x * x) * (x * x) * x;
-  return std::pow(x, m);
-}
-
-double root(double x, double m) { return m == 3.0 ? std::cbrt(x) : std::pow(x, 1.0 / m); }
-
 }  // namespace
 
 SnLine::SnLine(const SnCurve& curve) {
@@ -35,7 +27,7 @@ SnLine::SnLine(const SnCurve& curve) {
   for (const SnBranch& branch : curve.branches) {
     Piece piece{branch.slope, branch.until, 0.0, cycles, strength};
     if (branch.until < infinity) {
-      piece.strength = strength * root(cycles / branch.until, branch.slope);
+      piece.strength = sn::strength_from(strength, cycles, branch.until, branch.slope);
       cycles = branch.until;
       strength = piece.strength;
     }
@@ -47,8 +39,9 @@ SnLine::SnLine(const SnCurve& curve) {
   const auto on_line = [this](double at) {
     for (const Piece& piece : pieces_) {
       if (at > piece.until) continue;
-      return at == piece.until ? piece.strength
-                               : piece.from_strength * root(piece.from_cycles / at, piece.slope);
+      return at == piece.until
+                 ? piece.strength
+                 : sn::strength_from(piece.from_strength, piece.from_cycles, at, piece.slope);
     }
     return pieces_.back().strength;
   };
@@ -61,7 +54,7 @@ double SnLine::strength_at(double cycles, Loading loading) const {
   if (cycles >= cut_off_cycles_) return cut_off_;
   for (const Piece& piece : pieces_) {
     if (cycles <= piece.until) {
-      return piece.from_strength * root(piece.from_cycles / cycles, piece.slope);
+      return sn::strength_from(piece.from_strength, piece.from_cycles, cycles, piece.slope);
     }
   }
   return pieces_.back().strength;
@@ -72,7 +65,7 @@ double SnLine::cycles_to_failure(double range, Loading loading) const {
   if (range < cut_off_ || range <= 0.0) return infinity;
   for (const Piece& piece : pieces_) {
     if (range >= piece.strength) {
-      return piece.from_cycles * power(piece.from_strength / range, piece.slope);
+      return sn::endured_from(piece.from_strength, piece.from_cycles, range, piece.slope);
     }
   }
   return infinity;

@@ -121,7 +121,7 @@ void put_concentrations(Fields& to, const Verification& verification) {
   for (const CheckResult& result : verification.checks) {
     if (!result.basis || !result.basis->point.concentration) continue;
     const EdgeConcentration& edge = *result.basis->point.concentration;
-    add({edge.hole, edge.hole_case, edge.diameter_to_width, edge.factor});
+    add({edge.hole, edge.edge.hole_case, edge.diameter_to_width, edge.factor});
   }
   to.list({"concentrations", "at the edges of holes"}, "{hole}", all,
           [](Fields& of, const Concentration& at) {

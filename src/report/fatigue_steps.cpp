@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/fatigue/sn_corners.hpp"
 #include "boxbeam/report/format.hpp"
-#include "curve_steps.hpp"
+#include "derivation_text.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -71,22 +72,18 @@ void name_rows(std::vector<Row>& rows, const std::vector<const Row*>& shown,
         first_curve && (reduced || nearly(row.range(), basis.highest.value - basis.lowest.value));
     if (rows.size() > 1 && (count > 1 || !known || reduced))
       row.index = fmt::format("_{}", ++number);
-    row.symbol = prefix_of(*row.curve) + (row.index.empty() && reduced ? "_red" : row.index);
+    row.symbol = symbol_of(*row.curve) + (row.index.empty() && reduced ? "_red" : row.index);
   }
 }
 
-/// The partial factors that a range is multiplied by, as symbols and as numbers.
-struct Gammas {
-  std::string symbols = "gamma_Ff gamma_Mf";
-  std::string values;
-  double product = 1.0;
-};
+/// The partial factors that a range is multiplied by, gamma_Ff gamma_Mf.
+Traced gammas_of(const FatigueDemand& demand) {
+  return Derivation::known("gamma_Ff", demand.gamma_Ff, {ValueKind::factor}) *
+         Derivation::known("gamma_Mf", demand.gamma_Mf, {ValueKind::factor});
+}
 
-Gammas gammas_of(const FatigueDemand& demand) {
-  Gammas gammas;
-  gammas.values = fmt::format("{} x {}", number(demand.gamma_Ff), number(demand.gamma_Mf));
-  gammas.product = demand.gamma_Ff * demand.gamma_Mf;
-  return gammas;
+Traced range_of(const Row& row) {
+  return Derivation::known({row.symbol, ""}, row.row->cycle.range);
 }
 
 std::string in_situation(const SpectrumRow& row) {
@@ -101,16 +98,17 @@ std::string counted(const Row& row) {
 /// loads taken k times.
 struct Reached {
   const Row* row;
-  Corner limit;
+  SnCorner limit;
 };
 
-std::optional<Reached> limit_reached(const std::vector<Row>& rows, double k, const Gammas& gammas) {
+std::optional<Reached> limit_reached(const std::vector<Row>& rows, double k, const Traced& gammas) {
   std::optional<Reached> reached;
   for (const Row& row : rows) {
-    const double range = k * gammas.product * row.row->cycle.range.value();
-    for (const Corner& corner : corners_of(*row.curve)) {
+    const double range = k * gammas.value() * row.row->cycle.range.value();
+    for (const SnCorner& corner : corners_of(*row.curve)) {
       constexpr double round_off = 1e-9;
-      if (corner.what.empty() || std::abs(range - corner.strength) > round_off * range) continue;
+      const bool reference = corner.kind == SnCorner::Kind::reference;
+      if (reference || std::abs(range - corner.strength.value()) > round_off * range) continue;
       if (reached && reached->row->row->cycle.count >= row.row->cycle.count) continue;
       reached = Reached{&row, corner};
     }
@@ -119,35 +117,23 @@ std::optional<Reached> limit_reached(const std::vector<Row>& rows, double k, con
 }
 
 /// Where the cycles of one size alone decide: strength at their number over their range.
-Steps alone_steps(const Project& project, const Check& check, const Row& row,
-                  const Gammas& gammas) {
-  Steps steps;
+Steps alone_steps(const Project& project, const Row& row, const Traced& gammas) {
+  Derivation steps;
   const double n = row.row->cycle.count;
-  const std::string prefix = prefix_of(*row.curve);
-  steps.push_back(
-      {"n" + row.index, {text::cycles(n)}, {"cycles in the wanted life" + in_situation(*row.row)}});
-  Step strength = strength_step(*row.curve, n, project.fatigue.demand.loading);
-  const std::string R = strength.formulas.back();
-  const double R_value = strength_at(*row.curve, n, project.fatigue.demand.loading).value();
-  steps.push_back(std::move(strength));
-  const std::string allowed = text::MPa(R_value / gammas.product);
-  steps.push_back({prefix + "_Rd",
-                   {fmt::format("{}_R/({})", prefix, gammas.symbols),
-                    fmt::format("{}/({})", R, gammas.values), allowed},
-                   {"limit: the range that the life allows"}});
-  steps.push_back({"factor",
-                   {fmt::format("{}_Rd/{}", prefix, row.symbol),
-                    fmt::format("{}/{}", allowed, text::MPa(row.row->cycle.range.value())),
-                    text::significant(check.safety_factor, 4)},
-                   {}});
-  return steps;
+  steps.given({"n", row.index}, n, {ValueKind::cycles});
+  steps.note([&] { return "cycles in the wanted life" + in_situation(*row.row); });
+  const Traced strength = derive_strength(steps, *row.curve, n, project.fatigue.demand.loading);
+  const Traced allowed = steps.define({symbol_of(*row.curve), "_Rd"}, strength / gammas,
+                                      "limit: the range that the life allows");
+  steps.define("factor", allowed / range_of(row));
+  return steps_of(steps);
 }
 
 /// A damage sum: under the loads taken k times, or as they are.
 struct Sum {
   double (Row::*harm)() const;
   std::optional<double> k;
-  const Gammas* gammas;
+  const Traced* gammas;
 
   double endured(const Row& row) const {
     return k ? row.row->endured : row.row->cycle.count / row.row->damage;
@@ -160,19 +146,13 @@ struct Sum {
 };
 
 /// Cycles to failure of a size.
-Step endured_step(const Row& row, const Sum& sum) {
-  const double N = sum.endured(row);
-  const Corner corner = corner_before(corners_of(*row.curve), N);
-  const double slope = slope_at(*row.curve, N);
-  const std::string k = sum.k ? text::significant(*sum.k) + " x " : "";
-  return {sum.N(row),
-          {fmt::format("{} ({}/({}{} {}))^{:g}", text::cycles(corner.cycles), corner.symbol,
-                       sum.k ? "k " : "", sum.gammas->symbols, row.symbol, slope),
-           fmt::format("{} x ({}/({}{} x {}))^{:g}", text::cycles(corner.cycles),
-                       text::MPa(corner.strength), k, sum.gammas->values, text::MPa(row.range()),
-                       slope),
-           scientific(N, 4)},
-          {"cycles to failure; " + counted(row)}};
+Steps endured_steps(const Row& row, const Sum& sum) {
+  Derivation steps;
+  const Traced k = sum.k ? steps.known("k", *sum.k) : Traced(1.0);
+  derive_endurance(steps, *row.curve, {sum.N(row), ""}, k * *sum.gammas * range_of(row),
+                   sum.endured(row));
+  steps.note([&] { return "cycles to failure; " + counted(row); });
+  return steps_of(steps);
 }
 
 /// "normal running does all but 0.01 % of it", where several situations do damage.
@@ -210,7 +190,7 @@ Steps damage_sum_steps(const std::vector<Row>& rows, const Sum& of, Step sum, do
       rest += (row.*of.harm)();
       continue;
     }
-    steps.push_back(endured_step(row, of));
+    append(steps, endured_steps(row, of));
     if (!shares.empty()) shares += " + ", terms += " + ";
     shares +=
         fmt::format("{}/{}", text::cycles(row.row->cycle.count), scientific(of.endured(row), 4));
@@ -261,31 +241,21 @@ Steps range_rows(const std::vector<Row>& rows) {
 }
 
 /// The damage under the loads as they are, and the range of 2e6 cycles that does as much.
-Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const Gammas& gammas) {
+Steps damage_steps(const CheckBasis& basis, const std::vector<Row>& rows, const Traced& gammas) {
   Steps steps = damage_sum_steps(
       rows, {&Row::harm_as_is, {}, &gammas},
       {"D", {"sum n_i/N_i"}, {"damage in the wanted life, loads as they are"}}, basis.damage);
   if (basis.equivalent.value() <= 0.0 || basis.damage <= 0.0) return steps;
   const SnCurve& curve = basis.curves.front();
-  const double m = curve.branches.front().slope;
-  const std::string prefix = prefix_of(curve);
-  const bool at_reference = curve.reference_cycles == 2e6;
-  const std::string D = share(basis.damage);
-  const std::string ratio =
-      at_reference ? "" : fmt::format(" x {}/2e6", text::cycles(curve.reference_cycles));
-  steps.push_back({prefix + "_E,2",
-                   {fmt::format("{}_C {}^(1/{:g})/({})", prefix,
-                                ratio.empty() ? "D" : "(D" + ratio + ")", m, gammas.symbols),
-                    fmt::format("{} x ({}{})^(1/{:g})/({})", text::MPa(curve.reference.value()),
-                                share(basis.damage), ratio, m, gammas.values),
-                    text::MPa(basis.equivalent.value())},
-                   {"2e6 cycles of this range do as much damage"}});
+  Derivation of;
+  derive_equivalent_range(of, curve, basis.damage, gammas);
+  append(steps, steps_of(of));
   return steps;
 }
 
 /// The row whose range reaches the limit that all must stay below under constant amplitude.
 const Row* constant_amplitude_row(const CheckBasis& basis, const std::vector<Row>& rows,
-                                  const Gammas& gammas, double factor) {
+                                  const Traced& gammas, double factor) {
   const SnCurve& curve = basis.curves.front();
   const double k = basis.constant_amplitude_factor;
   // Before the knee both are the same.
@@ -293,32 +263,54 @@ const Row* constant_amplitude_row(const CheckBasis& basis, const std::vector<Row
     return nullptr;
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& at) {
     return at.row->kind == curve.kind &&
-           nearly(k * gammas.product * at.range(), knee_of(curve).value());
+           nearly(k * gammas.value() * at.range(), knee_of(curve).value());
   });
   return row == rows.end() ? nullptr : &*row;
 }
 
 /// The factor under constant amplitude, for comparison.
-Steps constant_amplitude_steps(const CheckBasis& basis, const Row* row, const Gammas& gammas,
+Steps constant_amplitude_steps(const CheckBasis& basis, const Row* row, const Traced& gammas,
                                double factor) {
   const SnCurve& curve = basis.curves.front();
   const double k = basis.constant_amplitude_factor;
   if (!curve.constant_amplitude_limit || text::significant(k) == text::significant(factor))
     return {};
-  Step step{"factor_CA", {text::significant(k)}, {"beside: under constant amplitude, 7.1(2)"}};
+  Derivation steps;
+  constexpr const char* note = "beside: under constant amplitude, 7.1(2)";
   if (row != nullptr) {
-    step.formulas = {fmt::format("{}_D/({} {})", prefix_of(curve), gammas.symbols, row->symbol),
-                     fmt::format("{}/({} x {})", text::MPa(knee_of(curve).value()), gammas.values,
-                                 text::MPa(row->range())),
-                     text::significant(k)};
+    const Traced limit = steps.known({symbol_of(curve), "_D"}, knee_of(curve));
+    steps.define("factor_CA", limit / (gammas * range_of(*row)), note);
+  } else {
+    steps.given("factor_CA", k, {}, note);
   }
-  return {step};
+  return steps_of(steps);
+}
+
+/// The largest k, by which the loads may be taken: where a range reaches a limit, as its quotient.
+Steps taken_steps(double k, const std::optional<Reached>& reached, const Traced& gammas) {
+  Derivation steps;
+  if (!reached) {
+    steps.given("k", k, {}, "loads taken k times: the largest k with D_k <= 1");
+    return steps_of(steps);
+  }
+  const Row& row = *reached->row;
+  const Traced limit = steps.known({reached->limit.symbol, ""}, reached->limit.strength);
+  steps.define("k", limit / (gammas * range_of(row)));
+  steps.note(
+      [&] {
+        return fmt::format(
+            "loads taken k times: this range reaches the {}; above it its {{}} cycles do damage, "
+            "and D_k > 1",
+            to_text(reached->limit.kind));
+      },
+      Derivation::literal(row.row->cycle.count, ValueKind::cycles));
+  return steps_of(steps);
 }
 
 }  // namespace
 
 Steps life_steps(const Project& project, const Check& check, const CheckBasis& basis) {
-  const Gammas gammas = gammas_of(project.fatigue.demand);
+  const Traced gammas = gammas_of(project.fatigue.demand);
   const double k = check.safety_factor;
   std::vector<Row> rows = rows_of(basis);
   const Row* alone = rows.size() == 1 ? &rows.front() : nullptr;
@@ -346,34 +338,21 @@ Steps life_steps(const Project& project, const Check& check, const CheckBasis& b
   append(steps, damage_steps(basis, rows, gammas));
   append(steps, constant_amplitude_steps(basis, constant, gammas, k));
   if (alone != nullptr) {
-    append(steps, alone_steps(project, check, *alone, gammas));
+    append(steps, alone_steps(project, *alone, gammas));
     if (rows.size() > 1) {
       steps.back().notes.push_back(
           "with it these cycles alone use up the life; no other range does damage yet");
     }
     return steps;
   }
-  const std::string result = text::significant(k, 4);
-  Step taken{"k", {result}, {"loads taken k times: the largest k with D_k <= 1"}};
-  if (reached) {
-    const Row& row = *reached->row;
-    taken.formulas = {fmt::format("{}/({} {})", reached->limit.symbol, gammas.symbols, row.symbol),
-                      fmt::format("{}/({} x {})", text::MPa(reached->limit.strength), gammas.values,
-                                  text::MPa(row.range())),
-                      result};
-    taken.notes = {
-        fmt::format("loads taken k times: this range reaches the {}; above it its {} "
-                    "cycles do damage, and D_k > 1",
-                    reached->limit.what, text::cycles(row.row->cycle.count))};
-  }
-  steps.push_back(taken);
+  append(steps, taken_steps(k, reached, gammas));
   double total = 0.0;
   for (const Row& row : rows) total += row.harm();
   append(steps, damage_sum_steps(
                     rows, {&Row::harm, k, &gammas},
                     {"D_k", {"sum n_i/N_i,k"}, {"damage in the wanted life, loads taken k times"}},
                     total));
-  steps.push_back({"factor", {"k", result}, {}});
+  steps.push_back({"factor", {"k", text::significant(k, 4)}, {}});
   return steps;
 }
 

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/fatigue/range_limit.hpp"
+#include "boxbeam/fatigue/reduced_range.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
+#include "boxbeam/section/equivalent_stress.hpp"
+#include "boxbeam/strength/yield.hpp"
 #include "curve_steps.hpp"
+#include "derivation_text.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
 #include "stress_steps.hpp"
@@ -16,11 +20,6 @@ namespace boxbeam {
 using namespace report;
 
 namespace {
-
-/// The factor of a check as "formula = values = result".
-Step factor_step(const Check& check, const std::string& formula, const std::string& values) {
-  return {"factor", {formula, values, text::significant(check.safety_factor, 4)}, {}};
-}
 
 std::string at_extreme(const Project& project, const Extreme& extreme) {
   const std::string& name = project.situations[extreme.situation].name;
@@ -34,16 +33,23 @@ Step time_step(const Check& check, const char* what) {
           {fmt::format("{}{}", what, check.situation.empty() ? "" : ", " + check.situation)}};
 }
 
-/// "1.10 x " for loads taken with a factor, "" else.
-std::string load_factor_text(const Project& project, const CheckBasis& basis) {
+/// A stress under the load factor of its situation, as itself where that is one.
+Traced loaded(Derivation& steps, const Project& project, const CheckBasis& basis,
+              const Traced& stress) {
   const double factor = project.situations[basis.running].load_factor;
-  return factor == 1.0 ? "" : number(factor) + " x ";
+  return factor == 1.0 ? stress
+                       : Traced(steps.known("gamma_F", factor, {ValueKind::factor}) * stress);
 }
 
-Step yield_strength_step(const Project& project, Stress strength, Length plate) {
-  return {"f_y",
-          {text::MPa(strength.value())},
-          {fmt::format("{}, plate {}", project.material.name, text::mm(plate.value()))}};
+std::string plate_text(const Project& project, Length plate) {
+  return fmt::format("{}, plate {}", project.material.name, text::mm(plate.value()));
+}
+
+/// f_y/(gamma_M0 acting) from the yield strength of the plate on.
+void derive_yield_factor(Derivation& steps, const Project& project, Stress yield_strength,
+                         Length plate, const Traced& acting) {
+  const Traced f_y = steps.given("f_y", yield_strength, plate_text(project, plate));
+  steps.define("factor", yield_resistance(steps, f_y, project.strength.gamma_M0) / acting);
 }
 
 Steps yield_steps(const Project& project, const Check& check, const CheckBasis& basis) {
@@ -54,109 +60,102 @@ Steps yield_steps(const Project& project, const Check& check, const CheckBasis& 
   append(steps, normal_stress_steps("sigma", project, basis.point, basis.cut_at_time));
   if (sheared) append(steps, shear_section_steps(project, basis.point));
   append(steps, shear_stress_steps("tau", project, basis.point, basis.cut_at_time));
-  const std::string gamma = load_factor_text(project, basis);
-  const std::string sigma = text::MPa(basis.stress_at_time.normal.value());
-  const std::string tau = sheared ? text::MPa(basis.stress_at_time.shear.value()) : "0 MPa";
-  const std::string acting = text::MPa(check.acting.value());
-  Step equivalent{"sigma_v",
-                  {(gamma.empty() ? "" : "gamma_F ") + std::string("sqrt(sigma^2 + 3 tau^2)"),
-                   fmt::format("{}sqrt(({})^2 + 3 x ({})^2)", gamma, sigma, tau), acting},
-                  {}};
-  if (!gamma.empty()) equivalent.notes.emplace_back("gamma_F: load factor of the situation");
-  steps.push_back(equivalent);
-  steps.push_back(yield_strength_step(project, basis.point.yield_strength, basis.point.plate));
-  steps.push_back(
-      factor_step(check, "f_y/(gamma_M0 sigma_v)",
-                  fmt::format("{}/({} x {})", text::MPa(basis.point.yield_strength.value()),
-                              number(project.strength.gamma_M0), acting)));
+  Derivation of;
+  const Traced sigma = of.known("sigma", basis.stress_at_time.normal);
+  const Traced tau = of.known("tau", basis.stress_at_time.shear);
+  const Traced alone = equivalent_stress(sigma, tau);
+  const Traced acting = loaded(of, project, basis, alone);
+  const bool factored = acting.value() != alone.value();
+  const Traced sigma_v =
+      of.define("sigma_v", acting, factored ? "gamma_F: load factor of the situation" : "");
+  derive_yield_factor(of, project, basis.point.yield_strength, basis.point.plate, sigma_v);
+  append(steps, steps_of(of));
   return steps;
 }
 
-/// Both extremes of a stress and their range.
-/// `factor`: of the detail, on the direct stress.
-Steps range_steps(const Project& project, const CheckBasis& basis, bool shear, double factor) {
+/// Both extremes of a stress.
+struct Extremes {
+  Traced highest, lowest;
+};
+
+/// The steps that lead to both extremes of the stress of a check.
+Extremes derive_extremes(Steps& steps, const Project& project, const CheckBasis& basis) {
   const StressPoint& point = basis.point;
-  Steps steps = shear ? shear_section_steps(project, point) : normal_section_steps(project, point);
-  const auto stress = [&](const std::string& symbol, const Extreme& extreme, const CutForces& cut) {
+  const bool shear = basis.kind == StressKind::shear;
+  append(steps, shear ? shear_section_steps(project, point) : normal_section_steps(project, point));
+  const auto extreme = [&](const std::string& symbol, const Extreme& at, const CutForces& cut) {
     Steps of = shear ? shear_stress_steps(symbol, project, point, cut)
                      : normal_stress_steps(symbol, project, point, cut);
-    of.back().notes.insert(of.back().notes.begin(), at_extreme(project, extreme));
+    of.back().notes.insert(of.back().notes.begin(), at_extreme(project, at));
     append(steps, of);
+    const PointStress stress = stress_at(point.influence, cut);
+    return Derivation::known({symbol, ""}, shear ? stress.shear : stress.normal);
   };
   const std::string name = shear ? "tau" : "sigma";
-  stress(name + "_max", basis.highest, basis.cut_at_highest);
-  stress(name + "_min", basis.lowest, basis.cut_at_lowest);
-  const StressSum difference =
-      difference_of(basis.highest.value / factor, basis.lowest.value / factor);
-  Step range{"d_" + name,
-             {fmt::format("{0}_max - {0}_min", name), difference.terms},
-             {fmt::format("range of the {} stress", shear ? "shear" : "direct")}};
-  if (factor != 1.0) {
-    range.formulas = {fmt::format("k_f ({0}_max - {0}_min)", name),
-                      fmt::format("{} x ({})", number(factor), difference.terms)};
-    range.notes.emplace_back("k_f: stress of the detail over the nominal one, 6.3");
-  }
-  range.formulas.push_back(text::MPa(basis.highest.value - basis.lowest.value));
+  return {extreme(name + "_max", basis.highest, basis.cut_at_highest),
+          extreme(name + "_min", basis.lowest, basis.cut_at_lowest)};
+}
+
+/// The range of a stress, as a check has it; its steps behind those of its extremes.
+Traced derive_range(Derivation& steps, const CheckBasis& basis, const Extremes& stress) {
+  const StressPoint& point = basis.point;
+  const bool shear = basis.kind == StressKind::shear;
+  const Traced nominal = stress.highest - stress.lowest;
+  const Traced k_f = steps.known("k_f", basis.stress_factor, {ValueKind::factor});
+  const bool factored = basis.stress_factor != 1.0;
+  const Traced range =
+      steps.define(shear ? "d_tau" : "d_sigma", factored ? Traced(k_f * nominal) : nominal,
+                   shear ? "range of the shear stress" : "range of the direct stress");
+  if (factored) steps.note([] { return "k_f: stress of the detail over the nominal one, 6.3"; });
   if (!shear && point.lag && !point.concentration) {
-    const auto whole = [&](const CutForces& cut) {
-      return stress_at(point.prismatic, cut).normal.value();
-    };
-    range.notes.push_back(fmt::format(
-        "{} without shear lag",
-        text::MPa(factor * (whole(basis.cut_at_highest) - whole(basis.cut_at_lowest)))));
+    const auto whole = [&](const CutForces& cut) { return stress_at(point.prismatic, cut).normal; };
+    steps.note([] { return "{} without shear lag"; },
+               steps.known("d_sigma", Stress(basis.stress_factor * (whole(basis.cut_at_highest) -
+                                                                    whole(basis.cut_at_lowest)))));
   }
-  steps.push_back(range);
-  return steps;
+  return range;
 }
 
 /// 60 % of compression, where the detail is not welded.
-Steps compression_steps(const CheckBasis& basis) {
-  const double factor = basis.point.detail->stress_factor;
-  const double high = basis.highest.value, low = basis.lowest.value;
-  const double tensile = std::max(high, 0.0) - std::max(low, 0.0);
-  const double compressive = std::min(high, 0.0) - std::min(low, 0.0);
-  Step step{"d_sigma_red", {}, {"compression counts 60 %, 7.2.1: so in the ranges of all cycles"}};
-  if (compressive == 0.0) {
-    step.formulas = {"d_sigma"};
-  } else if (tensile == 0.0) {
-    step.formulas = {"0.6 d_sigma", "0.6 x " + text::MPa(compressive)};
-  } else {
-    step.formulas = {"sigma_max - 0.6 sigma_min",
-                     fmt::format("{} + 0.6 x {}", text::MPa(tensile), text::MPa(compressive))};
-    // The factor of the detail is in both values.
-    if (factor != 1.0) step.formulas.front() = "k_f (sigma_max - 0.6 sigma_min)";
-  }
-  step.formulas.push_back(text::MPa(tensile + 0.6 * compressive));
-  return {step};
+void derive_reduced_range(Derivation& steps, const CheckBasis& basis, const Extremes& stress,
+                          const Traced& range) {
+  const Traced k_f = steps.known("k_f", basis.stress_factor, {ValueKind::factor});
+  const auto counted = [&](const Traced& of) {
+    return basis.stress_factor == 1.0 ? of : Traced(k_f * of);
+  };
+  steps.define("d_sigma_red", reduced_range(counted(stress.highest), counted(stress.lowest), range),
+               "compression counts 60 %, 7.2.1: so in the ranges of all cycles");
 }
 
 Steps fatigue_steps(const Project& project, const Check& check, const CheckBasis& basis) {
-  const bool shear = check.criterion == Criterion::shear_fatigue;
-  Steps steps = range_steps(project, basis, shear, shear ? 1.0 : basis.point.detail->stress_factor);
-  if (!shear && basis.point.compression_reduced) append(steps, compression_steps(basis));
+  Steps steps;
+  const Extremes extremes = derive_extremes(steps, project, basis);
+  Derivation of;
+  const Traced range = derive_range(of, basis, extremes);
+  if (basis.kind == StressKind::direct && basis.point.compression_reduced)
+    derive_reduced_range(of, basis, extremes, range);
+  append(steps, steps_of(of));
   for (const SnCurve& curve : basis.curves) {
-    append(steps,
-           curve_steps(curve, curve.kind == StressKind::direct ? basis.point.detail : nullptr));
+    Derivation of_curve;
+    derive_curve(of_curve, curve, curve.kind == StressKind::direct ? basis.point.detail : nullptr);
+    append(steps, steps_of(of_curve));
   }
   append(steps, life_steps(project, check, basis));
   return steps;
 }
 
-Steps stress_range_steps(const Project& project, const Check& check, const CheckBasis& basis) {
-  const double f_y = basis.point.yield_strength.value();
-  // Which of the two ranges governs shows in the limit.
-  const bool shear = check.resisting.value() < 1.4 * f_y;
-  Steps steps = range_steps(project, basis, shear, shear ? 1.0 : basis.point.range_factor);
-  steps.push_back(yield_strength_step(project, basis.point.yield_strength, basis.point.plate));
-  const std::string limit = text::MPa(check.resisting.value());
-  steps.push_back({"limit",
-                   {shear ? "1.5 f_y/sqrt(3)" : "1.5 f_y",
-                    fmt::format("1.5 x {}{}", text::MPa(f_y), shear ? "/sqrt(3)" : ""), limit},
-                   {}});
-  steps.push_back(
-      factor_step(check, shear ? "limit/(gamma_Ff d_tau)" : "limit/(gamma_Ff d_sigma)",
-                  fmt::format("{}/({} x {})", limit, number(project.fatigue.demand.gamma_Ff),
-                              text::MPa(basis.highest.value - basis.lowest.value))));
+Steps stress_range_steps(const Project& project, const CheckBasis& basis) {
+  Steps steps;
+  const Extremes extremes = derive_extremes(steps, project, basis);
+  Derivation of;
+  const Traced range = derive_range(of, basis, extremes);
+  const Traced f_y =
+      of.given("f_y", basis.point.yield_strength, plate_text(project, basis.point.plate));
+  const Traced limit = of.define("limit", range_limit(of, f_y, basis.kind));
+  const Traced gamma_Ff =
+      of.known("gamma_Ff", project.fatigue.demand.gamma_Ff, {ValueKind::factor});
+  of.define("factor", limit / (gamma_Ff * range));
+  append(steps, steps_of(of));
   return steps;
 }
 
@@ -164,25 +163,12 @@ Steps throat_steps(const Project& project, const Check& check, const CheckBasis&
   Steps steps{time_step(check, "where the shear flow is largest")};
   append(steps, shear_section_steps(project, basis.point));
   append(steps, shear_stress_steps("tau_par", project, basis.point, basis.cut_at_time));
-  const std::string f_u =
-      text::MPa(tensile_strength_of(project.material, basis.point.plate)->value());
-  steps.push_back(
-      {"f_u",
-       {f_u},
-       {fmt::format("{}, plate {}", project.material.name, text::mm(basis.point.plate.value()))}});
-  const std::string limit = text::MPa(check.resisting.value());
-  steps.push_back({"limit",
-                   {"f_u/(sqrt(3) beta_w gamma_M2)",
-                    fmt::format("{}/(sqrt(3) x {} x {})", f_u, number(project.material.beta_w),
-                                number(project.strength.gamma_M2)),
-                    limit},
-                   {}});
-  const std::string gamma = load_factor_text(project, basis);
-  const std::string tau = text::MPa(basis.stress_at_time.shear.value());
-  steps.push_back(factor_step(check,
-                              gamma.empty() ? "limit/abs(tau_par)" : "limit/(gamma_F abs(tau_par))",
-                              gamma.empty() ? fmt::format("{}/abs({})", limit, tau)
-                                            : fmt::format("{}/({}abs({}))", limit, gamma, tau)));
+  Derivation of;
+  of.given("f_u", basis.weld.tensile_strength, plate_text(project, basis.point.plate));
+  const Traced limit = weld_shear_strength(of, basis.weld);
+  const Traced tau = of.known("tau_par", basis.stress_at_time.shear);
+  of.define("factor", limit / loaded(of, project, basis, abs(tau)));
+  append(steps, steps_of(of));
   return steps;
 }
 
@@ -194,127 +180,84 @@ Steps weld_line_steps(const Project& project, const Check& check, const CheckBas
   append(steps, normal_stress_steps("sigma_w", project, point, basis.cut_at_time));
   append(steps, shear_section_steps(project, point));
   append(steps, shear_stress_steps("tau_par", project, point, basis.cut_at_time));
-  const double normal = basis.stress_at_time.normal.value();
-  const double shear = basis.stress_at_time.shear.value();
-  const std::string sigma = text::MPa(normal), tau = text::MPa(shear);
-  const std::string acting =
-      text::MPa(std::hypot(std::numbers::sqrt2 * normal, std::numbers::sqrt3 * shear));
-  steps.push_back(
-      {"sigma_v",
-       {"sqrt(2 sigma_w^2 + 3 tau_par^2)", fmt::format("sqrt(2 x ({})^2 + 3 x ({})^2)", sigma, tau),
-        acting},
-       {"sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "
-        "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it",
-        fmt::format(
-            "the weld's line is a {} section as thick as its throat, its middle the "
-            "outline of the profile",
-            std::holds_alternative<RoundTube>(point.section.outer) ? "round" : "rectangular")}});
-  const std::string f_u = text::MPa(tensile_strength_of(project.material, point.plate)->value());
-  steps.push_back(
-      {"f_u",
-       {f_u},
-       {fmt::format("{}, plate {}", project.material.name, text::mm(point.plate.value()))}});
-  const std::string limit = text::MPa(check.resisting.value());
-  steps.push_back({"limit",
-                   {"f_u/(beta_w gamma_M2)",
-                    fmt::format("{}/({} x {})", f_u, number(project.material.beta_w),
-                                number(project.strength.gamma_M2)),
-                    limit},
-                   {}});
-  const std::string gamma = load_factor_text(project, basis);
-  steps.push_back(factor_step(check, gamma.empty() ? "limit/sigma_v" : "limit/(gamma_F sigma_v)",
-                              gamma.empty() ? fmt::format("{}/{}", limit, acting)
-                                            : fmt::format("{}/({}{})", limit, gamma, acting)));
+  Derivation of;
+  const Traced sigma_w = of.known("sigma_w", basis.stress_at_time.normal);
+  const Traced tau_par = of.known("tau_par", basis.stress_at_time.shear);
+  const Traced sigma_v =
+      of.define("sigma_v", equal_leg_stress(sigma_w, tau_par),
+                "sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "
+                "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it");
+  of.note([&] {
+    return fmt::format(
+        "the weld's line is a {} section as thick as its throat, its middle the outline of the "
+        "profile",
+        std::holds_alternative<RoundTube>(point.section.outer) ? "round" : "rectangular");
+  });
+  of.given("f_u", basis.weld.tensile_strength, plate_text(project, point.plate));
+  const Traced limit = weld_strength(of, basis.weld);
+  of.define("factor", limit / loaded(of, project, basis, sigma_v));
+  append(steps, steps_of(of));
   return steps;
 }
 
-Steps given_yield_steps(const Project& project, const Check& check, const GivenStress& given) {
-  const std::string sigma = text::MPa(given.peak.value());
-  const Stress f_y = *yield_strength_of(project.material, given.thickness);
-  return {{"sigma", {sigma}, {"given, largest"}},
-          yield_strength_step(project, f_y, given.thickness),
-          factor_step(check, "f_y/(gamma_M0 sigma)",
-                      fmt::format("{}/({} x {})", text::MPa(f_y.value()),
-                                  number(project.strength.gamma_M0), sigma))};
+Steps given_yield_steps(const Project& project, const GivenBasis& basis) {
+  Derivation of;
+  const Traced sigma = of.given("sigma", basis.stress.peak, "given, largest");
+  derive_yield_factor(of, project, basis.strength, basis.stress.thickness, sigma);
+  return steps_of(of);
 }
 
-Steps given_fatigue_steps(const Project& project, const Check& check, const GivenStress& given) {
+Steps given_fatigue_steps(const Project& project, const GivenBasis& basis) {
   const FatigueInput& fatigue = project.fatigue;
-  const SnCurve curve = curve_of(fatigue.beam.detail);
-  const std::string range = text::MPa(check.acting.value());
-  Steps steps{
-      {"d_sigma",
-       {"sigma_1 + sigma_2",
-        fmt::format("{} + {}", text::MPa(given.peak.value()), text::MPa(given.opposite->value())),
-        range},
-       {"range of the direct stress, both extremes given as positive numbers"}}};
-  append(steps, curve_steps(curve, &fatigue.beam));
-  Step strength = strength_step(curve, most_cycles_of(project), fatigue.demand.loading);
-  const double rounded_strength =
-      check.resisting.value() * fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf;
-  const std::string R = text::MPa(rounded_strength);
+  const BeamDetail& detail = *basis.resisting.detail;
+  const SnCurve curve = curve_of(detail.detail);
+  Derivation of;
+  const Traced range = of.define(
+      "d_sigma",
+      of.known("sigma_1", basis.stress.peak) + of.known("sigma_2", *basis.stress.opposite),
+      "range of the direct stress, both extremes given as positive numbers");
+  derive_curve(of, curve, &detail);
+  derive_strength(of, curve, most_cycles_of(project), fatigue.demand.loading);
+  const Traced strength = of.known("d_sigma_R", basis.strength);
   if (fatigue.round_strength_to) {
-    strength.notes.push_back(fmt::format("taken as {}, rounded to multiples of {} as published", R,
-                                         text::MPa(fatigue.round_strength_to->value())));
+    of.note([] { return "taken as {}, rounded to multiples of {} as published"; }, strength,
+            of.known("step", *fatigue.round_strength_to));
   }
-  steps.push_back(std::move(strength));
-  const std::string gammas =
-      fmt::format("{} x {}", number(fatigue.demand.gamma_Ff), number(fatigue.demand.gamma_Mf));
-  const std::string limit = text::MPa(check.resisting.value());
-  steps.push_back({"d_sigma_Rd",
-                   {"d_sigma_R/(gamma_Ff gamma_Mf)", fmt::format("{}/({})", R, gammas), limit},
-                   {"limit: the range that the life allows"}});
-  steps.push_back(factor_step(check, "d_sigma_Rd/d_sigma", fmt::format("{}/{}", limit, range)));
-  return steps;
+  const Traced gamma_Ff = of.known("gamma_Ff", fatigue.demand.gamma_Ff, {ValueKind::factor});
+  const Traced gamma_Mf = of.known("gamma_Mf", fatigue.demand.gamma_Mf, {ValueKind::factor});
+  const Traced allowed = of.define("d_sigma_Rd", strength / (gamma_Ff * gamma_Mf),
+                                   "limit: the range that the life allows");
+  of.define("factor", allowed / range);
+  return steps_of(of);
 }
 
-Steps given_steps(const Project& project, const Check& check) {
-  const auto given =
-      std::find_if(project.given_stresses.begin(), project.given_stresses.end(),
-                   [&](const GivenStress& stress) { return stress.name == check.point; });
-  return check.criterion == Criterion::yield ? given_yield_steps(project, check, *given)
-                                             : given_fatigue_steps(project, check, *given);
-}
-
-/// By which the deflection of a check is multiplied.
-double load_factor_of(const Project& project, const Check& check) {
-  if (!project.deflection->load_factor) return 1.0;
-  const auto of = std::find_if(project.situations.begin(), project.situations.end(),
-                               [&](const Situation& in) { return in.name == check.situation; });
-  return of->load_factor;
-}
-
-Steps deflection_steps(const Project& project, const Check& check) {
+Steps deflection_steps(const Project& project, const Check& check, const DeflectionBasis& basis) {
   const DeflectionInput& input = *project.deflection;
-  const double load_factor = load_factor_of(project, check);
-  const std::string w = text::mm(check.acting.value());
-  const std::string limit = text::mm(check.resisting.value());
-  Steps steps;
-  if (load_factor != 1.0) {
-    steps.push_back(
-        {"w_1", {text::mm(check.acting.value() / load_factor)}, {"without load factor"}});
-    steps.push_back(
-        {"gamma_F", {number(load_factor)}, {"load factor of the situation, as the case asks"}});
+  Derivation of;
+  Traced w = of.known("w", basis.alone);
+  if (basis.load_factor != 1.0) {
+    const Traced w_1 = of.given("w_1", basis.alone, "without load factor");
+    const Traced gamma_F = of.given("gamma_F", basis.load_factor, {ValueKind::factor},
+                                    "load factor of the situation, as the case asks");
+    w = of.define("w", gamma_F * w_1);
+  } else {
+    w = of.define("w", of.known("int m M/(E I_y) ds + int v V/(G A_v) ds", basis.alone));
   }
-  append(steps,
-         {{"w",
-           load_factor != 1.0
-               ? std::vector<std::string>{"gamma_F w_1",
-                                          fmt::format("{} x {}", number(load_factor),
-                                                      text::mm(check.acting.value() / load_factor)),
-                                          w}
-               : std::vector<std::string>{"int m M/(E I_y) ds + int v V/(G A_v) ds", w},
-           {fmt::format("at s = {} m, t = {}{}", to_text(check.station),
-                        text::seconds(check.time.value()),
-                        check.situation.empty() ? "" : ", " + check.situation),
-            "measured from " + input.measured_from,
-            fmt::format(
-                "m, v: cut forces of a unit force there on the beam, held as that line says; "
-                "E = {}, G = {}",
-                text::MPa(input.youngs_modulus.value()), text::MPa(input.shear_modulus.value()))}},
-          {"w_lim", {limit}, {"limit, given by the case"}},
-          factor_step(check, "w_lim/w", fmt::format("{}/{}", limit, w))});
-  return steps;
+  of.note([&] {
+    return fmt::format("at s = {} m, t = {}{}", to_text(check.station),
+                       text::seconds(check.time.value()),
+                       check.situation.empty() ? "" : ", " + check.situation);
+  });
+  of.note([&] { return "measured from " + input.measured_from; });
+  of.note([&] {
+    return fmt::format(
+        "m, v: cut forces of a unit force there on the beam, held as that line says; E = {}, "
+        "G = {}",
+        text::MPa(input.youngs_modulus.value()), text::MPa(input.shear_modulus.value()));
+  });
+  const Traced limit = of.given("w_lim", input.limit, "limit, given by the case");
+  of.define("factor", limit / w);
+  return steps_of(of);
 }
 
 const NeighbourResult& neighbour_of(const Verification& verification, const Check& check) {
@@ -323,21 +266,24 @@ const NeighbourResult& neighbour_of(const Verification& verification, const Chec
       [&](const NeighbourResult& neighbour) { return neighbour.check.id == check.id; });
 }
 
-Steps steps_of(const Project& project, const Verification& verification,
-               const CheckResult& result) {
+Steps steps_of_check(const Project& project, const Verification& verification,
+                     const CheckResult& result) {
   const Check& check = result.check;
   switch (check.criterion) {
-    case Criterion::pin: return pin_steps(project, neighbour_of(verification, check));
-    case Criterion::rod: return pulled_rod_steps(project, neighbour_of(verification, check));
-    case Criterion::buckling: return pressed_rod_steps(project, neighbour_of(verification, check));
-    case Criterion::deflection: return deflection_steps(project, check);
+    case Criterion::pin:
+    case Criterion::rod:
+    case Criterion::buckling: return neighbour_steps(neighbour_of(verification, check));
+    case Criterion::deflection: return deflection_steps(project, check, *result.deflection);
     default: break;
   }
-  if (!result.basis) return given_steps(project, check);
+  if (result.given) {
+    return check.criterion == Criterion::yield ? given_yield_steps(project, *result.given)
+                                               : given_fatigue_steps(project, *result.given);
+  }
   const CheckBasis& basis = *result.basis;
   switch (check.criterion) {
     case Criterion::yield: return yield_steps(project, check, basis);
-    case Criterion::stress_range: return stress_range_steps(project, check, basis);
+    case Criterion::stress_range: return stress_range_steps(project, basis);
     case Criterion::weld:
       return basis.point.on_throat ? throat_steps(project, check, basis)
                                    : weld_line_steps(project, check, basis);
@@ -367,7 +313,7 @@ Sheet sheet_of(const Project& project, const Verification& verification,
   Sheet sheet;
   sheet.id = check.id;
   sheet.title = title_of(project, result);
-  sheet.steps = steps_of(project, verification, result);
+  sheet.steps = steps_of_check(project, verification, result);
   sheet.result =
       fmt::format("factor {}, required {}, utilisation {}: {}",
                   text::significant(check.safety_factor, 4), text::significant(check.required, 3),

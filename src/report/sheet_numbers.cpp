@@ -80,19 +80,22 @@ std::string number(double value) {
   return std::stod(fixed) == std::stod(shortest) ? fixed : shortest;
 }
 
-StressSum sum_of(const std::vector<double>& pascals) {
+StressSum sum_of(const std::vector<double>& pascals, const std::vector<bool>& minus) {
+  const auto is_minus = [&](std::size_t i) { return !minus.empty() && minus[i]; };
   std::vector<double> stresses;
   double sum = 0.0;
-  for (const double value : pascals) {
-    stresses.push_back(in_MPa(value));
-    sum += stresses.back();
+  for (std::size_t i = 0; i < pascals.size(); ++i) {
+    stresses.push_back(in_MPa(pascals[i]));
+    sum += is_minus(i) ? -stresses.back() : stresses.back();
   }
   const int decimals = decimals_of(stresses, sum);
   StressSum text;
-  for (const double value : stresses) {
-    const std::string stress = with_decimals(value, decimals);
-    if (!text.terms.empty()) text.terms += " + ";
-    text.terms += text.terms.empty() ? stress : term(stress);
+  for (std::size_t i = 0; i < stresses.size(); ++i) {
+    const std::string stress = with_decimals(stresses[i], decimals);
+    if (text.terms.empty())
+      text.terms = (is_minus(i) ? "-" : "") + stress;
+    else
+      text.terms += (is_minus(i) ? " - " : " + ") + term(stress);
   }
   text.sum = with_decimals(sum, decimals);
   return text;

@@ -43,25 +43,6 @@ OnCurve near_on(const SnFigure& figure, double cycles) {
   return best;
 }
 
-/// The curves that resist at other places of the beam, each once, the strongest first.
-std::vector<const SnCurve*> other_curves_of(const Verification& verification,
-                                            const SnCurve& governing) {
-  std::vector<const SnCurve*> others;
-  for (const CheckResult& result : verification.checks) {
-    if (result.check.criterion != Criterion::fatigue || !result.basis) continue;
-    const SnCurve& curve = result.basis->curves.front();
-    const auto same = [&](const SnCurve& other) {
-      return other.name == curve.name && other.reference == curve.reference;
-    };
-    const bool known = same(governing) || std::any_of(others.begin(), others.end(),
-                                                      [&](const SnCurve* of) { return same(*of); });
-    if (!known) others.push_back(&curve);
-  }
-  std::sort(others.begin(), others.end(),
-            [](const SnCurve* a, const SnCurve* b) { return a->reference > b->reference; });
-  return others;
-}
-
 /// The slopes of the curve's branches, each in the middle of its branch.
 void label_slopes(Script& gp, Labels& labels, const SnFigure& figure, const SnCurve& curve,
                   const Panel& panel) {
@@ -148,20 +129,18 @@ void sn(Script& gp, const Project&, const Verification& verification) {
   std::vector<std::string> curves;
   labels.keep_off(panel, line);
   if (en) {
-    const std::vector<const SnCurve*> others =
-        other_curves_of(verification, governing->basis->curves.front());
-    for (std::size_t k = 0; k < others.size(); ++k) {
+    for (std::size_t k = 0; k < figure.others.size(); ++k) {
+      const SnFigure::Other& other = figure.others[k];
       std::vector<Row2> rows;
-      for (const double n : figure.cycles) {
-        rows.emplace_back(n, 1e-6 * strength_at(*others[k], n, Loading::spectrum).value());
-      }
+      for (std::size_t i = 0; i < figure.cycles.size(); ++i)
+        rows.emplace_back(figure.cycles[i], 1e-6 * other.spectrum[i]);
       const std::string data = fmt::format("other{}", k);
       gp.block(data, rows);
       labels.keep_off(panel, rows);
       curves.push_back(fmt::format("${} using 1:2 with lines lw 0.9 lc rgb '#7d8b99'", data));
       const auto& [n, strength] = rows[20 + 6 * k % 24];
       if (strength < panel.y_high)
-        labels.put(gp, "category " + others[k]->name, panel.at(n, strength), panel.frame, "#5d6b79",
+        labels.put(gp, "category " + other.name, panel.at(n, strength), panel.frame, "#5d6b79",
                    4.0);
     }
   }

@@ -9,7 +9,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/section/level_shear.hpp"
-#include "hole_steps.hpp"
+#include "derivation_text.hpp"
 #include "section_steps.hpp"
 
 namespace boxbeam::report {
@@ -373,7 +373,11 @@ std::string shear_coefficient_note(std::size_t which, bool space, const StressPo
 }  // namespace
 
 Steps normal_section_steps(const Project& project, const StressPoint& point) {
-  if (point.concentration) return hole_factor_steps(project, point);
+  if (point.concentration) {
+    Derivation of;
+    derive_edge_stress(of, point.concentration->edge);
+    return steps_of(of);
+  }
   Steps steps = section_steps(project, point);
   if (point.net.I_yz.value() != 0.0) append(steps, skew_coefficient_steps(point, project.in_space));
   return steps;

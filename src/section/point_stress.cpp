@@ -1,6 +1,6 @@
 #include "boxbeam/section/point_stress.hpp"
 
-#include <cmath>
+#include "boxbeam/section/equivalent_stress.hpp"
 
 namespace boxbeam {
 namespace {
@@ -19,8 +19,7 @@ double sum_of(const std::array<double, 6>& factors, const CutForces& cut) {
 }  // namespace
 
 Stress PointStress::von_mises() const {
-  return si<Stress>(
-      std::sqrt(normal.value() * normal.value() + 3.0 * shear.value() * shear.value()));
+  return si<Stress>(equivalent_stress(normal.value(), shear.value()));
 }
 
 PointStress stress_at(const StressInfluence& influence, const CutForces& cut) {

@@ -1,10 +1,27 @@
 #include "boxbeam/strength/column_buckling.hpp"
 
 #include <cassert>
-#include <cmath>
-#include <numbers>
+
+#include "column_formulas.hpp"
 
 namespace boxbeam {
+
+namespace {
+
+constexpr NoDerivation unrecorded;
+
+}  // namespace
+
+const char* to_text(BucklingCurve curve) {
+  switch (curve) {
+    case BucklingCurve::a0: return "a0";
+    case BucklingCurve::a: return "a";
+    case BucklingCurve::b: return "b";
+    case BucklingCurve::c: return "c";
+    case BucklingCurve::d: return "d";
+  }
+  return "";
+}
 
 double imperfection_factor(BucklingCurve curve) {
   switch (curve) {
@@ -18,26 +35,23 @@ double imperfection_factor(BucklingCurve curve) {
 }
 
 Force euler_force(Stress youngs_modulus, SecondMoment inertia, Length buckling_length) {
-  constexpr double pi_2 = std::numbers::pi * std::numbers::pi;
-  return pi_2 * youngs_modulus * inertia / (buckling_length * buckling_length);
+  return column::euler_force(unrecorded, youngs_modulus, inertia, buckling_length);
 }
 
 double column_slenderness(Area area, Stress yield_strength, Force critical_force) {
-  return std::sqrt((area * yield_strength).value() / critical_force.value());
+  return column::slenderness(unrecorded, area, yield_strength, critical_force);
 }
 
 double column_reduction(double slenderness, BucklingCurve curve) {
   assert(slenderness >= 0.0);
-  if (slenderness <= 0.2) return 1.0;
-  const double lambda_2 = slenderness * slenderness;
-  const double phi = 0.5 * (1.0 + imperfection_factor(curve) * (slenderness - 0.2) + lambda_2);
-  return 1.0 / (phi + std::sqrt(phi * phi - lambda_2));
+  return column::reduction(unrecorded, slenderness, curve);
 }
 
 Force buckling_resistance(Area area, Stress yield_strength, Force critical_force,
                           BucklingCurve curve, double gamma_M1) {
   const double slenderness = column_slenderness(area, yield_strength, critical_force);
-  return column_reduction(slenderness, curve) * area * yield_strength / gamma_M1;
+  return column::resistance(unrecorded, column_reduction(slenderness, curve), area, yield_strength,
+                            gamma_M1);
 }
 
 }  // namespace boxbeam

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/plate_slenderness.hpp"
+#include "plate_formulas.hpp"
 
 namespace boxbeam {
 namespace {
@@ -83,18 +83,39 @@ std::string obstacle_of(const Profile& profile) {
 
 std::string beyond_text(const CompressedPlate& plate, const char* why) {
   return fmt::format("{}: {} = {:.3g} is above {:.3g}, class 4 (EN 1993-1-1, table 5.2), and {}",
-                     plate.name, plate.name == "round wall" ? "d/t" : "c/t", plate.ratio,
-                     plate.limit, why);
+                     plate.name, plate.round ? "d/t" : "c/t", plate.ratio, plate.limit, why);
 }
 
-/// Takes what is not effective out of a plate; both plates of its name.
+/// What is not effective of both plates of a name under even compression.
+template <class Value, class Number>
+struct IdlePart {
+  Number lambda_p, rho;
+  Value idle;
+};
+
+template <class Record, class Number>
+auto idle_part_of(Record& record, const CompressedPlate& plate, const Number& epsilon,
+                  Symbol symbol) {
+  const auto c = record.given("c", Length(plate.ratio * plate.thickness));
+  record.note([&] { return plate.name; });
+  const auto t = record.given("t", plate.thickness);
+  const auto lambda_p = plate::slenderness(record, c / t, epsilon, record.constant("4", 4.0));
+  record.note([] { return "k_sigma = 4: even compression (EN 1993-1-5, 4.4)"; });
+  const auto rho = plate::internal_reduction(record, lambda_p, record.constant("1", 1.0));
+  record.note([] { return "psi = 1"; });
+  const auto idle = record.define(symbol, 2.0 * (c - rho * c) * t);
+  record.note([&] { return "not effective of both plates, " + plate.name; });
+  return IdlePart{lambda_p, rho, idle};
+}
+
+/// Takes what is not effective out of a plate beyond class 3.
 void reduce(CompressedPlate& plate, Length thickness, double epsilon) {
-  const Length width = plate.ratio * thickness;
-  const EffectiveWidth effective = internal_effective_width(width, thickness, 1.0, epsilon).value();
+  constexpr NoDerivation record;
   plate.thickness = thickness;
-  plate.lambda_p = effective.lambda_p;
-  plate.rho = effective.rho;
-  plate.idle = 2.0 * (width - effective.b_eff) * thickness;
+  const auto part = idle_part_of(record, plate, Dimensionless(epsilon), "A_c");
+  plate.lambda_p = part.lambda_p;
+  plate.rho = part.rho;
+  plate.idle = part.idle;
 }
 
 void add_plates(const Profile& profile, Stress yield_strength, CompressedSection& result) {
@@ -106,6 +127,7 @@ void add_plates(const Profile& profile, Stress yield_strength, CompressedSection
   for (const SlenderPlate& of : plate_slenderness_of(profile, of_strength(yield_strength))) {
     CompressedPlate plate;
     plate.name = of.plate;
+    plate.round = round;
     plate.ratio = of.ratio;
     plate.limit = of.limit;
     // A web is listed with its limit in bending; here it is compressed all over.
@@ -135,6 +157,34 @@ CompressedSection compressed_section_of(const Section& section, Stress yield_str
   result.effective = result.area;
   for (const CompressedPlate& plate : result.plates) result.effective -= plate.idle;
   return result;
+}
+
+Traced derive_effective_area(Derivation& steps, const CompressedSection& section,
+                             Stress yield_strength) {
+  const Traced A = steps.given("A", section.area);
+  if (section.plates.empty()) return A;
+  const Traced epsilon = plate::epsilon(steps, steps.known("f_y", yield_strength));
+  const CompressedPlate& worst = *std::max_element(
+      section.plates.begin(), section.plates.end(),
+      [](const auto& a, const auto& b) { return a.ratio / a.limit < b.ratio / b.limit; });
+  steps.given(worst.round ? "d/t" : "c/t", worst.ratio, {});
+  steps.note(
+      [&] {
+        return fmt::format("{}, of class 3 or better up to {{}} (EN 1993-1-1, table 5.2){}",
+                           worst.name, section.class_4 ? ": class 4" : "");
+      },
+      steps.known("limit", worst.limit));
+  if (!section.class_4) return A;
+  const auto slender = [](const CompressedPlate& plate) { return plate.rho != 1.0; };
+  const bool several = std::count_if(section.plates.begin(), section.plates.end(), slender) > 1;
+  Traced left = A;
+  int number = 0;
+  for (const CompressedPlate& plate : section.plates) {
+    if (!slender(plate)) continue;
+    const std::string index = several ? std::to_string(++number) : "";
+    left = left - idle_part_of(steps, plate, epsilon, {"A_c", index}).idle;
+  }
+  return steps.define("A_eff", left, "A less what is idle");
 }
 
 }  // namespace boxbeam

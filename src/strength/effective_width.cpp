@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "plate_formulas.hpp"
+
 namespace boxbeam {
 
 std::optional<double> internal_buckling_factor(double psi) {
@@ -29,13 +31,15 @@ std::optional<double> outstand_buckling_factor(double psi, LargestCompression wh
 }
 
 double relative_plate_slenderness(double width_to_thickness, double epsilon, double k_sigma) {
-  return width_to_thickness / (28.4 * epsilon * std::sqrt(k_sigma));
+  constexpr NoDerivation record;
+  return plate::slenderness(record, width_to_thickness, epsilon, k_sigma);
 }
 
 double internal_reduction(double lambda_p, double psi) {
   assert(psi >= -3.0 && psi <= 1.0);
   if (lambda_p <= 0.5 + std::sqrt(0.085 - 0.055 * psi)) return 1.0;
-  return (lambda_p - 0.055 * (3.0 + psi)) / (lambda_p * lambda_p);
+  constexpr NoDerivation record;
+  return plate::internal_reduction(record, lambda_p, psi);
 }
 
 double outstand_reduction(double lambda_p) {

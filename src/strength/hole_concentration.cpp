@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "boxbeam/section/normal_stress.hpp"
+#include "hole_formulas.hpp"
 
 namespace boxbeam {
 
@@ -37,34 +38,26 @@ Length plate_width_of(const Section& section, const std::vector<Hole>& holes, co
 
 namespace {
 
-/// The stresses around a hole in its wall, u along the wall across the beam.
-struct AroundHole {
-  double radius = 0.0;
-  double a = 0.0;          ///< d/w
-  StressInfluence middle;  ///< at the centre, gross: normal stress and shear along u
-  std::array<double, cut_force::count> gradient{};  ///< of the normal stress along u
-};
-
 /// An edge by its distance along u from the centre.
 template <class Place>
-std::vector<HoleEdge> edges_around(const AroundHole& hole, const Place& place) {
-  const double membrane = membrane_concentration(hole.a) / (1.0 - hole.a) / 3.0;
+std::vector<HoleEdge> edges_around(const AroundHole& around, const Place& place) {
+  constexpr NoDerivation plainly;
+  const auto wall = std::make_shared<const AroundHole>(around);
+  const double K_g = hole::on_gross(hole::membrane_concentration(plainly, around.a), around.a);
   constexpr int steps = 120;
   std::vector<HoleEdge> edges;
   for (int k = 0; k < steps; ++k) {
     const double theta = 2.0 * std::numbers::pi * k / steps;
-    const double along = membrane * (1.0 - 2.0 * std::cos(2.0 * theta));
-    const double gradient = std::sin(theta) - std::sin(3.0 * theta);
+    const auto factors = hole::edge_factors(K_g, theta, around.a, around.radius);
     HoleEdge edge;
-    place(edge, hole.radius * std::sin(theta));
+    place(edge, around.radius * std::sin(theta));
     edge.angle = theta;
+    edge.around = wall;
     for (std::size_t force = 0; force < cut_force::count; ++force) {
-      edge.influence.normal[force] =
-          along * hole.middle.normal[force] -
-          4.0 / (1.0 - hole.a) * std::sin(2.0 * theta) * hole.middle.shear[force];
-      edge.influence.normal[force] += gradient * hole.radius * hole.gradient[force];
+      edge.influence.normal[force] = hole::edge_stress(
+          factors, around.middle.normal[force], around.middle.shear[force], around.gradient[force]);
     }
-    edges.push_back(edge);
+    edges.push_back(std::move(edge));
   }
   return edges;
 }
@@ -107,7 +100,7 @@ std::vector<HoleEdge> edges_in_flat_plate(const Plate& plate, double diameter, d
     const double sign = k == 0 ? 1.0 : -1.0;
     edges[k].z = sign * 0.5 * plate.height;
     edges[k].influence.normal[cut_force::N] =
-        membrane_concentration(a) / (1.0 - a) / (width * height);
+        hole::on_gross(membrane_concentration(a), a) / (width * height);
     edges[k].influence.normal[cut_force::M_y] =
         sign * *bending * 6.0 / (width * (1.0 - a) * height * height);
   }
@@ -133,7 +126,7 @@ std::vector<HoleEdge> hole_edges_of(const Section& section, const std::vector<Ho
     const AreaSums sums = sums_of(outline_of(section, membrane ? std::vector<Hole>{} : holes));
     double factor = published_concentration(a);
     if (membrane) {
-      factor = membrane_concentration(a) / (1.0 - a);
+      factor = hole::on_gross(membrane_concentration(a), a);
       edge.z = k == 0 ? extent.z_high : extent.z_low;
     } else {
       edge.z = hole.position + sign * 0.5 * hole.diameter;

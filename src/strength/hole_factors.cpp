@@ -1,17 +1,19 @@
 #include "boxbeam/strength/hole_factors.hpp"
 
 #include <cassert>
-#include <cmath>
+
+#include "hole_formulas.hpp"
 
 namespace boxbeam {
 
 double membrane_concentration(double diameter_to_width) {
-  const double b = 1.0 - diameter_to_width;
-  return 2.0 + b * (0.284 + b * (-0.600 + b * 1.32));
+  constexpr NoDerivation plainly;
+  return hole::membrane_concentration(plainly, diameter_to_width);
 }
 
 double published_concentration(double diameter_to_width) {
-  return 2.68750 * std::exp(-0.7128 * diameter_to_width);
+  constexpr NoDerivation plainly;
+  return hole::published_concentration(plainly, diameter_to_width);
 }
 
 double infinite_plate_concentration(double biaxiality) {
@@ -32,9 +34,8 @@ std::optional<double> plate_bending_concentration(double diameter_to_thickness,
   const double k = diameter_to_thickness;
   const double a = diameter_to_width;
   if (!(k >= 0.0 && a >= 0.0 && a < 0.3)) return std::nullopt;
-  const double infinite =
-      1.79 + 0.25 / (0.39 + k) + 0.81 / (1.0 + k * k) - 0.26 / (1.0 + k * k * k);
-  return infinite * (1.0 + a * (-1.04 + a * 1.22));
+  constexpr NoDerivation plainly;
+  return hole::plate_bending_concentration(plainly, k, a);
 }
 
 Stress plate_bending_nominal_stress(Moment moment, Length width, Length thickness,

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "plate_formulas.hpp"
+
 namespace boxbeam {
 
 int class_of(double slenderness, const ClassLimits& limits) {
@@ -13,7 +15,10 @@ int class_of(double slenderness, const ClassLimits& limits) {
   return 4;
 }
 
-double epsilon_of(Stress yield_strength) { return std::sqrt(235e6 / yield_strength.value()); }
+double epsilon_of(Stress yield_strength) {
+  constexpr NoDerivation record;
+  return plate::epsilon(record, yield_strength);
+}
 
 ClassLimits internal_part_limits(double alpha, double psi, double epsilon) {
   assert(alpha >= 0.0 && alpha <= 1.0);

@@ -21,7 +21,8 @@ DirectionalUtilisation directional_utilisation(const ThroatStress& stress,
 }
 
 Stress weld_shear_strength(const WeldStrength& strength) {
-  return strength.tensile_strength / (std::numbers::sqrt3 * strength.beta_w * strength.gamma_M2);
+  constexpr NoDerivation plainly;
+  return weld_shear_strength(plainly, strength);
 }
 
 double simplified_utilisation(const WeldForce& force, Length throat, const WeldStrength& strength) {

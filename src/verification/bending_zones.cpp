@@ -186,7 +186,9 @@ std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, cons
   lag.b_0 = 0.5 * plates->middles;
   lag.effective_length = zone->effective_length;
   if (!shear_lag_counts(lag.b_0, lag.effective_length)) return std::nullopt;
-  lag.kappa = shear_lag_kappa(lag.b_0, plates->thickness, plates->stiffeners, lag.effective_length);
+  lag.thickness = plates->thickness;
+  lag.stiffeners = plates->stiffeners;
+  lag.kappa = shear_lag_kappa(lag.b_0, lag.thickness, lag.stiffeners, lag.effective_length);
   lag.region = zone->region;
   lag.beta = shear_lag_factor(lag.kappa, zone->region);
   // What is left out lies in the middle, of the width between the webs' middles.

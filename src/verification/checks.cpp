@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/fatigue/range_limit.hpp"
+#include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
@@ -45,24 +45,36 @@ std::string one_word(const std::string& name) {
   return word;
 }
 
-CutForceFunction normal_stress(const StressPoint& point) {
-  return [&point](const CutForces& cut) { return stress_at(point.influence, cut).normal.value(); };
+/// A stress of a point as a function of the cut forces.
+struct StressFunction {
+  StressKind kind;
+  CutForceFunction at;
+  double factor = 1.0;  ///< of the detail, that is in it
+};
+
+StressFunction normal_stress(const StressPoint& point) {
+  return {StressKind::direct, [&point](const CutForces& cut) {
+            return stress_at(point.influence, cut).normal.value();
+          }};
 }
 
 /// The normal stress of a point times a factor of its details.
-CutForceFunction detail_stress(const StressPoint& point, double factor) {
-  return [&point, factor](const CutForces& cut) {
-    return factor * stress_at(point.influence, cut).normal.value();
-  };
+StressFunction detail_stress(const StressPoint& point, double factor) {
+  return {StressKind::direct,
+          [&point, factor](const CutForces& cut) {
+            return factor * stress_at(point.influence, cut).normal.value();
+          },
+          factor};
 }
 
-CutForceFunction shear_stress(const StressPoint& point) {
-  return [&point](const CutForces& cut) { return stress_at(point.influence, cut).shear.value(); };
+StressFunction shear_stress(const StressPoint& point) {
+  return {StressKind::shear,
+          [&point](const CutForces& cut) { return stress_at(point.influence, cut).shear.value(); }};
 }
 
 /// The check's frame, and the stress in the situation where it is worst.
 CheckResult start(Criterion criterion, const Project& project, const StressPoint& point,
-                  const SituationHistory& worst, const CutForceFunction& stress) {
+                  const SituationHistory& worst, const StressFunction& stress) {
   CheckResult result;
   result.check.criterion = criterion;
   result.check.station = point.station;
@@ -71,11 +83,13 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
   result.check.situation = worst.situation->name;
   CheckBasis& basis = result.basis.emplace();
   basis.point = point;
+  basis.kind = stress.kind;
+  basis.stress_factor = stress.factor;
   basis.running = index_of(project, *worst.situation);
   const StationHistory& history = worst.history;
   for (std::size_t i = 0; i < history.samples().size(); ++i) {
     basis.times.push_back(history.time_of(i).value());
-    basis.history.push_back(stress(history.samples()[i]));
+    basis.history.push_back(stress.at(history.samples()[i]));
   }
   if (history.closed()) {
     basis.times.push_back(basis.times.front() + history.period().value());
@@ -120,20 +134,20 @@ std::vector<Channel> channels_of(const Project& project,
                                  const StressPoint& point, Criterion criterion) {
   std::vector<Channel> channels;
   const double nothing = 1e-9 * point.yield_strength.value();
-  const auto add = [&](const CutForceFunction& stress, StressKind kind, const Detail& detail,
+  const auto add = [&](const StressFunction& stress, const Detail& detail,
                        bool compression_reduced) {
     Channel channel;
-    channel.turns = turns_of(project, histories, stress);
-    channel.spectrum = spectrum_of(project, channel.turns, kind, compression_reduced);
+    channel.turns = turns_of(project, histories, stress.at);
+    channel.spectrum = spectrum_of(project, channel.turns, stress.kind, compression_reduced);
     channel.curve = curve_of(detail);
     if (largest_range_of(channel.spectrum) >= nothing) channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
-    add(detail_stress(point, point.detail->stress_factor), StressKind::direct, point.detail->detail,
+    add(detail_stress(point, point.detail->stress_factor), point.detail->detail,
         point.compression_reduced);
   }
   if (point.shear_detail != nullptr && criterion != Criterion::fatigue) {
-    add(shear_stress(point), StressKind::shear, *point.shear_detail, false);
+    add(shear_stress(point), *point.shear_detail, false);
   }
   return channels;
 }
@@ -193,7 +207,8 @@ std::optional<CheckResult> check_yield(const Project& project,
   Check& check = result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
-  check.resisting = point.yield_strength / project.strength.gamma_M0;
+  constexpr NoDerivation plainly;
+  check.resisting = yield_resistance(plainly, point.yield_strength, project.strength.gamma_M0);
   check.safety_factor = check.resisting / check.acting;
   check.required = project.strength.required;
   check.source = yield_source(project.material);
@@ -279,10 +294,11 @@ std::optional<CheckResult> check_fatigue(const Project& project,
 std::optional<CheckResult> check_range(const Project& project,
                                        const std::vector<SituationHistory>& histories,
                                        const StressPoint& point) {
-  constexpr double most = 1.5;
+  constexpr NoDerivation plainly;
   std::optional<CheckResult> worst;
-  const auto look = [&](const CutForceFunction& stress, Stress limit) {
-    const Turns turns = turns_of(project, histories, stress);
+  const auto look = [&](const StressFunction& stress) {
+    const Stress limit = range_limit(plainly, point.yield_strength, stress.kind);
+    const Turns turns = turns_of(project, histories, stress.at);
     for (std::size_t i = 0; i < project.situations.size(); ++i) {
       if (project.situations[i].cycles == 0.0) continue;
       const auto [highest, lowest] = extremes_in(project, i, turns);
@@ -309,11 +325,8 @@ std::optional<CheckResult> check_range(const Project& project,
       basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
     }
   };
-  if (point.detail != nullptr)
-    look(detail_stress(point, point.range_factor), most * point.yield_strength);
-  if (point.shear_detail != nullptr) {
-    look(shear_stress(point), most / std::numbers::sqrt3 * point.yield_strength);
-  }
+  if (point.detail != nullptr) look(detail_stress(point, point.range_factor));
+  if (point.shear_detail != nullptr) look(shear_stress(point));
   return worst;
 }
 
@@ -333,18 +346,17 @@ std::optional<CheckResult> check_throat(const Project& project,
   }
   const auto tensile = tensile_strength_of(project.material, point.plate);
   if (!tensile || largest.value < 1e-9 * tensile->value()) return std::nullopt;
-  const WeldStrength strength{*tensile, project.material.beta_w, project.strength.gamma_M2};
-  ThroatStress stress;
-  stress.shear_along = si<Stress>(largest.value);
   CheckResult result = start(Criterion::weld, project, point, *worst, shear_stress(point));
   Check& check = result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
-  check.safety_factor = 1.0 / directional_utilisation(stress, strength).largest();
-  check.resisting = check.safety_factor * stress.shear_along;
+  const WeldStrength strength{*tensile, project.material.beta_w, project.strength.gamma_M2};
+  check.resisting = weld_shear_strength(strength);
+  check.safety_factor = check.resisting / check.acting;
   check.required = project.strength.required;
   check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
   CheckBasis& basis = *result.basis;
+  basis.weld = strength;
   basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   basis.highest = basis.lowest = {largest.time, basis.stress_at_time.shear.value(), basis.running};
@@ -448,9 +460,10 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
   std::vector<CheckResult> results;
   for (const GivenStress& given : project.given_stresses) {
     const Station station{given.s, Side::both};
-    const auto add = [&](Criterion criterion, Stress acting, Stress resisting, double required,
-                         const std::string& source) {
+    const auto add = [&](Criterion criterion, Stress acting, Stress strength, Stress resisting,
+                         double required, const std::string& source) {
       CheckResult result;
+      result.given = {given, strength};
       Check& check = result.check;
       check.id = id_of(criterion, station, given.name);
       check.criterion = criterion;
@@ -465,7 +478,9 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
       results.push_back(std::move(result));
     };
     const Stress yield = yield_strength_of(project.material, given.thickness).value();
-    add(Criterion::yield, given.peak, yield / project.strength.gamma_M0, project.strength.required,
+    constexpr NoDerivation plainly;
+    add(Criterion::yield, given.peak, yield,
+        yield_resistance(plainly, yield, project.strength.gamma_M0), project.strength.required,
         yield_source(project.material));
     if (!given.opposite || !project.fatigue.asked) continue;
     const FatigueInput& fatigue = project.fatigue;
@@ -474,9 +489,10 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
     const SnCurve curve = curve_of(resisting.detail->detail);
     Stress strength = strength_at(curve, most_cycles_of(project), fatigue.demand.loading);
     if (fatigue.round_strength_to) strength = rounded(strength, *fatigue.round_strength_to);
-    add(Criterion::fatigue, given.peak + *given.opposite,
+    add(Criterion::fatigue, given.peak + *given.opposite, strength,
         strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,
         fatigue_source(fatigue, {curve}));
+    results.back().given->resisting = resisting;
   }
   return results;
 }

@@ -227,14 +227,15 @@ std::string to_text(const std::variant<Chord, Tangent>& against) {
   return fmt::format("tangent at {} m", to_text(Station{std::get<Tangent>(against).at}));
 }
 
-std::optional<Check> check_deflection(const Project& project,
-                                      const std::deque<SituationRun>& runs) {
+std::optional<CheckResult> check_deflection(const Project& project,
+                                            const std::deque<SituationRun>& runs) {
   const DeflectionInput& input = *project.deflection;
   const DeflectionModel model = deflection_model_of(project);
   const auto largest_in = [&](const CutForceDiagram& diagram) {
     return largest_of(deflected_line_of(model, diagram));
   };
   Extreme worst;
+  DeflectionBasis basis;
   Length place;
   for (const SituationRun& run : runs) {
     const LoadHistory& loads = run.loads;
@@ -252,11 +253,14 @@ std::optional<Check> check_deflection(const Project& project,
     });
     if (factor * peak.value <= worst.value) continue;
     worst = {si<Time>(peak.at), factor * peak.value, index_of(project, *run.situation)};
+    basis = {si<Length>(peak.value), factor};
     place = largest_in(diagram_at(peak.at)).at;
   }
   if (worst.value == 0.0) return std::nullopt;
   const Situation& situation = project.situations[worst.situation];
-  Check check;
+  CheckResult result;
+  result.deflection = basis;
+  Check& check = result.check;
   check.criterion = Criterion::deflection;
   check.station = {place, Side::both};
   check.point = "from " + to_text(input.against);
@@ -272,7 +276,7 @@ std::optional<Check> check_deflection(const Project& project,
       input.load_factor && situation.load_factor != 1.0
           ? fmt::format("; times the load factor {:.4g}, as the case asks", situation.load_factor)
           : "");
-  return check;
+  return result;
 }
 
 }  // namespace boxbeam

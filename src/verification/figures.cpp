@@ -74,7 +74,38 @@ LoadsOverTime loads_over_time(const Project& project, const std::deque<Situation
   return figure;
 }
 
-SnFigure sn_figure(const Project& project, const CheckResult& governing) {
+namespace {
+
+/// The curves that resist at other places of the beam, each once, the strongest first.
+std::vector<SnFigure::Other> other_curves_of(const std::vector<CheckResult>& checks,
+                                             const SnCurve& governing,
+                                             const std::vector<double>& cycles) {
+  std::vector<const SnCurve*> others{&governing};
+  for (const CheckResult& result : checks) {
+    if (result.check.criterion != Criterion::fatigue || !result.basis) continue;
+    const SnCurve& curve = result.basis->curves.front();
+    const bool known = std::any_of(others.begin(), others.end(), [&](const SnCurve* of) {
+      return of->name == curve.name && of->reference == curve.reference;
+    });
+    if (!known) others.push_back(&curve);
+  }
+  others.erase(others.begin());
+  std::sort(others.begin(), others.end(),
+            [](const SnCurve* a, const SnCurve* b) { return a->reference > b->reference; });
+  std::vector<SnFigure::Other> figures;
+  for (const SnCurve* curve : others) {
+    SnFigure::Other other{curve->name, curve->reference.value(), {}};
+    for (const double n : cycles)
+      other.spectrum.push_back(strength_at(*curve, n, Loading::spectrum).value());
+    figures.push_back(std::move(other));
+  }
+  return figures;
+}
+
+}  // namespace
+
+SnFigure sn_figure(const Project& project, const CheckResult& governing,
+                   const std::vector<CheckResult>& checks) {
   const FatigueInput& fatigue = project.fatigue;
   SnFigure figure;
   const SnCurve curve =
@@ -90,6 +121,8 @@ SnFigure sn_figure(const Project& project, const CheckResult& governing) {
     figure.constant_amplitude.push_back(
         strength_at(curve, cycles, Loading::constant_amplitude).value());
   }
+  if (governing.basis && !figure.published_step)
+    figure.others = other_curves_of(checks, curve, figure.cycles);
   figure.knee = knee_of(curve).value();
   figure.cut_off = cut_off_of(curve).value();
   const double gammas = fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf;

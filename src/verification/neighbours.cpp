@@ -204,13 +204,11 @@ std::vector<NeighbourResult> check_pins(const Project& project,
           return force_in(project, run, state, pin.joint);
         });
     if (worst.value <= nothing) continue;
-    NeighbourResult result;
-    result.pin = pin_utilisation(si<Force>(worst.value), pin.geometry, pin.strength);
-    const PinUtilisation& use = result.pin;
-    // All grow with the force; the combined one with its square.
-    const double largest = std::max(
-        {use.shear, use.bearing_inner, use.bearing_outer, use.bending, std::sqrt(use.combined)});
-    Check& check = result.check = frame(Criterion::pin, pin.name, project, worst);
+    const double largest =
+        governing_utilisation(pin_utilisation(si<Force>(worst.value), pin.geometry, pin.strength));
+    NeighbourResult result{frame(Criterion::pin, pin.name, project, worst),
+                           LoadedPin{pin.geometry, pin.strength}};
+    Check& check = result.check;
     check.safety_factor = 1.0 / largest;
     check.resisting = si<Force>(worst.value / largest);
     check.required = pin.required;
@@ -220,48 +218,43 @@ std::vector<NeighbourResult> check_pins(const Project& project,
   return results;
 }
 
-Force plastic_resistance(const RodInput& rod) {
-  return properties_of(rod.section).area * rod.yield_strength / rod.gamma_M0;
-}
-
-Force net_resistance(const RodInput& rod) {
-  const Area net = rod.net_area.value_or(properties_of(rod.section).area);
-  return 0.9 * net * rod.tensile_strength / rod.gamma_M2;
-}
-
 namespace {
 
-NeighbourResult check_tension(const Project& project, const RodInput& rod, const Extreme& worst) {
-  NeighbourResult result;
-  result.plastic = plastic_resistance(rod);
-  result.net = net_resistance(rod);
-  Check& check = result.check = frame(Criterion::rod, rod.name, project, worst);
-  check.resisting = std::min(result.plastic, result.net);
+/// The check of a rod by the least of its resistances.
+Check check_of(Criterion criterion, const Project& project, const RodInput& rod,
+               const Extreme& worst, Force resistance, const char* source) {
+  Check check = frame(criterion, rod.name, project, worst);
+  check.resisting = resistance;
   check.safety_factor = check.resisting / check.acting;
   check.required = rod.required;
-  check.source = "EN 1993-1-1:2005, 6.2.3";
-  return result;
+  check.source = source;
+  return check;
+}
+
+NeighbourResult check_tension(const Project& project, const RodInput& rod, const Extreme& worst) {
+  const PulledRod pulled{properties_of(rod.section).area,
+                         rod.net_area,
+                         rod.yield_strength,
+                         rod.tensile_strength,
+                         rod.gamma_M0,
+                         rod.gamma_M2};
+  return {check_of(Criterion::rod, project, rod, worst, tension_resistance_of(pulled).least,
+                   "EN 1993-1-1:2005, 6.2.3"),
+          pulled};
 }
 
 NeighbourResult check_compression(const Project& project, const RodInput& rod,
                                   CompressedSection section, const Extreme& worst) {
   const SectionProperties properties = properties_of(rod.section);
-  NeighbourResult result;
-  result.weak_axis = properties.I_z < properties.I_y;
-  const Force critical = euler_force(youngs_modulus, properties.I_2, rod.buckling_length);
-  result.slenderness = column_slenderness(section.effective, rod.yield_strength, critical);
-  result.reduction = column_reduction(result.slenderness, rod.curve);
-  Check& check = result.check = frame(Criterion::buckling, rod.name, project, worst);
-  result.plastic = section.effective * rod.yield_strength / rod.gamma_M0;
-  check.resisting =
-      std::min(result.plastic, buckling_resistance(section.effective, rod.yield_strength, critical,
-                                                   rod.curve, rod.gamma_M1));
-  check.safety_factor = check.resisting / check.acting;
-  check.required = rod.required;
-  check.source = section.class_4 ? "EN 1993-1-1:2005, 6.3.1; effective area EN 1993-1-5:2006, 4.4"
+  const char* const source = section.class_4
+                                 ? "EN 1993-1-1:2005, 6.3.1; effective area EN 1993-1-5:2006, 4.4"
                                  : "EN 1993-1-1:2005, 6.3.1";
-  result.section = std::move(section);
-  return result;
+  PressedRod pressed{std::move(section),  properties.I_2, properties.I_z < properties.I_y,
+                     rod.buckling_length, youngs_modulus, rod.yield_strength,
+                     rod.curve,           rod.gamma_M0,   rod.gamma_M1};
+  const Force resistance = compression_resistance_of(pressed).least;
+  return {check_of(Criterion::buckling, project, rod, worst, resistance, source),
+          std::move(pressed)};
 }
 
 }  // namespace

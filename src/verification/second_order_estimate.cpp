@@ -19,7 +19,7 @@
 namespace boxbeam {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr int parts = 16;
 constexpr std::size_t spread = 48;  ///< instants looked at
 constexpr std::size_t peaks = 3;    ///< and of largest compression
@@ -81,10 +81,10 @@ flexible::Mechanism beam_alone(const Project& project, Plane plane, const std::v
     joint.stiffness = stiffness;
   };
   if (at.size() == 1) {
-    hold(at.front(), {infinite, infinite, infinite});
+    hold(at.front(), {unbounded, unbounded, unbounded});
   } else {
-    hold(at.front(), {infinite, infinite, 0.0});
-    hold(at.back(), {0.0, infinite, 0.0});
+    hold(at.front(), {unbounded, unbounded, 0.0});
+    hold(at.back(), {0.0, unbounded, 0.0});
   }
   return mechanism;
 }
@@ -226,7 +226,7 @@ class Estimating {
       const Length half = 0.5 * height_of(section.outer);
       const Length wall = std::max(wall_at(section.outer, half), wall_at(section.outer, -half));
       const auto yield = yield_strength_of(project.material, wall);
-      yield_.push_back(yield ? yield->value() : infinite);
+      yield_.push_back(yield ? yield->value() : unbounded);
     }
     result_.whole = true;
     result_.across.emplace();

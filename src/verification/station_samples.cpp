@@ -7,7 +7,10 @@
 #include <optional>
 
 #include "boxbeam/fatigue/damage.hpp"
+#include "boxbeam/fatigue/range_limit.hpp"
+#include "boxbeam/section/equivalent_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
 
 namespace boxbeam {
@@ -254,8 +257,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
     if (along || yield || weld) shear = stresses_in(run, influence.shear);
     if (yield) {
       std::vector<double> of(normal.size());
-      for (std::size_t i = 0; i < of.size(); ++i)
-        of[i] = std::sqrt(normal[i] * normal[i] + 3.0 * shear[i] * shear[i]);
+      for (std::size_t i = 0; i < of.size(); ++i) of[i] = equivalent_stress(normal[i], shear[i]);
       equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.instants));
     }
     if (weld) {
@@ -271,31 +273,30 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   }
 
   Utilisations found;
+  constexpr NoDerivation plainly;
   const double nothing = 1e-9 * point.yield_strength.value();
   const StrengthDemand& strength = project_->strength;
   if (yield && equivalent >= nothing) {
-    found.of(Criterion::yield) =
-        strength.required * equivalent * strength.gamma_M0 / point.yield_strength.value();
+    const Stress resistance = yield_resistance(plainly, point.yield_strength, strength.gamma_M0);
+    found.of(Criterion::yield) = strength.required * equivalent / resistance.value();
   }
   const auto tensile =
       weld ? tensile_strength_of(project_->material, point.plate) : std::optional<Stress>{};
   if (tensile) {
-    ThroatStress stress;
-    stress.shear_along = si<Stress>(throat);
     const WeldStrength of{*tensile, project_->material.beta_w, strength.gamma_M2};
-    found.of(Criterion::weld) = strength.required * directional_utilisation(stress, of).largest();
+    found.of(Criterion::weld) = strength.required * throat / weld_shear_strength(of).value();
   }
   const FatigueDemand& demand = project_->fatigue.demand;
   if (range) {
-    constexpr double most = 1.5;
+    // A range of shear stress counts sqrt(3) times, by which its limit is the lower.
+    const Stress limit = range_limit(plainly, point.yield_strength, StressKind::direct);
     double largest = 0.0;
     if (direct)
       largest = point.range_factor / stress_factor * largest_range_of(*project_, direct_turns);
     if (along) {
       largest = std::max(largest, std::numbers::sqrt3 * largest_range_of(*project_, shear_turns));
     }
-    found.of(Criterion::stress_range) =
-        demand.gamma_Ff * largest / (most * point.yield_strength.value());
+    found.of(Criterion::stress_range) = demand.gamma_Ff * largest / limit.value();
   }
   std::vector<FatigueChannel> channels;
   const double required = project_->fatigue.required;

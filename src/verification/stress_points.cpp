@@ -130,7 +130,7 @@ class StressPoints {
       const double factor = hole_case == HoleCase::published_exponential
                                 ? published_concentration(a)
                                 : membrane_concentration(a) / (1.0 - a);
-      const EdgeConcentration concentration{hole.name, hole_case, a, factor, 0.0};
+      const EdgeConcentration concentration{hole.name, a, factor, edge_basis_of(hole, hole_case)};
       // The webs of a box that is no mirror image of itself are stressed unlike in the plane too.
       const bool unlike = !is_mirrored(field_) && hole_case != HoleCase::published_exponential &&
                           !unknown_hole_stress_of(field_.section, hole_case);
@@ -224,10 +224,25 @@ class StressPoints {
     edges.insert(edges.end(), others.begin(), others.end());
   }
 
+  EdgeBasis edge_basis_of(const Hole& hole, HoleCase hole_case) const {
+    EdgeBasis basis;
+    basis.hole_case = hole_case;
+    basis.in_space = set_ == PointSet::in_space;
+    basis.walls = hole.walls;
+    basis.diameter = hole.diameter;
+    basis.plate_width = plate_width_of(field_.section, field_.holes, hole, hole_case);
+    basis.position = hole.position;
+    basis.plate = height_of(field_.section.outer);
+    basis.gross = gross_;
+    basis.net = properties_of(field_.section, field_.holes);
+    basis.effective_I = net_.I_y;
+    return basis;
+  }
+
   void add_edge(const std::string& name, std::vector<HoleEdge> edges, bool webs, Length plate,
                 const HoleInput& input, const EdgeConcentration& concentration) {
     // Shear lag leaves less to bend, and raises every stress of bending alike.
-    const SectionProperties whole = properties_of(field_.section, field_.holes);
+    const SectionProperties& whole = concentration.edge.net;
     for (HoleEdge& edge : edges) {
       edge.influence.normal[cut_force::M_y] *= whole.I_y / net_.I_y;
       edge.influence.normal[cut_force::M_z] *= whole.I_z / net_.I_z;

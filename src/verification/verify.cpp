@@ -139,8 +139,8 @@ void check_neighbours(const Project& project, const std::deque<SituationRun>& ru
     result.checks.push_back({neighbour.check, {}});
   }
   if (!project.deflection) return;
-  if (const auto deflection = check_deflection(project, runs)) {
-    result.checks.push_back({*deflection, {}});
+  if (auto deflection = check_deflection(project, runs)) {
+    result.checks.push_back(std::move(*deflection));
   } else {
     result.not_judged.push_back({Criterion::deflection, "deflection", "the beam never bends"});
   }
@@ -247,7 +247,7 @@ Verification verify(const Project& project, Figures figures) {
   }
   describe_beam(project, result);
   if (const CheckResult* fatigue = result.governing(Criterion::fatigue)) {
-    result.sn = sn_figure(project, *fatigue);
+    result.sn = sn_figure(project, *fatigue, result.checks);
   }
   return result;
 }

@@ -63,8 +63,7 @@ std::vector<StressPoint> points_of(const Project& project, const WeldInput& weld
 /// sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) of equal legs [Pa].
 double equivalent_of(const StressPoint& point, const CutForces& cut) {
   const PointStress stress = stress_at(point.influence, cut);
-  return std::hypot(std::numbers::sqrt2 * stress.normal.value(),
-                    std::numbers::sqrt3 * stress.shear.value());
+  return equal_leg_stress(stress.normal.value(), stress.shear.value());
 }
 
 /// How much a place is used by a criterion, by the instants alone: what finds the place.
@@ -131,13 +130,11 @@ std::optional<CheckResult> check_static(const Project& project, const WeldInput&
     basis.times.push_back(worst->history.time_of(i).value());
     basis.history.push_back(stress_at(point.influence, worst->history.samples()[i]).normal.value());
   }
-  // Both conditions of equation 4.1; of equal legs the first is the harder one.
-  const double across = worst->situation->load_factor * normal / std::numbers::sqrt2;
-  const double along = worst->situation->load_factor * basis.stress_at_time.shear.value();
-  const ThroatStress throat{si<Stress>(across), si<Stress>(across), si<Stress>(along)};
-  const WeldStrength strength{*tensile, project.material.beta_w, project.strength.gamma_M2};
-  check.safety_factor = 1.0 / directional_utilisation(throat, strength).largest();
-  check.resisting = check.safety_factor * si<Stress>(largest.value);
+  // The first condition of equation 4.1, of equal legs the harder one.
+  constexpr NoDerivation plainly;
+  basis.weld = {*tensile, project.material.beta_w, project.strength.gamma_M2};
+  check.resisting = weld_strength(plainly, basis.weld);
+  check.safety_factor = check.resisting / check.acting;
   check.required = weld.required;
   check.source = "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1";
   return result;

@@ -170,7 +170,11 @@ StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& poin
     moved.y = edge.y;
     moved.z = edge.z;
     moved.influence = edge.influence;
-    moved.concentration->angle = edge.angle;
+    EdgeBasis& basis = moved.concentration->edge;
+    basis.angle = edge.angle;
+    basis.y = edge.y;
+    basis.z = edge.z;
+    basis.around = edge.around;
   };
   // Once round the hole; a second turn is for shear as if the beam did not taper.
   if (point.edges.size() % AroundEdge::places != 0) {

@@ -55,11 +55,7 @@ Stress equivalent_range(double damage, const SnCurve& curve, const FatigueDemand
                         double cycles = 2e6);
 
 /// Ranges of a detail without weld, or with its residual stresses relieved, of which compression
-/// counts 60 %:
-///
-///     range_red = tensile part + 0.6 compressive part
-///
-/// Source: EN 1993-1-9:2005, 7.2.1, figure 7.4.
+/// counts 60 %, see reduced_range. Source: EN 1993-1-9:2005, 7.2.1, figure 7.4.
 std::vector<Cycle> compression_reduced(std::vector<Cycle> cycles);
 
 }  // namespace boxbeam

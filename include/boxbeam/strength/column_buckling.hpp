@@ -9,6 +9,9 @@ namespace boxbeam {
 /// Source: EN 1993-1-1:2005, table 6.2.
 enum class BucklingCurve { a0, a, b, c, d };
 
+/// "a0".
+const char* to_text(BucklingCurve curve);
+
 /// alpha = 0.13, 0.21, 0.34, 0.49, 0.76 for a0, a, b, c, d. Source: EN 1993-1-1:2005, table 6.1.
 double imperfection_factor(BucklingCurve curve);
 

@@ -7,9 +7,13 @@
 
 namespace boxbeam {
 
+class Derivation;
+class Traced;
+
 /// A plate of a section under even compression.
 struct CompressedPlate {
   std::string name;       ///< "flange", "web", "round wall", "wall 2", ...
+  bool round = false;     ///< the wall of a round tube
   double ratio = 0.0;     ///< c/t, or d/t of a round tube
   double limit = 0.0;     ///< of class 3
   Length thickness;       ///< of internal plates in class 4
@@ -39,5 +43,10 @@ struct CompressedSection {
 /// not convex, whose walls nobody knows. Source: EN 1993-1-1:2005, table 5.2; EN 1993-1-5:2006,
 /// 4.3(3), 4.4.
 CompressedSection compressed_section_of(const Section& section, Stress yield_strength);
+
+/// The class of a section that can be judged and its effective area, step by step; returns A, or
+/// A_eff in class 4.
+Traced derive_effective_area(Derivation& steps, const CompressedSection& section,
+                             Stress yield_strength);
 
 }  // namespace boxbeam

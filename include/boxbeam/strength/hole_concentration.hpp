@@ -1,13 +1,17 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "boxbeam/section/section_points.hpp"
+#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/hole_factors.hpp"
 
 namespace boxbeam {
+
+class Derivation;
 
 /// Which of the problems called "a hole in a plate under bending" a hole is. They are different
 /// problems with different factors; a hole is given its case, never a default.
@@ -25,11 +29,20 @@ const char* to_text(HoleCase hole_case);
 Length plate_width_of(const Section& section, const std::vector<Hole>& holes, const Hole& hole,
                       HoleCase hole_case);
 
+/// The stresses around a hole in its wall, u along the wall across the beam.
+struct AroundHole {
+  double radius = 0.0;     ///< [m]
+  double a = 0.0;          ///< d/w
+  StressInfluence middle;  ///< at the centre, gross: normal stress and shear along u
+  std::array<double, cut_force::count> gradient{};  ///< of the normal stress along u
+};
+
 /// A place on the edge of a hole and the local stress along the edge there.
 struct HoleEdge {
   Length y, z;                ///< of the place; y in space only
   double angle = 0.0;         ///< seen from the hole's centre, from +x towards +z [rad]; webs only
   StressInfluence influence;  ///< stress per cut force, concentration included
+  std::shared_ptr<const AroundHole> around = {};  ///< from which it follows; in webs and walls
 };
 
 /// Places around the edge of a hole among which the largest stress is looked for.
@@ -81,5 +94,26 @@ std::vector<HoleInWall> holes_in_walls_of(const Section& section, const std::vec
 
 /// Why the stress at a hole's edge is not known under all six cut forces, or nothing.
 std::optional<std::string> unknown_hole_stress_of(const Section& section, HoleCase hole_case);
+
+/// What the stress at a place on a hole's edge follows from.
+struct EdgeBasis {
+  HoleCase hole_case = HoleCase::in_plane_bending;
+  bool in_space = false;
+  HoleWalls walls = HoleWalls::webs;
+  Length diameter;
+  Length plate_width;        ///< see plate_width_of
+  Length position;           ///< of the hole's centre in its wall
+  Length plate;              ///< thickness of a plate that lies flat
+  double angle = 0.0;        ///< of the place, see HoleEdge
+  Length y, z;               ///< of the place
+  SectionProperties gross;   ///< without holes
+  SectionProperties net;     ///< holes taken out
+  SecondMoment effective_I;  ///< I_y of what shear lag leaves of that
+  std::shared_ptr<const AroundHole> around = {};
+};
+
+/// The concentration at a place on a hole's edge and, where few letters say it, its stress per cut
+/// force, "k_N" and the like, step by step.
+void derive_edge_stress(Derivation& steps, const EdgeBasis& basis);
 
 }  // namespace boxbeam

@@ -4,6 +4,9 @@
 
 namespace boxbeam {
 
+class Derivation;
+class Traced;
+
 /// A pin in double shear: a plate between two others.
 struct PinJoint {
   Length diameter;     ///< of the pin, d
@@ -54,6 +57,14 @@ struct PinUtilisation {
 /// `force`: the whole force of the inner plate, of either sign.
 /// Source: EN 1993-1-8:2005, 3.13.2, table 3.10.
 PinUtilisation pin_utilisation(Force force, const PinJoint& joint, const PinStrength& strength);
+
+/// The utilisation that grows with the force and is 1 where the joint is used up,
+/// max(u_v, u_b, u_a, u_m, sqrt(u_c)). Source: as above.
+double governing_utilisation(const PinUtilisation& use);
+
+/// The factor on a force, one over that, from the size of the force on, step by step.
+void derive_pin_factor(Derivation& steps, const Traced& force, const PinJoint& joint,
+                       const PinStrength& strength);
 
 /// Utilisations of a pin that is to be replaceable, under the service force.
 struct ReplaceablePinUtilisation {

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string_view>
+
 #include "boxbeam/core/units.hpp"
 
 namespace boxbeam {
+
+class Derivation;
+class Traced;
 
 /// Where on the beam a flange is, for its part that works in spite of shear lag.
 enum class BendingRegion { sagging, hogging, end_support, cantilever };
@@ -36,5 +41,17 @@ double shear_lag_kappa(Length b_0, Length thickness, Area stiffeners, Length L_e
 /// As printed, the branches miss each other: beta_1 by -0.26 % at 0.02 and +0.15 % at 0.70, beta_2
 /// by -0.06 % and -0.65 %. Source: EN 1993-1-5:2006, 3.2.1, table 3.1.
 double shear_lag_factor(double kappa, BendingRegion region);
+
+/// A flange, or a web as the flange of the other bending, and where it is.
+struct WidePlate {
+  Length b_0, thickness;
+  Area stiffeners;  ///< A_sl, within b_0
+  Length effective_length;
+  BendingRegion region = BendingRegion::sagging;
+};
+
+/// beta of a plate, step by step. `of`: "flanges"; `index`: behind its symbols, "_web".
+Traced derive_shear_lag(Derivation& steps, const WidePlate& plate, std::string_view of,
+                        std::string_view index);
 
 }  // namespace boxbeam

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "boxbeam/core/units.hpp"
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/core/derivation.hpp"
 
 namespace boxbeam {
 
@@ -46,9 +49,41 @@ struct DirectionalUtilisation {
 DirectionalUtilisation directional_utilisation(const ThroatStress& stress,
                                                const WeldStrength& strength);
 
-/// Design shear strength of a fillet weld, f_vw.d = f_u/(sqrt(3) beta_w gamma_M2).
-/// Source: EN 1993-1-8:2005, 4.5.3.3(3), equation 4.4.
+/// The equivalent stress that a throat bears, f_u/(beta_w gamma_M2).
+/// Source: EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1.
+template <class Record>
+auto weld_strength(Record& record, const WeldStrength& of) {
+  const auto f_u = record.known("f_u", of.tensile_strength);
+  const auto beta_w = record.known("beta_w", of.beta_w, {ValueKind::factor});
+  const auto gamma_M2 = record.known("gamma_M2", of.gamma_M2, {ValueKind::factor});
+  return record.define("limit", f_u / (beta_w * gamma_M2));
+}
+
+/// The shear stress along a throat that it bears alone, also the design shear strength of a fillet
+/// weld, f_vw.d = f_u/(sqrt(3) beta_w gamma_M2).
+/// Source: EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1, and 4.5.3.3(3), equation 4.4.
+template <class Record>
+auto weld_shear_strength(Record& record, const WeldStrength& of) {
+  const auto sqrt_3 = record.constant("sqrt(3)", std::numbers::sqrt3);
+  const auto f_u = record.known("f_u", of.tensile_strength);
+  const auto beta_w = record.known("beta_w", of.beta_w, {ValueKind::factor});
+  const auto gamma_M2 = record.known("gamma_M2", of.gamma_M2, {ValueKind::factor});
+  return record.define("limit", f_u / (sqrt_3 * beta_w * gamma_M2));
+}
+
 Stress weld_shear_strength(const WeldStrength& strength);
+
+/// Equivalent stress in the throat of a weld with legs of equal length, whose sigma_perp and
+/// tau_perp are sigma_w/sqrt(2) each.
+///
+///     sigma_v = sqrt(2 sigma_w^2 + 3 tau_par^2)
+///
+/// sigma_w  force across the weld over the throat. Source: EN 1993-1-8:2005, equation 4.1.
+template <class Value>
+Value equal_leg_stress(const Value& sigma_w, const Value& tau_par) {
+  using std::sqrt;
+  return sqrt(2.0 * sigma_w * sigma_w + 3.0 * tau_par * tau_par);
+}
 
 /// Utilisation of a fillet weld by the simplified method: the resultant force per length over
 /// f_vw.d a, whatever its direction. Never below the directional method's for

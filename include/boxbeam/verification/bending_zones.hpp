@@ -34,12 +34,9 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
                                           const std::deque<SituationRun>& runs);
 
 /// What shear lag leaves of the flanges at a place.
-struct ShearLag {
-  Length b_0;               ///< half of the width between the middles of the webs
-  Length effective_length;  ///< L_e
+struct ShearLag : WidePlate {  ///< b_0: half of the width between the middles of the webs
   double kappa = 0.0;
   double beta = 1.0;
-  BendingRegion region = BendingRegion::sagging;
   double flange_part = 1.0;  ///< of the clear width, see properties_of
 };
 

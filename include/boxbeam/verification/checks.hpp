@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/stress_points.hpp"
@@ -24,6 +25,9 @@ struct SpectrumRow {
 /// What a computed check rests on, for the calculation sheet and the plots.
 struct CheckBasis {
   StressPoint point;
+  /// Which stress the extremes and the history below are of; of a range, the one that governs.
+  StressKind kind = StressKind::direct;
+  double stress_factor = 1.0;  ///< of the detail, by which these are multiplied
   /// Extremes of the stress [Pa] over the situation of the check; for yield both are the instant of
   /// the check.
   Extreme highest, lowest;
@@ -33,6 +37,7 @@ struct CheckBasis {
   /// The stress over one period of the situation in which it is worst: instants [s], values [Pa].
   std::size_t running = 0;  ///< index of that situation
   std::vector<double> times, history;
+  WeldStrength weld;  ///< of a throat
   // Fatigue only:
   std::vector<SpectrumRow> spectrum;
   std::vector<SnCurve> curves;             ///< that resist, in the order direct, shear
@@ -41,10 +46,25 @@ struct CheckBasis {
   Stress equivalent;                       ///< range of 2e6 cycles with this damage; one curve only
 };
 
-/// A check and what it rests on; nothing for a stress that was given.
+/// What the check of a stress rests on that was given.
+struct GivenBasis {
+  GivenStress stress;
+  Stress strength;                 ///< f_y, or the range of its cycles, as the case rounds it
+  ResistingDetail resisting = {};  ///< of its ranges
+};
+
+/// What the check of a deflection rests on.
+struct DeflectionBasis {
+  Length alone;  ///< w_1, without load factor
+  double load_factor = 1.0;
+};
+
+/// A check and what it rests on: of a stress that was given and of a deflection something else.
 struct CheckResult {
   Check check;
-  std::optional<CheckBasis> basis;
+  std::optional<CheckBasis> basis = {};
+  std::optional<GivenBasis> given = {};
+  std::optional<DeflectionBasis> deflection = {};
 };
 
 /// "yield/4.2-/hole-hub-edge+z": no spaces, so that an id is one word on a command line.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/verification/check.hpp"
+#include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
@@ -70,6 +70,7 @@ std::string to_text(const std::variant<Chord, Tangent>& against);
 /// limit; the load factors of the situations count only where the case asks for it. Small
 /// displacements, elastic, quasi-static under the loads of the chosen model. Nothing for a beam
 /// that never bends.
-std::optional<Check> check_deflection(const Project& project, const std::deque<SituationRun>& runs);
+std::optional<CheckResult> check_deflection(const Project& project,
+                                            const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam

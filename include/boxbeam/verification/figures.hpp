@@ -33,6 +33,12 @@ struct LoadsOverTime {
 
 /// The governing fatigue strength line and working point, for the S-N diagram.
 struct SnFigure {
+  /// A curve that resists at other places of the beam.
+  struct Other {
+    std::string name;
+    double reference = 0.0;
+    std::vector<double> spectrum;
+  };
   std::string code, name;  ///< of the curve
   double reference = 0.0;  ///< its strength at 2e6 cycles [Pa]
   bool published_step = false;
@@ -40,6 +46,7 @@ struct SnFigure {
   std::vector<double> spectrum;            ///< strength [Pa] at these cycles
   std::vector<double> constant_amplitude;  ///< likewise
   double knee = 0.0, cut_off = 0.0;        ///< [Pa]
+  std::vector<Other> others;               ///< each once, the strongest first
   /// Cycles in the wanted life and range [Pa], partial factors applied, per row of the spectrum.
   std::vector<std::pair<double, double>> working;
   double required = 1.0;
@@ -53,6 +60,7 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs);
 LoadsOverTime loads_over_time(const Project& project, const std::deque<SituationRun>& runs,
                               const Station& station);
 
-SnFigure sn_figure(const Project& project, const CheckResult& governing);
+SnFigure sn_figure(const Project& project, const CheckResult& governing,
+                   const std::vector<CheckResult>& checks);
 
 }  // namespace boxbeam

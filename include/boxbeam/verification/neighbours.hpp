@@ -2,27 +2,26 @@
 
 #include <deque>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "boxbeam/strength/compressed_section.hpp"
+#include "boxbeam/strength/rod.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
 
-/// A pin or rod of the mechanism, and what decides its check.
+/// A pin and its plates, as checked.
+struct LoadedPin {
+  PinJoint geometry;
+  PinStrength strength;
+};
+
+/// A pin or rod of the mechanism, and what its factor follows from beside the acting force.
 struct NeighbourResult {
   Check check;
-  PinUtilisation pin;  ///< of a pin, under the acting force
-  // Of a rod:
-  Force plastic;  ///< N_pl,Rd under tension, N_c,Rd under compression
-  Force net;      ///< N_u,Rd, under tension
-  // Of a rod under compression:
-  CompressedSection section;
-  double slenderness = 0.0;  ///< relative
-  double reduction = 1.0;    ///< chi
-  bool weak_axis = false;    ///< it buckles about its z axis
+  std::variant<LoadedPin, PulledRod, PressedRod> basis;
 };
 
 /// The pins a case names, under the largest force of their joint in any situation, times its load
@@ -30,15 +29,6 @@ struct NeighbourResult {
 /// for a pin without force. Source: EN 1993-1-8:2005, 3.13.2.
 std::vector<NeighbourResult> check_pins(const Project& project,
                                         const std::deque<SituationRun>& runs);
-
-/// Resistance of a rod to tension, the smaller of the whole section's and the net section's. A rod
-/// without holes for fasteners has its whole area as net area.
-///
-///     N_pl,Rd = A f_y/gamma_M0,  N_u,Rd = 0.9 A_net f_u/gamma_M2
-///
-/// Source: EN 1993-1-1:2005, 6.2.3(2), equations 6.6 and 6.7.
-Force plastic_resistance(const RodInput& rod);
-Force net_resistance(const RodInput& rod);
 
 /// Checks of rods, and what stands against them.
 struct RodChecks {

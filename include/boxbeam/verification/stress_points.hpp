@@ -18,10 +18,9 @@ namespace boxbeam {
 /// The concentration that a hole edge's stress contains.
 struct EdgeConcentration {
   std::string hole;
-  HoleCase hole_case = HoleCase::in_plane_bending;
   double diameter_to_width = 0.0;
   double factor = 1.0;  ///< on the membrane part (gross), or the published factor
-  double angle = 0.0;   ///< of the place on the edge, from +x towards +z [rad]
+  EdgeBasis edge;       ///< of the place whose stress the point has
 };
 
 /// A stretch of wall in its section.
