@@ -130,7 +130,7 @@ void draw_cells(Script& gp, const MapPanel& of, const Panel& panel, const Steps&
   std::vector<std::string> curves;
   if (!of.cells.empty())
     curves.push_back(fmt::format(
-        "${} using 1:2:3:4:5:6:7 with boxxyerror fs solid noborder lc rgb variable", boxes));
+        "${} using 1:2:3:4:5:6:7 with boxxyerror fs solid lw 0.4 lc rgb variable", boxes));
   if (!wrong.empty()) {
     gp.block(fmt::format("wrong{}", number), wrong);
     curves.push_back(

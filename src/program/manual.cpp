@@ -103,7 +103,8 @@ std::string manual_of(const CommandLine& line) {
                   "The report of a case, in reports/NAME or the folder of --out."},
         {"results.json", "The results, SI units; boxbeam schema results describes it."},
         {"*.svg, plots/*.gp",
-         "Figures and the scripts that draw them: gnuplot plots/NAME.gp draws one again."}}) {
+         "Figures, and the scripts of those that are plotted: gnuplot plots/NAME.gp draws one "
+         "again."}}) {
     text += entry(italic(name), says);
   }
   text += ".SH EXAMPLES\n.nf\n";

@@ -13,7 +13,7 @@ namespace boxbeam::plot {
 namespace {
 
 /// As wide as half a page on a screen: letters there are about as large as those around them.
-constexpr double width = 460.0;
+constexpr double pane = 460.0;
 
 struct NamedView {
   const char* name;
@@ -43,13 +43,13 @@ double round_size(double size) {
 /// A length to measure by, how displacements are drawn, and in space the axes.
 void draw_rule(Drawing& back, const View& view, bool in_space, double metres_per_pixel,
                double magnified) {
-  const double size = round_size(0.2 * width * metres_per_pixel);
+  const double size = round_size(0.2 * pane * metres_per_pixel);
   const double end = 8.0 + size / metres_per_pixel;
   const Pen pen{quiet_ink, 1.2, {}, "", "rule"};
   back.shapes.emplace_back(Line{{{8.0, 10.0}, {8.0, 6.0}, {end, 6.0}, {end, 10.0}}, pen});
   put_text(back, fmt::format("{:.1g} m", size), {12.0, 16.0}, Anchor::left, quiet_ink, "small");
   if (magnified > 0.0) {
-    put_text(back, fmt::format("displacements {:g} times as large", magnified), {width - 6.0, 10.0},
+    put_text(back, fmt::format("displacements {:g} times as large", magnified), {pane - 6.0, 10.0},
              Anchor::right, quiet_ink, "small");
   }
   static constexpr const char* names[] = {"x", "y", "z"};
@@ -75,17 +75,17 @@ MovingView moving_view(const CycleFigure& cycle, const NamedView& seen, bool in_
   for (const CycleFrame& frame : cycle.frames) room.take_loads(frame.posture, look);
   const double scale = finest_scale(size, [&](double metres_per_pixel) {
     const Frame at = room.at(metres_per_pixel);
-    return at.right - at.left <= width - 2.0 * margin && at.top - at.bottom <= highest;
+    return at.right - at.left <= pane - 2.0 * margin && at.top - at.bottom <= highest;
   });
   const Frame at = room.at(scale);
   const double height = std::max(at.top - at.bottom, least);
   const Projection projection{
-      seen.view, panel_to_scale({margin, below, width - margin, below + height}, scale,
+      seen.view, panel_to_scale({margin, below, pane - margin, below + height}, scale,
                                 0.5 * scale * Pixel(at.left + at.right, at.bottom + at.top))};
-  MovingView moving{seen.name, {width, below + height + margin, {}}, {}};
+  MovingView moving{seen.name, {pane, below + height + margin, {}}, {}};
   draw_rule(moving.back, seen.view, in_space, scale, cycle.frames.front().posture.magnified);
   for (const CycleFrame& frame : cycle.frames) {
-    Drawing drawing{width, moving.back.height, {}};
+    Drawing drawing{pane, moving.back.height, {}};
     Labels labels;
     if (in_space) labels.keep_free({0.0, drawing.height - 84.0, 72.0, drawing.height});
     keep_off_bodies(labels, frame.posture, projection);
@@ -120,10 +120,10 @@ std::vector<MovingView> moving_views_of(const CycleFigure& cycle) {
 
 DiagramPaper diagram_paper(const std::vector<double>& stations,
                            const std::vector<AlongBeam>& quantities) {
-  constexpr double left = 58.0, right = width - 16.0, title = 26.0, bottom = 36.0;
+  constexpr double left = 58.0, right = pane - 16.0, title = 26.0, bottom = 36.0;
   const double high = quantities.size() > 3 ? 70.0 : 92.0;
   const auto count = static_cast<double>(quantities.size());
-  DiagramPaper paper{{width, count * (high + title) + bottom, {}}, {}, {}};
+  DiagramPaper paper{{pane, count * (high + title) + bottom, {}}, {}, {}};
   Drawing& back = paper.back;
   const double length = stations.back();
   for (const double s : stations) paper.x.push_back(left + s / length * (right - left));

@@ -245,16 +245,31 @@ class Reader {
     Line line{{}, pen, data.find_first_of("Zz") != std::string_view::npos};
     for (std::size_t i = 1; i < at.size(); i += 2) line.points.push_back(place(at[i - 1], at[i]));
     if (line.points.size() < 2) return;  // only moved to
-    // An area with its border is one shape.
-    if (!drawing_.shapes.empty() && line.closed) {
-      auto* area = std::get_if<Line>(&drawing_.shapes.back());
-      if (area != nullptr && area->pen.stroke.empty() && area->points == line.points) {
-        area->pen.stroke = pen.stroke;
-        area->pen.width = pen.width;
-        return;
-      }
+    if (line.closed && line.points.front() == line.points.back()) line.points.pop_back();
+    if (is_border_of_last(line)) {
+      // As wide as hides the seams between neighbours.
+      std::get<Line>(drawing_.shapes.back()).pen.stroke = pen.stroke;
+      return;
     }
     drawing_.shapes.emplace_back(std::move(line));
+  }
+
+  /// A box and the line around it in its colour are one shape; both are rounded in ways of their
+  /// own, and run in ways of their own.
+  bool is_border_of_last(const Line& line) const {
+    if (!line.closed || drawing_.shapes.empty()) return false;
+    const auto* area = std::get_if<Line>(&drawing_.shapes.back());
+    constexpr std::size_t corners = 4;
+    if (area == nullptr || area->pen.fill != line.pen.stroke || !area->pen.stroke.empty() ||
+        area->points.size() != corners || line.points.size() != corners)
+      return false;
+    constexpr double rounding = 0.5;
+    const auto is_corner = [&](const Pixel& place) {
+      return std::any_of(line.points.begin(), line.points.end(), [&](const Pixel& other) {
+        return (place - other).cwiseAbs().maxCoeff() < rounding;
+      });
+    };
+    return std::all_of(area->points.begin(), area->points.end(), is_corner);
   }
 
   void mark(const Tag& tag) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -20,7 +21,7 @@ std::string parts_of(const std::string& colour) {
   return out;
 }
 
-std::string at(const Pixel& place) {
+std::string numbers_of(const Pixel& place) {
   return fmt::format("{} {} ", pixels(place.x()), pixels(place.y()));
 }
 
@@ -54,10 +55,10 @@ std::string latex(const PenStroke& of) {
   for (const Line& line : of.lines) {
     const char* command = "m ";
     for (const Pixel& point : line.points) {
-      out += at(point) + command;
+      out += numbers_of(point) + command;
       command = "l ";
     }
-    if (line.points.size() == 1) out += at(line.points.front()) + "l ";
+    if (line.points.size() == 1) out += numbers_of(line.points.front()) + "l ";
     out += line.closed ? "h\n" : "\n";
   }
   for (const Dot& dot : of.dots) out += circle(dot);
@@ -69,10 +70,13 @@ std::string latex(const Words& of) {
   std::string text;
   for (const Run& run : of.runs) {
     constexpr double usual = 12.0;
-    const std::string letters = report::latex_escaped(run.text);
     // Spaces at its ends and in rows are kept.
     std::string kept;
-    for (const char c : letters) kept += c == ' ' ? '~' : c;
+    for (std::size_t at = 0; at <= run.text.size();) {
+      const std::size_t end = std::min(run.text.find(' ', at), run.text.size());
+      kept += (at == 0 ? "" : "~") + report::latex_escaped(run.text.substr(at, end - at));
+      at = end + 1;
+    }
     text += run.size == usual && run.rise == 0.0
                 ? kept
                 : fmt::format("\\run{{{}}}{{{}}}{{{}}}", pixels(run.rise), pixels(run.size), kept);

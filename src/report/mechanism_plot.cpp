@@ -11,7 +11,7 @@ namespace {
 
 constexpr double arrow = 52.0;  ///< the longest [px]
 constexpr double left_of_frame = 44.0, below_frame = footing_room;
-constexpr double foot = 22.0;  ///< below all: what grey and thin lines are
+constexpr double foot_row = 22.0;  ///< below all: what grey and thin lines are
 
 /// How the panels stand, and the scale of the drawing.
 struct Layout {
@@ -47,7 +47,7 @@ Layout layout_of(const Verification& verification, const Room& room) {
       lines = std::max(lines, title_of(postures[k], k, width).size());
     }
     const double above = title_row * static_cast<double>(lines) + 8.0;
-    const double most = std::min(460.0, (highest - foot) / rows - above - below_frame);
+    const double most = std::min(460.0, (highest - foot_row) / rows - above - below_frame);
     if (most < 120.0) continue;
     const double scale = finest_scale(room.size().maxCoeff(), [&](double metres_per_pixel) {
       const Frame at = room.at(metres_per_pixel);
@@ -85,8 +85,8 @@ Drawing mechanism(const Project&, const Verification& verification) {
   for (const PostureFigure& posture : verification.postures) room.take_loads(posture, look);
   const Layout layout = layout_of(verification, room);
   const double step = layout.height + layout.above + below_frame;
-  Drawing drawing{figure_width, foot + layout.rows * step, {}};
-  put_text(drawing, foot_text(verification), {0.5 * drawing.width, 0.5 * foot}, Anchor::middle,
+  Drawing drawing{figure_width, foot_row + layout.rows * step, {}};
+  put_text(drawing, foot_text(verification), {0.5 * drawing.width, 0.5 * foot_row}, Anchor::middle,
            quiet_ink);
   for (int k = 0; k < count; ++k) {
     const PostureFigure& posture = verification.postures[static_cast<std::size_t>(k) + 1];

@@ -35,12 +35,12 @@ std::vector<Spot> spots_of(const std::vector<SectionFigure::Point>& points, std:
   return spots;
 }
 
-constexpr const char* border = "#303030";
+constexpr const char* section_ink = "#303030";
 
 /// Material grey, hollows white, in the order of their area.
 void draw_material(Drawing& drawing, const SectionFigure& figure, const Panel& panel) {
   for (const auto& loop : figure.outlines) {
-    Line line{{}, {border, 1.1, {}, "#ffffff", "outline"}, true};
+    Line line{{}, {section_ink, 1.1, {}, "#ffffff", "outline"}, true};
     double twice = 0.0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const auto& [y, z] = loop[i];
@@ -52,7 +52,7 @@ void draw_material(Drawing& drawing, const SectionFigure& figure, const Panel& p
     drawing.shapes.emplace_back(std::move(line));
   }
   for (const SectionFigure::Hole& hole : figure.holes) {
-    Line line{{}, {border, 1.0, {}, "#ffffff", "outline"}, true};
+    Line line{{}, {section_ink, 1.0, {}, "#ffffff", "outline"}, true};
     for (const auto& [across, up] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
       line.points.push_back(
           panel.at(1e3 * (hole.y + across * hole.width), 1e3 * (hole.z + up * hole.height)));
@@ -63,7 +63,7 @@ void draw_material(Drawing& drawing, const SectionFigure& figure, const Panel& p
     const Pixel at = panel.at(1e3 * weld.y, 1e3 * weld.z);
     drawing.shapes.emplace_back(
         Line{{at + Pixel(0.0, 4.5), at + Pixel(-4.5, -2.5), at + Pixel(4.5, -2.5)},
-             {"", 1.0, {}, border, "weld"},
+             {"", 1.0, {}, section_ink, "weld"},
              true});
   }
 }
