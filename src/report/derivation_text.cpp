@@ -124,9 +124,10 @@ struct SignedText {
 };
 
 SignedText signed_text(const Expression& node, Look look) {
-  const bool term = node.operation == Operation::product || node.operation == Operation::quotient ||
-                    node.operation == Operation::negative;
-  if (!term) return {false, text_of(node, look)};
+  const bool is_term = node.operation == Operation::product ||
+                       node.operation == Operation::quotient ||
+                       node.operation == Operation::negative;
+  if (!is_term) return {false, text_of(node, look)};
   Fraction of;
   collect_factors(node, false, of);
   // Nobody writes a one before other factors; numbers of a denominator stand first, angles last.

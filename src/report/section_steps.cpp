@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "boxbeam/section/plain_box.hpp"
-#include "derivation_text.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -71,14 +70,13 @@ std::string inertia_symbol(const std::string& of, const StressPoint& point) {
   return kind.empty() ? of : of + "," + kind;
 }
 
-Steps section_steps(const Project& project, const StressPoint& point) {
+void derive_section(Derivation& steps, const Project& project, const StressPoint& point) {
   const bool space = project.in_space;
   const std::optional<PlainBox> box = plain_box_of(point.section);
-  Derivation steps;
   std::optional<TracedSection> whole;
   if (box) whole = derive_plain_box(steps, *box, space);
   const Betas betas = derive_betas(steps, point);
-  if (box && kind_of(point).empty()) return steps_of(steps);
+  if (box && kind_of(point).empty()) return;
   if (box && is_less_strips(point)) {
     const Traced b_i =
         derive_idle(steps, point.lag, betas.flanges, "b_i", "idle width of each flange");
@@ -88,7 +86,6 @@ Steps section_steps(const Project& project, const StressPoint& point) {
   } else {
     give_values(steps, point, space);
   }
-  return steps_of(steps);
 }
 
 }  // namespace boxbeam::report

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "boxbeam/verification/stress_points.hpp"
-#include "sheet_numbers.hpp"
 
 namespace boxbeam::report {
 
@@ -15,6 +14,6 @@ std::string area_symbol(const StressPoint& point);
 std::string inertia_symbol(const std::string& of, const StressPoint& point);
 
 /// The area and the moments of inertia of that section.
-Steps section_steps(const Project& project, const StressPoint& point);
+void derive_section(Derivation& steps, const Project& project, const StressPoint& point);
 
 }  // namespace boxbeam::report

@@ -54,21 +54,20 @@ void derive_yield_factor(Derivation& steps, const Project& project, Stress yield
 
 Steps yield_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   Steps steps{time_step(check, "where the equivalent stress is largest")};
+  const StressPoint& point = basis.point;
   constexpr double no_stress = 1.0;  // Pa
   const bool sheared = std::abs(basis.stress_at_time.shear.value()) >= no_stress;
-  append(steps, normal_section_steps(project, basis.point));
-  append(steps, normal_stress_steps("sigma", project, basis.point, basis.cut_at_time));
-  if (sheared) append(steps, shear_section_steps(project, basis.point));
-  append(steps, shear_stress_steps("tau", project, basis.point, basis.cut_at_time));
   Derivation of;
-  const Traced sigma = of.known("sigma", basis.stress_at_time.normal);
-  const Traced tau = of.known("tau", basis.stress_at_time.shear);
+  derive_normal_section(of, project, point);
+  const Traced sigma = derive_normal_stress(of, "sigma", project, point, basis.cut_at_time);
+  if (sheared) derive_shear_section(of, project, point);
+  const Traced tau = derive_shear_stress(of, "tau", project, point, basis.cut_at_time);
   const Traced alone = equivalent_stress(sigma, tau);
   const Traced acting = loaded(of, project, basis, alone);
   const bool factored = acting.value() != alone.value();
   const Traced sigma_v =
       of.define("sigma_v", acting, factored ? "gamma_F: load factor of the situation" : "");
-  derive_yield_factor(of, project, basis.point.yield_strength, basis.point.plate, sigma_v);
+  derive_yield_factor(of, project, point.yield_strength, point.plate, sigma_v);
   append(steps, steps_of(of));
   return steps;
 }
@@ -79,21 +78,19 @@ struct Extremes {
 };
 
 /// The steps that lead to both extremes of the stress of a check.
-Extremes derive_extremes(Steps& steps, const Project& project, const CheckBasis& basis) {
+Extremes derive_extremes(Derivation& steps, const Project& project, const CheckBasis& basis) {
   const StressPoint& point = basis.point;
   const bool shear = basis.kind == StressKind::shear;
-  append(steps, shear ? shear_section_steps(project, point) : normal_section_steps(project, point));
+  shear ? derive_shear_section(steps, project, point)
+        : derive_normal_section(steps, project, point);
   const auto extreme = [&](const std::string& symbol, const Extreme& at, const CutForces& cut) {
-    Steps of = shear ? shear_stress_steps(symbol, project, point, cut)
-                     : normal_stress_steps(symbol, project, point, cut);
-    of.back().notes.insert(of.back().notes.begin(), at_extreme(project, at));
-    append(steps, of);
-    const PointStress stress = stress_at(point.influence, cut);
-    return Derivation::known({symbol, ""}, shear ? stress.shear : stress.normal);
+    const std::string when = at_extreme(project, at);
+    return shear ? derive_shear_stress(steps, symbol, project, point, cut, when)
+                 : derive_normal_stress(steps, symbol, project, point, cut, when);
   };
   const std::string name = shear ? "tau" : "sigma";
-  return {extreme(name + "_max", basis.highest, basis.cut_at_highest),
-          extreme(name + "_min", basis.lowest, basis.cut_at_lowest)};
+  const Traced highest = extreme(name + "_max", basis.highest, basis.cut_at_highest);
+  return {highest, extreme(name + "_min", basis.lowest, basis.cut_at_lowest)};
 }
 
 /// The range of a stress, as a check has it; its steps behind those of its extremes.
@@ -128,26 +125,21 @@ void derive_reduced_range(Derivation& steps, const CheckBasis& basis, const Extr
 }
 
 Steps fatigue_steps(const Project& project, const Check& check, const CheckBasis& basis) {
-  Steps steps;
-  const Extremes extremes = derive_extremes(steps, project, basis);
   Derivation of;
+  const Extremes extremes = derive_extremes(of, project, basis);
   const Traced range = derive_range(of, basis, extremes);
   if (basis.kind == StressKind::direct && basis.point.compression_reduced)
     derive_reduced_range(of, basis, extremes, range);
-  append(steps, steps_of(of));
-  for (const SnCurve& curve : basis.curves) {
-    Derivation of_curve;
-    derive_curve(of_curve, curve, curve.kind == StressKind::direct ? basis.point.detail : nullptr);
-    append(steps, steps_of(of_curve));
-  }
+  for (const SnCurve& curve : basis.curves)
+    derive_curve(of, curve, curve.kind == StressKind::direct ? basis.point.detail : nullptr);
+  Steps steps = steps_of(of);
   append(steps, life_steps(project, check, basis));
   return steps;
 }
 
 Steps stress_range_steps(const Project& project, const CheckBasis& basis) {
-  Steps steps;
-  const Extremes extremes = derive_extremes(steps, project, basis);
   Derivation of;
+  const Extremes extremes = derive_extremes(of, project, basis);
   const Traced range = derive_range(of, basis, extremes);
   const Traced f_y =
       of.given("f_y", basis.point.yield_strength, plate_text(project, basis.point.plate));
@@ -155,18 +147,16 @@ Steps stress_range_steps(const Project& project, const CheckBasis& basis) {
   const Traced gamma_Ff =
       of.known("gamma_Ff", project.fatigue.demand.gamma_Ff, {ValueKind::factor});
   of.define("factor", limit / (gamma_Ff * range));
-  append(steps, steps_of(of));
-  return steps;
+  return steps_of(of);
 }
 
 Steps throat_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   Steps steps{time_step(check, "where the shear flow is largest")};
-  append(steps, shear_section_steps(project, basis.point));
-  append(steps, shear_stress_steps("tau_par", project, basis.point, basis.cut_at_time));
   Derivation of;
+  derive_shear_section(of, project, basis.point);
+  const Traced tau = derive_shear_stress(of, "tau_par", project, basis.point, basis.cut_at_time);
   of.given("f_u", basis.weld.tensile_strength, plate_text(project, basis.point.plate));
   const Traced limit = weld_shear_strength(of, basis.weld);
-  const Traced tau = of.known("tau_par", basis.stress_at_time.shear);
   of.define("factor", limit / loaded(of, project, basis, abs(tau)));
   append(steps, steps_of(of));
   return steps;
@@ -176,13 +166,11 @@ Steps throat_steps(const Project& project, const Check& check, const CheckBasis&
 Steps weld_line_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   const StressPoint& point = basis.point;
   Steps steps{time_step(check, "where the throat is used most")};
-  append(steps, normal_section_steps(project, point));
-  append(steps, normal_stress_steps("sigma_w", project, point, basis.cut_at_time));
-  append(steps, shear_section_steps(project, point));
-  append(steps, shear_stress_steps("tau_par", project, point, basis.cut_at_time));
   Derivation of;
-  const Traced sigma_w = of.known("sigma_w", basis.stress_at_time.normal);
-  const Traced tau_par = of.known("tau_par", basis.stress_at_time.shear);
+  derive_normal_section(of, project, point);
+  const Traced sigma_w = derive_normal_stress(of, "sigma_w", project, point, basis.cut_at_time);
+  derive_shear_section(of, project, point);
+  const Traced tau_par = derive_shear_stress(of, "tau_par", project, point, basis.cut_at_time);
   const Traced sigma_v =
       of.define("sigma_v", equal_leg_stress(sigma_w, tau_par),
                 "sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "

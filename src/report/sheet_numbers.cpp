@@ -101,12 +101,4 @@ StressSum sum_of(const std::vector<double>& pascals, const std::vector<bool>& mi
   return text;
 }
 
-StressSum difference_of(double minuend, double subtrahend) {
-  const double a = in_MPa(minuend);
-  const double b = in_MPa(subtrahend);
-  const int decimals = decimals_of({a, b}, a - b);
-  return {with_decimals(a, decimals) + " - " + term(with_decimals(b, decimals)),
-          with_decimals(a - b, decimals)};
-}
-
 }  // namespace boxbeam::report

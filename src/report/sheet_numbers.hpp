@@ -39,7 +39,4 @@ struct StressSum {
 /// `minus`: which of them a minus stands before, none where it is empty.
 StressSum sum_of(const std::vector<double>& pascals, const std::vector<bool>& minus = {});
 
-/// The formulas of a difference of two stresses likewise: "16.33 MPa - (-17.05 MPa)".
-StressSum difference_of(double minuend, double subtrahend);
-
 }  // namespace boxbeam::report

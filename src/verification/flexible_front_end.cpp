@@ -59,9 +59,8 @@ class VibratingLinks : public SolvedMotion {
     constexpr std::size_t instants = 96;
     const double frequency = motion.response.frequency;
     const LoadSpan span{Time{}, si<Time>(frequency > 0.0 ? 1.0 / frequency : 1.0), instants, true};
-    auto of = std::make_shared<const flexible::BeamResponse>(
-        flexible::beam_response_of(*motion.structure, project_->beam_body, project_->beam,
-                                   motion.response, motion.inertial));
+    auto of = std::make_shared<const flexible::BeamResponse>(flexible::beam_response_of(
+        *motion.structure, project_->beam_body, project_->beam, motion.response, motion.inertial));
     return {span, [of](Time time) { return flexible::beam_loads_at(*of, time.value()); }};
   }
 

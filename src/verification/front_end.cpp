@@ -61,7 +61,6 @@ void add_sample(DriverLine& line, double time, const DriverState& motion,
   if (force) line.force.push_back(*force);
 }
 
-
 std::vector<Time> break_times_in(const std::vector<DriverUse>& functions, double begin,
                                  double length) {
   std::vector<Time> times;

@@ -173,7 +173,8 @@ class PlanarFrontEnd : public FrontEnd {
       const std::string obstacle = obstacle_to_links(mechanism);
       if (!obstacle.empty()) {
         return fmt::format(
-            "joint {} couples two turns by a ratio, which no joint of elastic links does", obstacle);
+            "joint {} couples two turns by a ratio, which no joint of elastic links does",
+            obstacle);
       }
       const planar::DegreesOfFreedom& freedom = planar_motion_of(run).freedom;
       if (freedom.undriven > 0) {

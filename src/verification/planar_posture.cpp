@@ -24,7 +24,7 @@ Eigen::Matrix3d beam_axes(const Project& project, const planar::State& state) {
 
 /// On the beam's axis, or where the beam is no body at the body point of the load's name.
 Eigen::Vector3d place_of(const Project& project, const planar::State& state,
-                                const BeamLoadRow& row) {
+                         const BeamLoadRow& row) {
   if (project.beam_body != planar::ground) {
     const double centre = mass_properties_of(project.beam).centre.value();
     return lifted(planar::position_of({project.beam_body, {row.s.value() - centre, 0.0}}, state.q));
@@ -43,8 +43,7 @@ Eigen::Vector3d place_of(const Project& project, const planar::State& state,
 
 std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads,
                                    const planar::State& state) {
-  std::vector<BeamLoadRow> rows =
-      load_rows(loads, si<Time>(state.time), beam_axes(project, state));
+  std::vector<BeamLoadRow> rows = load_rows(loads, si<Time>(state.time), beam_axes(project, state));
   for (BeamLoadRow& row : rows) {
     for (const BeamPoint& point : project.beam.points) {
       if (row.name.empty() && point.s == row.s) row.name = point.name;

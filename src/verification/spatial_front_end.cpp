@@ -136,8 +136,7 @@ class SpatialMotion : public SolvedMotion {
     const spatial::Mechanism& mechanism = chain_->mechanism();
     LoadSpan span{si<Time>(motion_.begin), si<Time>(motion_.period), motion_.instants,
                   motion_.closed};
-    span.breaks =
-        break_times_in(spatial::functions_of(mechanism), motion_.begin, motion_.period);
+    span.breaks = break_times_in(spatial::functions_of(mechanism), motion_.begin, motion_.period);
     auto body =
         spatial::beam_body_of(project_->beam, placement_in(*project_, mechanism), mechanism);
     return {span, staying_on(project_->beam, [chain = chain_, body](Time time) {
@@ -165,8 +164,8 @@ class SpatialMotion : public SolvedMotion {
     const spatial::Mechanism& mechanism = chain_->mechanism();
     const spatial::BeamPlacement placement = placement_in(*project_, mechanism);
     const Eigen::Vector3d& joint = mechanism.joints[static_cast<std::size_t>(placement.body)].point;
-    return {std::clamp(spatial::in_beam(placement, joint).x(), 0.0,
-                       project_->beam.length().value())};
+    return {
+        std::clamp(spatial::in_beam(placement, joint).x(), 0.0, project_->beam.length().value())};
   }
 
  private:

@@ -11,7 +11,10 @@
 #include "boxbeam/fatigue/reduced_range.hpp"
 #include "boxbeam/fatigue/sn_corners.hpp"
 #include "boxbeam/section/equivalent_stress.hpp"
+#include "boxbeam/section/level_shear.hpp"
+#include "boxbeam/section/nominal_stress.hpp"
 #include "boxbeam/section/plain_box.hpp"
+#include "boxbeam/section/section_points.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
 #include "boxbeam/strength/pin.hpp"
@@ -288,6 +291,48 @@ TEST_CASE("Strengths and lives are derived as the curve has them") {
     CHECK(steps.steps().back().value.value() ==
           Approx(equivalent_range(damage, curve, demand).value()).epsilon(1e-13));
     test::check_derivation(steps);
+  }
+}
+
+TEST_CASE("Stresses in a few letters are those of the influences that are verified") {
+  Random between(9);
+  for (int i = 0; i < 60; ++i) {
+    const auto mm = [&](double low, double high) { return si<Length>(1e-3 * between(low, high)); };
+    const Section section{symmetric_box(mm(200, 500), mm(300, 700), mm(10, 60), mm(8, 40)), {}};
+    const SectionProperties of = properties_of(section);
+    const StressField field = stress_field_of(section, {}, {});
+    CutForces cut;
+    cut.N = si<Force>(between(-1e5, 1e5));
+    cut.M_y = si<Moment>(between(-1e5, 1e5));
+    cut.M_z = si<Moment>(between(-1e5, 1e5));
+    int walls = 0;
+    for (const SectionPoint& place : points_of(field, PointSet::in_space)) {
+      Derivation steps;
+      const Traced sigma = steps.define(
+          "sigma", bending_stress(steps.given("N", cut.N), steps.given("A", of.area),
+                                  steps.given("M_y", cut.M_y), steps.given("z", place.z),
+                                  steps.given("I_y", of.I_y), steps.given("M_z", cut.M_z),
+                                  steps.given("y", place.y), steps.given("I_z", of.I_z)));
+      CHECK(sigma.value() == Approx(stress_at(place.influence, cut).normal.value()).epsilon(1e-9));
+      if (place.torsion) {
+        const WallTorsion& torsion = *place.torsion;
+        const Length t = si<Length>(torsion.thickness);
+        const SecondMoment I_T = si<SecondMoment>(torsion.I_T), I_w = si<SecondMoment>(torsion.I_w);
+        const double bredt = cell_shear(I_w, I_T, si<Area>(torsion.enclosed), t).value();
+        CHECK(bredt == Approx(std::abs(torsion.flow) / torsion.thickness).epsilon(1e-9));
+        CHECK(face_shear(t, I_T).value() == Approx(std::abs(torsion.face)).epsilon(1e-9));
+        steps.define("c_TB", cell_shear(steps.given("I_w", I_w), steps.given("I_T", I_T),
+                                        steps.given("A_m", si<Area>(torsion.enclosed)),
+                                        steps.given("t", t)));
+        ++walls;
+      }
+      test::check_derivation(steps);
+    }
+    CHECK(walls > 0);
+    const Length level = mm(-100, 100);
+    const LevelMoment beyond = moment_beyond_level(section, {}, level);
+    CHECK(level_shear_stress(1.0 * newton, beyond.S, of.I_y, beyond.b).value() ==
+          Approx(level_shear_of(section, {}, {}, level.value())[cut_force::V_z]).epsilon(1e-9));
   }
 }
 
