@@ -133,7 +133,7 @@ Traced pow(const Traced& base, const Traced& exponent) {
                  {base.node_, exponent.node_}});
 }
 
-Traced call_of(const char* function, double value, std::vector<Traced> arguments) {
+Traced call_of(const char* function, double value, const std::vector<Traced>& arguments) {
   Expression node{Operation::call, function, value, arguments.front().dimension(), {}, {}};
   for (const Traced& argument : arguments) {
     assert(argument.dimension() == node.dimension);

@@ -123,12 +123,12 @@ class Traced {
   friend Traced pow(const Traced& base, const Traced& exponent);
 
  private:
-  friend Traced call_of(const char* function, double value, std::vector<Traced> arguments);
+  friend Traced call_of(const char* function, double value, const std::vector<Traced>& arguments);
   std::shared_ptr<const Expression> node_;
 };
 
 /// A function of several values of one dimension.
-Traced call_of(const char* function, double value, std::vector<Traced> arguments);
+Traced call_of(const char* function, double value, const std::vector<Traced>& arguments);
 
 /// The largest and the least of some values, which remain an expression where they are traced.
 template <class Value>
