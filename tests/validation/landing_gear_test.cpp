@@ -136,7 +136,7 @@ TEST_CASE("landing gear: rotation and point C are the derivatives of the posture
     const Mechanism mechanism = mechanism_of(gear);
     const State state = Chain(mechanism).at(0.0);
     const Exact exact = exact_of(gear);
-    const BodyMotion& body = state.bodies[wheel];
+    const spatial::BodyMotion& body = state.bodies[wheel];
     const Attachment C{leg, {-gear.l4, 0.0, -gear.l3}};
     worst = std::max({worst, relative(omega_of(exact.R), body.omega),
                       relative(alpha_of(exact.R), body.alpha),
