@@ -163,7 +163,7 @@ Traced Derivation::known(Symbol symbol, double value, Shown shown) {
 }
 
 Traced Derivation::given(Symbol symbol, double value, Shown shown, std::string_view note) {
-  const Traced of = known(symbol, value, shown);
+  Traced of = known(symbol, value, shown);
   steps_.push_back({symbol.text(), of, DerivationStep::Role::given, shown, {}});
   if (!note.empty()) steps_.back().notes.push_back({std::string(note), {}});
   return of;

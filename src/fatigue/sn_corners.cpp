@@ -101,7 +101,7 @@ Traced derive_strength(Derivation& steps, const SnCurve& curve, double cycles, L
     const bool limit = corner.kind == SnCorner::Kind::constant_amplitude_limit &&
                        loading == Loading::constant_amplitude;
     if ((!limit && corner.kind != SnCorner::Kind::cut_off) || cycles < corner.cycles) continue;
-    const Traced strength = steps.define({symbol, ""}, strength_of(corner));
+    Traced strength = steps.define({symbol, ""}, strength_of(corner));
     steps.note(
         [&] {
           return fmt::format("at {{}} cycles and beyond, the {}: no smaller range does damage",
@@ -111,7 +111,7 @@ Traced derive_strength(Derivation& steps, const SnCurve& curve, double cycles, L
     return strength;
   }
   const double slope = slope_at(curve, cycles);
-  const Traced strength =
+  Traced strength =
       steps.define({symbol, ""}, from_corner(corner_before(corners, cycles), slope, cycles));
   steps.note([&] { return fmt::format("strength at {{}} cycles, branch m = {:g}", slope); },
              cycles_of(cycles));

@@ -35,7 +35,8 @@ Drawing modes(const Project&, const Verification& verification) {
   for (int k = 0; k < count; ++k) {
     const auto index = static_cast<std::size_t>(k);
     const double left = left_of_frame + (k % columns) * (width + left_of_frame + 8.0);
-    const double top = drawing.height - above_frame - (k / columns) * step;
+    const int row = k / columns;
+    const double top = drawing.height - above_frame - row * step;
     const Projection projection{
         view, panel_to_scale({left, top - height, left + width, top}, metres_per_pixel, middle)};
     put_axes(drawing, projection.panel);

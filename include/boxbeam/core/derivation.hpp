@@ -55,14 +55,14 @@ Dimension dimension_of(ValueKind kind);
 /// The kind that a value of this dimension is; a plain number where it has none.
 ValueKind kind_of(const Dimension& dimension);
 
-inline ValueKind kind_of(Dimensionless) { return ValueKind::number; }
-inline ValueKind kind_of(Length) { return ValueKind::length; }
-inline ValueKind kind_of(Area) { return ValueKind::area; }
-inline ValueKind kind_of(Volume) { return ValueKind::section_modulus; }
-inline ValueKind kind_of(SecondMoment) { return ValueKind::second_moment; }
-inline ValueKind kind_of(Force) { return ValueKind::force; }
-inline ValueKind kind_of(Moment) { return ValueKind::moment; }
-inline ValueKind kind_of(Stress) { return ValueKind::stress; }
+inline ValueKind kind_of(const Dimensionless&) { return ValueKind::number; }
+inline ValueKind kind_of(const Length&) { return ValueKind::length; }
+inline ValueKind kind_of(const Area&) { return ValueKind::area; }
+inline ValueKind kind_of(const Volume&) { return ValueKind::section_modulus; }
+inline ValueKind kind_of(const SecondMoment&) { return ValueKind::second_moment; }
+inline ValueKind kind_of(const Force&) { return ValueKind::force; }
+inline ValueKind kind_of(const Moment&) { return ValueKind::moment; }
+inline ValueKind kind_of(const Stress&) { return ValueKind::stress; }
 
 /// How a value is shown: what it is, and with how many digits; 0 for as many as its kind has.
 struct Shown {
