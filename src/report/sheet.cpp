@@ -100,7 +100,7 @@ Traced derive_range(Derivation& steps, const CheckBasis& basis, const Extremes& 
   const Traced nominal = stress.highest - stress.lowest;
   const Traced k_f = steps.known("k_f", basis.stress_factor, {ValueKind::factor});
   const bool factored = basis.stress_factor != 1.0;
-  const Traced range =
+  Traced range =
       steps.define(shear ? "d_tau" : "d_sigma", factored ? Traced(k_f * nominal) : nominal,
                    shear ? "range of the shear stress" : "range of the direct stress");
   if (factored) steps.note([] { return "k_f: stress of the detail over the nominal one, 6.3"; });

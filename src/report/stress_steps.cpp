@@ -324,7 +324,7 @@ Traced derive_shear_stress(Derivation& steps, const std::string& symbol, const P
                            const std::string& note) {
   const bool space = project.in_space;
   if (is_free(point, cut)) {
-    const Traced none = steps.given({symbol, ""}, 0.0, {ValueKind::stress}, note);
+    Traced none = steps.given({symbol, ""}, 0.0, {ValueKind::stress}, note);
     steps.note([] { return "free of shear"; });
     return none;
   }

@@ -161,7 +161,7 @@ CompressedSection compressed_section_of(const Section& section, Stress yield_str
 
 Traced derive_effective_area(Derivation& steps, const CompressedSection& section,
                              Stress yield_strength) {
-  const Traced A = steps.given("A", section.area);
+  Traced A = steps.given("A", section.area);
   if (section.plates.empty()) return A;
   const Traced epsilon = plate::epsilon(steps, steps.known("f_y", yield_strength));
   const CompressedPlate& worst = *std::max_element(
