@@ -91,7 +91,8 @@ Drawing mechanism(const Project&, const Verification& verification) {
   for (int k = 0; k < count; ++k) {
     const PostureFigure& posture = verification.postures[static_cast<std::size_t>(k) + 1];
     const double left = left_of_frame + (k % layout.columns) * (layout.width + left_of_frame + 8.0);
-    const double top = drawing.height - layout.above - (k / layout.columns) * step;
+    const int row = k / layout.columns;
+    const double top = drawing.height - layout.above - row * step;
     const Projection projection{
         view, panel_to_scale({left, top - layout.height, left + layout.width, top},
                              layout.metres_per_pixel, layout.middle)};

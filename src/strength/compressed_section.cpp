@@ -92,6 +92,8 @@ struct IdlePart {
   Number lambda_p, rho;
   Value idle;
 };
+template <class Value, class Number>
+IdlePart(Number, Number, Value) -> IdlePart<Value, Number>;
 
 template <class Record, class Number>
 auto idle_part_of(Record& record, const CompressedPlate& plate, const Number& epsilon,

@@ -69,6 +69,8 @@ template <class Number>
 struct Uses {
   Number shear, bearing_inner, bearing_outer, bending, combined;
 };
+template <class Number>
+Uses(Number, Number, Number, Number, Number) -> Uses<Number>;
 
 template <class Record, class F>
 auto uses_of(Record& record, const F& force, const PinJoint& joint, const PinStrength& strength) {

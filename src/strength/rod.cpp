@@ -19,6 +19,8 @@ template <class Value>
 struct Tension {
   Value plastic, net, least;
 };
+template <class Value>
+Tension(Value, Value, Value) -> Tension<Value>;
 
 template <class Record>
 auto resist_tension(Record& record, const PulledRod& rod) {
@@ -40,6 +42,8 @@ struct Compression {
   Number slenderness, reduction;
   Value section, buckling, least;
 };
+template <class Value, class Number>
+Compression(Number, Number, Value, Value, Value) -> Compression<Value, Number>;
 
 template <class Record>
 auto resist_compression(Record& record, const PressedRod& rod) {

@@ -148,10 +148,11 @@ double part_of_critical(const MakePosture& make, double known) {
   double stable = 1.0 / std::max(known, least);
   if (stands_under(make, stable)) return known;
   double buckled = stable;
-  do {
+  stable *= 0.5;
+  while (!stands_under(make, stable) && stable > 1e-6) {
     buckled = stable;
     stable *= 0.5;
-  } while (!stands_under(make, stable) && stable > 1e-6);
+  }
   constexpr double close = 1e-5;
   while (buckled - stable > close * buckled) {
     const double middle = 0.5 * (stable + buckled);

@@ -109,7 +109,7 @@ std::optional<CheckResult> check_static(const Project& project, const WeldInput&
     largest = in;
   }
   const auto tensile = tensile_strength_of(project.material, weld.thickness);
-  if (!tensile || largest.value < 1e-9 * tensile->value()) return std::nullopt;
+  if (!tensile || worst == nullptr || largest.value < 1e-9 * tensile->value()) return std::nullopt;
   CheckResult result;
   Check& check = result.check;
   check.criterion = Criterion::weld;
