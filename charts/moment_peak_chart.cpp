@@ -128,9 +128,12 @@ Chart moment_peak_chart(const Effort& effort) {
   std::vector<TriedMethod> methods;
   methods.push_back({"maxima along the beam, searched for", {}, false});
   {
-    const auto searched = [&project, &runs, &loads] {
+    const auto stations = [&project, &runs] {
+      return search_stations(project, runs, bending_zones_of(project, runs)).stations;
+    };
+    const auto searched = [stations, &loads] {
       double best = 0.0;
-      for (const Station& station : stations_to_verify(project, runs)) {
+      for (const Station& station : stations()) {
         best = std::max(best, largest_at(loads, station.s.value()));
       }
       return best;
@@ -138,7 +141,7 @@ Chart moment_peak_chart(const Effort& effort) {
     Point point;
     point.setting = "as the program does it";
     point.parameter = 1.0;
-    point.operations = static_cast<double>(stations_to_verify(project, runs).size());
+    point.operations = static_cast<double>(stations().size());
     point.error = error_of(searched());
     point.is_default = true;
     methods.back().trials.push_back({point, [searched] { keep(searched()); }});

@@ -101,7 +101,7 @@ Taper taper_at(const TaperedBeam& beam, const Station& station) {
 std::vector<Length> places_of(const TaperedBeam& beam) {
   std::vector<Length> places{Length{}};
   for (const Segment& segment : beam.segments) places.push_back(segment.end());
-  for (const BeamHole& hole : beam.holes) places.push_back(hole.s);
+  places.insert(places.end(), beam.marks.begin(), beam.marks.end());
   for (const BeamPoint& point : beam.points) places.push_back(point.s);
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -113,14 +113,6 @@ Length place_near(const std::vector<Length>& places, Length s) {
       std::min_element(places.begin(), places.end(),
                        [s](const Length& a, const Length& b) { return abs(a - s) < abs(b - s); });
   return abs(*nearest - s) < 1e-9 * places.back() ? *nearest : s;
-}
-
-std::vector<Hole> holes_at(const TaperedBeam& beam, Length s) {
-  std::vector<Hole> holes;
-  for (const BeamHole& hole : beam.holes) {
-    if (hole.s == s) holes.push_back(hole.hole);
-  }
-  return holes;
 }
 
 std::vector<SegmentMass> mass_distribution_of(const TaperedBeam& beam) {

@@ -19,14 +19,16 @@ namespace boxbeam::program {
 namespace {
 
 /// All ids, worst first.
-std::string list_of(const Verification& verification) {
-  std::string text;
+report::MarkedText list_of(const Verification& verification) {
+  report::MarkedText list;
   for (const CheckResult& result : verification.checks) {
     const Check& check = result.check;
-    text += fmt::format("{} {:>8}  {}\n", check.passes() ? "passes" : "FAILS ",
+    const report::Mark mark = check.passes() ? report::Mark::passes : report::Mark::fails;
+    list += {report::to_text(mark), mark};
+    list += fmt::format("{} {:>8}  {}\n", check.passes() ? "" : " ",
                         text::percent(check.utilisation()), check.id);
   }
-  return text;
+  return list;
 }
 
 /// The check of an id; or the worst one of those whose ids begin with its parts, "fatigue/4.2"; or

@@ -1,11 +1,9 @@
 #include "program/terminal.hpp"
 
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstdio>
@@ -25,55 +23,18 @@ std::string_view environment(const char* name) {
   return value == nullptr ? std::string_view{} : std::string_view(value);
 }
 
-constexpr std::string_view red = "\033[1;31m", green = "\033[32m", yellow = "\033[33m",
-                           plain = "\033[0m";
-
-struct Word {
-  std::string_view text;
-  std::string_view colour;
-};
-
-/// With the sign behind them, so that no longer word is meant.
-constexpr std::array words{
-    Word{"FAIL ", red},
-    Word{"FAIL;", red},
-    Word{"FAILS ", red},
-    Word{"PASS ", green},
-    Word{"PASS;", green},
-    Word{"passes ", green},
-    Word{"NOT APPLICABLE ", yellow},
-    Word{"NOT APPLICABLE:", yellow},
-    Word{"NOT APPLICABLE;", yellow},
-};
-
-/// The end of "165 % !" in a line, 0 where its first words are not that.
-std::size_t end_of_marked_utilisation(std::string_view line, std::size_t begin) {
-  const std::size_t end = line.find_first_not_of("0123456789.e+", begin);
-  if (end == begin || end == std::string_view::npos) return 0;
-  return line.substr(end).starts_with(" % !") ? end + 4 : 0;
+std::string_view colour_of(report::Mark mark) {
+  switch (mark) {
+    case report::Mark::passes: return "\033[32m";
+    case report::Mark::fails: return "\033[1;31m";
+    case report::Mark::not_applicable: return "\033[33m";
+    case report::Mark::none: break;
+  }
+  return "";
 }
 
-std::string coloured_line(std::string_view line) {
-  const std::size_t begin = line.find_first_not_of(' ');
-  if (begin == std::string_view::npos) return std::string(line);
-  const auto with = [&](std::string_view colour, std::size_t end) {
-    return fmt::format("{}{}{}{}{}", line.substr(0, begin), colour, line.substr(begin, end - begin),
-                       plain, line.substr(end));
-  };
-  for (const Word& word : words) {
-    if (line.substr(begin).starts_with(word.text)) {
-      return with(word.colour, begin + word.text.size() - 1);
-    }
-  }
-  // The last word of a calculation sheet's result.
-  for (const Word& word : {Word{": FAILS", red}, Word{": passes", green}}) {
-    if (!line.ends_with(word.text)) continue;
-    const std::size_t from = line.size() - word.text.size() + 2;
-    return fmt::format("{}{}{}{}", line.substr(0, from), word.colour, line.substr(from), plain);
-  }
-  const std::size_t end = end_of_marked_utilisation(line, begin);
-  return end > 0 ? with(red, end) : std::string(line);
-}
+/// What a user's text could do to a terminal, as its code.
+std::string harmless(std::string_view text) { return visible(text, "\n\t"); }
 
 }  // namespace
 
@@ -83,9 +44,23 @@ void put(const std::string& text) {
   }
 }
 
-void put_text(const std::string& text) { put(coloured(visible(text, "\n\t"))); }
+void put_text(const report::MarkedText& text) {
+  if (!shows_colours()) return put(harmless(text.text));
+  const std::string_view whole = text.text;
+  std::string out;
+  std::size_t done = 0;
+  for (const report::MarkedText::Word& word : text.words) {
+    out += harmless(whole.substr(done, word.begin - done));
+    out += colour_of(word.mark);
+    out += harmless(whole.substr(word.begin, word.end - word.begin));
+    out += "\033[0m";
+    done = word.end;
+  }
+  put(out + harmless(whole.substr(done)));
+}
 
-void put_result(const std::string& json_file, const std::string& json, const std::string& text) {
+void put_result(const std::string& json_file, const std::string& json,
+                const report::MarkedText& text) {
   if (json_file == "-") {
     put(json);
     return;
@@ -116,19 +91,6 @@ bool shows_colours() {
   if (const auto force = environment("CLICOLOR_FORCE"); !force.empty() && force != "0") return true;
   return environment("CLICOLOR") != "0" && environment("TERM") != "dumb" &&
          isatty(STDOUT_FILENO) == 1;
-}
-
-std::string coloured(const std::string& text) {
-  if (!shows_colours()) return text;
-  std::string result;
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    result += coloured_line(rest.substr(0, end));
-    if (end < rest.size()) result += '\n';
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return result;
 }
 
 std::string shell_word(const std::string& word) {

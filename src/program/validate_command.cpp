@@ -95,7 +95,7 @@ std::string text_of(const Project& project) {
                                 mass_properties_of(project.beam).mass.value()));
   parts.add("segments", listed(names_of(project.beam.segments)));
   std::vector<std::string> holes;
-  for (const BeamHole& hole : project.beam.holes) holes.push_back(hole.hole.name);
+  for (const BeamHole& hole : project.holes) holes.push_back(hole.hole.name);
   parts.add("holes", listed(holes));
   parts.add("steel", project.material.name);
   parts.add("fatigue", project.fatigue.asked ? project.fatigue.beam.detail.name

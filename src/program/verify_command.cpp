@@ -126,13 +126,6 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
   return "\n" + layout::line(line);
 }
 
-/// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".
-std::string verdict_line(const Project& project, const Verification& verification) {
-  const Check& worst = verification.checks.front().check;
-  return fmt::format("{}  {}: {}, utilisation {}\n", verdict_text_of(project, verification).whole(),
-                     project.name, worst.id, text::percent(worst.utilisation()));
-}
-
 }  // namespace
 
 int run_verify(const VerifyOptions& options) {
@@ -154,7 +147,9 @@ int run_verify(const VerifyOptions& options) {
   } else if (options.quiet) {
     put_text(verdict_line(project, verification));
   } else {
-    put_text(summary(project, verification) + written_line(folder, outputs));
+    report::MarkedText text = summary(project, verification);
+    text += written_line(folder, outputs);
+    put_text(text);
   }
   for (const std::string& trouble : outputs.troubles.words) put_error(trouble);
   if (!outputs.troubles.words.empty()) return output_failed;

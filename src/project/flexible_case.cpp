@@ -59,8 +59,7 @@ std::string read_beam_link(TableReader& root, TableReader& beam) {
 
 class FlexibleReader : public FrontEndReader {
  public:
-  FlexibleReader(const Sections& sections, Project& project)
-      : project_(&project), links_{&sections, &project.beam, "", &project.model, {}} {}
+  using FrontEndReader::FrontEndReader;
 
   void read(TableReader& root, const Node&) override {
     links_.form = read_model(root, Kind::flexible, project_->model);
@@ -88,14 +87,14 @@ class FlexibleReader : public FrontEndReader {
   bool vibrates() const override { return true; }
 
  private:
-  Project* project_;
-  LinkDefaults links_;
+  LinkDefaults links_{sections_, &project_->beam, "", &project_->model, {}};
 };
 
 }  // namespace
 
-std::unique_ptr<FrontEndReader> flexible_reader(const Sections& sections, Project& project) {
-  return std::make_unique<FlexibleReader>(sections, project);
+std::unique_ptr<FrontEndReader> flexible_reader(const Sections& sections, TimeTables& tables,
+                                                Project& project) {
+  return std::make_unique<FlexibleReader>(sections, tables, project);
 }
 
 }  // namespace boxbeam::readers

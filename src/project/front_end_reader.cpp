@@ -11,7 +11,7 @@ std::unique_ptr<FrontEndReader> front_end_reader(Kind kind, const Sections& sect
   switch (kind) {
     case Kind::planar: return planar_reader(sections, tables, project);
     case Kind::spatial: return spatial_reader(sections, tables, project);
-    case Kind::flexible: return flexible_reader(sections, project);
+    case Kind::flexible: return flexible_reader(sections, tables, project);
   }
   return {};
 }

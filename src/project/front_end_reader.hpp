@@ -19,7 +19,8 @@ struct Changeable {
 /// where kinds are told apart.
 class FrontEndReader {
  public:
-  FrontEndReader() = default;
+  FrontEndReader(const Sections& sections, TimeTables& tables, Project& project)
+      : sections_(&sections), tables_(&tables), project_(&project) {}
   FrontEndReader(const FrontEndReader&) = delete;
   FrontEndReader& operator=(const FrontEndReader&) = delete;
   virtual ~FrontEndReader() = default;
@@ -37,6 +38,11 @@ class FrontEndReader {
 
   /// What is checked beside the beam.
   virtual void read_neighbours(TableReader&) {}
+
+ protected:
+  const Sections* sections_;
+  TimeTables* tables_;
+  Project* project_;
 };
 
 /// Everything given stays as long as the reader.
@@ -47,7 +53,7 @@ std::unique_ptr<FrontEndReader> planar_reader(const Sections& sections, TimeTabl
                                               Project& project);  // planar_case.cpp
 std::unique_ptr<FrontEndReader> spatial_reader(const Sections& sections, TimeTables& tables,
                                                Project& project);  // spatial_case.cpp
-std::unique_ptr<FrontEndReader> flexible_reader(const Sections& sections,
+std::unique_ptr<FrontEndReader> flexible_reader(const Sections& sections, TimeTables& tables,
                                                 Project& project);  // flexible_case.cpp
 
 /// The parts of a mechanism of rigid bodies that a situation may change.

@@ -65,8 +65,7 @@ void add_points_of_body(const Node& root, ProblemList& problems, Project& projec
 
 class PlanarReader : public FrontEndReader {
  public:
-  PlanarReader(const Sections& sections, TimeTables& tables, Project& project)
-      : sections_(&sections), tables_(&tables), project_(&project) {}
+  using FrontEndReader::FrontEndReader;
 
   void read(TableReader& root, const Node& tree) override {
     read_model(root, Kind::planar, project_->model);
@@ -113,9 +112,6 @@ class PlanarReader : public FrontEndReader {
   }
 
  private:
-  const Sections* sections_;
-  TimeTables* tables_;
-  Project* project_;
   std::string beam_body_;
 };
 

@@ -119,6 +119,19 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
 
 SnCurve curve_of(const Detail& detail) { return scaled(detail.curve, detail.size_factor); }
 
+void add_hole(Project& project, BeamHole hole) {
+  project.beam.marks.push_back(hole.s);
+  project.holes.push_back(std::move(hole));
+}
+
+std::vector<Hole> holes_at(const Project& project, Length s) {
+  std::vector<Hole> holes;
+  for (const BeamHole& at : project.holes) {
+    if (at.s == s) holes.push_back(at.hole);
+  }
+  return holes;
+}
+
 const planar::Mechanism& planar_of(const Project& project) {
   return std::get<planar::Mechanism>(project.mechanism);
 }

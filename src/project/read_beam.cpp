@@ -77,10 +77,10 @@ std::optional<std::string> misplacement_of(const TaperedBeam& beam, Length s, co
 }
 
 /// Whether a hole cuts into one that is already there: their strips would be taken out twice.
-bool overlaps(const TaperedBeam& beam, Length s, const Hole& hole) {
+bool overlaps(const Project& project, Length s, const Hole& hole) {
   const bool own_pair = hole.walls == HoleWalls::flanges && hole.position > Length{} &&
                         2.0 * hole.position < hole.diameter;
-  const std::vector<Hole> others = holes_at(beam, s);
+  const std::vector<Hole> others = holes_at(project, s);
   return own_pair || std::any_of(others.begin(), others.end(), [&](const Hole& other) {
            return other.walls == hole.walls &&
                   abs(other.position - hole.position) < 0.5 * (other.diameter + hole.diameter);
@@ -121,14 +121,13 @@ void check_concentration(TableReader& table, bool flanges, bool solid, HoleCase 
   }
 }
 
-/// Concentration and detail of a hole.
-HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const TaperedBeam& beam) {
-  HoleInput input;
+/// Reads concentration and detail of a hole that has its place.
+void read_judgement(TableReader& table, const TaperedBeam& beam, BeamHole& at) {
   if (table.has("detail")) {
     TableReader given = table.table(
         {"detail", "of the net section instead of a concentration: category, row or facts"});
     BeamDetail detail;
-    detail.from = detail.to = s;
+    detail.from = detail.to = at.s;
     detail.detail = read_detail(given);
     detail.assumed = given.text({"assumed", "why it is taken so"}, "");
     if (given.problems().empty() && detail.detail.curve.kind == StressKind::shear) {
@@ -136,35 +135,35 @@ HoleInput read_hole_input(TableReader& table, bool flanges, Length s, const Tape
                     "write a category or row for direct stress");
     }
     given.finish();
-    input.detail = std::move(detail);
+    at.detail = std::move(detail);
   }
-  const bool net = input.detail && input.detail->detail.where == StressPlace::net;
-  if (net && !table.has("concentration")) return input;
+  const bool net = at.detail && at.detail->detail.where == StressPlace::net;
+  if (net && !table.has("concentration")) return;
   constexpr HoleCase cases[] = {HoleCase::in_plane_bending, HoleCase::membrane_tension,
                                 HoleCase::out_of_plane_bending, HoleCase::published_exponential};
   const HoleCase hole_case = cases[table.choice(
       {"concentration", "which problem its concentration is"},
       {"in-plane bending", "membrane tension", "out-of-plane bending", "published exponential"})];
-  if (!table.problems().empty()) return input;
+  if (!table.problems().empty()) return;
   if (net) {
     table.problem("concentration",
                   fmt::format("row {} is for the stress of the net section and contains the "
                               "concentration at the hole: K_t would count it twice",
-                              input.detail->detail.row),
+                              at.detail->detail.row),
                   "take \"concentration\" away, or a detail of the plain plate: row = \"8.1/4\"");
   }
-  const bool solid = std::holds_alternative<Plate>(section_at(beam, {s}).outer);
-  check_concentration(table, flanges, solid, hole_case);
-  input.concentration = hole_case;
-  return input;
+  const bool solid = std::holds_alternative<Plate>(section_at(beam, {at.s}).outer);
+  check_concentration(table, at.hole.walls == HoleWalls::flanges, solid, hole_case);
+  at.concentration = hole_case;
 }
 
 void read_hole(TableReader table, Project& project) {
-  TaperedBeam& beam = project.beam;
-  Hole hole;
+  const TaperedBeam& beam = project.beam;
+  BeamHole at;
+  Hole& hole = at.hole;
   hole.name = table.text({"name", "of the hole"});
   hole.diameter = si<Length>(table.positive({"diameter", "of the hole"}, wanted::length));
-  const Length s = station_of(table, {"station", "along the beam"}, beam);
+  at.s = station_of(table, {"station", "along the beam"}, beam);
   const bool flanges =
       table.kind({"through", "the walls that it goes through"}, {"webs", "flanges"}) == 1;
   hole.walls = flanges ? HoleWalls::flanges : HoleWalls::webs;
@@ -174,7 +173,7 @@ void read_hole(TableReader table, Project& project) {
           : Key("levels", "z of its centres, of holes through webs");
   const std::string_view where = of.name;
   const std::vector<double> positions = table.quantities(of, wanted::length);
-  const HoleInput input = read_hole_input(table, flanges, s, beam);
+  read_judgement(table, beam, at);
   table.finish();
   if (!table.problems().empty()) return;
 
@@ -182,7 +181,7 @@ void read_hole(TableReader table, Project& project) {
   const auto named_alike = [&](const BeamHole& other) {
     return other.hole.name == name || other.hole.name.starts_with(name + " ");
   };
-  if (std::any_of(beam.holes.begin(), beam.holes.end(), named_alike)) {
+  if (std::any_of(project.holes.begin(), project.holes.end(), named_alike)) {
     table.problem("name", fmt::format("there is already a hole \"{}\"", name),
                   "give every hole a name of its own");
   }
@@ -193,14 +192,13 @@ void read_hole(TableReader table, Project& project) {
     const double position = positions[i];
     if (positions.size() > 1) hole.name = fmt::format("{} {}", name, i + 1);
     hole.position = si<Length>(flanges ? std::abs(position) : position);
-    if (auto trouble = misplacement_of(beam, s, hole)) {
+    if (auto trouble = misplacement_of(beam, at.s, hole)) {
       table.problem(where, *trouble, "move the hole, or make it smaller");
-    } else if (overlaps(beam, s, hole)) {
+    } else if (overlaps(project, at.s, hole)) {
       table.problem(where, "the hole overlaps another one in the same section",
                     "move them apart, or write one hole");
     }
-    beam.holes.push_back({s, hole});
-    project.hole_inputs.push_back(input);
+    add_hole(project, at);
   }
 }
 
@@ -227,15 +225,14 @@ namespace {
 void check_bending_widths(TableReader& table, const Project& project) {
   const TaperedBeam& beam = project.beam;
   if (!table.problems().empty()) return;
-  for (std::size_t i = 0; i < beam.holes.size(); ++i) {
-    const HoleCase hole_case = HoleCase::out_of_plane_bending;
-    if (project.hole_inputs[i].concentration != hole_case) continue;
-    const BeamHole& at = beam.holes[i];
+  constexpr HoleCase hole_case = HoleCase::out_of_plane_bending;
+  for (const BeamHole& at : project.holes) {
+    if (at.concentration != hole_case) continue;
     for (const Side side : {Side::before, Side::behind}) {
       if (side == Side::before ? at.s.value() == 0.0 : at.s == beam.length()) continue;
       const Section section = section_at(beam, {at.s, side});
       if (std::holds_alternative<Plate>(section.outer) &&
-          !hole_edges_of(section, holes_at(beam, at.s), {}, at.hole, hole_case).empty()) {
+          !hole_edges_of(section, holes_at(project, at.s), {}, at.hole, hole_case).empty()) {
         continue;
       }
       table.problem("holes",

@@ -60,7 +60,7 @@ void read_points(TableReader& root, Project& project) {
               fmt::format("write z between -{0:.6g} mm and {0:.6g} mm", half.value() * 1e3));
           break;
         }
-        if (width_at(section, holes_at(project.beam, point.s), point.z).value() <= 0.0) {
+        if (width_at(section, holes_at(project, point.s), point.z).value() <= 0.0) {
           table.problem("z", "there is no material at this level: it lies in a hole",
                         "write a level outside the hole");
           break;

@@ -176,10 +176,8 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
 void check_net_sections(TableReader& root, const Project& project) {
   if (!root.problems().empty()) return;
   const FatigueInput& fatigue = project.fatigue;
-  for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
-    const BeamHole& at = project.beam.holes[i];
-    const HoleInput& input = project.hole_inputs[i];
-    if (!input.concentration || input.detail) continue;
+  for (const BeamHole& at : project.holes) {
+    if (!at.concentration || at.detail) continue;
     const auto counts_twice = [&](const BeamDetail& of) {
       return of.detail.where == StressPlace::net && at.s >= of.from && at.s <= of.to;
     };

@@ -77,7 +77,7 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
                                 project.material.name, weld.thickness.value() * 1e3),
                     "choose another steel");
     }
-    if (!holes_at(project.beam, weld.s).empty()) {
+    if (!holes_at(project, weld.s).empty()) {
       table.problem("station", "a hole stands in the weld",
                     "set the weld beside the hole, or leave one of them out");
     }

@@ -35,8 +35,7 @@ void add_points_on_axis(Project& project) {
 
 class SpatialReader : public FrontEndReader {
  public:
-  SpatialReader(const Sections& sections, TimeTables& tables, Project& project)
-      : sections_(&sections), tables_(&tables), project_(&project) {}
+  using FrontEndReader::FrontEndReader;
 
   void read(TableReader& root, const Node&) override {
     read_model(root, Kind::spatial, project_->model);
@@ -76,9 +75,6 @@ class SpatialReader : public FrontEndReader {
   }
 
  private:
-  const Sections* sections_;
-  TimeTables* tables_;
-  Project* project_;
   std::string beam_body_;
 };
 

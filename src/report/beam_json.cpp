@@ -101,7 +101,8 @@ void put_beam(Fields& to, const Project& project, const Verification& verificati
 void put_sections(Fields& to, const Project& project, const Verification& verification) {
   to.list(
       {"sections", "at the verified stations, gross where not said otherwise"}, "{s}{side}",
-      [&] { return station_properties_of(project, verification); }, put_section);
+      [&] { return station_properties_of(project, verification.stations, verification.checks); },
+      put_section);
 }
 
 void put_concentrations(Fields& to, const Verification& verification) {

@@ -64,8 +64,8 @@ std::vector<Row4> inner_lines_of(const TaperedBeam& beam, Plane plane) {
 
 /// Holes as they are seen: round where they go through the walls in front, else a gap in the
 /// border.
-void draw_holes(Script& gp, const TaperedBeam& beam, Plane plane) {
-  for (const BeamHole& at : beam.holes) {
+void draw_holes(Script& gp, const Project& project, Plane plane) {
+  for (const BeamHole& at : project.holes) {
     const double s = at.s.value();
     const double d = at.hole.diameter.value();
     const bool in_front = (at.hole.walls == HoleWalls::webs) == (plane == Plane::xz);
@@ -81,7 +81,7 @@ void draw_holes(Script& gp, const TaperedBeam& beam, Plane plane) {
       }
       continue;
     }
-    const auto reach = reach_of(section_at(beam, {at.s}).outer, plane);
+    const auto reach = reach_of(section_at(project.beam, {at.s}).outer, plane);
     for (const double edge : {reach.first, reach.second}) {
       gp << fmt::format("set arrow from {},{} to {},{} nohead lw 3 lc rgb '#ffffff' front\n",
                         s - 0.5 * d, edge, s + 0.5 * d, edge);
@@ -126,17 +126,18 @@ void draw_outline(Script& gp, const Project& project, const Verification& verifi
   const auto [s_low, s_high] = range_of_s(beam);
   const Panel panel{frame, s_low, s_high, low - 0.35 * height, high + 0.35 * height};
   std::vector<Row2> supports;
-  for (const BeamLoadRow& row : verification.loads) {
+  for (const BeamLoadRow& row : verification.pictures.loads) {
     const Row2 place(row.s.value(), low - 0.17 * height);
     const bool known = std::any_of(supports.begin(), supports.end(), [&](const Row2& other) {
       return std::abs(std::get<0>(other) - row.s.value()) < 1e-6 * beam.length().value();
     });
     // A load that slides has no place of its own.
-    const bool slides = std::any_of(
-        verification.loads.begin(), verification.loads.end(), [&](const BeamLoadRow& other) {
-          return !row.name.empty() && other.name == row.name &&
-                 std::abs((other.s - row.s).value()) > 1e-6 * beam.length().value();
-        });
+    const bool slides =
+        std::any_of(verification.pictures.loads.begin(), verification.pictures.loads.end(),
+                    [&](const BeamLoadRow& other) {
+                      return !row.name.empty() && other.name == row.name &&
+                             std::abs((other.s - row.s).value()) > 1e-6 * beam.length().value();
+                    });
     if (!known && !slides) supports.push_back(place);
   }
   if (!supports.empty()) {
@@ -150,7 +151,7 @@ void draw_outline(Script& gp, const Project& project, const Verification& verifi
   double step = tic_step(height, 2);
   for (int most = 3; step > 0.8 * height; ++most) step = tic_step(height, most);
   gp << "set ytics " << step << "\n";
-  draw_holes(gp, beam, plane);
+  draw_holes(gp, project, plane);
   Labels labels;
   labels.keep_free({frame.left - 44.0, frame.top + 7.0, frame.left + 60.0, frame.top + 23.0});
   for (const BeamPoint& point : beam.points) {

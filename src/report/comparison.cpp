@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "document_fields.hpp"
 
 namespace boxbeam {

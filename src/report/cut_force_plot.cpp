@@ -14,8 +14,8 @@ constexpr double panel_height = 116.0;
 /// What the lines are, which their values name by number.
 std::vector<LegendEntry> legend_of(const Verification& verification) {
   std::vector<LegendEntry> legend{{"envelope of all instants", "lw 9 lc rgb '#dcdcdc'"}};
-  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
-    const CutForceLine& line = verification.lines[k];
+  for (std::size_t k = 0; k < verification.pictures.lines.size(); ++k) {
+    const CutForceLine& line = verification.pictures.lines[k];
     legend.push_back(
         {fmt::format("({}) {}, {}", k + 1, time_label(line.time), line.why), line_style(k, 1.8)});
   }
@@ -48,8 +48,8 @@ std::vector<Named> extremes_of(const Verification& verification, cut_force::Inde
     if (std::abs(value) < 0.03 * span || std::abs(value) < 1e-9) return;
     extremes.push_back({at, text::significant(value) + suffix, ink});
   };
-  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
-    const std::vector<Row2> rows = rows_of(verification.lines[k], which);
+  for (std::size_t k = 0; k < verification.pictures.lines.size(); ++k) {
+    const std::vector<Row2> rows = rows_of(verification.pictures.lines[k], which);
     const std::string suffix = fmt::format(" ({})", k + 1);
     add(*std::max_element(rows.begin(), rows.end(), lower), suffix, colour(k));
     add(*std::min_element(rows.begin(), rows.end(), lower), suffix, colour(k));
@@ -62,8 +62,8 @@ std::vector<Named> extremes_of(const Verification& verification, cut_force::Inde
       return std::abs(std::get<1>(at) - std::get<1>(other.at)) < 0.02 * span;
     });
   };
-  const std::vector<Row2> high = rows_of(verification.envelope[1], which);
-  const std::vector<Row2> low = rows_of(verification.envelope[0], which);
+  const std::vector<Row2> high = rows_of(verification.pictures.envelope[1], which);
+  const std::vector<Row2> low = rows_of(verification.pictures.envelope[0], which);
   const Row2 highest = *std::max_element(high.begin(), high.end(), lower);
   const Row2 lowest = *std::min_element(low.begin(), low.end(), lower);
   for (const Row2& at : {highest, lowest}) {
@@ -85,8 +85,8 @@ void draw_panel(Script& gp, const Project& project, const Verification& verifica
                 const CutForceName& name, const Frame& frame, bool lowest) {
   const cut_force::Index which = name.which;
   const std::string symbol = name.name;
-  const std::vector<Row2> low = rows_of(verification.envelope[0], which);
-  const std::vector<Row2> high = rows_of(verification.envelope[1], which);
+  const std::vector<Row2> low = rows_of(verification.pictures.envelope[0], which);
+  const std::vector<Row2> high = rows_of(verification.pictures.envelope[1], which);
   std::vector<Row3> band;
   for (std::size_t i = 0; i < low.size(); ++i) {
     band.emplace_back(std::get<0>(low[i]), std::get<1>(low[i]), std::get<1>(high[i]));
@@ -104,8 +104,8 @@ void draw_panel(Script& gp, const Project& project, const Verification& verifica
       fmt::format("$band_{} using 1:2:3 with filledcurves fc rgb '#e2e2e2'", symbol),
       "0 with lines lc rgb '#505050' lw 0.9"};
   Labels labels;
-  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
-    const std::vector<Row2> rows = rows_of(verification.lines[k], which);
+  for (std::size_t k = 0; k < verification.pictures.lines.size(); ++k) {
+    const std::vector<Row2> rows = rows_of(verification.pictures.lines[k], which);
     gp.block(fmt::format("{}_{}", symbol, k), rows);
     curves.push_back(fmt::format("${}_{} using 1:2 with lines {}", symbol, k, line_style(k, 1.8)));
     labels.keep_off(panel, rows);

@@ -27,7 +27,7 @@ using NamedFunctions = std::vector<std::pair<std::string, const Driver*>>;
 
 class FrontEndText {
  public:
-  FrontEndText() = default;
+  explicit FrontEndText(const Project& project) : project_(&project) {}
   FrontEndText(const FrontEndText&) = delete;
   FrontEndText& operator=(const FrontEndText&) = delete;
   virtual ~FrontEndText() = default;
@@ -46,6 +46,9 @@ class FrontEndText {
   virtual void add_remarks(std::vector<std::string>&) const {}
   /// Remarks on the motion of a situation.
   virtual void add_remarks(const MotionSummary&, std::vector<std::string>&) const {}
+
+ protected:
+  const Project* project_;
 };
 
 std::unique_ptr<const FrontEndText> front_end_text_of(const Project& project);

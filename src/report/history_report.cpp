@@ -191,12 +191,13 @@ std::string to_text(const CountingRule& rule) {
   return "";
 }
 
-std::string history_text(const HistoryDemand& demand, const HistoryFatigue& fatigue) {
-  std::string out = fmt::format(
-      "{}  damage {}{}\n", fatigue.passes() ? "PASS" : "FAIL", text::significant(fatigue.damage),
-      demand.repetitions == 1.0
-          ? ""
-          : fmt::format(" in {} repetitions", text::cycles(demand.repetitions)));
+report::MarkedText history_text(const HistoryDemand& demand, const HistoryFatigue& fatigue) {
+  report::MarkedText out = fatigue.passes() ? report::MarkedText("PASS", report::Mark::passes)
+                                            : report::MarkedText("FAIL", report::Mark::fails);
+  out += fmt::format("  damage {}{}\n", text::significant(fatigue.damage),
+                     demand.repetitions == 1.0
+                         ? ""
+                         : fmt::format(" in {} repetitions", text::cycles(demand.repetitions)));
   out += fatigue.life ? fmt::format("      life {} repetitions of the history\n",
                                     text::significant(*fatigue.life))
                       : std::string("      life unlimited: no range does damage\n");

@@ -17,25 +17,20 @@ namespace {
 
 using html::escaped;
 
-struct MarkWords {
-  const char* style;  ///< class in the style sheet
-  const char* words;
-};
-
-MarkWords words_of(Mark mark) {
+/// Its class in the style sheet.
+const char* style_of(Mark mark) {
   switch (mark) {
-    case Mark::passes: return {"passes", "passes"};
-    case Mark::fails: return {"fails", "FAILS"};
-    case Mark::not_applicable: return {"unclear", "not applicable"};
+    case Mark::passes: return "passes";
+    case Mark::fails: return "fails";
+    case Mark::not_applicable: return "unclear";
     case Mark::none: break;
   }
-  return {"", ""};
+  return "";
 }
 
 std::string badge(Mark mark) {
   if (mark == Mark::none) return "";
-  const MarkWords of = words_of(mark);
-  return fmt::format("<span class=\"badge {}\">{}</span>", of.style, of.words);
+  return fmt::format("<span class=\"badge {}\">{}</span>", style_of(mark), to_text(mark));
 }
 
 class Writer {
@@ -122,7 +117,7 @@ class Writer {
     out_ += fmt::format(
         "<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
         "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong></h2>\n",
-        words_of(document_.mark).style, escaped(document_.verdict));
+        style_of(document_.mark), escaped(document_.verdict));
     if (!document_.reasons.empty()) write(Bullets{document_.reasons});
     if (!document_.governing.rows.empty()) write(document_.governing, true);
     out_ += "</section>\n";
@@ -180,50 +175,39 @@ class Writer {
         "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\">\n"
         "<table class=\"data\" aria-label=\"{0}\">\n<thead><tr>",
         name);
-    const Columns columns = columns_of(table);
-    if (columns.with_marks) out_ += "<th scope=\"col\">result</th>";
+    const std::vector<const char*> sides = sides_of(table);
+    if (!table.marks.empty()) out_ += "<th scope=\"col\">result</th>";
     for (std::size_t c = 0; c < table.header.size(); ++c) {
-      out_ += fmt::format("<th scope=\"col\"{}>{}</th>", columns.side[c], escaped(table.header[c]));
+      out_ += fmt::format("<th scope=\"col\"{}>{}</th>", sides[c], escaped(table.header[c]));
     }
     out_ += "</tr></thead>\n<tbody>\n";
-    for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, columns, named);
+    for (std::size_t r = 0; r < table.rows.size(); ++r) row(table, r, sides, named);
     out_ += "</tbody>\n</table>\n</div>\n";
     if (table.folded) out_ += "</details>\n";
   }
 
-  struct Columns {
-    std::vector<const char*> side;  ///< class of every one
-    std::size_t heading = 0;        ///< that says what a row is of
-    bool with_marks = false;        ///< marks have a column of their own
-  };
-
-  /// Where a column holds the words of the marks, they stand there.
-  static Columns columns_of(const Table& table) {
-    Columns columns;
+  /// The class of every column.
+  static std::vector<const char*> sides_of(const Table& table) {
+    std::vector<const char*> sides;
     for (std::size_t c = 0; c < table.header.size(); ++c) {
-      columns.side.push_back(holds_numbers(table, c) ? " class=\"right\"" : "");
+      sides.push_back(holds_numbers(table, c) ? " class=\"right\"" : "");
     }
-    if (table.rows.empty() || table.marks.empty()) return columns;
-    columns.with_marks = table.rows[0][0].text != words_of(table.marks[0]).words;
-    columns.heading = columns.with_marks ? 0 : 1;
-    return columns;
+    return sides;
   }
 
-  void row(const Table& table, std::size_t r, const Columns& columns, bool named) {
-    const Mark mark = table.marks.empty() ? Mark::none : table.marks[r];
+  void row(const Table& table, std::size_t r, const std::vector<const char*>& sides, bool named) {
     out_ += "<tr>";
-    if (columns.with_marks) out_ += fmt::format("<td>{}</td>", badge(mark));
+    if (!table.marks.empty()) out_ += fmt::format("<td>{}</td>", badge(table.marks[r]));
     const auto sheet = table.sheets.empty() ? sheets_.end() : sheets_.find(table.sheets[r]);
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
       const Cell& cell = table.rows[r][c];
-      const bool heads = c == columns.heading;
-      out_ += fmt::format("<{}{}", heads ? "th scope=\"row\"" : "td", columns.side[c]);
+      const bool heads = c == 0;
+      out_ += fmt::format("<{}{}", heads ? "th scope=\"row\"" : "td", sides[c]);
       if (cell.value && std::isfinite(*cell.value)) {
         out_ += fmt::format(" data-value=\"{}\"", *cell.value);
       }
       if (named) out_ += fmt::format(" data-label=\"{}\"", escaped(table.header[c]));
-      const bool marked = mark != Mark::none && cell.text == words_of(mark).words;
-      const std::string text = marked ? badge(mark) : escaped(cell.text);
+      const std::string text = escaped(cell.text);
       if (heads && sheet != sheets_.end()) {
         out_ += fmt::format("><a href=\"#sheet-{}\">{}</a>", sheet->second, text);
       } else {
@@ -257,7 +241,7 @@ class Writer {
     out_ += fmt::format(
         "<section class=\"sheet {0}\" id=\"sheet-{1}\" aria-labelledby=\"sheet-title-{1}\">\n"
         "<h3 id=\"sheet-title-{1}\">{2} {3}</h3>\n<table class=\"steps\">\n<tbody>\n",
-        words_of(sheet.mark).style, number, escaped(sheet.title), badge(sheet.mark));
+        style_of(sheet.mark), number, escaped(sheet.title), badge(sheet.mark));
     for (const Step& step : sheet.steps) write(step);
     out_ += "</tbody>\n</table>\n";
     utilisation(sheet);
@@ -288,7 +272,7 @@ class Writer {
     out_ += fmt::format(
         "<div class=\"result\"><p>{}</p><div class=\"bar {}{}\" aria-hidden=\"true\">"
         "<span style=\"width:{:.2f}%\"></span></div></div>\n",
-        escaped(sheet.result), words_of(sheet.mark).style, sheet.utilisation > 2.0 ? " beyond" : "",
+        escaped(sheet.result), style_of(sheet.mark), sheet.utilisation > 2.0 ? " beyond" : "",
         100.0 * part);
   }
 

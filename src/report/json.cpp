@@ -99,8 +99,8 @@ void put_sn(Fields& to, const Project& project, const Verification& verification
     return basis != nullptr ? std::optional<double>(value_of(*basis)) : std::nullopt;
   };
   to.object_or_null(
-      {"sn", "curve of the governing fatigue check, and what was found on it"}, verification.sn,
-      [&](Fields& of, const SnFigure& sn) {
+      {"sn", "curve of the governing fatigue check, and what was found on it"},
+      verification.pictures.sn, [&](Fields& of, const SnFigure& sn) {
         of.text("code", sn.code);
         of.text("curve", sn.name);
         of.number({"reference", "at 2e6 cycles; the thesis' step puts it at 5e6"}, "Pa",

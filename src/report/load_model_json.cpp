@@ -77,7 +77,7 @@ void put_newton_chain(Fields& to, const Verification& verification) {
 
 void put_loads(Fields& to, const Project& project, const Verification& verification) {
   to.list({"loads", "of joints and loads on the beam at the critical instants"}, "{by}@{time}",
-          verification.loads, [&](Fields& of, const BeamLoadRow& row) {
+          verification.pictures.loads, [&](Fields& of, const BeamLoadRow& row) {
             of.text({"by", "point, joint or load"}, row.name);
             of.text("situation", situation_name(project, row.situation));
             of.number("time", "s", row.time.value());

@@ -79,7 +79,7 @@ void draw_panel(Script& gp, const CutForceName& name, const std::vector<std::vec
 }  // namespace
 
 void loads_over_time(Script& gp, const Project& project, const Verification& verification) {
-  const LoadsOverTime& figure = *verification.loads_over_time;
+  const LoadsOverTime& figure = *verification.pictures.loads_over_time;
   const bool seconds = of_one_span(figure);
   std::vector<LegendEntry> legend;
   for (std::size_t k = 0; k < figure.lines.size(); ++k) {

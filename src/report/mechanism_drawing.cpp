@@ -135,14 +135,14 @@ void draw_bodies(Drawing& drawing, const PostureFigure& posture, const Projectio
 }
 
 void draw_traces(Drawing& drawing, const Verification& verification, const Projection& projection) {
-  if (verification.cycles.empty()) return;
-  const std::vector<CycleFrame>& frames = verification.cycles.front().frames;
+  if (verification.pictures.cycles.empty()) return;
+  const std::vector<CycleFrame>& frames = verification.pictures.cycles.front().frames;
   for (std::size_t b = 0; b < frames.front().posture.bodies.size(); ++b) {
     for (std::size_t k = 0; k < frames.front().posture.bodies[b].points.size(); ++k) {
       Line line{{}, {"#9a9a9a", 0.6, {}, "", "trace"}};
       for (const CycleFrame& frame : frames)
         line.points.push_back(projection.at(frame.posture.bodies[b].points[k]));
-      if (verification.cycles.front().repeats) line.points.push_back(line.points.front());
+      if (verification.pictures.cycles.front().repeats) line.points.push_back(line.points.front());
       drawing.shapes.emplace_back(std::move(line));
     }
   }
@@ -274,15 +274,16 @@ double LoadSizes::least_couple(double size) const {
 
 LoadSizes load_sizes_of(const Verification& verification) {
   LoadSizes sizes;
-  for (const PostureFigure& posture : verification.postures) sizes.take(posture);
+  for (const PostureFigure& posture : verification.pictures.postures) sizes.take(posture);
   return sizes;
 }
 
 Room room_of(const Verification& verification, const View& view) {
   Room room(view);
-  for (const PostureFigure& posture : verification.postures) room.take(posture);
-  if (verification.cycles.empty()) return room;
-  for (const CycleFrame& frame : verification.cycles.front().frames) room.take(frame.posture);
+  for (const PostureFigure& posture : verification.pictures.postures) room.take(posture);
+  if (verification.pictures.cycles.empty()) return room;
+  for (const CycleFrame& frame : verification.pictures.cycles.front().frames)
+    room.take(frame.posture);
   return room;
 }
 

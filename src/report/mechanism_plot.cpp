@@ -36,7 +36,7 @@ std::vector<std::string> title_of(const PostureFigure& posture, std::size_t numb
 /// The layout in which the mechanism is largest, in a figure no higher than a page.
 Layout layout_of(const Verification& verification, const Room& room) {
   constexpr double highest = 650.0;  // on paper a higher one would be shrunk
-  const std::vector<PostureFigure>& postures = verification.postures;
+  const std::vector<PostureFigure>& postures = verification.pictures.postures;
   const auto count = static_cast<int>(postures.size()) - 1;
   Layout best;
   for (int columns = 1; columns <= std::min(count, 3); ++columns) {
@@ -64,12 +64,12 @@ Layout layout_of(const Verification& verification, const Room& room) {
 
 /// What the grey posture is, and how large displacements are drawn.
 std::string foot_text(const Verification& verification) {
-  const PostureFigure& first = verification.postures.front();
+  const PostureFigure& first = verification.pictures.postures.front();
   std::string text = first.magnified == 0.0
                          ? "grey: " + time_label(first.time)
                          : fmt::format("displacements {:g} times as large; grey: without load",
-                                       verification.postures.back().magnified);
-  if (!verification.cycles.empty() && first.magnified == 0.0)
+                                       verification.pictures.postures.back().magnified);
+  if (!verification.pictures.cycles.empty() && first.magnified == 0.0)
     text += ";  thin lines: paths over the cycle";
   return text + ";  arrows: loads on the beam";
 }
@@ -77,19 +77,20 @@ std::string foot_text(const Verification& verification) {
 }  // namespace
 
 Drawing mechanism(const Project&, const Verification& verification) {
-  const auto count = static_cast<int>(verification.postures.size()) - 1;
+  const auto count = static_cast<int>(verification.pictures.postures.size()) - 1;
   const View view = flat_view(0, 1);
   Room room = room_of(verification, view);
   const LoadSizes sizes = load_sizes_of(verification);
   const LoadInk look{arrow / sizes.force(), sizes.least_couple(room.size().maxCoeff()), true};
-  for (const PostureFigure& posture : verification.postures) room.take_loads(posture, look);
+  for (const PostureFigure& posture : verification.pictures.postures)
+    room.take_loads(posture, look);
   const Layout layout = layout_of(verification, room);
   const double step = layout.height + layout.above + below_frame;
   Drawing drawing{figure_width, foot_row + layout.rows * step, {}};
   put_text(drawing, foot_text(verification), {0.5 * drawing.width, 0.5 * foot_row}, Anchor::middle,
            quiet_ink);
   for (int k = 0; k < count; ++k) {
-    const PostureFigure& posture = verification.postures[static_cast<std::size_t>(k) + 1];
+    const PostureFigure& posture = verification.pictures.postures[static_cast<std::size_t>(k) + 1];
     const double left = left_of_frame + (k % layout.columns) * (layout.width + left_of_frame + 8.0);
     const int row = k / layout.columns;
     const double top = drawing.height - layout.above - row * step;
@@ -111,9 +112,10 @@ Drawing mechanism(const Project&, const Verification& verification) {
     Labels labels;
     labels.keep_free({left, top - 16.0, left + 44.0, top});
     keep_off_bodies(labels, posture, projection);
-    keep_off_bodies(labels, verification.postures.front(), projection);
+    keep_off_bodies(labels, verification.pictures.postures.front(), projection);
     draw_traces(drawing, verification, projection);
-    draw_bodies(drawing, verification.postures.front(), projection, "#c4c4c4", 0.5 * arrow);
+    draw_bodies(drawing, verification.pictures.postures.front(), projection, "#c4c4c4",
+                0.5 * arrow);
     draw_bodies(drawing, posture, projection, ink, 0.5 * arrow);
     draw_loads(drawing, labels, posture, projection, look);
   }

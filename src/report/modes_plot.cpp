@@ -10,7 +10,7 @@ namespace boxbeam::plot {
 Drawing modes(const Project&, const Verification& verification) {
   constexpr double left_of_frame = 44.0, above_frame = 26.0, below_frame = footing_room,
                    foot = 22.0;
-  const ElasticFigures& figures = *verification.elastic;
+  const ElasticFigures& figures = *verification.pictures.elastic;
   const auto count = static_cast<int>(figures.modes.size());
   const View view = flat_view(0, 1);
   Room room(view);

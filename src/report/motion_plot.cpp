@@ -36,9 +36,9 @@ std::vector<Quantity> quantities_of(const DriverLine& line) {
 /// The instants that decide, of the situation that is drawn.
 std::vector<std::pair<std::size_t, double>> instants_of(const Verification& verification) {
   std::vector<std::pair<std::size_t, double>> instants;
-  for (std::size_t k = 0; k < verification.lines.size(); ++k) {
-    const PostureFigure& posture = verification.postures[k + 1];
-    if (posture.situation == verification.cycles.front().situation)
+  for (std::size_t k = 0; k < verification.pictures.lines.size(); ++k) {
+    const PostureFigure& posture = verification.pictures.postures[k + 1];
+    if (posture.situation == verification.pictures.cycles.front().situation)
       instants.emplace_back(k + 1, posture.time.value());
   }
   return instants;
@@ -96,7 +96,7 @@ void draw_panel(Script& gp, const DriverLine& line, const Quantity& quantity,
 }  // namespace
 
 void motion(Script& gp, const Project&, const Verification& verification) {
-  const std::vector<DriverLine>& drivers = verification.drivers;
+  const std::vector<DriverLine>& drivers = verification.pictures.drivers;
   const auto instants = instants_of(verification);
   // Several drivers stand two beside each other, in blocks below each other.
   const std::size_t columns = std::clamp<std::size_t>(drivers.size(), 1, 2);
@@ -106,7 +106,7 @@ void motion(Script& gp, const Project&, const Verification& verification) {
   std::vector<LegendEntry> legend;
   for (const auto& [number, time] : instants) {
     legend.push_back({fmt::format("({}) {}, {}", number, text::seconds(time),
-                                  verification.lines[number - 1].why),
+                                  verification.pictures.lines[number - 1].why),
                       "lw 0.8 dt (3,3) lc rgb '#707070'"});
   }
   const double foot = legend.empty() ? 4.0 : height_of_legend(legend) + 4.0;

@@ -14,11 +14,11 @@ bool in_plane(const Project& project, const Verification&) { return !project.in_
 bool in_three_dimensions(const Project& project, const Verification&) { return project.in_space; }
 
 bool is_driven(const Project&, const Verification& verification) {
-  return !verification.cycles.empty() && !verification.drivers.empty();
+  return !verification.pictures.cycles.empty() && !verification.pictures.drivers.empty();
 }
 
 bool over_time(const Project&, const Verification& verification) {
-  return verification.loads_over_time.has_value();
+  return verification.pictures.loads_over_time.has_value();
 }
 
 bool is_checked_along(const Project&, const Verification& verification) {
@@ -27,7 +27,7 @@ bool is_checked_along(const Project&, const Verification& verification) {
 }
 
 bool has_section(const Project&, const Verification& verification) {
-  return verification.section.has_value();
+  return verification.pictures.section.has_value();
 }
 
 /// The worst check of a criterion rests on cut forces.
@@ -42,7 +42,7 @@ bool has_history(const Project&, const Verification& verification) {
 }
 
 bool has_curve(const Project&, const Verification& verification) {
-  return verification.sn.has_value();
+  return verification.pictures.sn.has_value();
 }
 
 bool has_several_ranges(const Project&, const Verification& verification) {
@@ -51,11 +51,11 @@ bool has_several_ranges(const Project&, const Verification& verification) {
 }
 
 bool is_elastic(const Project&, const Verification& verification) {
-  return verification.elastic && !verification.elastic->modes.empty();
+  return verification.pictures.elastic && !verification.pictures.elastic->modes.empty();
 }
 
 bool vibrates(const Project&, const Verification& verification) {
-  return verification.elastic && !verification.elastic->over_period.at.empty();
+  return verification.pictures.elastic && !verification.pictures.elastic->over_period.at.empty();
 }
 
 /// A figure that a report may have.

@@ -44,17 +44,15 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
   };
   add(fatigue.beam, "the whole beam");
   for (const BeamDetail& detail : fatigue.details) add(detail, place(detail));
-  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
-    if (project.hole_inputs[i].detail) {
-      add(*project.hole_inputs[i].detail, "hole " + project.beam.holes[i].hole.name);
-    }
+  for (const BeamHole& at : project.holes) {
+    if (at.detail) add(*at.detail, "hole " + at.hole.name);
   }
 }
 
 void add_holes(const Project& project, std::vector<std::string>& remarks) {
   const bool by_beam =
-      std::any_of(project.hole_inputs.begin(), project.hole_inputs.end(),
-                  [](const HoleInput& input) { return input.concentration && !input.detail; });
+      std::any_of(project.holes.begin(), project.holes.end(),
+                  [](const BeamHole& at) { return at.concentration && !at.detail; });
   if (!by_beam || !project.given_stresses.empty()) return;
   remarks.push_back(
       "at hole edges without a detail of their own the largest local stress around the edge "
@@ -165,12 +163,13 @@ void add_warping(const Project& project, std::vector<std::string>& remarks) {
 /// Elastic links: what a sudden start adds to the steady vibration, in the joint where it is most.
 void add_sudden_start(const Project& project, const Verification& verification,
                       std::vector<std::string>& remarks) {
-  if (!verification.elastic || verification.elastic->after_start.at.empty()) return;
+  if (!verification.pictures.elastic || verification.pictures.elastic->after_start.at.empty())
+    return;
   const bool counted = std::any_of(project.situations.begin(), project.situations.end(),
                                    [](const Situation& each) { return each.sudden_start; });
   if (counted) return;
-  const JointLines& steady = verification.elastic->over_period;
-  const JointLines& started = verification.elastic->after_start;
+  const JointLines& steady = verification.pictures.elastic->over_period;
+  const JointLines& started = verification.pictures.elastic->after_start;
   const auto largest = [](const JointLines& lines, std::size_t joint) {
     const std::vector<double>& force = lines.force[joint];
     return force.empty() ? 0.0 : *std::max_element(force.begin(), force.end());

@@ -14,15 +14,6 @@ namespace {
 
 using namespace report;
 
-Mark mark_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass: return Mark::passes;
-    case Verdict::fail: return Mark::fails;
-    case Verdict::not_applicable: return Mark::not_applicable;
-  }
-  return Mark::none;
-}
-
 report::Facts title_facts(const Project& project, const Verification& verification) {
   report::Facts facts;
   facts.entries.emplace_back("file", project.path);
@@ -81,6 +72,15 @@ void fold_long_tables(Chapter& chapter) {
 }
 
 }  // namespace
+
+Mark report::mark_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass: return Mark::passes;
+    case Verdict::fail: return Mark::fails;
+    case Verdict::not_applicable: return Mark::not_applicable;
+  }
+  return Mark::none;
+}
 
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level) {

@@ -79,7 +79,7 @@ Chapter cut_force_chapter(const Source& source) {
     blocks.emplace_back(envelope_table(source.verification, names));
   }
   if (source.level != ReportLevel::full) return chapter;
-  for (const CutForceLine& line : source.verification.lines) {
+  for (const CutForceLine& line : source.verification.pictures.lines) {
     blocks.emplace_back(line_table(source.project, line));
   }
   return chapter;

@@ -130,7 +130,7 @@ Chapter fatigue_chapter(const Source& source) {
   Chapter chapter{"Fatigue", {}};
   if (source.level == ReportLevel::summary) return chapter;
   add_pictures(source, {"sn"}, chapter.blocks);
-  if (!source.verification.sn) return chapter;
+  if (!source.verification.pictures.sn) return chapter;
   add_pictures(source, {"spectrum"}, chapter.blocks);
   chapter.blocks.emplace_back(demand_facts(source.project));
   if (const CheckResult* governing = governing_fatigue(source.verification)) {

@@ -168,7 +168,7 @@ std::vector<Block> blocks_of(const Mechanism& mechanism, const ElasticModel& mod
 
 class FlexibleText : public FrontEndText {
  public:
-  explicit FlexibleText(const Project& project) : project_(&project) {}
+  using FrontEndText::FrontEndText;
 
   std::string gravity() const override {
     const Eigen::Vector2d& g = flexible_of(*project_).gravity;
@@ -180,9 +180,6 @@ class FlexibleText : public FrontEndText {
   std::vector<Block> blocks(const Verification& verification) const override {
     return blocks_of(flexible_of(*project_), verification.model.chosen);
   }
-
- private:
-  const Project* project_;
 };
 
 }  // namespace

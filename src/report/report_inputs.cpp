@@ -30,16 +30,13 @@ Table beam_table(const TaperedBeam& beam) {
 }
 
 void add_holes(const Project& project, Entries& entries) {
-  for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
-    const BeamHole& at = project.beam.holes[i];
+  for (const BeamHole& at : project.holes) {
     const bool webs = at.hole.walls == HoleWalls::webs;
     entries.emplace_back(
         "hole", fmt::format("{}: {} mm through both {} at s = {:.6g} m, {} {} mm, case \"{}\"",
                             at.hole.name, plain_mm(at.hole.diameter), webs ? "webs" : "flanges",
                             at.s.value(), webs ? "z =" : "y = +-", plain_mm(at.hole.position),
-                            project.hole_inputs[i].concentration
-                                ? to_text(*project.hole_inputs[i].concentration)
-                                : "net section"));
+                            at.concentration ? to_text(*at.concentration) : "net section"));
   }
 }
 
@@ -131,10 +128,8 @@ void add_fatigue(const Project& project, Entries& entries) {
   for (const BeamDetail& detail : fatigue.details) {
     entries.emplace_back("detail", detail_text(detail, place_text(detail)));
   }
-  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
-    if (!project.hole_inputs[i].detail) continue;
-    entries.emplace_back("detail", detail_text(*project.hole_inputs[i].detail,
-                                               "hole " + project.beam.holes[i].hole.name));
+  for (const BeamHole& at : project.holes) {
+    if (at.detail) entries.emplace_back("detail", detail_text(*at.detail, "hole " + at.hole.name));
   }
 }
 

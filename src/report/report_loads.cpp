@@ -22,7 +22,7 @@ void add_planar(const Source& source, std::vector<Block>& blocks) {
                               "F_z [kN]", "couple M_y [kN m]"});
   if (several) table.header.emplace_back("situation");
   constexpr double nothing = 1e-6;  // N m: the lever arms' rounding
-  for (const BeamLoadRow& row : source.verification.loads) {
+  for (const BeamLoadRow& row : source.verification.pictures.loads) {
     std::vector<Cell> cells = row_of(
         cell(Quantity::time, row.time.value()), row.name, cell(Quantity::station, row.s.value()),
         cell(Quantity::force, row.world.x()), cell(Quantity::force, row.world.y()),
@@ -40,7 +40,7 @@ void add_spatial(const Source& source, std::vector<Block>& blocks) {
       "What joints and loads do to the beam; forces in world axes, then forces and moments about "
       "the axis in beam axes: x along the axis, y and z as the cut forces. Weight, inertia and "
       "line forces act per length in between."});
-  const std::vector<PostureFigure>& postures = source.verification.postures;
+  const std::vector<PostureFigure>& postures = source.verification.pictures.postures;
   for (std::size_t k = 1; k < postures.size(); ++k) {
     const PostureFigure& posture = postures[k];
     Table table =

@@ -63,9 +63,11 @@ Table critical_table(const Source& source) {
 }
 
 MovingPicture moving_picture(const Source& source) {
-  const std::vector<CycleFigure>& cycles = source.verification.cycles;
-  const std::string& governing =
-      source.project.situations[governing_situation_of(source.verification)].name;
+  const std::vector<CycleFigure>& cycles = source.verification.pictures.cycles;
+  const std::string& governing = source.project
+                                     .situations[governing_situation_of(
+                                         source.verification.checks, source.verification.motions)]
+                                     .name;
   const auto first = std::find_if(cycles.begin(), cycles.end(), [&](const CycleFigure& cycle) {
     return cycle.situation == governing;
   });
@@ -96,11 +98,12 @@ Chapter motion_chapter(const Source& source) {
                                period_text(project, motion));
   }
   chapter.blocks.emplace_back(std::move(facts));
-  if (!verification.cycles.empty()) chapter.blocks.emplace_back(moving_picture(source));
+  if (!verification.pictures.cycles.empty()) chapter.blocks.emplace_back(moving_picture(source));
   add_pictures(source, {"motion"}, chapter.blocks);
   chapter.blocks.emplace_back(critical_table(source));
-  if (verification.elastic) {
-    std::vector<Block> blocks = vibration_blocks(*verification.elastic, verification.model.chosen);
+  if (verification.pictures.elastic) {
+    std::vector<Block> blocks =
+        vibration_blocks(*verification.pictures.elastic, verification.model.chosen);
     chapter.blocks.insert(chapter.blocks.end(), std::make_move_iterator(blocks.begin()),
                           std::make_move_iterator(blocks.end()));
     add_pictures(source, {"modes", "frequency-response", "joint-forces", "sudden-start"},

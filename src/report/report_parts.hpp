@@ -40,6 +40,8 @@ Chapter stress_chapter(const Source& source);      // report_stresses.cpp
 Chapter fatigue_chapter(const Source& source);     // report_fatigue.cpp
 Chapter comparison_chapter(const Source& source);  // report_load_models.cpp
 
+Mark mark_of(Verdict verdict);
+
 // report_checks.cpp
 /// The worst check of every criterion, worst first.
 std::vector<const CheckResult*> governing_checks(const Verification& verification);

@@ -32,13 +32,14 @@ const CriticalInstant* largest_moment_of(const Source& source) {
 }
 
 std::string mechanism_caption(const Source& source) {
-  const double begin = source.verification.postures.front().time.value();
-  const std::string what = fmt::format(
-      "The mechanism {} and at the critical instants, with the loads on the beam",
-      source.verification.elastic ? "unloaded"
-                                  : "at t = " + (begin == 0.0 ? "0" : text::seconds(begin)));
+  const double begin = source.verification.pictures.postures.front().time.value();
+  const std::string what =
+      fmt::format("The mechanism {} and at the critical instants, with the loads on the beam",
+                  source.verification.pictures.elastic
+                      ? "unloaded"
+                      : "at t = " + (begin == 0.0 ? "0" : text::seconds(begin)));
   const BeamLoadRow* largest = nullptr;
-  for (const PostureFigure& posture : source.verification.postures) {
+  for (const PostureFigure& posture : source.verification.pictures.postures) {
     for (const BeamLoadRow& row : posture.loads) {
       if (largest == nullptr || row.world.norm() > largest->world.norm()) largest = &row;
     }
@@ -60,16 +61,17 @@ std::string stroke_text(const DriverLine& driver) {
 std::string motion_caption(const Source& source) {
   const auto& closure = source.verification.motions.front().closure;
   // Elsewhere forces are prescribed and the motion is the answer.
-  const bool driven = !source.verification.elastic && (!closure || closure->freedom.undriven == 0);
+  const bool driven =
+      !source.verification.pictures.elastic && (!closure || closure->freedom.undriven == 0);
   const std::string what =
       driven ? "Position, speed and acceleration that the drivers prescribe"
-      : source.verification.elastic
+      : source.verification.pictures.elastic
           ? "Displacement, speed and acceleration with which the points of the prescribed loads "
             "answer them"
           : "Position, speed and acceleration that the prescribed forces cause";
   const DriverLine* hardest = nullptr;
   double largest = 0.0;
-  for (const DriverLine& driver : source.verification.drivers) {
+  for (const DriverLine& driver : source.verification.pictures.drivers) {
     for (const double force : driver.force) {
       if (hardest != nullptr && std::abs(force) <= largest) continue;
       hardest = &driver;
@@ -77,7 +79,7 @@ std::string motion_caption(const Source& source) {
     }
   }
   if (hardest == nullptr) {
-    return fmt::format("{}: {}.", what, stroke_text(source.verification.drivers.front()));
+    return fmt::format("{}: {}.", what, stroke_text(source.verification.pictures.drivers.front()));
   }
   return fmt::format("{}, and {}: {} {} up to {}.", what,
                      driven ? "the force that this takes" : "these themselves", hardest->name,
@@ -97,7 +99,7 @@ std::string cut_force_caption(const Source& source) {
 }
 
 std::string loads_caption(const Source& source) {
-  const Station& station = source.verification.loads_over_time->station;
+  const Station& station = source.verification.pictures.loads_over_time->station;
   return fmt::format(
       "Cut forces at s = {} m, where the governing check is, over the time that is "
       "looked at.",
@@ -114,7 +116,7 @@ std::string stress_caption(const Source& source) {
 }
 
 std::string section_caption(const Source& source) {
-  const SectionFigure& section = *source.verification.section;
+  const SectionFigure& section = *source.verification.pictures.section;
   const std::string what = fmt::format(
       "The section at s = {} m with the points that are checked, and the normal stress over its "
       "height",
@@ -133,7 +135,7 @@ std::string utilisation_caption(const Source& source) {
 }
 
 std::string sn_caption(const Source& source) {
-  const SnFigure& sn = *source.verification.sn;
+  const SnFigure& sn = *source.verification.pictures.sn;
   const std::string what = fmt::format(
       "S-N curve {} of {} and the cycles of the governing fatigue check", sn.name, sn.code);
   const CheckResult* fatigue = source.verification.governing(Criterion::fatigue);
@@ -198,7 +200,7 @@ std::string largest_force(const JointLines& lines) {
 
 std::string modes_caption(const Source& source) {
   return fmt::format("The lowest natural modes, at {} Hz.",
-                     frequencies_text(*source.verification.elastic));
+                     frequencies_text(*source.verification.pictures.elastic));
 }
 
 bool is_damped(const flexible::Mechanism& mechanism) {
@@ -217,17 +219,18 @@ std::string response_caption(const Source& source) {
       "Vibrating force of the joints over the frequency of the loads: it {} the natural "
       "frequencies; the loads have {} Hz.",
       damped ? "peaks, as high as the damping lets it, near" : "grows without bound at",
-      text::rounded(text::Quantity::frequency, source.verification.elastic->motion.frequency));
+      text::rounded(text::Quantity::frequency,
+                    source.verification.pictures.elastic->motion.frequency));
 }
 
 std::string joint_forces_caption(const Source& source) {
   return fmt::format("Forces of the joints over one period of the loads: {}.",
-                     largest_force(source.verification.elastic->over_period));
+                     largest_force(source.verification.pictures.elastic->over_period));
 }
 
 std::string sudden_start_caption(const Source& source) {
   return fmt::format("Forces of the joints after the loads are switched on at once: {}.",
-                     largest_force(source.verification.elastic->after_start));
+                     largest_force(source.verification.pictures.elastic->after_start));
 }
 
 std::string caption_of(const Source& source, const std::string& name) {

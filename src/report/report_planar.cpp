@@ -265,7 +265,7 @@ NamedFunctions named_functions_of(const planar::Mechanism& mechanism) {
 
 class PlanarText : public FrontEndText {
  public:
-  explicit PlanarText(const Project& project) : project_(&project) {}
+  using FrontEndText::FrontEndText;
 
   std::string gravity() const override {
     const Eigen::Vector2d& g = planar_of(*project_).gravity;
@@ -300,9 +300,6 @@ class PlanarText : public FrontEndText {
     const Situation& situation = project_->situations[motion.situation];
     add_overshoots(named_functions_of(planar_in(*project_, situation)), remarks);
   }
-
- private:
-  const Project* project_;
 };
 
 }  // namespace

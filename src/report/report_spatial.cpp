@@ -167,7 +167,7 @@ void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motio
 
 class SpatialText : public FrontEndText {
  public:
-  explicit SpatialText(const Project& project) : project_(&project) {}
+  using FrontEndText::FrontEndText;
 
   std::string gravity() const override {
     const Eigen::Vector3d& g = spatial_of(*project_).gravity;
@@ -198,9 +198,6 @@ class SpatialText : public FrontEndText {
   }
 
   using FrontEndText::add_remarks;
-
- private:
-  const Project* project_;
 };
 
 }  // namespace

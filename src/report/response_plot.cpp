@@ -58,7 +58,7 @@ void panels(Script& gp, const std::string& name, const JointLines& lines,
 }  // namespace
 
 void frequency_response(Script& gp, const Project&, const Verification& verification) {
-  const ElasticFigures& figures = *verification.elastic;
+  const ElasticFigures& figures = *verification.pictures.elastic;
   const JointLines& lines = figures.over_frequency;
   // Peaks without damping are as high as the grid happens to meet them: what is drawn ends above
   // what the drive gives.
@@ -104,11 +104,11 @@ void frequency_response(Script& gp, const Project&, const Verification& verifica
 }
 
 void joint_forces(Script& gp, const Project&, const Verification& verification) {
-  panels(gp, "joint-forces", verification.elastic->over_period, "t [ms]", 1e3);
+  panels(gp, "joint-forces", verification.pictures.elastic->over_period, "t [ms]", 1e3);
 }
 
 void sudden_start(Script& gp, const Project&, const Verification& verification) {
-  panels(gp, "sudden-start", verification.elastic->after_start, "t [s]", 1.0);
+  panels(gp, "sudden-start", verification.pictures.elastic->after_start, "t [s]", 1.0);
 }
 
 }  // namespace boxbeam::plot

@@ -180,7 +180,7 @@ void draw_stress(Drawing& drawing, const SectionFigure& figure, const Panel& pan
 }  // namespace
 
 Drawing section(const Project& project, const Verification& verification) {
-  const SectionFigure& figure = *verification.section;
+  const SectionFigure& figure = *verification.pictures.section;
   Range y, z, stress;
   for (const auto& loop : figure.outlines) {
     for (const auto& [y_at, z_at] : loop) {

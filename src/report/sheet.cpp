@@ -302,12 +302,12 @@ Sheet sheet_of(const Project& project, const Verification& verification,
   sheet.id = check.id;
   sheet.title = title_of(project, result);
   sheet.steps = steps_of_check(project, verification, result);
+  sheet.mark = check.passes() ? Mark::passes : Mark::fails;
   sheet.result =
       fmt::format("factor {}, required {}, utilisation {}: {}",
                   text::significant(check.safety_factor, 4), text::significant(check.required, 3),
-                  text::percent(check.utilisation()), check.passes() ? "passes" : "FAILS");
+                  text::percent(check.utilisation()), to_text(sheet.mark));
   sheet.utilisation = check.utilisation();
-  sheet.mark = check.passes() ? Mark::passes : Mark::fails;
   sheet.source = check.source;
   return sheet;
 }

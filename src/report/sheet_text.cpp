@@ -93,10 +93,11 @@ std::string text_of(const Step& step, std::size_t widest) {
 
 }  // namespace
 
-std::string text_of(const Sheet& sheet, std::size_t width) {
+MarkedText text_of(const Sheet& sheet, std::size_t width) {
   constexpr std::size_t margin = 6;
   const std::size_t widest = width - margin;
-  std::string out = fmt::format("  {}\n", visible(sheet.id));
+  MarkedText marked(fmt::format("  {}\n", visible(sheet.id)));
+  std::string& out = marked.text;
   const auto add = [&](const std::string& text) {
     std::string before = "    ";
     for (const std::string& line :
@@ -108,13 +109,16 @@ std::string text_of(const Sheet& sheet, std::size_t width) {
   add(sheet.title);
   for (const Step& step : sheet.steps) out += text_of(step, widest);
   add(sheet.result);
+  // Its last word, which no line breaks.
+  const std::size_t end = out.size() - 1;
+  marked.words.push_back({end - std::string_view(to_text(sheet.mark)).size(), end, sheet.mark});
   std::string before = "    source: ";
   for (const std::string& line :
        plain_text::wrapped(sheet.source, widest - before.size(), widest - before.size())) {
     out += before + line + "\n";
     before.assign(before.size(), ' ');
   }
-  return out;
+  return marked;
 }
 
 }  // namespace boxbeam::report

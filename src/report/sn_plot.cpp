@@ -62,7 +62,7 @@ void label_slopes(Script& gp, Labels& labels, const SnFigure& figure, const SnCu
 }  // namespace
 
 void sn(Script& gp, const Project&, const Verification& verification) {
-  const SnFigure& figure = *verification.sn;
+  const SnFigure& figure = *verification.pictures.sn;
   std::vector<Row2> line, constant;
   double strongest = 0.0;
   for (std::size_t i = 0; i < figure.cycles.size(); ++i) {

@@ -40,9 +40,9 @@ std::array<Sheet, 2> sheets_of(const Verification& verification) {
 /// The most telling instants, in order, by their number among all that are critical.
 std::vector<std::size_t> instants_of(const Verification& verification) {
   std::vector<std::size_t> numbers;
-  for (std::size_t k = 1; k < verification.postures.size(); ++k) numbers.push_back(k);
+  for (std::size_t k = 1; k < verification.pictures.postures.size(); ++k) numbers.push_back(k);
   std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
-    return verification.postures[a].weight > verification.postures[b].weight;
+    return verification.pictures.postures[a].weight > verification.pictures.postures[b].weight;
   });
   numbers.resize(std::min(numbers.size(), most_instants));
   std::sort(numbers.begin(), numbers.end());
@@ -117,7 +117,7 @@ std::vector<LegendEntry> legend_of(const Verification& verification,
                                    const std::vector<std::size_t>& shown, double least_couple) {
   std::vector<LegendEntry> entries;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const PostureFigure& posture = verification.postures[shown[i]];
+    const PostureFigure& posture = verification.pictures.postures[shown[i]];
     std::string text = fmt::format("({}) {}", shown[i], posture.why);
     for (const BeamLoadRow& row : posture.loads) {
       text += fmt::format("{} {} {}", &row == &posture.loads.front() ? ":" : ",", row.name,
@@ -139,7 +139,8 @@ Drawing mechanism_in_space(const Project&, const Verification& verification) {
   const double least_couple = load_sizes_of(verification).least_couple(size);
   for (Room& room : rooms) {
     for (const std::size_t k : shown)
-      room.take_loads(verification.postures[k], look_of(verification.postures[k], least_couple));
+      room.take_loads(verification.pictures.postures[k],
+                      look_of(verification.pictures.postures[k], least_couple));
   }
   const std::vector<LegendEntry> legend = legend_of(verification, shown, least_couple);
   const double below = foot + height_of_legend(legend);
@@ -150,8 +151,8 @@ Drawing mechanism_in_space(const Project&, const Verification& verification) {
   const double height =
       column ? row_height + view_row + layout.height[1] + below_frame : count * row_height;
   Drawing drawing{figure_width, below + height, {}};
-  const PostureFigure& first = verification.postures.front();
-  const std::size_t all = verification.postures.size() - 1;
+  const PostureFigure& first = verification.pictures.postures.front();
+  const std::size_t all = verification.pictures.postures.size() - 1;
   const std::string some =
       all > shown.size() ? fmt::format(";  {} of {} instants", shown.size(), all) : "";
   const double middle = 0.5 * drawing.width;
@@ -164,7 +165,7 @@ Drawing mechanism_in_space(const Project&, const Verification& verification) {
            {middle, foot - 29.0}, Anchor::middle, quiet_ink);
   draw_legend(drawing, legend, foot);
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const PostureFigure& posture = verification.postures[shown[i]];
+    const PostureFigure& posture = verification.pictures.postures[shown[i]];
     const auto step = static_cast<double>(i);
     for (std::size_t j = 0; j < sheets.size(); ++j) {
       const Sheet& sheet = sheets[j];

@@ -140,14 +140,14 @@ Traced derive_bending_stress(Derivation& steps, const std::string& symbol, const
 }
 
 SectionProperties net_without_lag(const Project& project, const StressPoint& point) {
-  return properties_of(point.section, holes_at(project.beam, point.station.s));
+  return properties_of(point.section, holes_at(project, point.station.s));
 }
 
 /// S and b for which V S/(I_y b) is the stress at a point in the plane; nothing where the flow
 /// there is another one.
 std::optional<LevelMoment> level_moment_at(const Project& project, const StressPoint& point) {
   if (project.in_space) return std::nullopt;
-  const auto at = level_moment_of(point.section, holes_at(project.beam, point.station.s), point.z,
+  const auto at = level_moment_of(point.section, holes_at(project, point.station.s), point.z,
                                   point.prismatic.shear[cut_force::V_z]);
   // A seam takes the flow of its web.
   constexpr double round_off = 1e-9;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "boxbeam/core/code_points.hpp"
+#include "boxbeam/report/format.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "plain_text.hpp"
@@ -39,17 +40,36 @@ std::string remarks_summary(const Project& project, const Verification& verifica
   return out;
 }
 
+/// What a verdict says, its first word marked.
+report::MarkedText marked(const Verification& verification, const VerdictText& verdict,
+                          const std::string& text) {
+  report::MarkedText out(verdict.word, report::mark_of(verification.verdict));
+  out += visible(text.substr(verdict.word.size()));
+  return out;
+}
+
 }  // namespace
 
-std::string summary(const Project& project, const Verification& verification) {
+report::MarkedText summary(const Project& project, const Verification& verification) {
   const report::Table governing = report::with_results(
       report::governing_table({project, verification, ReportLevel::summary, {}}));
   const VerdictText verdict = verdict_text_of(project, verification);
-  std::string out = fmt::format("{}  {}\n", visible(verdict.line), visible(project.title));
+  report::MarkedText out = marked(verification, verdict, verdict.line);
+  out += fmt::format("  {}\n", visible(project.title));
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
-  out += layout::entry("model", verification.model.reason);
-  return fmt::format("{}\n{}\nRemarks:\n{}", out, report::table_text(governing, layout::width()),
-                     remarks_summary(project, verification));
+  out += layout::entry("model", verification.model.reason) + "\n";
+  out += report::table_text(governing, layout::width());
+  out += "\nRemarks:\n" + remarks_summary(project, verification);
+  return out;
+}
+
+report::MarkedText verdict_line(const Project& project, const Verification& verification) {
+  const Check& worst = verification.checks.front().check;
+  const VerdictText verdict = verdict_text_of(project, verification);
+  report::MarkedText out = marked(verification, verdict, verdict.whole());
+  out += fmt::format("  {}: {}, utilisation {}\n", project.name, worst.id,
+                     text::percent(worst.utilisation()));
+  return out;
 }
 
 }  // namespace boxbeam

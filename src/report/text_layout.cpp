@@ -59,6 +59,6 @@ void Table::row(const std::vector<std::string>& cells) {
   for (const std::string& cell : cells) row.push_back({cell, {}});
 }
 
-std::string Table::text() const { return report::table_text(table_, width()); }
+std::string Table::text() const { return report::table_text(table_, width()).text; }
 
 }  // namespace boxbeam::layout

@@ -98,24 +98,34 @@ void add_cell(const std::string& cell, const Column& column, std::string& line) 
   if (!column.right) line.append(space, ' ');
 }
 
-void end_line(std::string& line, std::string& out) {
-  line.erase(line.find_last_not_of(' ') + 1);
+void end_line(MarkedText& line, MarkedText& out) {
+  line.text.erase(line.text.find_last_not_of(' ') + 1);
+  line.text += '\n';
   out += line;
-  out += '\n';
 }
 
-void add_row(const std::vector<std::string>& row, const std::vector<Column>& columns,
-             std::size_t gap, char mark, std::string& out) {
+/// The cells of one line of a row.
+MarkedText line_of(const std::vector<std::string>& cells, const std::vector<Mark>& marks,
+                   const std::vector<Column>& columns, std::size_t gap, char mark) {
+  MarkedText line;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    line.text.append(gap, ' ');
+    const std::size_t begin = line.text.size();
+    add_cell(cells[k], columns[k], line.text);
+    if (k < marks.size() && marks[k] != Mark::none && !cells[k].empty())
+      line.words.push_back({begin, begin + cells[k].size(), marks[k]});
+  }
+  line.text.front() = mark;
+  return line;
+}
+
+void add_row(const std::vector<std::string>& row, const std::vector<Mark>& marks,
+             const std::vector<Column>& columns, std::size_t gap, char mark, MarkedText& out) {
   const auto fits = [&](std::size_t k) { return columns_of(row[k]) <= columns[k].width; };
   bool one_line = true;
   for (std::size_t k = 0; k < row.size(); ++k) one_line = one_line && fits(k);
   if (one_line) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      line.append(gap, ' ');
-      add_cell(row[k], columns[k], line);
-    }
-    line.front() = mark;
+    MarkedText line = line_of(row, marks, columns, gap, mark);
     end_line(line, out);
     return;
   }
@@ -126,12 +136,10 @@ void add_row(const std::vector<std::string>& row, const std::vector<Column>& col
     lines = std::max(lines, cells.back().size());
   }
   for (std::size_t i = 0; i < lines; ++i) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      line.append(gap, ' ');
-      add_cell(i < cells[k].size() ? cells[k][i] : "", columns[k], line);
-    }
-    line.front() = i == 0 ? mark : ' ';
+    std::vector<std::string> parts;
+    for (const std::vector<std::string>& cell : cells)
+      parts.push_back(i < cell.size() ? cell[i] : "");
+    MarkedText line = line_of(parts, marks, columns, gap, i == 0 ? mark : ' ');
     end_line(line, out);
   }
 }
@@ -157,8 +165,8 @@ Table part_of(const Table& table, std::size_t from, std::size_t to) {
 
 /// A table that no wrapping makes narrow enough, as tables one below the other: as many columns as
 /// there is room for, each time behind the first.
-std::string in_parts(const Table& table, std::size_t width, const std::vector<Column>& columns) {
-  std::string out;
+MarkedText in_parts(const Table& table, std::size_t width, const std::vector<Column>& columns) {
+  MarkedText out;
   for (std::size_t from = 1; from < columns.size();) {
     std::size_t to = from + 1;
     std::size_t used = 2 * usual_gap + columns.front().width + columns[from].width;
@@ -166,8 +174,9 @@ std::string in_parts(const Table& table, std::size_t width, const std::vector<Co
       used += usual_gap + columns[to].width;
       ++to;
     }
-    if (from == 1 && to == columns.size()) return "";  // nothing to part
-    out += (out.empty() ? "" : "\n") + table_text(part_of(table, from, to), width);
+    if (from == 1 && to == columns.size()) return {};  // nothing to part
+    if (!out.text.empty()) out += "\n";
+    out += table_text(part_of(table, from, to), width);
     from = to;
   }
   return out;
@@ -175,8 +184,8 @@ std::string in_parts(const Table& table, std::size_t width, const std::vector<Co
 
 }  // namespace
 
-std::string table_text(const Table& table, std::size_t width) {
-  if (table.header.empty()) return "";
+MarkedText table_text(const Table& table, std::size_t width) {
+  if (table.header.empty()) return {};
   const Grid grid = grid_of(table);
   std::vector<Column> columns = columns_in(table, grid);
   const bool wide = width_of(columns) > width;
@@ -189,12 +198,16 @@ std::string table_text(const Table& table, std::size_t width) {
     narrow(grid, width, most, columns);
   }
   if (width_of(columns, gap) > width && columns.size() > 2) {
-    if (std::string parts = in_parts(table, width, columns); !parts.empty()) return parts;
+    if (MarkedText parts = in_parts(table, width, columns); !parts.text.empty()) return parts;
   }
-  std::string out;
+  MarkedText out;
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    const bool marked = i > 0 && !table.marks.empty();
-    add_row(grid[i], columns, gap, marked ? sign_of(table.marks[i - 1]) : ' ', out);
+    std::vector<Mark> marks;
+    if (i > 0) {
+      for (const Cell& cell : table.rows[i - 1]) marks.push_back(cell.mark);
+    }
+    const bool signs = i > 0 && !table.marks.empty();
+    add_row(grid[i], marks, columns, gap, signs ? sign_of(table.marks[i - 1]) : ' ', out);
   }
   return out;
 }
@@ -204,10 +217,7 @@ Table with_results(Table table) {
   table.header.insert(table.header.begin(), "result");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Mark mark = table.marks[i];
-    table.rows[i].insert(table.rows[i].begin(), {mark == Mark::passes  ? "passes"
-                                                 : mark == Mark::fails ? "FAILS"
-                                                                       : "not applicable",
-                                                 {}});
+    table.rows[i].insert(table.rows[i].begin(), {to_text(mark), {}, mark});
   }
   table.marks.clear();
   return table;

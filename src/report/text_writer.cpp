@@ -75,14 +75,14 @@ struct BlockText {
   std::string operator()(const Table& table) const {
     const std::string caption =
         table.caption.empty() ? "" : hanging("  ", "  ", table.caption, width);
-    return caption + table_text(table, width);
+    return caption + table_text(table, width).text;
   }
   std::string operator()(const Picture& picture) const {
     return hanging("  ", "  ",
                    fmt::format("Figure {} [{}.svg]: {}", ++*figures, picture.name, picture.caption),
                    width);
   }
-  std::string operator()(const Sheet& sheet) const { return text_of(sheet, width); }
+  std::string operator()(const Sheet& sheet) const { return text_of(sheet, width).text; }
   std::string operator()(const Listing& listing) const { return listing_text(listing.text); }
   std::string operator()(const MovingPicture&) const { return ""; }
   std::string operator()(const Subheading& subheading) const {
@@ -104,7 +104,7 @@ std::string text_of(const Document& document, std::size_t width) {
     out += "\n";
   }
   if (!document.verdict.empty() && !document.governing.rows.empty()) {
-    out += table_text(with_results(document.governing), width) + "\n";
+    out += table_text(with_results(document.governing), width).text + "\n";
   }
   Facts facts = document.facts;
   if (!document.input_sha256.empty())

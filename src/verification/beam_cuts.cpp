@@ -198,7 +198,7 @@ std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<Situa
     const bool last = i + 1 == beam.segments.size();
     cuts.add(beam.segments[i].end(), last || kinks_behind(beam, i));
   }
-  for (const BeamHole& hole : beam.holes) {
+  for (const BeamHole& hole : project.holes) {
     const Length radius = 0.5 * hole.hole.diameter;
     cuts.add(hole.s - radius, false);
     cuts.add(hole.s, false, true);

@@ -185,6 +185,20 @@ Stress rounded(Stress stress, Stress step) {
 
 }  // namespace
 
+const CheckResult* governing_of(const std::vector<CheckResult>& checks, Criterion criterion) {
+  const auto found = std::find_if(checks.begin(), checks.end(), [&](const CheckResult& result) {
+    return result.check.criterion == criterion;
+  });
+  return found == checks.end() ? nullptr : &*found;
+}
+
+const CheckResult* first_by_cut_forces(const std::vector<CheckResult>& checks) {
+  const auto found = std::find_if(checks.begin(), checks.end(), [](const CheckResult& result) {
+    return result.basis.has_value();
+  });
+  return found == checks.end() ? nullptr : &*found;
+}
+
 std::string id_of(Criterion criterion, const Station& station, const std::string& point) {
   return fmt::format("{}/{}/{}", one_word(to_text(criterion)), to_text(station), one_word(point));
 }
@@ -368,11 +382,8 @@ namespace {
 /// The checks of one station as they are gathered.
 class StationChecks {
  public:
-  StationChecks(const Project& project, const std::deque<SituationRun>& runs,
-                const Station& station)
-      : project_(&project),
-        histories_(histories_at(runs, station)),
-        samples_(project, histories_) {}
+  StationChecks(const Project& project, const std::vector<SituationHistory>& histories)
+      : project_(&project), histories_(&histories), samples_(project, histories) {}
 
   /// Every criterion at every point; along walls where each is worst. In the plane, where most of
   /// a section is level or has its maximum at a named point, only where it is worse there.
@@ -423,37 +434,30 @@ class StationChecks {
   void add(Criterion criterion, const StressPoint& point) {
     std::optional<CheckResult> result;
     if (criterion == Criterion::yield)
-      result = check_yield(*project_, histories_, point);
+      result = check_yield(*project_, *histories_, point);
     else if (criterion == Criterion::weld)
-      result = check_throat(*project_, histories_, point);
+      result = check_throat(*project_, *histories_, point);
     else if (criterion == Criterion::stress_range)
-      result = check_range(*project_, histories_, point);
+      result = check_range(*project_, *histories_, point);
     else
-      result = check_fatigue(*project_, histories_, point, criterion);
+      result = check_fatigue(*project_, *histories_, point, criterion);
     if (result) results.push_back(std::move(*result));
   }
 
   const Project* project_;
-  std::vector<SituationHistory> histories_;
+  const std::vector<SituationHistory>* histories_;
   StationSamples samples_;
 };
 
 }  // namespace
 
-std::vector<CheckResult> check_beam(const Project& project, const std::deque<SituationRun>& runs,
-                                    const std::vector<Station>& stations) {
-  std::vector<CheckResult> results;
-  const std::vector<BendingZone> zones = bending_zones_of(project, runs);
-  for (const Station& station : stations) {
-    StationChecks checks(project, runs, station);
-    checks.look_at(stress_points_at(project, zones, station));
-    std::move(checks.results.begin(), checks.results.end(), std::back_inserter(results));
-  }
-  if (results.empty()) {
-    throw AnalysisError(
-        {"nothing to verify: no point of the beam is ever stressed", "beam", {}, {}, {}});
-  }
-  return results;
+std::vector<CheckResult> check_station(const Project& project,
+                                       const std::vector<BendingZone>& zones,
+                                       const Station& station,
+                                       const std::vector<SituationHistory>& histories) {
+  StationChecks checks(project, histories);
+  checks.look_at(stress_points_at(project, zones, station));
+  return std::move(checks.results);
 }
 
 std::vector<CheckResult> check_given_stresses(const Project& project) {

@@ -85,12 +85,12 @@ struct Shared {
 }  // namespace
 
 std::vector<CriticalInstant> critical_instants_of(const Project& project,
-                                                  const Verification& verification) {
+                                                  const std::vector<StationEnvelope>& stations,
+                                                  const std::vector<CheckResult>& checks) {
   std::vector<CriticalInstant> instants;
   const auto add = [&](const CutForceName& quantity, Extreme Envelope::*end) {
     // Outside the beam, at the first and the last of the stations, nothing is cut.
-    const std::span inside =
-        std::span(verification.stations).subspan(1, verification.stations.size() - 2);
+    const std::span inside = std::span(stations).subspan(1, stations.size() - 2);
     const bool largest = end == &Envelope::largest;
     const StationEnvelope* best = &inside.front();
     for (const StationEnvelope& station : inside) {
@@ -106,9 +106,8 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
     for (const CutForceName& quantity : cut_forces_looked_at(project)) add(quantity, end);
   }
   drop_nothing(project, instants);
-  const CheckResult* governing = verification.governing(Criterion::fatigue);
-  if (governing == nullptr || !governing->basis)
-    governing = verification.governing(Criterion::yield);
+  const CheckResult* governing = governing_of(checks, Criterion::fatigue);
+  if (governing == nullptr || !governing->basis) governing = governing_of(checks, Criterion::yield);
   if (governing != nullptr && governing->basis) {
     const auto add_stress = [&](const Extreme& at, End end) {
       instants.push_back({{}, governing->check.station, at.time, at.value, at.situation, end});
@@ -121,17 +120,18 @@ std::vector<CriticalInstant> critical_instants_of(const Project& project,
 }
 
 std::vector<ShownInstant> instants_to_show(const Project& project,
-                                           const Verification& verification) {
+                                           const std::vector<CriticalInstant>& instants,
+                                           const std::vector<MotionSummary>& motions) {
   // In space two moments and several situations compete for the place.
   const double share = project.in_space ? 1e-2 : nothing;
   std::vector<Shared> found;
-  for (const CriticalInstant& instant : verification.critical_instants) {
+  for (const CriticalInstant& instant : instants) {
     if (instant.force && !instant.force->bends()) continue;
-    const std::string why = name_of_extreme(verification.critical_instants, instant, share);
+    const std::string why = name_of_extreme(instants, instant, share);
     if (why.empty()) continue;
-    const auto motion =
-        std::find_if(verification.motions.begin(), verification.motions.end(),
-                     [&](const MotionSummary& of) { return of.situation == instant.situation; });
+    const auto motion = std::find_if(motions.begin(), motions.end(), [&](const MotionSummary& of) {
+      return of.situation == instant.situation;
+    });
     const auto same = std::find_if(found.begin(), found.end(), [&](const Shared& other) {
       return other.situation == instant.situation &&
              abs(other.time - instant.time) < 0.01 * motion->period;

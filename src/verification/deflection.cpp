@@ -229,6 +229,7 @@ std::string to_text(const std::variant<Chord, Tangent>& against) {
 
 std::optional<CheckResult> check_deflection(const Project& project,
                                             const std::deque<SituationRun>& runs) {
+  if (!project.deflection) return std::nullopt;
   const DeflectionInput& input = *project.deflection;
   const DeflectionModel model = deflection_model_of(project);
   const auto largest_in = [&](const CutForceDiagram& diagram) {

@@ -68,6 +68,7 @@ class VibratingLinks : public SolvedMotion {
 
   bool stands_still() const override { return motion.response.frequency == 0.0; }
 
+  /// With displacements magnified, by the same factor at all times.
   PostureAt postures(const LoadHistory& loads) const override {
     constexpr double part = 0.06;
     const double magnified =
@@ -82,6 +83,7 @@ class VibratingLinks : public SolvedMotion {
     };
   }
 
+  /// The harmonic loads with the motion of their points.
   std::vector<DriverLine> driver_lines(const LoadHistory&) const override {
     std::vector<DriverLine> lines;
     if (motion.response.frequency == 0.0) return lines;
@@ -111,7 +113,7 @@ class VibratingLinks : public SolvedMotion {
 
 class FlexibleFrontEnd : public FrontEnd {
  public:
-  explicit FlexibleFrontEnd(const Project& project) : project_(&project) {}
+  using FrontEnd::FrontEnd;
 
   std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
                                             const ElasticModel& model) const override {
@@ -146,9 +148,6 @@ class FlexibleFrontEnd : public FrontEnd {
     throw InputError("elastic links are placed by the case, which is their only assembly",
                      "leave out --assemblies");
   }
-
- private:
-  const Project* project_;
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "boxbeam/section/normal_stress.hpp"
@@ -169,27 +168,6 @@ WorstStress worst_over(const std::vector<SituationHistory>& histories,
   return worst;
 }
 
-/// Gates by segment and plate, the worst of each with how far it is beyond its limit.
-class GateList {
- public:
-  void add(const std::string& kind, Gate gate, double excess) {
-    const std::string key = kind + "/" + gate.segment + "/" + gate.plate;
-    const auto found = worst_.find(key);
-    if (found != worst_.end() && found->second.second >= excess) return;
-    if (found == worst_.end()) order_.push_back(key);
-    worst_[key] = {std::move(gate), excess};
-  }
-  std::vector<Gate> gates() const {
-    std::vector<Gate> gates;
-    for (const std::string& key : order_) gates.push_back(worst_.at(key).first);
-    return gates;
-  }
-
- private:
-  std::map<std::string, std::pair<Gate, double>> worst_;
-  std::vector<std::string> order_;
-};
-
 std::string class_4_text(double ratio, double limit, const std::string& effective) {
   return fmt::format(
       "c/t = {:.3g} is above {:.3g}, class 4 (EN 1993-1-1, table 5.2): it may buckle "
@@ -197,18 +175,43 @@ std::string class_4_text(double ratio, double limit, const std::string& effectiv
       ratio, limit, effective);
 }
 
-void look_at_class(const Project& project, const std::string& segment, const Profile& profile,
-                   bool alike, const AreaSums& sums, const std::vector<SituationHistory>& histories,
-                   bool member_buckles, GateList& gates) {
+}  // namespace
+
+PlateGates::PlateGates(const Project& project, const std::vector<BendingZone>& zones,
+                       const ModelChoice& model)
+    : project_(&project), zones_(&zones) {
+  const SecondOrderEstimate& of = model.second_order;
+  member_buckles_ =
+      of.in_plane.part > no_buckling_below || (of.across && of.across->part > no_buckling_below);
+}
+
+void PlateGates::add(const std::string& kind, Gate gate, double excess) {
+  const std::string key = kind + "/" + gate.segment + "/" + gate.plate;
+  const auto found = worst_.find(key);
+  if (found != worst_.end() && found->second.second >= excess) return;
+  if (found == worst_.end()) order_.push_back(key);
+  worst_[key] = {std::move(gate), excess};
+}
+
+std::vector<Gate> PlateGates::gates() const {
+  std::vector<Gate> gates;
+  for (const std::string& key : order_) gates.push_back(worst_.at(key).first);
+  return gates;
+}
+
+void PlateGates::look_at_class(const std::string& segment, const Profile& profile, bool alike,
+                               const AreaSums& sums,
+                               const std::vector<SituationHistory>& histories) {
+  const Project& project = *project_;
   const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
   for (const SlenderPlate& plate : slender_plates_of(profile, project.material)) {
-    gates.add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
-              plate.ratio / plate.limit);
+    add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
+        plate.ratio / plate.limit);
   }
   for (const Web& web : webs) {
     const auto yield = yield_strength_of(project.material, web.thickness);
     if (!yield) continue;
-    const Class3Limit class_3(project.strength, *yield, member_buckles);
+    const Class3Limit class_3(project.strength, *yield, member_buckles_);
     const auto at = [&](const SectionPlace& end) {
       return normal_influence(sums, end.y.value(), end.z.value());
     };
@@ -222,39 +225,38 @@ void look_at_class(const Project& project, const std::string& segment, const Pro
           internal_effective_width(web.depth(), web.thickness, worst.psi, class_3.epsilon());
       const std::string stress = fmt::format(
           "; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
-          member_buckles ? "; the member is verified for buckling (5.5.2(10))" : " (5.5.2(9))");
-      gates.add("class",
-                {segment, web.name,
-                 class_4_text(ratio, worst.limit,
-                              stress + (effective ? fmt::format(", rho = {:.3g} of its compressed "
-                                                                "width is effective at yield (EN "
-                                                                "1993-1-5, 4.4)",
-                                                                effective->rho)
-                                                  : "")),
-                 true},
-                ratio / worst.limit);
+          member_buckles_ ? "; the member is verified for buckling (5.5.2(10))" : " (5.5.2(9))");
+      add("class",
+          {segment, web.name,
+           class_4_text(ratio, worst.limit,
+                        stress + (effective ? fmt::format(", rho = {:.3g} of its compressed "
+                                                          "width is effective at yield (EN "
+                                                          "1993-1-5, 4.4)",
+                                                          effective->rho)
+                                            : "")),
+           true},
+          ratio / worst.limit);
     }
     const ShearBucklingNeed need =
         shear_buckling_need(web.depth(), web.thickness, *yield, shear_hardening_factor(*yield));
     if (need.check_needed()) {
-      gates.add("shear buckling",
-                {segment, web.name,
-                 fmt::format("h_w/t_w = {:.3g} is above 72 eps/eta = {:.3g}: the {} may buckle in "
-                             "shear, and its resistance is that of EN 1993-1-5, clause 5 (5.1(2))",
-                             need.ratio, need.limit, web.flange ? "flange" : "web"),
-                 true},
-                need.ratio / need.limit);
+      add("shear buckling",
+          {segment, web.name,
+           fmt::format("h_w/t_w = {:.3g} is above 72 eps/eta = {:.3g}: the {} may buckle in "
+                       "shear, and its resistance is that of EN 1993-1-5, clause 5 (5.1(2))",
+                       need.ratio, need.limit, web.flange ? "flange" : "web"),
+           true},
+          need.ratio / need.limit);
     }
   }
 }
 
 /// Says the worst of a segment, not its station, so that segments of which the same is true stand
 /// together.
-void look_at_shear_lag(const std::string& segment, const std::string& plate,
-                       const std::optional<ShearLag>& lag, GateList& gates) {
+void PlateGates::look_at_shear_lag(const std::string& segment, const std::string& plate,
+                                   const std::optional<ShearLag>& lag) {
   if (!lag) return;
-  gates.add(
-      "shear lag",
+  add("shear lag",
       {segment, plate,
        fmt::format("b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: "
                    "shear lag counts; with kappa = {:.3g} a part of the width works, beta = "
@@ -265,21 +267,19 @@ void look_at_shear_lag(const std::string& segment, const std::string& plate,
       -lag->beta);
 }
 
-void look_at_yield(const std::vector<CheckResult>& checks, GateList& gates) {
+void PlateGates::look_at(const std::vector<CheckResult>& checks) {
   for (const CheckResult& result : checks) {
     const Check& check = result.check;
     if (check.criterion != Criterion::yield || check.safety_factor >= 1.0) continue;
-    gates.add("yield",
-              {"", "",
-               fmt::format("at s = {} m, {} the stress is above the yield strength: there the beam "
-                           "is not elastic, and its fatigue factors mean nothing",
-                           to_text(check.station), check.point),
-               true},
-              1.0 / check.safety_factor);
+    add("yield",
+        {"", "",
+         fmt::format("at s = {} m, {} the stress is above the yield strength: there the beam "
+                     "is not elastic, and its fatigue factors mean nothing",
+                     to_text(check.station), check.point),
+         true},
+        1.0 / check.safety_factor);
   }
 }
-
-}  // namespace
 
 double class_3_use_at(const Project& project, const Station& station,
                       const std::vector<SituationHistory>& histories) {
@@ -308,31 +308,17 @@ double class_3_use_at(const Project& project, const Station& station,
   return largest;
 }
 
-std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
-                           const std::vector<Station>& stations,
-                           const std::vector<CheckResult>& checks, const ModelChoice& model) {
-  GateList gates;
-  const SecondOrderEstimate& second_order = model.second_order;
-  const bool member_buckles =
-      second_order.in_plane.part > no_buckling_below ||
-      (second_order.across && second_order.across->part > no_buckling_below);
-  const std::vector<BendingZone> zones = bending_zones_of(project, runs);
-  for (const Station& station : stations) {
-    const Section section = judged_section_at(project, station);
-    const std::string& segment = project.beam.segments[segment_at(project.beam, station)].name;
-    const std::vector<SituationHistory> histories = histories_at(runs, station);
-    const AreaSums sums = sums_of(outline_of(section, {}));
-    const bool alike = is_symmetric_about_z(section);
-    look_at_class(project, segment, section.outer, alike, sums, histories, member_buckles, gates);
-    if (section.inner)
-      look_at_class(project, segment, *section.inner, alike, sums, histories, member_buckles,
-                    gates);
-    const ShearLags lags = shear_lags_at(zones, section, station);
-    look_at_shear_lag(segment, "flange", lags.flanges, gates);
-    look_at_shear_lag(segment, "web as flange of M_z", lags.webs, gates);
-  }
-  look_at_yield(checks, gates);
-  return gates.gates();
+void PlateGates::look_at(const Station& station, const std::vector<SituationHistory>& histories) {
+  const Section section = judged_section_at(*project_, station);
+  const TaperedBeam& beam = project_->beam;
+  const std::string& segment = beam.segments[segment_at(beam, station)].name;
+  const AreaSums sums = sums_of(outline_of(section, {}));
+  const bool alike = is_symmetric_about_z(section);
+  look_at_class(segment, section.outer, alike, sums, histories);
+  if (section.inner) look_at_class(segment, *section.inner, alike, sums, histories);
+  const ShearLags lags = shear_lags_at(*zones_, section, station);
+  look_at_shear_lag(segment, "flange", lags.flanges);
+  look_at_shear_lag(segment, "web as flange of M_z", lags.webs);
 }
 
 namespace {

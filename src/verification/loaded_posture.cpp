@@ -232,9 +232,12 @@ BeamLoads loads_in_motion(const LoadedPosture& posture, const flexible::Deformat
     response.harmonic.motion.emplace_back(link.cast<flexible::Complex>());
   }
   response.harmonic.joints = motion.joints.cast<flexible::Complex>();
-  return flexible::beam_response_of(posture.structure, posture.beam_link, *posture.beam, response,
-                                    response.harmonic.motion)
-      .sine;
+  BeamLoads loads = flexible::beam_response_of(posture.structure, posture.beam_link, *posture.beam,
+                                               response, response.harmonic.motion)
+                        .sine;
+  // The links were made for this posture, and their names go with it.
+  for (PointLoad& load : loads.points) load.name = {};
+  return loads;
 }
 
 }  // namespace boxbeam

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <type_traits>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/degrees_of_freedom.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
+#include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
@@ -192,10 +194,9 @@ Check frame(Criterion criterion, const std::string& name, const Project& project
 
 }  // namespace
 
-std::vector<NeighbourResult> check_pins(const Project& project,
-                                        const std::deque<SituationRun>& runs) {
-  std::vector<NeighbourResult> results;
-  if (project.pins.empty()) return results;
+NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun>& runs) {
+  NeighbourChecks checks;
+  if (project.pins.empty()) return checks;
   const double nothing = negligible_force(project, runs);
   for (const PinInput& pin : project.pins) {
     check_unique(project, runs, pin.joint, "pin " + pin.name);
@@ -203,7 +204,10 @@ std::vector<NeighbourResult> check_pins(const Project& project,
         worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
           return force_in(project, run, state, pin.joint);
         });
-    if (worst.value <= nothing) continue;
+    if (worst.value <= nothing) {
+      checks.not_judged.push_back({Criterion::pin, "pin " + pin.name, "no force"});
+      continue;
+    }
     const double largest =
         governing_utilisation(pin_utilisation(si<Force>(worst.value), pin.geometry, pin.strength));
     NeighbourResult result{frame(Criterion::pin, pin.name, project, worst),
@@ -213,9 +217,9 @@ std::vector<NeighbourResult> check_pins(const Project& project,
     check.resisting = si<Force>(worst.value / largest);
     check.required = pin.required;
     check.source = "EN 1993-1-8:2005, 3.13.2, table 3.10";
-    results.push_back(std::move(result));
+    checks.results.push_back(std::move(result));
   }
-  return results;
+  return checks;
 }
 
 namespace {
@@ -259,8 +263,8 @@ NeighbourResult check_compression(const Project& project, const RodInput& rod,
 
 }  // namespace
 
-RodChecks check_rods(const Project& project, const std::deque<SituationRun>& runs) {
-  RodChecks checks;
+NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& runs) {
+  NeighbourChecks checks;
   if (project.rods.empty()) return checks;
   const double nothing = negligible_force(project, runs);
   for (const RodInput& rod : project.rods) {
@@ -277,7 +281,7 @@ RodChecks check_rods(const Project& project, const std::deque<SituationRun>& run
     const Extreme tension = largest(&AxialForces::tension);
     const Extreme compression = largest(&AxialForces::compression);
     if (tension.value <= nothing && compression.value <= nothing) {
-      checks.unloaded.push_back(rod.name);
+      checks.not_judged.push_back({Criterion::rod, "rod " + rod.name, "no force"});
     }
     if (tension.value > nothing) {
       checks.results.push_back(check_tension(project, rod, tension));
@@ -305,6 +309,15 @@ RodChecks check_rods(const Project& project, const std::deque<SituationRun>& run
                          bending.size() == 1 ? "s" : "")));
   }
   return checks;
+}
+
+NeighbourChecks check_neighbours(const Project& project, const std::deque<SituationRun>& runs) {
+  NeighbourChecks all = check_pins(project, runs);
+  NeighbourChecks rods = check_rods(project, runs);
+  std::move(rods.results.begin(), rods.results.end(), std::back_inserter(all.results));
+  std::move(rods.gates.begin(), rods.gates.end(), std::back_inserter(all.gates));
+  std::move(rods.not_judged.begin(), rods.not_judged.end(), std::back_inserter(all.not_judged));
+  return all;
 }
 
 }  // namespace boxbeam

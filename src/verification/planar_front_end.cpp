@@ -156,7 +156,7 @@ class PlanarMotion : public SolvedMotion {
 
 class PlanarFrontEnd : public FrontEnd {
  public:
-  explicit PlanarFrontEnd(const Project& project) : project_(&project) {}
+  using FrontEnd::FrontEnd;
 
   std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
                                             const ElasticModel& model) const override {
@@ -208,9 +208,6 @@ class PlanarFrontEnd : public FrontEnd {
   std::vector<AssemblyResult> assemblies(double time) const override {
     return assemblies_of(*project_, time);
   }
-
- private:
-  const Project* project_;
 };
 
 }  // namespace

@@ -15,7 +15,10 @@ PostureFigure posture_figure(const Project& project, const planar::Mechanism& me
 std::vector<BeamLoadRow> load_rows(const Project& project, const BeamLoads& loads,
                                    const planar::State& state);
 
-/// See SolvedMotion::driver_lines.
+/// The drivers; where they leave a freedom to forces, also the points and angles that forces and
+/// couples act on, or, where nothing of that kind acts, the coordinates of the first body that is
+/// moved, without force. Where the Newton chain loads the beam, the drivers' forces are not known:
+/// they are left out.
 std::vector<DriverLine> driver_lines_of(const Project& project, const planar::Mechanism& mechanism,
                                         const planar::Motion& motion);
 

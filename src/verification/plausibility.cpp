@@ -52,19 +52,20 @@ void require_numbers(const CheckBasis& basis, const std::string& id) {
 
 }  // namespace
 
-void require_numbers(const Verification& verification) {
-  for (const StationEnvelope& station : verification.stations) {
+void require_numbers(const std::vector<StationEnvelope>& stations,
+                     const std::vector<CheckResult>& checks, const ModelChoice& model) {
+  for (const StationEnvelope& station : stations) {
     for (const Envelope& envelope : station.of) {
       if (is_number(envelope.smallest.value) && is_number(envelope.largest.value)) continue;
       refuse("a cut force", fmt::format("station {}", to_text(station.station)));
     }
   }
-  for (const CheckResult& result : verification.checks) {
+  for (const CheckResult& result : checks) {
     require_numbers(result.check);
     if (result.basis) require_numbers(*result.basis, result.check.id);
   }
-  for (const ModelEstimate& model : verification.model.weighed) {
-    if (!is_number(model.error) || (model.found && !is_number(*model.found)))
+  for (const ModelEstimate& weighed : model.weighed) {
+    if (!is_number(weighed.error) || (weighed.found && !is_number(*weighed.found)))
       refuse("the error of a model", "beam");
   }
 }

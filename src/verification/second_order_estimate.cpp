@@ -12,6 +12,7 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/material.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"

@@ -95,8 +95,7 @@ double web_of(const Section& section) {
 }
 
 /// What is checked at the station: each place once, with its worst check.
-std::vector<SectionFigure::Point> points_of(const TaperedBeam& beam,
-                                            const std::vector<CheckResult>& checks,
+std::vector<SectionFigure::Point> points_of(const std::vector<CheckResult>& checks,
                                             const CheckResult& governing) {
   std::vector<SectionFigure::Point> points;
   for (const CheckResult& result : checks) {
@@ -110,13 +109,10 @@ std::vector<SectionFigure::Point> points_of(const TaperedBeam& beam,
     point.name = place.name;
     point.y = place.y.value();
     point.z = place.z.value();
-    if (place.concentration && point.y == 0.0) {
-      // In the plane both webs are one.
-      for (const BeamHole& at : beam.holes) {
-        if (at.hole.name == place.concentration->hole && at.hole.walls == HoleWalls::webs)
-          point.y = web_of(place.section);
-      }
-    }
+    // In the plane both webs are one.
+    const bool in_both_webs =
+        place.concentration && point.y == 0.0 && place.concentration->edge.walls == HoleWalls::webs;
+    if (in_both_webs) point.y = web_of(place.section);
     point.stress = stress_at(place.influence, governing.basis->cut_at_time).normal.value();
     point.utilisation = result.check.utilisation();
     point.governs = &result == &governing;
@@ -191,10 +187,8 @@ std::vector<SectionFigure::Level> stress_across(const std::vector<Loop>& loops,
 std::optional<SectionFigure> section_figure_of(const Project& project,
                                                const std::deque<SituationRun>& runs,
                                                const std::vector<CheckResult>& checks) {
-  const auto governing = std::find_if(checks.begin(), checks.end(), [](const CheckResult& result) {
-    return result.basis.has_value();
-  });
-  if (governing == checks.end()) return std::nullopt;
+  const CheckResult* governing = first_by_cut_forces(checks);
+  if (governing == nullptr) return std::nullopt;
   const CheckBasis& basis = *governing->basis;
   const Section& section = basis.point.section;
   SectionFigure figure;
@@ -202,8 +196,8 @@ std::optional<SectionFigure> section_figure_of(const Project& project,
   figure.time = governing->check.time;
   figure.situation = project.situations[basis.running].name;
   figure.outlines = loops_of(outline_of(section, {}));
-  figure.points = points_of(project.beam, checks, *governing);
-  figure.holes = strips_of(section, holes_at(project.beam, figure.station.s));
+  figure.points = points_of(checks, *governing);
+  figure.holes = strips_of(section, holes_at(project, figure.station.s));
   figure.welds = welds_of(section);
   figure.across =
       stress_across(figure.outlines, basis.point.net, histories_at(runs, figure.station));

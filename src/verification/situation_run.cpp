@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {
@@ -52,6 +53,8 @@ SituationRun::SituationRun(const Project& project, const Situation& of, const El
       motion(front_end_of(project)->solve(of, model)),
       loads(motion->loads()),
       imbalance(imbalance_over(project, motion->gravity(), loads)) {}
+
+SituationRun::~SituationRun() = default;
 
 std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model) {
   std::deque<SituationRun> runs;

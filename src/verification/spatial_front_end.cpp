@@ -97,15 +97,13 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
   return figure;
 }
 
-/// So many evenly divided steps of the time looked at.
-constexpr int space_steps = 192;
-
+/// The joints that move.
 std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadHistory& loads) {
+  constexpr int steps = 192;
   const spatial::Mechanism& mechanism = chain.mechanism();
   std::vector<DriverLine> lines(mechanism.joints.size());
-  for (int k = 0; k <= space_steps; ++k) {
-    const double time =
-        (loads.begin() + loads.period() * (static_cast<double>(k) / space_steps)).value();
+  for (int k = 0; k <= steps; ++k) {
+    const double time = (loads.begin() + loads.period() * (static_cast<double>(k) / steps)).value();
     const spatial::State state = chain.at(time);
     const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -176,7 +174,7 @@ class SpatialMotion : public SolvedMotion {
 
 class SpatialFrontEnd : public FrontEnd {
  public:
-  explicit SpatialFrontEnd(const Project& project) : project_(&project) {}
+  using FrontEnd::FrontEnd;
 
   std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
                                             const ElasticModel&) const override {
@@ -200,9 +198,6 @@ class SpatialFrontEnd : public FrontEnd {
     throw InputError("a mechanism in space is a chain, which has one assembly only",
                      "leave out --assemblies");
   }
-
- private:
-  const Project* project_;
 };
 
 }  // namespace

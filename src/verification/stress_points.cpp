@@ -64,8 +64,8 @@ class StressPoints {
         details_(project.fatigue, station),
         taper_(taper_at(project.beam, station)),
         set_(project.in_space ? PointSet::in_space : PointSet::in_plane),
-        field_(stress_field_of(judged_section_at(project, station),
-                               holes_at(project.beam, station.s), taper_)),
+        field_(stress_field_of(judged_section_at(project, station), holes_at(project, station.s),
+                               taper_)),
         gross_(properties_of(field_.section)),
         net_(properties_of(field_.section, field_.holes)),
         lags_(shear_lags_at(zones, section_inside(project.beam, station), station)) {
@@ -121,10 +121,11 @@ class StressPoints {
     }
   }
 
-  void add_hole(const Hole& hole, const HoleInput& input) {
+  void add_hole(const BeamHole& at) {
+    const Hole& hole = at.hole;
     const bool webs = hole.walls == HoleWalls::webs;
-    if (input.concentration) {
-      const HoleCase hole_case = *input.concentration;
+    if (at.concentration) {
+      const HoleCase hole_case = *at.concentration;
       const double a =
           hole.diameter / plate_width_of(field_.section, field_.holes, hole, hole_case);
       const double factor = hole_case == HoleCase::published_exponential
@@ -145,7 +146,7 @@ class StressPoints {
         }
         for (HoleInWall& wall : walls) {
           add_edge("hole " + hole.name + " edge " + wall.side, std::move(wall.edges), webs,
-                   wall.plate, input, concentration);
+                   wall.plate, at, concentration);
         }
       } else {
         std::vector<HoleEdge> edges =
@@ -162,11 +163,11 @@ class StressPoints {
         std::vector<HoleEdge> below(other, edges.end());
         edges.erase(other, edges.end());
         const std::string name = "hole " + hole.name + " edge";
-        add_edge(name + (below.empty() ? "" : " +z"), std::move(edges), webs, plate, input,
+        add_edge(name + (below.empty() ? "" : " +z"), std::move(edges), webs, plate, at,
                  concentration);
         if (!below.empty()) {
           const Length lower = wall_at(field_.section, below.front().z);
-          add_edge(name + " -z", std::move(below), webs, lower, input, concentration);
+          add_edge(name + " -z", std::move(below), webs, lower, at, concentration);
         }
       }
     }
@@ -175,10 +176,10 @@ class StressPoints {
     for (const double sign : {1.0, -1.0}) {
       const Length z = webs ? hole.position + sign * 0.5 * hole.diameter
                             : (sign > 0.0 ? gross_.z_top : gross_.z_bottom);
-      if (!webs && input.concentration) continue;
+      if (!webs && at.concentration) continue;
       const std::string name = "beside hole " + hole.name + (sign > 0.0 ? " +z" : " -z");
       for (StressPoint& point : add_level(name, z)) {
-        if (!input.concentration) resist_hole(point, input);
+        if (!at.concentration) resist_hole(point, at);
       }
     }
   }
@@ -213,11 +214,11 @@ class StressPoints {
   }
 
   /// A hole may have a detail of its own.
-  void resist_hole(StressPoint& point, const HoleInput& input) {
-    if (!input.detail || !project_->fatigue.asked) return resist(point);
-    point.detail = &*input.detail;
-    point.compression_reduced = input.detail->detail.compression_reduced;
-    point.range_factor = input.detail->stress_factor;
+  void resist_hole(StressPoint& point, const BeamHole& at) {
+    if (!at.detail || !project_->fatigue.asked) return resist(point);
+    point.detail = &*at.detail;
+    point.compression_reduced = at.detail->detail.compression_reduced;
+    point.range_factor = at.detail->stress_factor;
   }
 
   static void append(std::vector<HoleEdge>& edges, const std::vector<HoleEdge>& others) {
@@ -240,7 +241,7 @@ class StressPoints {
   }
 
   void add_edge(const std::string& name, std::vector<HoleEdge> edges, bool webs, Length plate,
-                const HoleInput& input, const EdgeConcentration& concentration) {
+                const BeamHole& at, const EdgeConcentration& concentration) {
     // Shear lag leaves less to bend, and raises every stress of bending alike.
     const SectionProperties& whole = concentration.edge.net;
     for (HoleEdge& edge : edges) {
@@ -253,7 +254,7 @@ class StressPoints {
     edge.influence = edge.prismatic = edges.front().influence;
     StressPoint& point = add(edge);
     point.influence = edges.front().influence;  // of the gross section, as its source has it
-    resist_hole(point, input);
+    resist_hole(point, at);
     point.concentration = concentration;
     point.edges = std::move(edges);
   }
@@ -346,9 +347,8 @@ std::vector<StressPoint> stress_points_at(const Project& project,
                                           const Station& station) {
   StressPoints gathered(project, zones, station);
   gathered.add_section();
-  for (std::size_t i = 0; i < project.beam.holes.size(); ++i) {
-    const BeamHole& at = project.beam.holes[i];
-    if (at.s == station.s) gathered.add_hole(at.hole, project.hole_inputs[i]);
+  for (const BeamHole& at : project.holes) {
+    if (at.s == station.s) gathered.add_hole(at);
   }
   for (const NamedPoint& named : project.points) {
     if (named.s != station.s) continue;

@@ -43,7 +43,8 @@ std::string VerdictText::whole() const {
 }
 
 VerdictText verdict_text_of(const Project& project, const Verification& verification) {
-  VerdictText text{word_of(verification.verdict), {}};
+  const char* const word = word_of(verification.verdict);
+  VerdictText text{word, word, {}};
   const std::vector<NotJudged>& missing = verification.not_judged;
   const bool no_range = std::any_of(missing.begin(), missing.end(), [](const NotJudged& of) {
     return of.by == Criterion::fatigue;

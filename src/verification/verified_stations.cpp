@@ -262,8 +262,8 @@ std::vector<Station> stations_of(const BeamCut& cut, const TaperedBeam& beam) {
 
 }  // namespace
 
-VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs) {
-  const std::vector<BendingZone> zones = bending_zones_of(project, runs);
+VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs,
+                                 const std::vector<BendingZone>& zones) {
   const TaperedBeam& beam = project.beam;
   const std::vector<BeamCut> cuts = beam_cuts_of(project, runs, zones);
   if (!project.given_stresses.empty()) {
@@ -322,11 +322,6 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
     tolerance = std::max(tolerance, found.left_open[k]);
   verified.search = {along.evaluations(), search.pieces.size(), tolerance};
   return verified;
-}
-
-std::vector<Station> stations_to_verify(const Project& project,
-                                        const std::deque<SituationRun>& runs) {
-  return search_stations(project, runs).stations;
 }
 
 }  // namespace boxbeam

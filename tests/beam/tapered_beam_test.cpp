@@ -28,9 +28,7 @@ TaperedBeam rig() {
                    {"S4", m(4.2), m(0.5), A1, A1},
                    {"S5", m(4.7), m(0.5), A1_tube, A1_tube},
                    {"S6", m(5.2), m(1), only_tube, only_tube}};
-  beam.holes = {{m(3.2), {"hub", mm(145), HoleWalls::webs, mm(0)}},
-                {m(3.2), {"bolt", mm(18), HoleWalls::webs, mm(100)}},
-                {m(1.0), {"sling", mm(40), HoleWalls::webs, mm(0)}}};
+  beam.marks = {m(3.2), m(3.2), m(1.0)};
   beam.points = {{"C", m(0)}, {"O", m(3.2)}, {"B", beam.length()}, {"mark", m(2.0)}};
   beam.density = si<Density>(7800);
   return beam;
@@ -203,13 +201,6 @@ TEST_CASE("taper: the slope of h^3 of a plate, up to the thin end of a wedge and
       }
     }
   }
-}
-
-TEST_CASE("holes are found at their own station only") {
-  const TaperedBeam beam = rig();
-  CHECK(holes_at(beam, m(3.2)).size() == 2);
-  CHECK(holes_at(beam, m(1.0)).size() == 1);
-  CHECK(holes_at(beam, m(2.0)).empty());
 }
 
 TEST_CASE("sides are written -, + and 0") {

@@ -117,7 +117,7 @@ class Search {
       places.insert(segment.start.value());
       places.insert(segment.end().value());
     }
-    for (const BeamHole& hole : beam.holes) {
+    for (const BeamHole& hole : project_.holes) {
       const double radius = 0.5 * hole.hole.diameter.value();
       for (const double s : {hole.s.value() - radius, hole.s.value(), hole.s.value() + radius})
         if (s >= 0.0 && s <= beam.length().value()) places.insert(s);
@@ -184,7 +184,7 @@ class Search {
     LocalSection local;
     local.here = boxbeam::section_at(beam, station);
     local.space = project_.in_space;
-    for (const BeamHole& hole : beam.holes) {
+    for (const BeamHole& hole : project_.holes) {
       if (hole.s == station.s) local.holes.push_back(hole.hole);
     }
     const Segment& segment = beam.segments[segment_at(beam, station)];
@@ -216,11 +216,10 @@ class Search {
   /// Whether a station cuts a hole beside its centre: holes are judged in the section through it,
   /// and nothing is whole here.
   bool cuts_a_hole(const Station& station) const {
-    return std::any_of(project_.beam.holes.begin(), project_.beam.holes.end(),
-                       [&](const BeamHole& hole) {
-                         const double off = std::abs((station.s - hole.s).value());
-                         return off > 0.0 && off < 0.5 * hole.hole.diameter.value() - 1e-9;
-                       });
+    return std::any_of(project_.holes.begin(), project_.holes.end(), [&](const BeamHole& hole) {
+      const double off = std::abs((station.s - hole.s).value());
+      return off > 0.0 && off < 0.5 * hole.hole.diameter.value() - 1e-9;
+    });
   }
 
   void look_at(const Station& station) {
@@ -257,23 +256,21 @@ class Search {
 
   /// The edges of holes: 200 angles of the superposition that the case's concentration stands for.
   void look_at_holes(const LocalSection& section, const Bounds& bounds) {
-    for (std::size_t i = 0; i < project_.beam.holes.size(); ++i) {
-      const BeamHole& at = project_.beam.holes[i];
-      const HoleInput& input = project_.hole_inputs[i];
-      if (at.s != station_.s || !input.concentration) continue;
-      if (*input.concentration != HoleCase::in_plane_bending &&
-          *input.concentration != HoleCase::membrane_tension)
+    for (const BeamHole& at : project_.holes) {
+      if (at.s != station_.s || !at.concentration) continue;
+      if (*at.concentration != HoleCase::in_plane_bending &&
+          *at.concentration != HoleCase::membrane_tension)
         continue;
       LocalSection prismatic = section;
       prismatic.nearby.clear();
       // How much of the shear inclined flanges carry beside a hole is not certain: both ways.
-      look_at_edges(section, at.hole, input, bounds);
-      if (!section.nearby.empty()) look_at_edges(prismatic, at.hole, input, bounds);
+      look_at_edges(section, at, bounds);
+      if (!section.nearby.empty()) look_at_edges(prismatic, at, bounds);
     }
   }
 
-  void look_at_edges(const LocalSection& section, const Hole& hole, const HoleInput& input,
-                     const Bounds& bounds) {
+  void look_at_edges(const LocalSection& section, const BeamHole& at, const Bounds& bounds) {
+    const Hole& hole = at.hole;
     const double r = 0.5 * hole.diameter.value();
     int across = 0;
     for (const Hole& other : section.holes) {
@@ -307,7 +304,7 @@ class Search {
         // What shear lag leaves bends more.
         place.normal[cut_force::M_y] *= left.of[1][2] / whole.of[1][2];
         place.normal[cut_force::M_z] *= left.of[2][1] / whole.of[2][1];
-        look_at(place, bounds, input.detail ? &*input.detail : nullptr);
+        look_at(place, bounds, at.detail ? &*at.detail : nullptr);
         if (plane_only && !centre.along_z) break;
       }
     }
@@ -810,8 +807,8 @@ bool covers(const Project& project) {
   if (!project.given_stresses.empty() || !project.points.empty()) return false;
   if (!project.welds.empty()) return false;
   if (project.dynamics == Dynamics::newton_chain) return false;
-  for (std::size_t i = 0; i < project.hole_inputs.size(); ++i) {
-    const Section section = section_at(project.beam, {project.beam.holes[i].s, Side::both});
+  for (const BeamHole& at : project.holes) {
+    const Section section = section_at(project.beam, {at.s, Side::both});
     if (std::holds_alternative<Plate>(section.outer)) return false;
   }
   return std::all_of(project.beam.segments.begin(), project.beam.segments.end(),

@@ -182,7 +182,7 @@ TEST_CASE(
       {{"levels = [\"0 mm\"]\nconcentration = \"in-plane bending\"\n",
         "levels = [\"0 mm\"]\ndetail = { row = \"8.1/11\" }\n"},
        {"required = 2.0\n\n[fatigue]", "required = 2.0\nshear_lag = false\n\n[fatigue]"}});
-  REQUIRE_FALSE(project.hole_inputs[0].concentration);
+  REQUIRE_FALSE(project.holes[0].concentration);
   const Verification verification = verify(project);
   // By hand: box 400 x 1000 of 50 mm plates, in both webs a hole of 145 mm on the axis and two of
   // 18 mm at +-100 mm taken out as strips.

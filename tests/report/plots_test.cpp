@@ -136,12 +136,12 @@ TEST_CASE("every kind of case has its figures, in the order of a report") {
 TEST_CASE("a spatial figure shows the three most telling instants and says how many there are") {
   const Drawn& leg = drawn("sections/landing-gear/retraction.toml");
   Verification more = leg.verification;
-  REQUIRE(more.postures.size() == 4);  // one at the beginning
+  REQUIRE(more.pictures.postures.size() == 4);  // one at the beginning
   for (int i = 0; i < 3; ++i) {
-    PostureFigure posture = more.postures.back();
+    PostureFigure posture = more.pictures.postures.back();
     posture.time = si<Time>(0.011 * (i + 1));
     posture.weight = i == 1 ? 5.0 : 0.001;
-    more.postures.push_back(posture);
+    more.pictures.postures.push_back(posture);
   }
   const test::TemporaryFolder folder;
   draw_figures(leg.project, more, folder.path().string());
@@ -184,8 +184,8 @@ TEST_CASE("a couple on the beam stands in the figure with its force and its size
   const Drawn& jack = drawn("sections/pump-jack/beam.toml");
   const std::vector<SvgText> texts = texts_of(jack.svg("mechanism"));
   std::size_t couples = 0;
-  for (std::size_t k = 1; k < jack.verification.postures.size(); ++k) {
-    for (const BeamLoadRow& row : jack.verification.postures[k].loads) {
+  for (std::size_t k = 1; k < jack.verification.pictures.postures.size(); ++k) {
+    for (const BeamLoadRow& row : jack.verification.pictures.postures[k].loads) {
       CAPTURE(row.name);
       const std::string force = row.name + "  " + text::kN(row.world.norm());
       CHECK(has(texts, force));
@@ -195,7 +195,7 @@ TEST_CASE("a couple on the beam stands in the figure with its force and its size
       CHECK(has(texts, force + ", " + text::kNm(row.couple.norm())));
     }
   }
-  CHECK(couples == jack.verification.postures.size() - 1);
+  CHECK(couples == jack.verification.pictures.postures.size() - 1);
 }
 
 TEST_CASE("an axis that does not begin at zero says so") {
@@ -227,10 +227,10 @@ TEST_CASE("the values at the extremes are those of the results") {
     CHECK(has(motion, text::seconds(instant.time.value())));
     CHECK(has(mechanism, "t = " + text::seconds(instant.time.value())));
   }
-  for (const BeamLoadRow& row : verification.loads) {
+  for (const BeamLoadRow& row : verification.pictures.loads) {
     CHECK(has(mechanism, row.name + "  " + text::kN(row.world.norm())));
   }
-  const DriverLine& exciter = verification.drivers.front();
+  const DriverLine& exciter = verification.pictures.drivers.front();
   CHECK(has(motion, exciter.name));
   CHECK(has(motion, text::significant(
                         1e-3 * *std::max_element(exciter.force.begin(), exciter.force.end()))));
@@ -260,7 +260,7 @@ TEST_CASE("no two lines of a legend are called alike") {
   for (const std::string& path : shipped) {
     CAPTURE(path);
     std::set<std::string> names;
-    for (const CutForceLine& line : drawn(path).verification.lines) {
+    for (const CutForceLine& line : drawn(path).verification.pictures.lines) {
       CHECK(names.insert(text::seconds(line.time.value()) + line.why).second);
     }
   }

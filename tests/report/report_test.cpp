@@ -225,7 +225,7 @@ TEST_CASE("the moving picture stands where the cycle is known", "[report]") {
     std::size_t count = 0;
     for_each<MovingPicture>(report_of(of.project, of.verification),
                             [&](const MovingPicture&) { ++count; });
-    CHECK(count == (of.verification.cycles.empty() ? 0 : 1));
+    CHECK(count == (of.verification.pictures.cycles.empty() ? 0 : 1));
   }
 }
 
@@ -233,7 +233,7 @@ TEST_CASE("the moving picture offers every situation and begins with the governi
           "[report]") {
   for (const test::ShippedCase& of : test::shipped_cases()) {
     INFO(of.path);
-    if (of.verification.cycles.empty()) continue;
+    if (of.verification.pictures.cycles.empty()) continue;
     std::vector<std::string> running;
     for (const Situation& situation : of.project.situations) {
       if (situation.between.empty()) running.push_back(situation.name);
@@ -257,9 +257,9 @@ TEST_CASE("the moving picture offers every situation and begins with the governi
 TEST_CASE("where not every situation is offered, the moving picture says so", "[report]") {
   for (const test::ShippedCase& of : test::shipped_cases()) {
     if (of.path != "sections/landing-gear/retraction.toml") continue;
-    REQUIRE(of.verification.cycles.size() == 3);  // retraction, extension, landing
+    REQUIRE(of.verification.pictures.cycles.size() == 3);  // retraction, extension, landing
     Verification fewer = of.verification;
-    fewer.cycles.erase(fewer.cycles.begin());
+    fewer.pictures.cycles.erase(fewer.pictures.cycles.begin());
     for_each<MovingPicture>(report_of(of.project, fewer), [](const MovingPicture& picture) {
       INFO(picture.caption);
       CHECK(picture.caption.find("(2 of 3 situations are offered)") != std::string::npos);
@@ -377,7 +377,7 @@ TEST_CASE("a stress range is never called an amplitude", "[report]") {
     INFO(of.path);
     const Document document = report_of(of.project, of.verification, ReportLevel::full);
     std::set<std::string> texts = contents_of(document);
-    for_each<Sheet>(document, [&](const Sheet& sheet) { texts.insert(text_of(sheet)); });
+    for_each<Sheet>(document, [&](const Sheet& sheet) { texts.insert(text_of(sheet).text); });
     for_each<Paragraph>(document, [&](const Paragraph& of_text) { texts.insert(of_text.text); });
     for_each<Subheading>(document, [&](const Subheading& title) { texts.insert(title.text); });
     for (const std::string& text : texts) {
@@ -404,7 +404,7 @@ TEST_CASE("text keeps to its 110 columns", "[report]") {
 TEST_CASE("the terminal's summary: verdict first, worst checks, few remarks", "[report]") {
   for (const test::ShippedCase& of : test::shipped_cases()) {
     INFO(of.path);
-    const std::string text = summary(of.project, of.verification);
+    const std::string text = summary(of.project, of.verification).text;
     const std::string verdict = of.verification.verdict == Verdict::pass   ? "PASS"
                                 : of.verification.verdict == Verdict::fail ? "FAIL"
                                                                            : "NOT APPLICABLE";

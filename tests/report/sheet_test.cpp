@@ -57,7 +57,7 @@ void for_all_sheets(const Action& action) {
   for (const Verified& of : shipped_cases()) {
     for (const CheckResult& result : of.verification.checks) {
       const Sheet sheet = sheet_of(of.project, of.verification, result);
-      INFO(of.name << "\n" << report::text_of(sheet));
+      INFO(of.name << "\n" << report::text_of(sheet).text);
       action(sheet, result.check);
     }
   }
@@ -152,7 +152,7 @@ TEST_CASE("A pocket calculator comes to what the sheets of rods and deflections 
         continue;
       }
       const Sheet sheet = sheet_of(project, verification, result);
-      INFO(report::text_of(sheet));
+      INFO(report::text_of(sheet).text);
       stands = stands || find(sheet, symbol) != nullptr;
       for (const Step& step : sheet.steps) {
         CHECK(report::is_formula(step.symbol));
@@ -206,7 +206,7 @@ std::set<std::string> symbols_of(const Project& project) {
   std::set<std::string> symbols;
   for (const CheckResult& result : verification.checks) {
     const Sheet sheet = sheet_of(project, verification, result);
-    INFO(report::text_of(sheet));
+    INFO(report::text_of(sheet).text);
     for (const std::string& wrong : recalculated(sheet).wrong) FAIL_CHECK(wrong);
     for (const Step& step : sheet.steps) {
       symbols.insert(step.symbol);
@@ -277,16 +277,15 @@ TEST_CASE("Sheets of every kind of hole hold", "[report][sheet]") {
   CHECK(web.count("k_V") == 1);
   CHECK(web.count("z_0") == 1);
   const auto flange = symbols_after([](Project& project) {
-    Hole& hole = project.beam.holes.front().hole;
+    Hole& hole = project.holes.front().hole;
     hole.walls = HoleWalls::flanges;
     hole.position = 60.0 * mm;
     hole.diameter = 40.0 * mm;
-    project.hole_inputs.front().concentration = HoleCase::membrane_tension;
+    project.holes.front().concentration = HoleCase::membrane_tension;
   });
   CHECK(flange.count("K_g") == 1);
   const auto published = symbols_after([](Project& project) {
-    for (HoleInput& input : project.hole_inputs)
-      input.concentration = HoleCase::published_exponential;
+    for (BeamHole& at : project.holes) at.concentration = HoleCase::published_exponential;
   });
   CHECK(published.count("K_t") == 1);
   const auto plate =
@@ -449,7 +448,7 @@ TEST_CASE("Ranges of a sheet are numbered from 1 without gaps, and never one alo
 TEST_CASE("The damage of several ranges stands row by row, its largest share in words",
           "[report][sheet]") {
   const Sheet sheet = shipped_sheet("rig-detailed.toml", "fatigue/5.2+/fibre+z");
-  INFO(report::text_of(sheet));
+  INFO(report::text_of(sheet).text);
   // By hand: 5e6 (52.31/(1.35 26.23))^5 = 3.52e7 cycles of running, 1.41e7 of over-stroke.
   CHECK(value_in(sheet, "N_1") == Approx(5e6 * std::pow(52.31 / (1.35 * 26.23), 5)).epsilon(2e-3));
   CHECK(value_in(sheet, "D") == Approx(1e8 / value_in(sheet, "N_1")).epsilon(1e-3));
@@ -467,7 +466,7 @@ TEST_CASE("Torsion stands as Bredt's flow and Saint-Venant's stress on the face"
           "[report][sheet]") {
   // The foot 100 x 100 x 10: A_m = 90 x 90, T = 4.2 kN m. Bredt alone: 25.9 MPa.
   const Sheet sheet = shipped_sheet("retraction.toml", "yield/1.1-/fibre-z");
-  INFO(report::text_of(sheet));
+  INFO(report::text_of(sheet).text);
   CHECK(value_in(sheet, "A_m") == Approx(8100));
   const double I_T = value_in(sheet, "I_T");
   CHECK(std::abs(value_in(sheet, "c_TB")) ==
@@ -484,7 +483,7 @@ TEST_CASE("A first moment says what it is of, and beta which of the table it is"
           "[report][sheet]") {
   // Tube 290 x 490 x 56, sharp corners: the half beyond its axis.
   const Sheet sheet = shipped_sheet("rig.toml", "shear-fatigue/6.2-/neutral-axis");
-  INFO(report::text_of(sheet));
+  INFO(report::text_of(sheet).text);
   CHECK(notes_of(sheet, "S").find("what lies beyond z = 0") != std::string::npos);
   std::set<std::string> factors;
   for_all_sheets([&](const Sheet& of, const Check&) {

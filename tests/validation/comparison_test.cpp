@@ -161,7 +161,7 @@ double centre_from_pivot(double from, double to) {
 }
 
 const std::vector<Hole>& pivot_holes() {
-  static const std::vector<Hole> holes = holes_at(test::rig().beam, 3.2 * metre);
+  static const std::vector<Hole> holes = holes_at(test::rig(), 3.2 * metre);
   return holes;
 }
 

@@ -95,7 +95,7 @@ TEST_CASE("ends of details are cut on both sides, named places and holes on none
       CHECK(cut_at(cuts, s)->sides);
     }
   }
-  for (const BeamHole& hole : test::rig().beam.holes) {
+  for (const BeamHole& hole : test::rig().holes) {
     REQUIRE(cut_at(cuts, hole.s.value()) != nullptr);
     CHECK(cut_at(cuts, hole.s.value())->alone);
   }

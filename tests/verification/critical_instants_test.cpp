@@ -17,6 +17,10 @@ bool is_moment(const CriticalInstant& instant) {
   return instant.quantity().starts_with("M") || instant.quantity() == "T";
 }
 
+std::vector<ShownInstant> shown_in(const test::ShippedCase& of) {
+  return instants_to_show(of.project, of.verification.critical_instants, of.verification.motions);
+}
+
 }  // namespace
 
 TEST_CASE("what is nothing beside the largest force is no extreme") {
@@ -55,7 +59,7 @@ TEST_CASE("a quantity has each of its extremes once") {
 TEST_CASE("an instant is named by a quantity once, and its stress by the place it belongs to") {
   for (const test::ShippedCase& of : test::shipped_cases()) {
     CAPTURE(of.path);
-    for (const ShownInstant& shown : instants_to_show(of.project, of.verification)) {
+    for (const ShownInstant& shown : shown_in(of)) {
       CAPTURE(shown.why);
       std::set<std::string> quantities;
       std::size_t from = 0;
@@ -79,7 +83,7 @@ TEST_CASE("where a quantity has both extremes at one instant, the larger one nam
   const auto gear =
       std::find_if(test::shipped_cases().begin(), test::shipped_cases().end(),
                    [](const test::ShippedCase& of) { return of.path.ends_with("gear.toml"); });
-  const std::vector<ShownInstant> shown = instants_to_show(gear->project, gear->verification);
+  const std::vector<ShownInstant> shown = shown_in(*gear);
   CHECK(std::any_of(shown.begin(), shown.end(), [](const ShownInstant& of) {
     return of.why.find("most negative M_y") != std::string::npos;
   }));

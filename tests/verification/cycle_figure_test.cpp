@@ -1,6 +1,7 @@
 // One cycle as it is drawn: frames, drivers.
 
 #include "boxbeam/verification/cycle_figure.hpp"
+#include "boxbeam/verification/verify.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -229,7 +230,7 @@ TEST_CASE("the envelope of the frames lies within that of the verification") {
     CAPTURE(path);
     const Project project = read_project(test::project_file(path));
     const Verification verification = verify(project, Figures::with);
-    const CycleFigure& cycle = verification.cycles.front();
+    const CycleFigure& cycle = verification.pictures.cycles.front();
     for (const StationEnvelope& exact : verification.stations) {
       for (std::size_t k = 0; k < cycle.stations.size(); ++k) {
         if (cycle.stations[k] != exact.station) continue;

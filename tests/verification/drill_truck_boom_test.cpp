@@ -154,11 +154,11 @@ TEST_CASE("Drill truck: the boom is verified for 5e7 cycles at category 100",
   const double at_5e7 = at_5e6 * std::pow(0.1, 0.2);
   const double range = fatigue->basis->highest.value - fatigue->basis->lowest.value;
   CHECK(fatigue->check.safety_factor == Approx(at_5e7 * 1e6 / range).epsilon(1e-3));
-  REQUIRE(result.elastic);
-  CHECK(result.elastic->modes.size() == 6);
-  CHECK(result.elastic->over_period.names.size() == 10);
-  CHECK(result.postures.front().magnified == 1.0);
-  CHECK(result.postures.size() == result.lines.size() + 1);
+  REQUIRE(result.pictures.elastic);
+  CHECK(result.pictures.elastic->modes.size() == 6);
+  CHECK(result.pictures.elastic->over_period.names.size() == 10);
+  CHECK(result.pictures.postures.front().magnified == 1.0);
+  CHECK(result.pictures.postures.size() == result.pictures.lines.size() + 1);
 }
 
 TEST_CASE("Drill truck: the sudden start counts, and more than the steady vibration",

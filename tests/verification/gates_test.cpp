@@ -8,6 +8,7 @@
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/verification/verify.hpp"
+#include "support/beam_checks.hpp"
 #include "support/cantilever.hpp"
 #include "support/changed_rig.hpp"
 #include "support/held_bar.hpp"
@@ -146,8 +147,7 @@ TEST_CASE("a web in even compression: 42 eps, with eps by its stress") {
     // The load's largest size is 1.5.
     const double force = part * 355e6 * area / 1.5;
     const Project project = test::cantilever(slender, {{{-force, 0.0, 0.0}}});
-    const std::deque<SituationRun> runs = run_situations(project);
-    return gates_of(project, runs, stations_to_verify(project, runs), {}, model);
+    return test::beam_checks_of(project, model).gates;
   };
   const double limit = 42.0 * eps_355;
   const double edge = limit * limit / (46.0 * 46.0);
@@ -190,7 +190,7 @@ TEST_CASE("a web too slender in bending is of class 4 under its actual stress") 
                                     : 62.0 * eps_355 * (1.0 - psi) * std::sqrt(-psi);
     lowest = std::min(lowest, limit / std::sqrt(std::min(1.0, required * most / 355e6)));
   }
-  const std::vector<Gate> gates = gates_of(project, runs, {hub}, {}, {});
+  const std::vector<Gate> gates = test::beam_checks_at(project, {hub}).gates;
   bool found = false;
   for (const Gate& gate : gates) found = found || contains(gate.finding, "class 4");
   CHECK(found == (90.0 > lowest));

@@ -12,6 +12,7 @@
 #include "boxbeam/verification/verify.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 #include "catch.hpp"
+#include "support/beam_checks.hpp"
 #include "support/cantilever.hpp"
 #include "support/program.hpp"
 #include "support/rig.hpp"
@@ -112,9 +113,10 @@ std::vector<Station> dense_stations(const Project& project, std::vector<double> 
 
 void check_nothing_worse(const Project& project, const std::vector<double>& places, int count) {
   const std::deque<SituationRun> runs = run_situations(project);
-  const VerifiedStations found = search_stations(project, runs);
-  Worst reported = worst_of(check_beam(project, runs, found.stations));
-  const Worst dense = worst_of(check_beam(project, runs, dense_stations(project, places, count)));
+  const VerifiedStations found = search_stations(project, runs, bending_zones_of(project, runs));
+  Worst reported = worst_of(test::beam_checks_at(project, found.stations).checks);
+  const Worst dense =
+      worst_of(test::beam_checks_at(project, dense_stations(project, places, count)).checks);
   CHECK(found.search.tolerance <= 1.01e-4);
   for (const auto& [criterion, utilisation] : dense) {
     CAPTURE(to_text(criterion), found.search.evaluations);
@@ -454,9 +456,8 @@ TEST_CASE("webs of which one is stiffened are two webs") {
       4.0, sections, "[[beam.segments]]\nlength = \"4 m\"\nsection = \"box\"\n", {{4.0}},
       fatigue_lines(71, "2e6", 1.0));
   project.strength.required = 5.0;  // stressed up to f_y so far as a class is concerned
-  const std::deque<SituationRun> runs = run_situations(project);
   std::map<std::string, int> plates;
-  for (const Gate& gate : gates_of(project, runs, {{Length{}, Side::behind}}, {}, {})) {
+  for (const Gate& gate : test::beam_checks_at(project, {{Length{}, Side::behind}}).gates) {
     if (gate.finding.find("class 4") != std::string::npos) ++plates[gate.plate];
   }
   CHECK(plates["left web"] == 1);

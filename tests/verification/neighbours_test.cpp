@@ -83,7 +83,7 @@ TensionResistance tension_of(const NeighbourResult& result) {
 TEST_CASE("a pin bears the largest reaction of its joint, by EN 1993-1-8 table 3.10") {
   const Project project = read(pin_lines);
   const std::deque<SituationRun> runs = run_situations(project);
-  const std::vector<NeighbourResult> results = check_pins(project, runs);
+  const std::vector<NeighbourResult> results = check_pins(project, runs).results;
   REQUIRE(results.size() == 1);
   const Check& check = results.front().check;
   double largest = 0.0;
@@ -127,7 +127,7 @@ TEST_CASE("a pin bears the largest reaction of its joint, by EN 1993-1-8 table 3
 TEST_CASE("the factor of a pin is one on the force: with it the joint is just used up") {
   const Project project = read(pin_lines);
   const std::deque<SituationRun> runs = run_situations(project);
-  const Check check = check_pins(project, runs).front().check;
+  const Check check = check_pins(project, runs).results.front().check;
   const PinInput& pin = project.pins.front();
   const PinUtilisation use = pin_utilisation(si<Force>(check.acting.value() * check.safety_factor),
                                              pin.geometry, pin.strength);
@@ -185,11 +185,12 @@ TEST_CASE("the buckling length is the rod's own where nothing is said, and the s
 TEST_CASE("the load factor of a situation multiplies the force of a pin and of a rod") {
   Project project = read(pin_lines + rod_lines);
   const std::deque<SituationRun> runs = run_situations(project);
-  const double pin = check_pins(project, runs).front().check.acting.value();
+  const double pin = check_pins(project, runs).results.front().check.acting.value();
   const double rod = buckling_of(project, runs).check.acting.value();
   const double pull = rod_result(project, runs, Criterion::rod).check.acting.value();
   project.situations.front().load_factor = 1.3;
-  CHECK(check_pins(project, runs).front().check.acting.value() == Approx(1.3 * pin).epsilon(1e-12));
+  CHECK(check_pins(project, runs).results.front().check.acting.value() ==
+        Approx(1.3 * pin).epsilon(1e-12));
   CHECK(buckling_of(project, runs).check.acting.value() == Approx(1.3 * rod).epsilon(1e-12));
   CHECK(rod_result(project, runs, Criterion::rod).check.acting.value() ==
         Approx(1.3 * pull).epsilon(1e-12));
@@ -216,7 +217,7 @@ TEST_CASE(
       "[[rods]]\nname = \"hanger\"\nfrom = \"rod.P\"\nto = \"rod.Q\"\nsection = \"bar\"\n"
       "curve = \"c\"\n";
   const Project hanging = test::held_bar(true, flat, rod);
-  const RodChecks pulled = check_rods(hanging, run_situations(hanging));
+  const NeighbourChecks pulled = check_rods(hanging, run_situations(hanging));
   REQUIRE(pulled.results.size() == 1);
   // 0.05 x 0.1 x 2 m^3 of 8000 kg/m^3 weigh 800 N; half of it is on the rod.
   const Check& tension = pulled.results.front().check;
@@ -225,9 +226,9 @@ TEST_CASE(
   // 50 mm of S355 (EN 10025-2): f_y = 335, f_u = 470 MPa; 0.9 x 470/1.25 = 338.4 MPa is above f_y.
   CHECK(tension.resisting.value() == Approx(0.005 * 335e6).epsilon(1e-12));
   CHECK(pulled.gates.empty());
-  CHECK(pulled.unloaded.empty());
+  CHECK(pulled.not_judged.empty());
   const Project propped = test::held_bar(false, flat, rod);
-  const RodChecks pressed = check_rods(propped, run_situations(propped));
+  const NeighbourChecks pressed = check_rods(propped, run_situations(propped));
   REQUIRE(pressed.results.size() == 1);
   const NeighbourResult& result = pressed.results.front();
   CHECK(result.check.acting.value() == Approx(400.0).epsilon(1e-6));
@@ -333,14 +334,14 @@ TEST_CASE("a strut whose section cannot be judged stops the verdict; as a tie it
   // d/t = 600/2 = 300 is far above 90 eps^2 = 59.6.
   const std::string shell = "kind = \"round tube\"\ndiameter = \"600 mm\"\nwall = \"2 mm\"\n";
   const Project pressed = rod_under(false, "-90 deg", "0.1 kN", shell);
-  const RodChecks checks = check_rods(pressed, run_situations(pressed));
+  const NeighbourChecks checks = check_rods(pressed, run_situations(pressed));
   CHECK(checks.results.empty());
   REQUIRE(checks.gates.size() == 1);
   CHECK(checks.gates.front().blocks);
   CHECK(checks.gates.front().finding.find("rod strut: round wall: d/t = 300") == 0);
   CHECK(verify(pressed).verdict == Verdict::not_applicable);
   const Project pulled = rod_under(false, "90 deg", "0.8 kN", shell);
-  const RodChecks tie = check_rods(pulled, run_situations(pulled));
+  const NeighbourChecks tie = check_rods(pulled, run_situations(pulled));
   CHECK(tie.gates.empty());
   REQUIRE(tie.results.size() == 1);
   CHECK(tie.results.front().check.criterion == Criterion::rod);
@@ -351,7 +352,7 @@ TEST_CASE("what loads a rod beside its ends stops the verdict, for its bending i
   const Project project =
       rod_under(false, "-90 deg", "1 kN", bar,
                 "[forces.side]\nkind = \"couple\"\npoints = [\"rod.P\"]\nsize = \"1 N m\"\n");
-  const RodChecks checks = check_rods(project, run_situations(project));
+  const NeighbourChecks checks = check_rods(project, run_situations(project));
   REQUIRE(checks.gates.size() == 1);
   CHECK(checks.gates.front().blocks);
   CHECK(checks.gates.front().finding ==

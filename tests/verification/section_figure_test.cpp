@@ -2,6 +2,7 @@
 
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/cantilever.hpp"
 #include "support/rig.hpp"
@@ -45,7 +46,7 @@ TEST_CASE("the drawn outline encloses the area of the section") {
   for (const std::string& path : shipped) {
     CAPTURE(path);
     const Verification verification = drawn(read_project(test::project_file(path)));
-    const SectionFigure& figure = *verification.section;
+    const SectionFigure& figure = *verification.pictures.section;
     const Section& section = governing_of(verification).basis->point.section;
     CHECK(area_of(figure) == Approx(properties_of(section).area.value()).epsilon(1e-12));
     CHECK(figure.station == governing_of(verification).check.station);
@@ -64,14 +65,14 @@ TEST_CASE("arcs of a tube are drawn as chords: the area is that of the tube with
         drawn(test::cantilever(section, {{Eigen::Vector3d(1e3, 2e3, 3e3), 100.0}}));
     const double exact =
         properties_of(governing_of(verification).basis->point.section).area.value();
-    CHECK(area_of(*verification.section) == Approx(exact).epsilon(4.2e-4));
-    CHECK(verification.section->outlines.size() == 2);
+    CHECK(area_of(*verification.pictures.section) == Approx(exact).epsilon(4.2e-4));
+    CHECK(verification.pictures.section->outlines.size() == 2);
   }
 }
 
 TEST_CASE("the stress across the height is N/A + M_y z/I_y between its instants") {
   const Verification verification = drawn(test::rig());
-  const SectionFigure& figure = *verification.section;
+  const SectionFigure& figure = *verification.pictures.section;
   const CheckResult& governing = governing_of(verification);
   const SectionProperties& net = governing.basis->point.net;
   // At both instants of the governing range, by hand; the extremes reach at least so far, and at
@@ -93,7 +94,7 @@ TEST_CASE("the stress across the height is N/A + M_y z/I_y between its instants"
 TEST_CASE("every checked place of the station is drawn once with its worst utilisation") {
   const Verification verification =
       drawn(read_project(test::project_file("sections/landing-gear/retraction.toml")));
-  const SectionFigure& figure = *verification.section;
+  const SectionFigure& figure = *verification.pictures.section;
   std::size_t governs = 0;
   for (const SectionFigure::Point& point : figure.points) {
     double worst = 0.0;
@@ -115,9 +116,9 @@ TEST_CASE("holes are drawn as the strips they take out of the section") {
   const Project project =
       read_project(test::project_file("sections/slider-crank-press/press.toml"));
   const Verification verification = drawn(project);
-  const SectionFigure& figure = *verification.section;
+  const SectionFigure& figure = *verification.pictures.section;
   const Section& section = governing_of(verification).basis->point.section;
-  const std::vector<Hole> holes = holes_at(project.beam, figure.station.s);
+  const std::vector<Hole> holes = holes_at(project, figure.station.s);
   REQUIRE(figure.holes.size() == 2);
   double strips = 0.0;
   for (const SectionFigure::Hole& hole : figure.holes) strips += hole.width * hole.height;
@@ -128,11 +129,11 @@ TEST_CASE("holes are drawn as the strips they take out of the section") {
 TEST_CASE("without cut forces there is no section to draw, and without figures none is made") {
   const Project published = read_project(test::project_file("sections/sledge-rig/published.toml"),
                                          {}, Dynamics::newton_chain);
-  CHECK_FALSE(drawn(published).section);
+  CHECK_FALSE(drawn(published).pictures.section);
   const Verification plain = verify(test::rig());
-  CHECK_FALSE(plain.section);
-  CHECK(plain.cycles.empty());
-  CHECK(plain.drivers.empty());
+  CHECK_FALSE(plain.pictures.section);
+  CHECK(plain.pictures.cycles.empty());
+  CHECK(plain.pictures.drivers.empty());
 }
 
 }  // namespace section_figure_test

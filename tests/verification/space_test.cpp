@@ -11,6 +11,7 @@
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 #include "catch.hpp"
+#include "support/beam_checks.hpp"
 #include "support/cantilever.hpp"
 
 namespace space_test {
@@ -22,8 +23,7 @@ namespace {
 constexpr double length = 2.0;
 
 std::vector<CheckResult> checks_of(const Project& project) {
-  const std::deque<SituationRun> runs = run_situations(project);
-  return check_beam(project, runs, stations_to_verify(project, runs));
+  return test::beam_checks_of(project).checks;
 }
 
 const CheckResult& check_at(const std::vector<CheckResult>& checks, Criterion criterion,
@@ -273,9 +273,8 @@ TEST_CASE("a web evenly compressed by M_z is of class 4 from 42 eps on, bent by 
       "web = \"4 mm\"\n";
   const auto gates_of_load = [&](const Eigen::Vector3d& force) {
     const Project project = test::cantilever(slender, {{force}});
-    const std::deque<SituationRun> runs = run_situations(project);
     std::vector<std::string> plates;
-    for (const Gate& gate : gates_of(project, runs, stations_to_verify(project, runs), {}, {})) {
+    for (const Gate& gate : test::beam_checks_of(project).gates) {
       if (gate.blocks) plates.push_back(gate.plate);
     }
     return plates;
@@ -293,9 +292,8 @@ TEST_CASE("flanges are the webs of V_y: above 72 eps/eta they may buckle in shea
       "kind = \"box\"\nwidth = \"160 mm\"\nheight = \"200 mm\"\nflange = \"3 mm\"\n"
       "web = \"6 mm\"\n",
       {{{0.0, 1e3, 0.0}}});
-  const std::deque<SituationRun> runs = run_situations(project);
   int found = 0;
-  for (const Gate& gate : gates_of(project, runs, stations_to_verify(project, runs), {}, {})) {
+  for (const Gate& gate : test::beam_checks_of(project).gates) {
     if (gate.finding.find("the flange may buckle in shear") != std::string::npos) ++found;
   }
   CHECK(found == 2);
@@ -304,9 +302,10 @@ TEST_CASE("flanges are the webs of V_y: above 72 eps/eta they may buckle in shea
 TEST_CASE("a web hole under M_z: K_g M_z y/I_z at its top and bottom, on either side") {
   Project project = test::cantilever(box_lines, {{{0.0, 6e3, 0.0}}});
   project.strength.shear_lag = false;
-  project.beam.holes.push_back(
-      {si<Length>(1.0), {"port", si<Length>(0.05), HoleWalls::webs, Length{}}});
-  project.hole_inputs.push_back({HoleCase::in_plane_bending, {}});
+  add_hole(project, {si<Length>(1.0),
+                     {"port", si<Length>(0.05), HoleWalls::webs, Length{}},
+                     HoleCase::in_plane_bending,
+                     {}});
   const auto checks = checks_of(project);
   const double I_z = (0.24 * std::pow(0.16, 3) - 0.224 * std::pow(0.148, 3)) / 12;
   const double a = 0.05 / 0.224;
@@ -336,14 +335,16 @@ TEST_CASE("what is not known of a shape in space stops with a reason and its seg
   Project plate = test::cantilever("kind = \"plate\"\nwidth = \"40 mm\"\nheight = \"100 mm\"\n",
                                    {{{0.0, 1e3, 1e3}}});
   CHECK(governing(checks_of(plate), Criterion::yield) > 0.0);
-  plate.beam.holes.push_back(
-      {si<Length>(1.0), {"bolt", si<Length>(0.02), HoleWalls::webs, Length{}}});
-  plate.hole_inputs.push_back({HoleCase::in_plane_bending, {}});
+  add_hole(plate, {si<Length>(1.0),
+                   {"bolt", si<Length>(0.02), HoleWalls::webs, Length{}},
+                   HoleCase::in_plane_bending,
+                   {}});
   CHECK_THROWS_AS(checks_of(plate), AnalysisError);
   Project published = test::cantilever(box_lines, {{{0.0, 1e3, 1e3}}});
-  published.beam.holes.push_back(
-      {si<Length>(1.0), {"hub", si<Length>(0.05), HoleWalls::webs, Length{}}});
-  published.hole_inputs.push_back({HoleCase::published_exponential, {}});
+  add_hole(published, {si<Length>(1.0),
+                       {"hub", si<Length>(0.05), HoleWalls::webs, Length{}},
+                       HoleCase::published_exponential,
+                       {}});
   CHECK_THROWS_AS(checks_of(published), AnalysisError);
 }
 

@@ -40,7 +40,7 @@ struct Said {
 
 Said said_of(const Project& project) {
   Said said{verify(project), "", "", "", "", {}};
-  said.terminal = summary(project, said.verification);
+  said.terminal = summary(project, said.verification).text;
   const report::Document document = report_of(project, said.verification, ReportLevel::summary);
   said.text = report::text_of(document);
   said.html = report::html_of(

@@ -81,9 +81,9 @@ TEST_CASE("the jump of N and V at a joint is the force of the joint there") {
   for (const auto& [name, before, behind] :
        {std::tuple("C", "0-", "0+"), std::tuple("O", "3.2-", "3.2+"),
         std::tuple("B", "6.2-", "6.2+")}) {
-    for (const BeamLoadRow& row : rig().loads) {
+    for (const BeamLoadRow& row : rig().pictures.loads) {
       if (row.name != name) continue;
-      for (const CutForceLine& line : rig().lines) {
+      for (const CutForceLine& line : rig().pictures.lines) {
         if (line.time != row.time) continue;
         CutForces left{}, right{};
         for (std::size_t i = 0; i < line.stations.size(); ++i) {
@@ -240,8 +240,10 @@ TEST_CASE("a web hole under shear is seen: four times the nominal shear at 45 de
   // At s = 0.3 m there is little bending: V = 96.9 to 97.8 kN, V S/(I b) = 2.05 to 2.07 MPa, range
   // 4.12 MPa; around a hole of 145 mm in 500 mm at least four times that (Kirsch).
   Project project = test::rig();
-  project.beam.holes.push_back({0.3 * metre, {"port", 0.145 * metre, HoleWalls::webs, Length{}}});
-  project.hole_inputs.push_back({HoleCase::in_plane_bending, {}});
+  add_hole(project, {0.3 * metre,
+                     {"port", 0.145 * metre, HoleWalls::webs, Length{}},
+                     HoleCase::in_plane_bending,
+                     {}});
   const Verification verification = verify(project);
   double range = 0.0;
   double beside = 0.0;

@@ -35,13 +35,6 @@ struct Station {
   friend bool operator==(const Station&, const Station&) = default;
 };
 
-/// A hole and where it is on the axis. Its material is missing from the stress section through its
-/// centre only; the mass of the beam is taken without holes.
-struct BeamHole {
-  Length s;
-  Hole hole;
-};
-
 /// A named place on the axis: a bearing, a joint, a place of interest.
 struct BeamPoint {
   std::string name;
@@ -51,8 +44,8 @@ struct BeamPoint {
 /// A beam along x of sections in a row, from s = 0 to its length.
 struct TaperedBeam {
   std::vector<Segment> segments;  ///< in order, without gaps
-  std::vector<BeamHole> holes;
   std::vector<BeamPoint> points;
+  std::vector<Length> marks;  ///< more places of interest, which have no name: holes
   Density density;
   /// Whether the sections' own rotary inertia counts, beside their mass on the axis.
   bool rotary_inertia = false;
@@ -81,9 +74,6 @@ std::vector<Length> places_of(const TaperedBeam& beam);
 /// The place within round-off of s (a billionth of the beam), or s itself: stations typed as
 /// numbers or computed must meet the ends of segments exactly, where cut forces jump.
 Length place_near(const std::vector<Length>& places, Length s);
-
-/// The holes whose centre is at s.
-std::vector<Hole> holes_at(const TaperedBeam& beam, Length s);
 
 /// Mass and rotary inertia per length of one segment as polynomials of the distance from its
 /// start: products of linear dimensions, hence exact at these degrees.

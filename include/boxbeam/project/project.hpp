@@ -88,8 +88,11 @@ struct FatigueInput {
   std::vector<std::string> codes;  ///< families of curves to be shown beside
 };
 
-/// How the stress at a hole is verified.
-struct HoleInput {
+/// A hole of the beam and how the stress at it is verified. Its material is missing from the stress
+/// section through its centre only; the mass of the beam is taken without holes.
+struct BeamHole {
+  Length s;
+  Hole hole;
   /// Which problem its concentration is; none where its detail is one for the net section.
   std::optional<HoleCase> concentration;
   std::optional<BeamDetail> detail;  ///< of its own; none: that of the beam
@@ -233,8 +236,8 @@ struct Project {
   AnyMechanism mechanism;             ///< as the case writes it, before any situation
   bool in_space = false;              ///< all six cut forces count; in the plane N, V_z and M_y
   std::vector<Situation> situations;  ///< at least one; the first runs
-  TaperedBeam beam;
-  std::vector<HoleInput> hole_inputs;  ///< one per hole of the beam
+  TaperedBeam beam;                   ///< whose marks are the places of the holes
+  std::vector<BeamHole> holes;
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
   Dynamics dynamics = Dynamics::rigorous;
@@ -254,6 +257,12 @@ struct Project {
   std::vector<GivenStress> given_stresses;
   std::vector<HandFormula> hand_formulas;
 };
+
+/// Adds a hole, and its mark to the beam.
+void add_hole(Project& project, BeamHole hole);
+
+/// The holes whose centre is at s.
+std::vector<Hole> holes_at(const Project& project, Length s);
 
 /// The mechanism of a case: rigid bodies in the plane, in space, or elastic links.
 const planar::Mechanism& planar_of(const Project& project);

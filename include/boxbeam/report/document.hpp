@@ -6,14 +6,12 @@
 #include <variant>
 #include <vector>
 
+#include "boxbeam/report/mark.hpp"
 #include "boxbeam/verification/cycle_figure.hpp"
 
 /// A report as a value: what stands in it, in order. Text, HTML and PDF are written from it and add
 /// nothing. All strings are UTF-8 as the user wrote them; each writer makes them safe for itself.
 namespace boxbeam::report {
-
-/// How a row, a step or a verdict is to be marked.
-enum class Mark { none, passes, fails, not_applicable };
 
 struct Paragraph {
   std::string text;
@@ -31,6 +29,7 @@ struct Facts {
 struct Cell {
   std::string text;             ///< as it is shown, rounded
   std::optional<double> value;  ///< by which a column sorts where its text would sort wrongly
+  Mark mark = Mark::none;       ///< where it says a result
 };
 
 struct Table {
@@ -65,7 +64,7 @@ struct Sheet {
   std::string id;     ///< of the check: "yield/4.2/fibre+z"
   std::string title;  ///< "yield at s = 4.2 m, fibre +z"
   std::vector<Step> steps;
-  std::string result;      ///< "factor 1.21, required 2.00, utilisation 165 %"
+  std::string result;      ///< "factor 1.21, required 2.00, utilisation 165 %: FAILS"
   double utilisation = 0;  ///< drawn as a bar
   Mark mark = Mark::none;
   std::string source;  ///< standard, clause, equation

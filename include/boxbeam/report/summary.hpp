@@ -3,12 +3,16 @@
 #include <string>
 
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/report/marked_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 
 namespace boxbeam {
 
 /// A verification in a screenful: the verdict first, the worst check of every criterion, what
 /// blocks the checks, and the first remarks.
-std::string summary(const Project& project, const Verification& verification);
+report::MarkedText summary(const Project& project, const Verification& verification);
+
+/// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".
+report::MarkedText verdict_line(const Project& project, const Verification& verification);
 
 }  // namespace boxbeam

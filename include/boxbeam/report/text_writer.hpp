@@ -4,6 +4,7 @@
 #include <string>
 
 #include "boxbeam/report/document.hpp"
+#include "boxbeam/report/marked_text.hpp"
 
 namespace boxbeam::report {
 
@@ -14,6 +15,6 @@ inline constexpr std::size_t report_columns = 110;
 std::string text_of(const Document& document, std::size_t width = report_columns);
 
 /// A calculation sheet as plain text, in a frame of so many columns.
-std::string text_of(const Sheet& sheet, std::size_t width = report_columns);
+MarkedText text_of(const Sheet& sheet, std::size_t width = report_columns);
 
 }  // namespace boxbeam::report

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "boxbeam/verification/verify.hpp"
+#include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/cut_force_envelope.hpp"
 
 namespace boxbeam {
 
@@ -27,9 +28,10 @@ struct StationProperties {
   std::vector<LevelProperties> levels;  ///< of the case's points here
 };
 
-/// The sections at the stations of a verification, as it found them.
+/// The sections at the stations of a verification, as its checks found them.
 std::vector<StationProperties> station_properties_of(const Project& project,
-                                                     const Verification& verification);
+                                                     const std::vector<StationEnvelope>& stations,
+                                                     const std::vector<CheckResult>& checks);
 
 /// The piece of the beam between two of its named places.
 struct BeamPart {
@@ -40,5 +42,22 @@ struct BeamPart {
 
 /// The pieces between neighbouring named places; of several names for one place the first counts.
 std::vector<BeamPart> parts_of(const TaperedBeam& beam);
+
+/// How far the flanges of a tapered segment are inclined to the axis.
+struct TaperSlope {
+  std::string segment;
+  double angle = 0.0;  ///< [rad]
+};
+
+std::vector<TaperSlope> taper_slopes_of(const TaperedBeam& beam);
+
+/// The published concentration formula, evaluated for a hole that uses it.
+struct PublishedConcentration {
+  std::string hole;
+  double diameter_to_width = 0.0;
+  double factor = 0.0;
+};
+
+std::vector<PublishedConcentration> published_concentrations_of(const Project& project);
 
 }  // namespace boxbeam

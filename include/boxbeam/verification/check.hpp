@@ -75,6 +75,13 @@ struct Check {
   bool passes() const { return utilisation() <= 1.0; }
 };
 
+/// Something that a case asks for and that could not be judged.
+struct NotJudged {
+  Criterion by;        ///< what would have judged it
+  std::string what;    ///< "fatigue", "rod hanger"
+  std::string reason;  ///< "no stress range"
+};
+
 /// "4.2-", "0+", "1.9775": station in metres with its side, as ids and tables show it.
 std::string to_text(const Station& station);
 

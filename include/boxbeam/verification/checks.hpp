@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -8,7 +7,6 @@
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/stress_points.hpp"
-#include "boxbeam/verification/verified_stations.hpp"
 
 namespace boxbeam {
 
@@ -67,6 +65,12 @@ struct CheckResult {
   std::optional<DeflectionBasis> deflection = {};
 };
 
+/// The first check of a criterion, of checks that stand worst first the worst; or nullptr.
+const CheckResult* governing_of(const std::vector<CheckResult>& checks, Criterion criterion);
+
+/// The first check that rests on cut forces, or nullptr.
+const CheckResult* first_by_cut_forces(const std::vector<CheckResult>& checks);
+
 /// "yield/4.2-/hole-hub-edge+z": no spaces, so that an id is one word on a command line.
 std::string id_of(Criterion criterion, const Station& station, const std::string& point);
 
@@ -96,9 +100,11 @@ std::optional<CheckResult> check_throat(const Project& project,
                                         const std::vector<SituationHistory>& histories,
                                         const StressPoint& point);
 
-/// Every criterion at every point of the stations.
-std::vector<CheckResult> check_beam(const Project& project, const std::deque<SituationRun>& runs,
-                                    const std::vector<Station>& stations);
+/// Every criterion at every point of a station.
+std::vector<CheckResult> check_station(const Project& project,
+                                       const std::vector<BendingZone>& zones,
+                                       const Station& station,
+                                       const std::vector<SituationHistory>& histories);
 
 /// Yield and fatigue of stresses taken from a published calculation.
 std::vector<CheckResult> check_given_stresses(const Project& project);

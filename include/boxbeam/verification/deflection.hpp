@@ -69,7 +69,7 @@ std::string to_text(const std::variant<Chord, Tangent>& against);
 /// The largest deflection anywhere along the beam, at any time, in any situation, against its
 /// limit; the load factors of the situations count only where the case asks for it. Small
 /// displacements, elastic, quasi-static under the loads of the chosen model. Nothing for a beam
-/// that never bends.
+/// that never bends, or without a limit.
 std::optional<CheckResult> check_deflection(const Project& project,
                                             const std::deque<SituationRun>& runs);
 

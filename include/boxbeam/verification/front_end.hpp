@@ -12,8 +12,8 @@
 #include "boxbeam/verification/closure_summary.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
-#include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/posture.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
 
@@ -43,15 +43,10 @@ class SolvedMotion {
   /// Whether nothing moves and the loads are always the same.
   virtual bool stands_still() const { return false; }
 
-  /// What is drawn of it under its loads. Elastic links are drawn with their displacements
-  /// magnified, by the same factor at all times.
+  /// What is drawn of it under its loads.
   virtual PostureAt postures(const LoadHistory& loads) const = 0;
 
-  /// What moves the mechanism. In the plane the drivers; where they leave a freedom to forces, also
-  /// the points and angles that forces and couples act on, or, where nothing of that kind acts, the
-  /// coordinates of the first body that is moved, without force. In space the joints that move,
-  /// elastic links the harmonic loads with the motion of their points.
-  /// Where the Newton chain loads the beam, the drivers' forces are not known: they are left out.
+  /// What moves it: a coordinate over time, with the force that it takes where that is known.
   virtual std::vector<DriverLine> driver_lines(const LoadHistory& loads) const = 0;
 
   /// Where what carries the beam takes hold of it, under its loads of an instant [m].
@@ -69,7 +64,7 @@ class SolvedMotion {
 /// where kinds are told apart. It looks at the project, which stays.
 class FrontEnd {
  public:
-  FrontEnd() = default;
+  explicit FrontEnd(const Project& project) : project_(&project) {}
   FrontEnd(const FrontEnd&) = delete;
   FrontEnd& operator=(const FrontEnd&) = delete;
   virtual ~FrontEnd() = default;
@@ -103,6 +98,9 @@ class FrontEnd {
 
   /// The ways to assemble it at an instant [s]. Throws InputError where there is one only.
   virtual std::vector<AssemblyResult> assemblies(double time) const = 0;
+
+ protected:
+  const Project* project_;
 };
 
 std::unique_ptr<const FrontEnd> front_end_of(const Project& project);

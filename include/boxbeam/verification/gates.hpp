@@ -1,9 +1,12 @@
 #pragma once
 
-#include <deque>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/model_choice.hpp"
@@ -27,12 +30,38 @@ struct Gate {
 /// web counts as compressed in an instant where its compression is more than 1 % of its largest
 /// stress. Where the beam as a member may buckle (N/N_cr above 0.04) the limits of table 5.2 hold
 /// as they are, 5.5.2(10).
-std::vector<Gate> gates_of(const Project& project, const std::deque<SituationRun>& runs,
-                           const std::vector<Station>& stations,
-                           const std::vector<CheckResult>& checks, const ModelChoice& model);
+class PlateGates {
+ public:
+  /// Looks at what is given, which stays.
+  PlateGates(const Project& project, const std::vector<BendingZone>& zones,
+             const ModelChoice& model);
+
+  /// Looks at the plates of a station.
+  void look_at(const Station& station, const std::vector<SituationHistory>& histories);
+
+  /// Looks at the stresses that were checked.
+  void look_at(const std::vector<CheckResult>& checks);
+
+  std::vector<Gate> gates() const;
+
+ private:
+  /// Of all gates of a kind on a plate of a segment, the worst is kept.
+  void add(const std::string& kind, Gate gate, double excess);
+  void look_at_class(const std::string& segment, const Profile& profile, bool alike,
+                     const AreaSums& sums, const std::vector<SituationHistory>& histories);
+  void look_at_shear_lag(const std::string& segment, const std::string& plate,
+                         const std::optional<ShearLag>& lag);
+
+  const Project* project_;
+  const std::vector<BendingZone>* zones_;
+  bool member_buckles_;
+  std::map<std::string, std::pair<Gate, double>> worst_;
+  std::vector<std::string> order_;
+};
 
 /// The largest c/t of a web at a station, over its limit of class 3 under its stress (5.5.2(9)); 0
-/// where all would do in even compression. By it the search finds the place that gates_of looks at.
+/// where all would do in even compression. By it the search finds the place that PlateGates looks
+/// at.
 double class_3_use_at(const Project& project, const Station& station,
                       const std::vector<SituationHistory>& histories);
 

@@ -24,18 +24,17 @@ struct NeighbourResult {
   std::variant<LoadedPin, PulledRod, PressedRod> basis;
 };
 
-/// The pins a case names, under the largest force of their joint in any situation, times its load
-/// factor. The factor is one on the force. Valid for rigid bodies, see `model_gates_of`. Nothing
-/// for a pin without force. Source: EN 1993-1-8:2005, 3.13.2.
-std::vector<NeighbourResult> check_pins(const Project& project,
-                                        const std::deque<SituationRun>& runs);
-
-/// Checks of rods, and what stands against them.
-struct RodChecks {
+/// Checks of neighbours, what stands against them, and what bears no force at any time.
+struct NeighbourChecks {
   std::vector<NeighbourResult> results;
   std::vector<Gate> gates;
-  std::vector<std::string> unloaded;  ///< names of rods that bear no force at any time
+  std::vector<NotJudged> not_judged;
 };
+
+/// The pins a case names, under the largest force of their joint in any situation, times its load
+/// factor. The factor is one on the force. Valid for rigid bodies, see `model_gates_of`.
+/// Source: EN 1993-1-8:2005, 3.13.2.
+NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun>& runs);
 
 /// The rods a case names, under their largest tension and their largest compression in any
 /// situation, times its load factor: yield and net section; the section, and flexural
@@ -47,6 +46,9 @@ struct RodChecks {
 /// Gates that block: a section that cannot be judged where it is compressed; joints and forces that
 /// load the rod between its ends or turn it, whose bending is not counted.
 /// Source: EN 1993-1-1:2005, 6.2.3, 6.2.4 and 6.3.1.
-RodChecks check_rods(const Project& project, const std::deque<SituationRun>& runs);
+NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun>& runs);
+
+/// Pins and rods.
+NeighbourChecks check_neighbours(const Project& project, const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam

@@ -1,15 +1,46 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "boxbeam/verification/critical_instants.hpp"
+#include "boxbeam/verification/cycle_figure.hpp"
+#include "boxbeam/verification/elastic_figures.hpp"
+#include "boxbeam/verification/figures.hpp"
 #include "boxbeam/verification/front_end.hpp"
-#include "boxbeam/verification/verify.hpp"
 
 /// What the report draws, computed from the situations of a verification that run.
 namespace boxbeam {
+
+/// Whether a verification brings what only pictures need.
+enum class Figures { without, with };
+
+struct Pictures {
+  std::vector<CutForceLine> lines;     ///< at the critical instants
+  std::vector<CutForceLine> envelope;  ///< smallest and largest, along the beam
+  std::vector<BeamLoadRow> loads;
+  std::vector<PostureFigure> postures;           ///< the first at the beginning or without load
+  std::optional<LoadsOverTime> loads_over_time;  ///< at the governing station, in space
+  std::optional<ElasticFigures> elastic;         ///< of elastic links
+  std::optional<SnFigure> sn;                    ///< of the governing fatigue check
+  // Where figures are wanted:
+  std::vector<CycleFigure> cycles;  ///< of every situation that runs, the first first
+  std::vector<DriverLine> drivers;
+  std::optional<SectionFigure> section;  ///< where the governing check rests on cut forces
+};
+
+/// The checks stand worst first.
+Pictures pictures_of(const Project& project, const std::deque<SituationRun>& runs,
+                     const ElasticModel& model, const std::vector<CheckResult>& checks,
+                     const std::vector<CriticalInstant>& instants,
+                     const std::vector<MotionSummary>& motions, Figures figures);
+
+/// The situation, as an index in the case, in which the worst check that rests on cut forces is
+/// worst; without one, the first that runs.
+std::size_t governing_situation_of(const std::vector<CheckResult>& checks,
+                                   const std::vector<MotionSummary>& motions);
 
 /// The postures of a situation, with its name and that of the loads' situation in them.
 PostureAt postures_of(const Project& project, const SituationRun& run);
@@ -22,9 +53,5 @@ CycleFigure cycle_figure_of(const Project& project, const SituationRun& run);
 std::optional<SectionFigure> section_figure_of(const Project& project,
                                                const std::deque<SituationRun>& runs,
                                                const std::vector<CheckResult>& checks);
-
-/// Fills what a verification holds for pictures, from its checks and critical instants.
-void add_pictures(const Project& project, const std::deque<SituationRun>& runs, Figures figures,
-                  Verification& result);
 
 }  // namespace boxbeam

@@ -10,7 +10,8 @@ namespace boxbeam {
 
 /// Stops where a result is no number, or a factor is not above zero: the values of the case are too
 /// far apart for the arithmetic. Throws AnalysisError that names the result.
-void require_numbers(const Verification& verification);
+void require_numbers(const std::vector<StationEnvelope>& stations,
+                     const std::vector<CheckResult>& checks, const ModelChoice& model);
 
 /// Stops where more would be looked at than can be waited for: the instants of all situations that
 /// run, times the places of the beam where something begins or ends. Throws AnalysisError that

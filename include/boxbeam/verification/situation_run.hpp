@@ -3,10 +3,17 @@
 #include <deque>
 #include <memory>
 
-#include "boxbeam/mechanism/planar/motion.hpp"
-#include "boxbeam/verification/front_end.hpp"
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/load_history.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+
+namespace boxbeam::planar {
+struct Motion;
+}
 
 namespace boxbeam {
+
+class SolvedMotion;
 
 /// A situation that runs: its motion, and the loads on the beam over it. Stays where it is made,
 /// for its loads look at its motion.
@@ -16,6 +23,7 @@ struct SituationRun {
   SituationRun(const Project& project, const Situation& situation, const ElasticModel& model);
   SituationRun(const SituationRun&) = delete;
   SituationRun& operator=(const SituationRun&) = delete;
+  ~SituationRun();
 
   const Situation* situation;
   std::unique_ptr<const SolvedMotion> motion;

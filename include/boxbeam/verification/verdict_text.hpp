@@ -17,6 +17,7 @@ std::vector<GateText> gate_texts_of(const Verification& verification);
 
 /// A verdict in words, which leave out nothing that was asked for.
 struct VerdictText {
+  std::string word;  ///< "PASS", "FAIL", "NOT APPLICABLE", with which the line begins
   /// "PASS", "PASS (strength only)" where the case asks for no fatigue, "PASS for strength;
   /// fatigue: no stress range", "FAIL; rod hanger: no force", "NOT APPLICABLE".
   std::string line;

@@ -4,6 +4,7 @@
 #include <deque>
 #include <vector>
 
+#include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
@@ -31,10 +32,7 @@ struct VerifiedStations {
 /// and long pieces in two: nine places, more than the polynomials of the cut forces can hide from.
 /// Utilisations are those of StationSamples; local maxima within 2 % of the largest are all given
 /// back, so that the exact checks decide among them.
-VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs);
-
-/// The stations alone.
-std::vector<Station> stations_to_verify(const Project& project,
-                                        const std::deque<SituationRun>& runs);
+VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs,
+                                 const std::vector<BendingZone>& zones);
 
 }  // namespace boxbeam

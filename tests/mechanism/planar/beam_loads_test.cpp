@@ -57,6 +57,31 @@ TEST_CASE("a force beside the axis turns the beam: balance, and the couple by ha
   }
 }
 
+// Newton's third law, and a frame that turns: a load in beam axes has the length of the reaction in
+// the world.
+TEST_CASE("every load is named after the joint whose reaction it is, or the force") {
+  const Project& project = test::rig();
+  Mechanism mechanism = planar_of(project);
+  mechanism.forces.push_back(
+      {"push", PointForce{{project.beam_body, {0.5, 0.3}}, 0.0, true, PolynomialDriver{{40e3}}}});
+  const BeamBody body = beam_body_of(project.beam, project.beam_body);
+  for (const State& state : solve_motion(mechanism, 24).states) {
+    const BeamLoads loads = beam_loads_of(mechanism, state, body);
+    std::size_t found = 0;
+    for (const Reaction& reaction : reactions_of(mechanism, state)) {
+      if (reaction.on != project.beam_body) continue;
+      const std::string& joint = mechanism.joints[static_cast<std::size_t>(reaction.joint)].name;
+      for (const PointLoad& load : loads.points) {
+        if (load.name != joint) continue;
+        CHECK(load.force.norm() == Approx(reaction.force.norm()).epsilon(1e-12));
+        ++found;
+      }
+    }
+    CHECK(found == 3);
+    CHECK(loads.points.back().name == "push");
+  }
+}
+
 TEST_CASE("the bending moments of the two ends meet at the pivot to 1e-10") {
   // From the lower end by the diagram; from the upper end by summing what acts above the pivot,
   // with Simpson's rule on weight and inertia per length (exact for cubics).

@@ -2,6 +2,7 @@
 
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -74,6 +75,43 @@ CutForces cut(const CutForceDiagram& diagram, double s) {
 }
 
 }  // namespace
+
+// Newton's third law: in beam axes a load has the length of the joint's force in the world.
+TEST_CASE("every load in space is named after its joint or force") {
+  test::Chance chance(67);
+  for (int tree = 0; tree < 20; ++tree) {
+    BeamTree random(chance);
+    Mechanism& mechanism = random.mechanism;
+    for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+      mechanism.joints[i].name = "joint " + std::to_string(i);
+    }
+    for (std::size_t i = 0; i < mechanism.loads.size(); ++i) {
+      mechanism.loads[i].name = "load " + std::to_string(i);
+    }
+    const Chain chain(mechanism);
+    const State state = chain.at(0.4);
+    const BeamLoads loads = beam_loads_of(chain, state, random.body);
+    const std::vector<Wrench> wrenches = chain.joint_wrenches(state);
+    std::size_t expected = 0;
+    const auto check = [&](const std::string& name, double size, bool is_force) {
+      ++expected;
+      const auto load = std::find_if(loads.points.begin(), loads.points.end(),
+                                     [&](const PointLoad& l) { return l.name == name; });
+      REQUIRE(load != loads.points.end());
+      if (is_force) CHECK(load->force.norm() == Approx(size).epsilon(1e-10));
+    };
+    for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+      if (i != 4 && mechanism.joints[i].parent != 4) continue;
+      check(mechanism.joints[i].name, wrenches[i].force.norm(), true);
+    }
+    for (const AppliedLoad& load : mechanism.loads) {
+      if (load.on != 4) continue;
+      check(load.name, std::abs(driver_at(load.size, state.time).value) * load.direction.norm(),
+            load.kind == LoadKind::force);
+    }
+    CHECK(loads.points.size() == expected);
+  }
+}
 
 TEST_CASE("all loads on a beam in a random tree are in balance") {
   test::Chance chance(61);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "boxbeam/verification/bending_zones.hpp"
+#include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/cut_force_envelope.hpp"
+#include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+
+namespace boxbeam {
+
+/// What was found along the beam.
+struct BeamChecks {
+  /// In order, at both ends also outside, where nothing is cut: the jump to zero there is part of
+  /// the diagram.
+  std::vector<StationEnvelope> stations;
+  std::vector<CheckResult> checks;
+  std::vector<Gate> gates;
+};
+
+/// Everything that is looked at in the beam: the cut forces at the stations, every criterion at
+/// every point of them, its plates, the welds of the case. Of stresses that were given only these.
+/// Throws AnalysisError where no point is ever stressed, or a stress is not known.
+BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& runs,
+                      const std::vector<BendingZone>& zones, const std::vector<Station>& stations,
+                      const ModelChoice& model);
+
+}  // namespace boxbeam
