@@ -3,10 +3,11 @@
 # Beside BOXBEAM_SANITIZE, which builds everything so, this compiles the tests only once.
 function(boxbeam_twin target)
   get_target_property(type ${target} TYPE)
-  if(type STREQUAL STATIC_LIBRARY)
-    add_library(${target}_sanitized STATIC)
-  else()
+  if(type STREQUAL EXECUTABLE)
     add_executable(${target}_sanitized)
+  else()
+    string(REPLACE "_LIBRARY" "" kind ${type})
+    add_library(${target}_sanitized ${kind})
   endif()
   foreach(property SOURCES INCLUDE_DIRECTORIES COMPILE_DEFINITIONS LINK_LIBRARIES
           INTERFACE_INCLUDE_DIRECTORIES INTERFACE_LINK_LIBRARIES PRECOMPILE_HEADERS
@@ -16,6 +17,7 @@ function(boxbeam_twin target)
       continue()
     endif()
     list(TRANSFORM value REPLACE "^boxbeam_library$" "boxbeam_library_sanitized")
+    list(TRANSFORM value REPLACE "TARGET_OBJECTS:boxbeam_text" "TARGET_OBJECTS:boxbeam_text_sanitized")
     set_target_properties(${target}_sanitized PROPERTIES ${property} "${value}")
   endforeach()
   # Eigen would take memory in another way than in the tests, which are compiled without sanitizers.

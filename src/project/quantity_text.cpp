@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "boxbeam/core/angle.hpp"
 #include "csv_text.hpp"
 
 namespace boxbeam {
@@ -24,20 +25,13 @@ struct Unit {
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr Unit units_known[] = {
-    {"m", 1.0, {1, 0, 0, 0}, true},
-    {"g", 1e-3, {0, 1, 0, 0}, true},
-    {"t", 1e3, {0, 1, 0, 0}, false},
-    {"s", 1.0, {0, 0, 1, 0}, true},
-    {"min", 60.0, {0, 0, 1, 0}, false},
-    {"h", 3600.0, {0, 0, 1, 0}, false},
-    {"rad", 1.0, {0, 0, 0, 1}, true},
-    {"deg", degree, {0, 0, 0, 1}, false},
-    {"Hz", 1.0, {0, 0, -1, 0}, true},
-    {"rpm", 2.0 * std::numbers::pi / 60.0, {0, 0, -1, 1}, false},
-    {"N", 1.0, {1, 1, -2, 0}, true},
-    {"Pa", 1.0, {-1, 1, -2, 0}, true},
-    {"bar", 1e5, {-1, 1, -2, 0}, true},
-    {"J", 1.0, {2, 1, -2, 0}, true},
+    {"m", 1.0, {1, 0, 0, 0}, true},     {"g", 1e-3, {0, 1, 0, 0}, true},
+    {"t", 1e3, {0, 1, 0, 0}, false},    {"s", 1.0, {0, 0, 1, 0}, true},
+    {"min", 60.0, {0, 0, 1, 0}, false}, {"h", 3600.0, {0, 0, 1, 0}, false},
+    {"rad", 1.0, {0, 0, 0, 1}, true},   {"deg", degree, {0, 0, 0, 1}, false},
+    {"Hz", 1.0, {0, 0, -1, 0}, true},   {"rpm", full_turn / 60.0, {0, 0, -1, 1}, false},
+    {"N", 1.0, {1, 1, -2, 0}, true},    {"Pa", 1.0, {-1, 1, -2, 0}, true},
+    {"bar", 1e5, {-1, 1, -2, 0}, true}, {"J", 1.0, {2, 1, -2, 0}, true},
     {"W", 1.0, {2, 1, -3, 0}, true},
 };
 

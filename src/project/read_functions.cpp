@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -49,8 +49,7 @@ double angular_frequency_of(TableReader& table) {
     return table.positive({"angular_frequency", "instead of the frequency"},
                           wanted::angular_frequency);
   }
-  return 2.0 * std::numbers::pi *
-         table.positive({"frequency", "cycles per time"}, wanted::frequency);
+  return full_turn * table.positive({"frequency", "cycles per time"}, wanted::frequency);
 }
 
 HarmonicDriver read_harmonic(TableReader& table, const FunctionOf& of) {

@@ -3,9 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "blocks.hpp"
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/spatial/rotation.hpp"
 #include "front_end_text.hpp"
 #include "function_text.hpp"
@@ -156,7 +156,7 @@ void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motio
                                     text::seconds(end), name, text::seconds(timing.end)));
     }
     for (const double omega : timing.omegas) {
-      const double waves = motion.period.value() * omega / (2.0 * std::numbers::pi);
+      const double waves = motion.period.value() * omega / full_turn;
       if (std::abs(waves - std::round(waves)) < 1e-6 * waves) continue;
       remarks.push_back(
           fmt::format("the time looked at, {}, holds {:.4g} cycles of {}, not a whole number",

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/core/angle.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -237,8 +239,8 @@ double fraction_at(const BorderPiece& piece, double z) {
   const double middle = piece.angle + 0.5 * piece.sweep;
   double angle = std::asin(sine);
   if (std::cos(middle) < 0.0) angle = std::numbers::pi - angle;
-  const double turns = std::round((middle - angle) / (2.0 * std::numbers::pi));
-  return std::clamp((angle + turns * 2.0 * std::numbers::pi - piece.angle) / piece.sweep, 0.0, 1.0);
+  const double turns = std::round((middle - angle) / full_turn);
+  return std::clamp((angle + turns * full_turn - piece.angle) / piece.sweep, 0.0, 1.0);
 }
 
 /// Width just at a level that meets no corner.

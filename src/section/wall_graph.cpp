@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/section/outline.hpp"
 
 namespace boxbeam {
@@ -246,7 +247,7 @@ void add_walls(WallGraph& graph, const RoundTube& tube, const std::vector<Hole>&
   for (std::size_t k = 0; k < parts; ++k) {
     Wall wall = pattern_of(tube.wall.value(), WallPart::path, inner);
     wall.radius = 0.5 * (tube.diameter - tube.wall).value();
-    wall.sweep = 2.0 * std::numbers::pi / parts;
+    wall.sweep = full_turn / parts;
     wall.angle = static_cast<double>(k) * wall.sweep;
     wall.start = point_on(wall, 0.0);
     wall.end = point_on(wall, 1.0);

@@ -1,11 +1,11 @@
 #include "wall_places.hpp"
+#include "boxbeam/core/angle.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace boxbeam::wall_places {
 
@@ -69,8 +69,7 @@ WallPlace nearest(const WallGraph& graph, WallPart part, bool inner, double alon
 }
 
 WallPlace on_round(const WallGraph& graph, bool inner, double angle) {
-  const double turn = 2.0 * std::numbers::pi;
-  const double positive = angle - turn * std::floor(angle / turn);
+  const double positive = angle - full_turn * std::floor(angle / full_turn);
   for (std::size_t i = 0; i < graph.walls.size(); ++i) {
     const Wall& wall = graph.walls[i];
     const double fraction = (positive - wall.angle) / wall.sweep;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <tuple>
 
+#include "boxbeam/core/angle.hpp"
 #include "wall_places.hpp"
 
 namespace boxbeam {
@@ -149,7 +149,7 @@ SectionPoint point_on_stretch(const StressField& field, const WallStretch& stret
   if (stretch.round) {
     const Profile& profile = stretch.inner ? *field.section.inner : field.section.outer;
     const double radius = 0.5 * std::get<RoundTube>(profile).diameter.value();
-    const double angle = 2.0 * std::numbers::pi * part;
+    const double angle = full_turn * part;
     return wall_point(field, stretch.name, on_round(graph, stretch.inner, angle),
                       radius * std::cos(angle), radius * std::sin(angle), 0.0, stretch.plate);
   }

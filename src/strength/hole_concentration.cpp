@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "hole_formulas.hpp"
 
@@ -47,7 +47,7 @@ std::vector<HoleEdge> edges_around(const AroundHole& around, const Place& place)
   constexpr int steps = 120;
   std::vector<HoleEdge> edges;
   for (int k = 0; k < steps; ++k) {
-    const double theta = 2.0 * std::numbers::pi * k / steps;
+    const double theta = full_turn * k / steps;
     const auto factors = hole::edge_factors(K_g, theta, around.a, around.radius);
     HoleEdge edge;
     place(edge, around.radius * std::sin(theta));

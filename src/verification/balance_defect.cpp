@@ -6,10 +6,10 @@
 #include <cmath>
 #include <complex>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <unsupported/Eigen/FFT>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
@@ -23,8 +23,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 /// Cut forces of the beam in a link's axes: N, V and the couple counter-clockwise.
 struct Cut {
@@ -82,7 +80,7 @@ class Bending {
 
   std::optional<BalanceDefect> defect() {
     const auto n = static_cast<Index>(states_->size());
-    const double rate = two_pi / rigid_->motion->period;
+    const double rate = full_turn / rigid_->motion->period;
     const auto elements = static_cast<Index>(elements_.size());
     // What the model says, against the rigid bodies.
     std::vector<std::vector<Cut>> by_model;

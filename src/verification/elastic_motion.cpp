@@ -9,14 +9,13 @@
 #include <memory>
 #include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
 #include "boxbeam/project/link_profile.hpp"
 
 namespace boxbeam {
 namespace {
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 /// First and second derivative at one of N equal steps of a period of 2 pi, N even: entry by the
 /// number of steps between.
@@ -26,7 +25,7 @@ struct Differentiation {
 
 Differentiation differentiation(Eigen::Index n) {
   Differentiation d{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-  const double h = two_pi / static_cast<double>(n);
+  const double h = full_turn / static_cast<double>(n);
   d.second[0] = -std::numbers::pi * std::numbers::pi / (3.0 * h * h) - 1.0 / 6.0;
   for (Eigen::Index k = 1; k < n; ++k) {
     const double sign = k % 2 == 0 ? 1.0 : -1.0;
@@ -209,7 +208,7 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
 
   // Unknowns: instant by instant the modal coordinates.
   const Differentiation d = differentiation(n);
-  const double rate = two_pi / motion.period;
+  const double rate = full_turn / motion.period;
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n * k, n * k);
   Eigen::MatrixXd p(n, k);
   Eigen::MatrixXd statically(n, k);
@@ -221,7 +220,7 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
     const auto [at, turn] = aligned_at(posture_at(state, loads), state.time);
     Eigen::VectorXd squares(k);
     for (Eigen::Index j = 0; j < k; ++j) {
-      squares[j] = std::pow(two_pi * at.frequencies[static_cast<std::size_t>(j)], 2);
+      squares[j] = std::pow(full_turn * at.frequencies[static_cast<std::size_t>(j)], 2);
     }
     lowest_ = std::min(lowest_, at.frequencies.front());
     const Eigen::VectorXd force = modal_loads(at, cut_forces_of(loads));

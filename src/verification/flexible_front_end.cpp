@@ -1,7 +1,7 @@
 #include <cmath>
 #include <complex>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/verification/elastic_figures.hpp"
@@ -19,7 +19,7 @@ namespace {
 DriverLine line_of(const flexible::Load& load, bool couple, const FlexibleMotion& motion) {
   constexpr int steps = 192;
   const flexible::Response& response = motion.response;
-  const double omega = 2.0 * std::numbers::pi * response.frequency;
+  const double omega = full_turn * response.frequency;
   Eigen::Vector3d along = load.amplitude;
   if (couple)
     along.head<2>().setZero();

@@ -1,8 +1,8 @@
 #include "boxbeam/verification/flexible_motion.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 #include "boxbeam/verification/elastic_model.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 flexible::Deformation<flexible::Complex> static_response_to(
     const flexible::Structure& structure, const flexible::LinkColumns<flexible::Complex>& inertial,
     double frequency) {
-  const double square = std::pow(2.0 * std::numbers::pi * frequency, 2);
+  const double square = std::pow(full_turn * frequency, 2);
   flexible::LinkColumns<flexible::Complex> loads = flexible::harmonic_loads(structure);
   const auto inertia = flexible::mass_times(structure, inertial);
   for (std::size_t k = 0; k < loads.size(); ++k) loads[k] += square * inertia[k];

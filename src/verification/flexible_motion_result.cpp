@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/flexible/modes.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
 
@@ -42,7 +42,7 @@ Solved solve(const flexible::Structure& structure, int beam_link) {
   }
   const flexible::FieldAlong<double> weight{mechanism.gravity, 0.0};
   flexible::FieldAlong<flexible::Complex> inertia;
-  inertia.square = std::pow(2.0 * std::numbers::pi * response.frequency, 2);
+  inertia.square = std::pow(full_turn * response.frequency, 2);
   for (std::size_t k = 0; k < mechanism.links.size(); ++k) {
     for (const BodyPoint& point : mechanism.links[k].points) {
       const flexible::Attachment at{static_cast<int>(k), point.p};

@@ -1,6 +1,6 @@
 #include "boxbeam/verification/model_response.hpp"
 
-#include <numbers>
+#include "boxbeam/core/angle.hpp"
 
 namespace boxbeam {
 namespace {
@@ -21,7 +21,7 @@ ModelResponse static_part(const flexible::Structure& structure) {
 /// Rigid links may stand still on joints without give, where there is no resonance to look for.
 ModelResponse rigid_response(const flexible::Structure& structure) {
   ModelResponse result = static_part(structure);
-  const double omega = 2.0 * std::numbers::pi * result.response.frequency;
+  const double omega = full_turn * result.response.frequency;
   if (omega == 0.0) return result;
   result.response.harmonic = flexible::DynamicStiffness<Complex>(structure, omega * omega, omega)
                                  .solve(flexible::harmonic_loads(structure));

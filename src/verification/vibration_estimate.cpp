@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <unsupported/Eigen/FFT>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/forces.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
@@ -15,7 +15,6 @@
 namespace boxbeam {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr std::size_t modes_looked_at = 3;
 constexpr std::size_t postures_looked_at = 6;
 constexpr double significant = 0.01;
@@ -41,7 +40,7 @@ Eigen::VectorXd samples_of(const Spectrum& spectrum) {
 /// steps of a period: its inertia over the square of its frequency.
 Eigen::VectorXd dynamic_part(const Eigen::VectorXd& p, double frequency, double damping,
                              double base) {
-  const double omega = two_pi * frequency;
+  const double omega = full_turn * frequency;
   Spectrum spectrum = spectrum_of(p);
   const std::size_t n = spectrum.size();
   for (std::size_t h = 0; h < n; ++h) {
@@ -126,7 +125,7 @@ VibrationEstimate estimate_vibration(const RigidMotion& rigid, const ElasticBody
     for (std::size_t i = 0; i < history.even_instants(); ++i) {
       p.row(static_cast<Eigen::Index>(i)) = modal_loads(modes, history.even_diagram(i)).transpose();
     }
-    const double turning = std::pow(fastest / (two_pi * modes.frequencies.front()), 2);
+    const double turning = std::pow(fastest / (full_turn * modes.frequencies.front()), 2);
     const double beside = 1.0 - modes.shifting[static_cast<std::size_t>(elastic.body)](0, 0);
     const double left_out = turning * std::clamp(beside, 0.0, 1.0);
     estimate.left_out = std::max(estimate.left_out, left_out);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 
 namespace boxbeam {
@@ -101,7 +101,7 @@ class AroundEdge {
   }
 
   static double angle_of(std::size_t place) {
-    return 2.0 * std::numbers::pi * static_cast<double>(place) / static_cast<double>(places);
+    return full_turn * static_cast<double>(place) / static_cast<double>(places);
   }
 
   HoleEdge at(double angle) const {
@@ -116,7 +116,7 @@ class AroundEdge {
     std::copy_n(sum.begin(), cut_force::count, edge.influence.normal.begin());
     edge.y = si<Length>(sum[cut_force::count]);
     edge.z = si<Length>(sum[cut_force::count + 1]);
-    const double turn = 2.0 * std::numbers::pi;
+    constexpr double turn = full_turn;
     edge.angle = angle - turn * std::floor(angle / turn);
     return edge;
   }

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "boxbeam/core/angle.hpp"
 
 namespace boxbeam {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 void add(DriverState& state, double amplitude, double omega, double phase, double time) {
   const double angle = omega * time + phase;
@@ -95,7 +94,7 @@ struct Timing {
   }
 
   DriverTiming operator()(const StepDriver& driver) const {
-    return {{}, false, driver.end, {}, turn / (driver.end - driver.begin)};
+    return {{}, false, driver.end, {}, full_turn / (driver.end - driver.begin)};
   }
 
   DriverTiming operator()(const TableDriver& driver) const {
@@ -103,7 +102,7 @@ struct Timing {
     DriverTiming timing;
     double shortest = curve.last_x() - curve.first_x();
     if (curve.beyond() == Beyond::periodic) {
-      timing.omegas.push_back(turn / shortest);
+      timing.omegas.push_back(full_turn / shortest);
     } else {
       timing.repeats = false;
       timing.end = curve.last_x();
@@ -113,7 +112,7 @@ struct Timing {
       shortest = std::min(shortest, curve.points()[i] - curve.points()[i - 1]);
     }
     // Between three points of a table a value can swing once.
-    timing.highest_omega = 0.5 * turn / shortest;
+    timing.highest_omega = 0.5 * full_turn / shortest;
     return timing;
   }
 };
@@ -153,7 +152,7 @@ std::optional<double> common_period_of(const std::vector<double>& omegas, int mo
       const double own = cycles * (omega / fastest);
       return std::abs(own - std::round(own)) < 1e-9 * cycles && std::round(own) > 0.0;
     };
-    if (std::all_of(omegas.begin(), omegas.end(), whole)) return cycles * (turn / fastest);
+    if (std::all_of(omegas.begin(), omegas.end(), whole)) return cycles * (full_turn / fastest);
   }
   return std::nullopt;
 }

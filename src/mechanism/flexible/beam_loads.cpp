@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "frequency.hpp"
+
 namespace boxbeam::flexible {
 namespace {
 
@@ -289,8 +291,6 @@ void add_second_order(const DividedLink& link, const std::vector<Length>& places
     load.moment.y() = arms * turn;
   }
 }
-
-double omega_of(double frequency) { return 2.0 * std::numbers::pi * frequency; }
 
 }  // namespace
 

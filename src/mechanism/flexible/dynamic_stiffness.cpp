@@ -5,9 +5,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/response.hpp"
 
@@ -393,7 +393,7 @@ void DynamicStiffness<Scalar>::fail_singular() const {
          {}});
   }
   if (square_ != 0.0) {
-    const double frequency = std::sqrt(std::abs(square_)) / (2.0 * std::numbers::pi);
+    const double frequency = std::sqrt(std::abs(square_)) / full_turn;
     throw AnalysisError(
         {fmt::format("the structure is in resonance at {:.6g} Hz and has no damping: its amplitude "
                      "grows without limit; take another frequency or give damping to links or "

@@ -11,6 +11,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "boxbeam/core/error.hpp"
+#include "frequency.hpp"
 
 namespace boxbeam::flexible {
 namespace {
@@ -22,17 +23,12 @@ using Eigen::Vector3d;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-/// Distance of the squares of the drive and a natural frequency, relative, within which an
-/// undamped amplitude is none: that of the response without modes.
-constexpr double resonance = 2e-6;
 /// A load on a mode below this part of what it could be is round-off.
 constexpr double no_load = 1e-10;
 /// The shift, over the lowest omega^2 with strain, by which structures that move freely are solved,
 /// and the steps that take it out again.
 constexpr double shift = 1e-4;
 constexpr int steps_of_shift = 6;
-
-double omega_of(double frequency) { return 2.0 * std::numbers::pi * frequency; }
 
 VectorXd squares_of(const ModalModel& model) {
   VectorXd squares(static_cast<Index>(model.modes.size()));

@@ -6,11 +6,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <random>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam::flexible {
@@ -411,7 +411,7 @@ Mode finished(const Problem& problem, const VectorXd& q) {
   }
   const double square = shifted - problem.below;
   if (square > no_strain * problem.below) {
-    mode.frequency = std::sqrt(square) / (2.0 * std::numbers::pi);
+    mode.frequency = std::sqrt(square) / full_turn;
   } else {
     mode.shape.joints.setZero();
   }

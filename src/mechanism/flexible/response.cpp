@@ -8,15 +8,10 @@
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
+#include "frequency.hpp"
 
 namespace boxbeam::flexible {
 namespace {
-
-/// Distance of the squares of the drive and a natural frequency, relative, within which an
-/// amplitude that nothing damps is none; twice the damping ratio counts as distance.
-constexpr double resonance = 2e-6;
-
-double omega_of(double frequency) { return 2.0 * std::numbers::pi * frequency; }
 
 void add_loads(const Structure& structure, const auto& amount, auto& columns) {
   const Mechanism& mechanism = *structure.mechanism;

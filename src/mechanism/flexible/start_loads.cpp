@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 
 namespace boxbeam::flexible {
@@ -21,7 +22,7 @@ BeamLoads beam_loads_after_start(const Structure& structure, int link, const Tap
   for (std::size_t j = 0; j < modes.modes().size(); ++j) {
     const auto at = static_cast<Eigen::Index>(j);
     const Mode& mode = modes.modes()[j];
-    const double square = std::pow(2.0 * std::numbers::pi * mode.frequency, 2);
+    const double square = std::pow(full_turn * mode.frequency, 2);
     response.harmonic.joints += (now.x[at] * as_phasor) * mode.shape.joints;
     if (!modes.of_speeds().empty()) {
       response.harmonic.joints += (now.speed[at] * as_phasor) * modes.of_speeds()[j].joints;

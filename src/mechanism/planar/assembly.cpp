@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "boxbeam/core/angle.hpp"
 
 namespace boxbeam::planar {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int most_iterations = 400;
 
 /// Term `index` of the van der Corput sequence in a base, in [0, 1): fills the interval evenly
@@ -169,7 +169,8 @@ Assembly Assembler::search(const Eigen::VectorXd& start) {
 double distance_between(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double size) {
   double largest = 0.0;
   for (Eigen::Index i = 0; i < a.size(); ++i) {
-    const double difference = i % 3 == 2 ? std::remainder(a[i] - b[i], turn) : (a[i] - b[i]) / size;
+    const double difference =
+        i % 3 == 2 ? std::remainder(a[i] - b[i], full_turn) : (a[i] - b[i]) / size;
     largest = std::max(largest, std::abs(difference));
   }
   return largest;
@@ -182,14 +183,14 @@ Eigen::VectorXd other_start(const Mechanism& mechanism, const Eigen::VectorXd& s
   for (Eigen::Index i = 0; i < start.size(); ++i) {
     prime = next_prime(prime);
     const double spread = van_der_corput(index, prime) - 0.5;
-    start[i] += i % 3 == 2 ? turn * spread : reach * spread;
+    start[i] += i % 3 == 2 ? full_turn * spread : reach * spread;
   }
   return start;
 }
 
 Eigen::VectorXd unwound(Eigen::VectorXd q, const Eigen::VectorXd& reference) {
   for (Eigen::Index i = 2; i < q.size(); i += 3) {
-    q[i] -= turn * std::round((q[i] - reference[i]) / turn);
+    q[i] -= full_turn * std::round((q[i] - reference[i]) / full_turn);
   }
   return q;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 
 /// The constraint equations in any arithmetic: what the sources that instantiate them share.
@@ -20,7 +21,7 @@ Scalar whole_turn() {
   if constexpr (std::is_floating_point_v<Scalar>) {
     return Scalar(2) * std::numbers::pi_v<Scalar>;
   } else {
-    return Scalar(2.0 * std::numbers::pi);
+    return Scalar(full_turn);
   }
 }
 

@@ -1,8 +1,8 @@
 #include "boxbeam/mechanism/planar/equivalent_mass.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
@@ -32,7 +32,7 @@ double equivalent_mass_in(const Mechanism& mechanism, const std::vector<State>& 
   const auto count = static_cast<double>(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) {
     const State& state = states[i];
-    const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) / count;
+    const double phase = full_turn * static_cast<double>(i) / count;
     for (const Reaction& reaction : reactions_of(mechanism, state)) {
       if (reaction.joint != joint || reaction.on != on) continue;
       force.add(reaction.force, phase);

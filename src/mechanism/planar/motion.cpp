@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/common/rough_times.hpp"
 #include "boxbeam/mechanism/planar/assembly.hpp"
@@ -14,8 +14,6 @@
 
 namespace boxbeam::planar {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// What no driver moves, where the first position is regular or nothing moves it at all.
 DegreesOfFreedom freedom_at_start(const Mechanism& mechanism) {
@@ -287,8 +285,8 @@ Motion solve_motion(const Mechanism& mechanism) {
   const TimeSpan span = time_span_of(mechanism);
   // What does not even move by a millionth of its size in a period, or of a fall, is at rest.
   const double rest =
-      1e-6 * (std::pow(turn / span.length, 2) + mechanism.gravity.norm() / size_of(mechanism));
-  const double waves = span.length * span.highest_omega / turn;
+      1e-6 * (std::pow(full_turn / span.length, 2) + mechanism.gravity.norm() / size_of(mechanism));
+  const double waves = span.length * span.highest_omega / full_turn;
   if (8.0 * waves > most) {
     throw AnalysisError(
         {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
@@ -313,7 +311,7 @@ Motion solve_motion(const Mechanism& mechanism) {
     const auto count = static_cast<double>(motion.states.size());
     // More instants can only show faster turns, so that some motions are too fast already here.
     const Turn fastest = fastest_turn(motion);
-    const double wanted = 8.0 * motion.period * fastest.rate / turn;
+    const double wanted = 8.0 * motion.period * fastest.rate / full_turn;
     const bool turns_seen = count >= wanted;
     if (accelerations.value < enough && reactions.value < enough && turns_seen) return motion;
     if (wanted > most) {

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/common/rough_times.hpp"
 
 namespace boxbeam::spatial {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr std::size_t fewest = 96;
 constexpr std::size_t most = 24576;
 
@@ -103,7 +102,7 @@ Motion motion_of(const Chain& chain) {
   const TimeSpan span = time_span_of(chain.mechanism());
   Motion motion{span.begin, span.length, span.closed, fewest};
   const RoughTimes rough(functions_of(chain.mechanism()), span.begin, span.length, span.closed);
-  const double waves = span.length * span.highest_omega / turn;
+  const double waves = span.length * span.highest_omega / full_turn;
   if (8.0 * waves > most) {
     throw AnalysisError(
         {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
@@ -119,7 +118,7 @@ Motion motion_of(const Chain& chain) {
     const Samples samples = samples_of(chain, motion);
     const Misfit misfit = misfit_of(motion, rough, samples.values);
     const bool turns_seen =
-        static_cast<double>(motion.instants) >= 8.0 * motion.period * samples.fastest / turn;
+        static_cast<double>(motion.instants) >= 8.0 * motion.period * samples.fastest / full_turn;
     if (misfit.value < enough && turns_seen) return motion;
     if (2 * motion.instants > most) {
       throw AnalysisError(
