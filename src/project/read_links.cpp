@@ -7,7 +7,7 @@
 #include "boxbeam/project/limits.hpp"
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/section/section_defect.hpp"
-#include "readers.hpp"
+#include "link_draft.hpp"
 
 namespace boxbeam::readers {
 namespace {
@@ -16,39 +16,6 @@ using Eigen::Vector2d;
 using flexible::Link;
 using flexible::LinkKind;
 using flexible::LinkStretch;
-
-/// How far lengths that must agree may differ, relative.
-constexpr double agreement = 1e-6;
-
-/// A place of the world, or a point of a link by name.
-struct WrittenPlace {
-  std::string_view key;
-  std::string reference;  ///< "boom.P2"; "" for the world
-  Vector2d world = Vector2d::Zero();
-};
-
-/// How a link is placed: by where its origin or a point of its own lies and its angle, or by where
-/// its two ends lie.
-struct Placing {
-  std::string own_point;  ///< "": its origin
-  WrittenPlace at;
-  double angle = 0.0;
-  std::optional<WrittenPlace> to;
-};
-
-/// A link as written. Its length may come from its placing, its profile waits for the length.
-struct LinkDraft {
-  TableReader table;
-  Link link = {};
-  Placing placing = {};
-  std::optional<double> length = {};
-  TaperedBeam profile = {};  ///< where sections give it; a single segment fills the whole length
-  LinkStretch stiffness = {};
-  double youngs_modulus = 0.0, shear_modulus = 0.0;
-  double extra_mass = 0.0;
-  bool lump = false;  ///< a rigid link whose mass is given as such
-  bool placed = false;
-};
 
 WrittenPlace read_written_place(TableReader& table, const Key& key) {
   WrittenPlace place{key.name, "", Vector2d::Zero()};
@@ -97,38 +64,6 @@ void read_link_points(TableReader& table, Link& link) {
     link.points.push_back(
         {member.key,
          points.pair_in(member.value, fmt::format("point \"{}\"", member.key), wanted::length)});
-  }
-}
-
-const BodyPoint* find_point(const Link& link, const std::string& name) {
-  const int index = index_of(link.points, name);
-  return index < 0 ? nullptr : &link.points[static_cast<std::size_t>(index)];
-}
-
-/// Gives a link its length, notes points that stand off it, and names its ends. A length that could
-/// not be read is NaN.
-void take_length(LinkDraft& draft, double length) {
-  Link& link = draft.link;
-  draft.length = length;
-  link.length = length;
-  for (BodyPoint& point : link.points) {
-    const double s = point.p.x();
-    if (!std::isfinite(length)) break;
-    if (s < -agreement * length || s > (1.0 + agreement) * length) {
-      draft.table.table("points").problem(
-          point.name, fmt::format("point \"{}\" lies off the link, at s = {:.6g} m", point.name, s),
-          fmt::format("s goes from 0 to {:.6g} m", length));
-    }
-    point.p.x() = std::clamp(s, 0.0, length);
-  }
-  for (const auto& [name, s] : {std::pair{"start", 0.0}, {"end", length}}) {
-    if (find_point(link, name) == nullptr) {
-      link.points.push_back({name, {s, 0.0}});
-    } else {
-      draft.table.table("points").problem(
-          name, fmt::format("\"{}\" is the {} of the link by itself", name, name),
-          "give the point another name");
-    }
   }
 }
 
@@ -315,106 +250,6 @@ LinkDraft read_draft(const std::string& name, const TableReader& table,
   if (reader.problems().size() == before && draft.length) take_length(draft, *draft.length);
   reader.finish();
   return draft;
-}
-
-/// The link that a place refers to, nothing for the world or, with a problem, where there is none.
-const LinkDraft* link_of(TableReader& table, const WrittenPlace& place,
-                         const std::vector<LinkDraft>& drafts) {
-  if (place.reference.empty()) return nullptr;
-  const std::size_t dot = place.reference.rfind('.');
-  const std::string name = place.reference.substr(0, dot);
-  std::vector<std::string> names;
-  for (const LinkDraft& draft : drafts) {
-    if (draft.link.name == name && dot != std::string::npos) return &draft;
-    names.push_back(draft.link.name);
-  }
-  if (dot == std::string::npos) {
-    table.problem(place.key, fmt::format("\"{}\" is not a point of a link", place.reference),
-                  "write \"link.point\", or [x, y] of the world");
-  } else {
-    table.problem(place.key, fmt::format("there is no link \"{}\"", name),
-                  unknown_hint(name, names));
-  }
-  return nullptr;
-}
-
-/// Where a place of a link that is placed lies in the world.
-Vector2d world_of(TableReader& table, const WrittenPlace& place, const LinkDraft* of) {
-  if (of == nullptr) return place.world;
-  const std::string name = place.reference.substr(place.reference.rfind('.') + 1);
-  const BodyPoint* point = find_point(of->link, name);
-  if (point == nullptr) {
-    table.problem(place.key, fmt::format("link \"{}\" has no point \"{}\"", of->link.name, name),
-                  unknown_hint(name, names_of(of->link.points)));
-    return Vector2d::Constant(std::nan(""));
-  }
-  return of->link.origin + Eigen::Rotation2Dd(of->link.angle) * point->p;
-}
-
-/// Places a link whose references are placed.
-void place(LinkDraft& draft, const LinkDraft* at, const LinkDraft* to) {
-  Link& link = draft.link;
-  const Placing& placing = draft.placing;
-  draft.placed = true;
-  const Vector2d here = world_of(draft.table, placing.at, at);
-  if (placing.to) {
-    const Vector2d along = world_of(draft.table, *placing.to, to) - here;
-    const double length = along.norm();
-    if (length == 0.0) {
-      draft.table.problem("to", "the link has no length: both ends are at one place",
-                          "name two places apart");
-      return;
-    }
-    link.origin = here;
-    link.angle = std::atan2(along.y(), along.x());
-    if (draft.lump) return;
-    if (draft.length && std::abs(*draft.length - length) > agreement * length) {
-      draft.table.problem("to",
-                          fmt::format("the link is {:.9g} m long, its ends lie {:.9g} m apart",
-                                      *draft.length, length),
-                          "change its length, or place it by \"origin\" and \"angle\"");
-    }
-    if (!draft.length) take_length(draft, length);
-    return;
-  }
-  link.angle = placing.angle;
-  link.origin = here;
-  if (placing.own_point.empty()) return;
-  const BodyPoint* own = find_point(link, placing.own_point);
-  if (own == nullptr) {
-    draft.table.problem(
-        "place", fmt::format("link \"{}\" has no point \"{}\"", link.name, placing.own_point),
-        unknown_hint(placing.own_point, names_of(link.points)));
-    return;
-  }
-  link.origin -= Eigen::Rotation2Dd(link.angle) * own->p;
-}
-
-/// Places one link after the other, those first that the others refer to.
-void place_all(std::vector<LinkDraft>& drafts) {
-  const std::size_t before = drafts.front().table.problems().size();
-  for (bool more = true; more;) {
-    more = false;
-    for (LinkDraft& draft : drafts) {
-      if (draft.placed) continue;
-      const LinkDraft* at = link_of(draft.table, draft.placing.at, drafts);
-      const LinkDraft* to =
-          draft.placing.to ? link_of(draft.table, *draft.placing.to, drafts) : nullptr;
-      if (draft.table.problems().size() != before) return;
-      if ((at != nullptr && !at->placed) || (to != nullptr && !to->placed)) continue;
-      place(draft, at, to);
-      if (draft.table.problems().size() != before) return;
-      more = true;
-    }
-  }
-  for (LinkDraft& draft : drafts) {
-    if (draft.placed) continue;
-    draft.table.problem(
-        draft.placing.at.key,
-        fmt::format("link \"{}\" is placed by links that are placed by it", draft.link.name),
-        "place one of them in the world: origin = [\"0 m\", \"0 m\"]");
-    return;
-  }
 }
 
 /// Stiffness and mass along a link whose length is known.

@@ -1,12 +1,95 @@
 #include "boxbeam/verification/beam_checks.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/given_stresses.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
+#include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
 namespace {
+
+/// The checks of one station as they are gathered.
+class StationChecks {
+ public:
+  StationChecks(const Project& project, const std::vector<SituationHistory>& histories)
+      : project_(&project), histories_(&histories), samples_(project, histories) {}
+
+  /// Every criterion at every point; along walls where each is worst. In the plane, where most of
+  /// a section is level or has its maximum at a named point, only where it is worse there.
+  void look_at(const std::vector<StressPoint>& points) {
+    Utilisations named;
+    for (const StressPoint& point : points) {
+      if (point.stretch) continue;
+      const std::size_t before = results.size();
+      look_at_point(point);
+      for (std::size_t i = before; i < results.size(); ++i) {
+        double& most = named.of(results[i].check.criterion);
+        most = std::max(most, results[i].check.utilisation());
+      }
+    }
+    if (project_->in_space) {
+      for (const StressPoint& point : points) {
+        if (!point.stretch) continue;
+        for (const Criterion criterion : stress_criteria) {
+          if (criterion != Criterion::weld)
+            add(criterion, at_worst_on_stretch(samples_, point, criterion));
+        }
+      }
+      return;
+    }
+    const WallSearch walls(samples_, points, named);
+    for (const Criterion criterion : stress_criteria) {
+      const WorstOnWall& worst = walls.worst(criterion);
+      if (worst.point == nullptr || worst.utilisation < 1.0001 * named.of(criterion)) continue;
+      add(criterion, worst.point->stretch->only_end
+                         ? moved_along(*worst.point, worst.part)
+                         : at_worst_on_stretch(samples_, *worst.point, criterion));
+    }
+  }
+
+  std::vector<CheckResult> results;
+
+ private:
+  void look_at_point(const StressPoint& point) {
+    for (const Criterion criterion : {Criterion::fatigue, Criterion::shear_fatigue,
+                                      Criterion::combined_fatigue, Criterion::stress_range})
+      add(criterion, at_worst_edge(samples_, point, criterion));
+    if (point.on_throat)
+      add(Criterion::weld, point);
+    else if (point.yield)
+      add(Criterion::yield, at_worst_edge(samples_, point, Criterion::yield));
+  }
+
+  void add(Criterion criterion, const StressPoint& point) {
+    std::optional<CheckResult> result;
+    if (criterion == Criterion::yield)
+      result = check_yield(*project_, *histories_, point);
+    else if (criterion == Criterion::weld)
+      result = check_throat(*project_, *histories_, point);
+    else if (criterion == Criterion::stress_range)
+      result = check_range(*project_, *histories_, point);
+    else
+      result = check_fatigue(*project_, *histories_, point, criterion);
+    if (result) results.push_back(std::move(*result));
+  }
+
+  const Project* project_;
+  const std::vector<SituationHistory>* histories_;
+  StationSamples samples_;
+};
+
+/// Every criterion at every point of a station.
+std::vector<CheckResult> check_station(const Project& project,
+                                       const std::vector<BendingZone>& zones,
+                                       const Station& station,
+                                       const std::vector<SituationHistory>& histories) {
+  StationChecks checks(project, histories);
+  checks.look_at(stress_points_at(project, zones, station));
+  return std::move(checks.results);
+}
 
 void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
   std::move(more.begin(), more.end(), std::back_inserter(checks));

@@ -13,26 +13,10 @@
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
-#include "boxbeam/verification/worst_place.hpp"
+#include "check_sources.hpp"
 
 namespace boxbeam {
 namespace {
-
-std::string yield_source(const Material& material) {
-  return "EN 1993-1-1:2005, 6.2.1(5) (elastic, von Mises); yield strength by " + material.source;
-}
-
-std::string fatigue_source(const FatigueInput& fatigue, const std::vector<SnCurve>& curves) {
-  if (fatigue.published_step) return curves.front().code + ": " + curves.front().source;
-  std::string source = curves.front().code;
-  source += fatigue.demand.loading == Loading::spectrum ? ", 7.1(3), 8, annex A.5" : ", 7.1(2), 8";
-  if (curves.size() > 1) source += ", equation 8.3";
-  if (std::any_of(curves.begin(), curves.end(),
-                  [](const SnCurve& curve) { return curve.unconfirmed; })) {
-    source += " (unconfirmed figures)";
-  }
-  return source;
-}
 
 /// A name without spaces: "hole hub edge +z" is "hole-hub-edge+z".
 std::string one_word(const std::string& name) {
@@ -177,10 +161,6 @@ const SituationHistory& history_of(const std::vector<SituationHistory>& historie
                                    const Situation& situation) {
   return *std::find_if(histories.begin(), histories.end(),
                        [&](const SituationHistory& at) { return at.situation == &situation; });
-}
-
-Stress rounded(Stress stress, Stress step) {
-  return si<Stress>(std::round(stress.value() / step.value()) * step.value());
 }
 
 }  // namespace
@@ -375,130 +355,6 @@ std::optional<CheckResult> check_throat(const Project& project,
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   basis.highest = basis.lowest = {largest.time, basis.stress_at_time.shear.value(), basis.running};
   return result;
-}
-
-namespace {
-
-/// The checks of one station as they are gathered.
-class StationChecks {
- public:
-  StationChecks(const Project& project, const std::vector<SituationHistory>& histories)
-      : project_(&project), histories_(&histories), samples_(project, histories) {}
-
-  /// Every criterion at every point; along walls where each is worst. In the plane, where most of
-  /// a section is level or has its maximum at a named point, only where it is worse there.
-  void look_at(const std::vector<StressPoint>& points) {
-    Utilisations named;
-    for (const StressPoint& point : points) {
-      if (point.stretch) continue;
-      const std::size_t before = results.size();
-      look_at_point(point);
-      for (std::size_t i = before; i < results.size(); ++i) {
-        double& most = named.of(results[i].check.criterion);
-        most = std::max(most, results[i].check.utilisation());
-      }
-    }
-    if (project_->in_space) {
-      for (const StressPoint& point : points) {
-        if (!point.stretch) continue;
-        for (const Criterion criterion : stress_criteria) {
-          if (criterion != Criterion::weld)
-            add(criterion, at_worst_on_stretch(samples_, point, criterion));
-        }
-      }
-      return;
-    }
-    const WallSearch walls(samples_, points, named);
-    for (const Criterion criterion : stress_criteria) {
-      const WorstOnWall& worst = walls.worst(criterion);
-      if (worst.point == nullptr || worst.utilisation < 1.0001 * named.of(criterion)) continue;
-      add(criterion, worst.point->stretch->only_end
-                         ? moved_along(*worst.point, worst.part)
-                         : at_worst_on_stretch(samples_, *worst.point, criterion));
-    }
-  }
-
-  std::vector<CheckResult> results;
-
- private:
-  void look_at_point(const StressPoint& point) {
-    for (const Criterion criterion : {Criterion::fatigue, Criterion::shear_fatigue,
-                                      Criterion::combined_fatigue, Criterion::stress_range})
-      add(criterion, at_worst_edge(samples_, point, criterion));
-    if (point.on_throat)
-      add(Criterion::weld, point);
-    else if (point.yield)
-      add(Criterion::yield, at_worst_edge(samples_, point, Criterion::yield));
-  }
-
-  void add(Criterion criterion, const StressPoint& point) {
-    std::optional<CheckResult> result;
-    if (criterion == Criterion::yield)
-      result = check_yield(*project_, *histories_, point);
-    else if (criterion == Criterion::weld)
-      result = check_throat(*project_, *histories_, point);
-    else if (criterion == Criterion::stress_range)
-      result = check_range(*project_, *histories_, point);
-    else
-      result = check_fatigue(*project_, *histories_, point, criterion);
-    if (result) results.push_back(std::move(*result));
-  }
-
-  const Project* project_;
-  const std::vector<SituationHistory>* histories_;
-  StationSamples samples_;
-};
-
-}  // namespace
-
-std::vector<CheckResult> check_station(const Project& project,
-                                       const std::vector<BendingZone>& zones,
-                                       const Station& station,
-                                       const std::vector<SituationHistory>& histories) {
-  StationChecks checks(project, histories);
-  checks.look_at(stress_points_at(project, zones, station));
-  return std::move(checks.results);
-}
-
-std::vector<CheckResult> check_given_stresses(const Project& project) {
-  std::vector<CheckResult> results;
-  for (const GivenStress& given : project.given_stresses) {
-    const Station station{given.s, Side::both};
-    const auto add = [&](Criterion criterion, Stress acting, Stress strength, Stress resisting,
-                         double required, const std::string& source) {
-      CheckResult result;
-      result.given = {given, strength};
-      Check& check = result.check;
-      check.id = id_of(criterion, station, given.name);
-      check.criterion = criterion;
-      check.station = station;
-      check.point = given.name;
-      check.time = given.time;
-      check.acting = acting;
-      check.resisting = resisting;
-      check.safety_factor = resisting / acting;
-      check.required = required;
-      check.source = source;
-      results.push_back(std::move(result));
-    };
-    const Stress yield = yield_strength_of(project.material, given.thickness).value();
-    constexpr NoDerivation plainly;
-    add(Criterion::yield, given.peak, yield,
-        yield_resistance(plainly, yield, project.strength.gamma_M0), project.strength.required,
-        yield_source(project.material));
-    if (!given.opposite || !project.fatigue.asked) continue;
-    const FatigueInput& fatigue = project.fatigue;
-    const ResistingDetail resisting =
-        detail_at(fatigue, station, DetailPlace::fibres, given.thickness);
-    const SnCurve curve = curve_of(resisting.detail->detail);
-    Stress strength = strength_at(curve, most_cycles_of(project), fatigue.demand.loading);
-    if (fatigue.round_strength_to) strength = rounded(strength, *fatigue.round_strength_to);
-    add(Criterion::fatigue, given.peak + *given.opposite, strength,
-        strength / (fatigue.demand.gamma_Ff * fatigue.demand.gamma_Mf), fatigue.required,
-        fatigue_source(fatigue, {curve}));
-    results.back().given->resisting = resisting;
-  }
-  return results;
 }
 
 }  // namespace boxbeam

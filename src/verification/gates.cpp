@@ -12,9 +12,7 @@
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
-#include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/judged_section.hpp"
-#include "boxbeam/verification/model_ladder.hpp"
 
 namespace boxbeam {
 namespace {
@@ -319,138 +317,6 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
   const ShearLags lags = shear_lags_at(*zones_, section, station);
   look_at_shear_lag(segment, "flange", lags.flanges);
   look_at_shear_lag(segment, "web as flange of M_z", lags.webs);
-}
-
-namespace {
-
-std::string buckling_text(const Project& project, const BucklingLoad& load, const char* plane) {
-  const std::string& name = project.situations[load.situation].name;
-  return fmt::format(
-      "the beam's compression is {:.4g} of the elastic critical one, N_cr of the tapered beam {} "
-      "with its axial force as it is distributed, {}, at t = {:.6g} s{}",
-      load.part, plane, load.held, load.when.value(),
-      name.empty() ? "" : fmt::format(" of situation \"{}\"", name));
-}
-
-/// Buckling of the beam, and second order where it is not in the cut forces.
-void look_at_second_order(const Project& project, const ModelChoice& model,
-                          std::vector<Gate>& gates) {
-  const SecondOrderEstimate& of = model.second_order;
-  const bool counted = model.counts_second_order;
-  const auto look = [&](const BucklingLoad& load, const char* plane, bool bends) {
-    if (load.part >= 1.0) {
-      gates.push_back({"", "",
-                       buckling_text(project, load, plane) +
-                           ": it buckles, and the stresses of the straight beam mean nothing",
-                       true});
-    } else if (load.part > no_buckling_below &&
-               (load.of_resistance + of.bending) * project.strength.required > 1.0) {
-      gates.push_back(
-          {"", "",
-           buckling_text(project, load, plane) +
-               fmt::format(
-                   ": its flexural buckling counts (above {}, EN 1993-1-1, 6.3.1.2(4)), and "
-                   "N/N_b,Rd = {:.3g} (6.3.1, curve c) with M/(W f_y) = {:.3g} of the bent "
-                   "beam is more than 1/{:.3g}, which is required",
-                   no_buckling_below, load.of_resistance, of.bending, project.strength.required),
-           true});
-    } else if (bends && !counted && load.part > first_order_below) {
-      gates.push_back({"", "",
-                       buckling_text(project, load, plane) +
-                           fmt::format(", above {}: theory of the first order does not hold (EN "
-                                       "1993-1-1, 5.2.1(3)), and that of the second is not in the "
-                                       "cut forces",
-                                       first_order_below),
-                       true});
-    }
-  };
-  look(of.in_plane, "in the plane of motion", true);
-  if (of.across) look(*of.across, "across it", project.in_space);
-  // There an error of the axial force, such as the bent beam's shortening causes by the inertia of
-  // what it moves, is amplified more than threefold: 1/(1 - 0.7).
-  constexpr double proven = 0.7;
-  if (model.chosen.level == ModelLevel::modal && of.in_plane.part > proven &&
-      of.in_plane.part < 1.0) {
-    gates.push_back(
-        {"", "",
-         buckling_text(project, of.in_plane, "in the plane of motion") +
-             fmt::format(": above {} the beam's vibration is not proven, for the inertia "
-                         "that its shortening by bending causes is not in it",
-                         proven),
-         true});
-  }
-  // sin(0.1) is 0.2 % less than 0.1, the work of a turning force 0.4 % less than its square.
-  constexpr double small = 0.1;
-  if (counted && of.turn > small) {
-    gates.push_back({"", "",
-                     fmt::format("sections of the beam turn by {:.3g} rad when it bends: beyond "
-                                 "{} rad theory of the second order, for small turns, does not "
-                                 "hold",
-                                 of.turn, small),
-                     true});
-  }
-}
-
-/// What its loads leave unbalanced is known of a vibrating beam only after it was chosen.
-bool is_beyond_tolerance(const ModelChoice& model) {
-  if (!model.bends_rigid_motion || model.weighed.empty()) return false;
-  if (model.chosen.level == ModelLevel::rigid) return false;
-  return model.weighed.back().found.value_or(0.0) > model.tolerance;
-}
-
-}  // namespace
-
-std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model) {
-  std::vector<Gate> gates;
-  const bool neighbours = !project.pins.empty() || !project.rods.empty();
-  if (neighbours && model.chosen.level != ModelLevel::rigid) {
-    gates.push_back({"", "",
-                     "pins and rods are checked with the reactions of rigid bodies, in which the "
-                     "beam's vibration is missing: their forces may be larger, and those that pass "
-                     "are not proven",
-                     true});
-  }
-  look_at_second_order(project, model, gates);
-  if (project.model.demand == ModelDemand::automatic && is_beyond_tolerance(model)) {
-    const double found = *model.weighed.back().found;
-    gates.push_back(
-        {"", "",
-         fmt::format("{} not in balance with the motion of the beam as far bent as it is, "
-                     "tolerance {}: its vibration is not proven, for it is computed about the "
-                     "motion of the rigid beam",
-                     found < unknown_balance ? percent_text(found) + " of the governing stress is"
-                                             : "the governing stress is",
-                     percent_text(model.tolerance)),
-         true});
-  }
-  // Rigid bodies stay where no better model is known to be one.
-  if (project.model.demand == ModelDemand::automatic && !model.weighed.empty() &&
-      model.chosen.level == ModelLevel::rigid) {
-    const ModelEstimate& by_rigid = model.weighed.front();
-    const double error = by_rigid.found.value_or(by_rigid.error);
-    if (error > model.tolerance) {
-      gates.push_back({"", "",
-                       fmt::format("vibration and second order are estimated to change the "
-                                   "governing stress by {}, tolerance {}, and how much they do is "
-                                   "not known: no factor is proven unless [model] tolerance allows "
-                                   "for it",
-                                   percent_text(error), percent_text(model.tolerance)),
-                       true});
-    }
-  }
-  // What was chosen else is within the tolerance already.
-  if (project.model.demand == ModelDemand::automatic || model.weighed.empty()) return gates;
-  const ModelEstimate& demanded = model.weighed.back();
-  const double error = demanded.found.value_or(demanded.error);
-  if (error <= model.tolerance) return gates;
-  gates.push_back({"", "",
-                   fmt::format("the model that was demanded misses the governing stress by {}{}, "
-                               "tolerance {}: its factors are not those of the beam; take --model "
-                               "auto",
-                               demanded.found ? "" : "an estimated ", percent_text(error),
-                               percent_text(model.tolerance)),
-                   true});
-  return gates;
 }
 
 }  // namespace boxbeam

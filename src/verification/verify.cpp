@@ -6,6 +6,7 @@
 
 #include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/verification/deflection.hpp"
+#include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {

@@ -12,6 +12,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/verify.hpp"

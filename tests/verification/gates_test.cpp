@@ -2,6 +2,7 @@
 // formulas of EN 1993-1-1, table 5.2, and EN 1993-1-5.
 
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/model_gates.hpp"
 
 #include <algorithm>
 #include <cmath>

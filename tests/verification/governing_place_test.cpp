@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/given_stresses.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 #include "catch.hpp"

@@ -15,6 +15,7 @@
 #include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 #include "catch.hpp"
 #include "support/elastic_beams.hpp"

@@ -100,13 +100,4 @@ std::optional<CheckResult> check_throat(const Project& project,
                                         const std::vector<SituationHistory>& histories,
                                         const StressPoint& point);
 
-/// Every criterion at every point of a station.
-std::vector<CheckResult> check_station(const Project& project,
-                                       const std::vector<BendingZone>& zones,
-                                       const Station& station,
-                                       const std::vector<SituationHistory>& histories);
-
-/// Yield and fatigue of stresses taken from a published calculation.
-std::vector<CheckResult> check_given_stresses(const Project& project);
-
 }  // namespace boxbeam

@@ -65,9 +65,4 @@ class PlateGates {
 double class_3_use_at(const Project& project, const Station& station,
                       const std::vector<SituationHistory>& histories);
 
-/// What the model of the mechanism leaves out of the checks: pins and rods of a planar case, whose
-/// forces are those of rigid bodies, beside a beam that vibrates; a demanded model that is found or
-/// estimated to miss the tolerance.
-std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model);
-
 }  // namespace boxbeam

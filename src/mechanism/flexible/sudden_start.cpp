@@ -1,0 +1,128 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "boxbeam/core/error.hpp"
+#include "frequency.hpp"
+#include "modal_parts.hpp"
+
+namespace boxbeam::flexible {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// The equations of motion of the modes under the harmonic loads, state' = A state with the state
+/// omega_j eta_j, eta_j', sin(omega t), cos(omega t) and the loads of size one.
+struct StartEquations {
+  MatrixXd A;
+  VectorXd scale;
+  double size = 1.0;
+
+  Index modes() const { return scale.size(); }
+  auto accelerations() const { return A.middleRows(modes(), modes()); }
+};
+
+StartEquations start_equations_of(const ModalModel& model) {
+  const VectorXcd loads = modal_loads_of(model).p;
+  const VectorXd squares = squares_of(model);
+  const double omega = omega_of(model.structure->mechanism->frequency);
+  const Index count = squares.size();
+  StartEquations equations;
+  equations.scale = squares.cwiseSqrt();
+  for (double& of : equations.scale) {
+    if (of == 0.0) of = 1.0;
+  }
+  const double largest = loads.size() > 0 ? loads.cwiseAbs().maxCoeff() : 0.0;
+  if (largest > 0.0) equations.size = largest;
+  MatrixXd& A = equations.A;
+  A = MatrixXd::Zero(2 * count + 2, 2 * count + 2);
+  A.topRows(count).middleCols(count, count) = equations.scale.asDiagonal();
+  auto rates = A.middleRows(count, count);
+  rates.leftCols(count) = -squares.cwiseQuotient(equations.scale).asDiagonal().toDenseMatrix();
+  rates.middleCols(count, count) = -model.damping;
+  rates.col(2 * count) = loads.real() / equations.size;
+  rates.col(2 * count + 1) = loads.imag() / equations.size;
+  A(2 * count, 2 * count + 1) = omega;
+  A(2 * count + 1, 2 * count) = -omega;
+  return equations;
+}
+
+}  // namespace
+
+SuddenStart sudden_start_of(const ModalModel& model, double length, std::size_t steps) {
+  assert(steps > 0);
+  const Structure& structure = *model.structure;
+  const Recovery recovery = recovery_of(model, true);
+  const StartEquations equations = start_equations_of(model);
+  const Index count = equations.modes();
+  const MatrixXd step = (length / static_cast<double>(steps) * equations.A).exp();
+
+  VectorXd state = VectorXd::Zero(2 * count + 2);
+  state[2 * count + 1] = 1.0;
+  const Deformation<double> constant = static_response(structure);
+  SuddenStart start;
+  start.joints.resize(structure.joints.size());
+  for (std::size_t i = 0; i <= steps; ++i) {
+    start.times.push_back(length * static_cast<double>(i) / static_cast<double>(steps));
+    const VectorXd place = equations.size * state.head(count).cwiseQuotient(equations.scale);
+    const VectorXd speed = equations.size * state.segment(count, count);
+    const VectorXd acceleration = equations.size * (equations.accelerations() * state);
+    const Complex turn(state[2 * count + 1], state[2 * count]);
+    Deformation<double> now;
+    now.joints = constant.joints + (turn * recovery.of_loads.joints).imag() +
+                 joints_of(model, recovery, recovery.x(place, acceleration), speed);
+    for (std::size_t j = 0; j < start.joints.size(); ++j) {
+      start.joints[j].push_back(joint_force(structure, j, now));
+    }
+    state = step * state;
+  }
+  return start;
+}
+
+SuddenStartModes::SuddenStartModes(const ModalModel& model)
+    : modes_(model.modes),
+      constant_(static_response(*model.structure)),
+      omega_(omega_of(model.structure->mechanism->frequency)),
+      squares_(squares_of(model)) {
+  if (squares_.size() > 0 && squares_.minCoeff() <= 0.0) {
+    throw AnalysisError(
+        {"the structure can move without strain: a sudden start of it is not known; hold it, or "
+         "leave out sudden_start",
+         "mechanism",
+         {},
+         {},
+         {}});
+  }
+  Recovery recovery = recovery_of(model, true);
+  of_loads_ = std::move(recovery.of_loads);
+  of_speeds_ = std::move(recovery.of_speed);
+  const StartEquations equations = start_equations_of(model);
+  rates_ = equations.accelerations();
+  scale_ = equations.scale;
+  size_ = equations.size;
+  // No mode is without strain and none in resonance: the eigenvectors span the state.
+  const Eigen::EigenSolver<MatrixXd> solver(equations.A);
+  exponents_ = solver.eigenvalues();
+  eigenvectors_ = solver.eigenvectors();
+  VectorXcd start = VectorXcd::Zero(exponents_.size());
+  start[start.size() - 1] = 1.0;
+  eigenvectors_ = (eigenvectors_ * eigenvectors_.partialPivLu().solve(start).asDiagonal()).eval();
+}
+
+StartNow SuddenStartModes::at(double time) const {
+  const Index count = squares_.size();
+  const VectorXd state = (eigenvectors_ * (time * exponents_).array().exp().matrix()).real();
+  StartNow now;
+  now.turn = std::polar(1.0, omega_ * time);
+  now.speed = size_ * state.segment(count, count);
+  now.x = -(size_ * (rates_ * state)).cwiseQuotient(squares_);
+  return now;
+}
+
+}  // namespace boxbeam::flexible

@@ -1,0 +1,361 @@
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "boxbeam/verification/load_history.hpp"
+#include "bracket_nodes.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Halvings of a bracket that one polynomial does not describe: a millionth is left of it.
+constexpr int most_halvings = 20;
+
+/// How many borders of pieces lie before a station, seen from its side: changes where a load slides
+/// over it.
+std::size_t borders_before(const CutForceDiagram& diagram, const Station& station) {
+  return static_cast<std::size_t>(
+      std::count_if(diagram.pieces.begin(), diagram.pieces.end(), [&](const CutForcePiece& piece) {
+        return piece.end() < station.s ||
+               (piece.end() == station.s && station.side != Side::before);
+      }));
+}
+
+}  // namespace
+
+StationHistory::StationHistory(const LoadHistory& loads, const Station& station)
+    : loads_(&loads), station_(station) {
+  samples_.reserve(loads.instants());
+  double force = 0.0, moment = 0.0;
+  for (std::size_t i = 0; i < loads.instants(); ++i) {
+    samples_.push_back(loads.diagram(i).at(station));
+    force = std::max(force, force_in(samples_.back()));
+    moment = std::max(moment, moment_in(samples_.back()));
+  }
+  // What is small beside the loads of the whole beam is the rounding of their sums.
+  constexpr double round_off = 1e-4;
+  force_floor_ = std::max(force, round_off * loads.largest_force());
+  moment_floor_ = std::max(moment, round_off * loads.largest_moment());
+}
+
+bool StationHistory::is_described(const Nodes& at) const {
+  return defect_of(at, force_floor_, moment_floor_) <= 1.0;
+}
+
+StationHistory::Piece StationHistory::piece_between(double from, double to, bool keep) const {
+  Piece piece{from, to, {}, false};
+  if (keep) {
+    const LoadHistory::Bracket& bracket = loads_->bracket({si<Time>(from), si<Time>(to)});
+    for (std::size_t k = 0; k <= last_node; ++k) piece.at[k] = bracket[k].at(station_);
+    return piece;
+  }
+  for (std::size_t k = 0; k <= last_node; ++k) {
+    piece.at[k] = loads_->diagram_at(si<Time>(node_between(from, to, k))).at(station_);
+  }
+  return piece;
+}
+
+void StationHistory::add_smooth(const Piece& piece, int halvings, bool keep,
+                                std::vector<Piece>& pieces) const {
+  const double defect = defect_of(piece.at, force_floor_, moment_floor_);
+  if (defect <= 1.0) {
+    pieces.push_back(piece);
+    return;
+  }
+  if (halvings == 0) {
+    pieces.push_back(piece);
+    pieces.back().jump = true;
+    return;
+  }
+  const double middle = 0.5 * (piece.from + piece.to);
+  const Piece left = piece_between(piece.from, middle, keep);
+  const Piece right = piece_between(middle, piece.to, keep);
+  // A bend or a jump is in one of the halves, and a bend is half as large there; where both halves
+  // are as rough as the whole, halving on would not end. What is small is the rounding of loads
+  // that were solved for: the polynomial passes through its middle. Else only the nodes are known.
+  constexpr double better = 1.5;
+  constexpr double small = 100.0;
+  const double least = std::min(defect_of(left.at, force_floor_, moment_floor_),
+                                defect_of(right.at, force_floor_, moment_floor_));
+  if (least > defect / better) {
+    pieces.push_back(piece);
+    pieces.back().jump = defect > small;
+    return;
+  }
+  add_smooth(left, halvings - 1, keep, pieces);
+  add_smooth(right, halvings - 1, keep, pieces);
+}
+
+void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
+                                        std::vector<Piece>& pieces) const {
+  const LoadHistory::Bracket& bracket = loads_->bracket(reach);
+  const double begin = reach.from.value();
+  const double end = reach.to.value();
+  double from = begin;
+  const auto add = [&](double to) {
+    if (to > from) add_smooth(piece_between(from, to, false), most_halvings / 2, false, pieces);
+  };
+  for (std::size_t k = 1; k <= last_node; ++k) {
+    const std::size_t before = borders_before(bracket[k - 1], station_);
+    if (borders_before(bracket[k], station_) == before) continue;
+    double low = node_between(begin, end, k - 1);
+    double high = node_between(begin, end, k);
+    constexpr int bisections = 40;
+    for (int i = 0; i < bisections; ++i) {
+      const double half = 0.5 * (low + high);
+      (borders_before(loads_->diagram_at(si<Time>(half)), station_) == before ? low : high) = half;
+    }
+    add(low);
+    from = high;
+  }
+  add(end);
+}
+
+std::vector<StationHistory::Passage> StationHistory::passages() const {
+  std::vector<Passage> found;
+  const std::size_t n = loads_->instants();
+  for (std::size_t i = closed() ? 0 : 1; i < n; ++i) {
+    const std::size_t previous = i > 0 ? i - 1 : n - 1;
+    if (loads_->begins_piece(i)) continue;
+    const std::size_t from = borders_before(loads_->diagram(previous), station_);
+    const std::size_t to = borders_before(loads_->diagram(i), station_);
+    if (from == to) continue;
+    const Time begin = loads_->time_of(previous) - (i > 0 ? Time{} : loads_->period());
+    const std::size_t first = found.size();
+    for (std::size_t border = std::min(from, to); border < std::max(from, to); ++border) {
+      if (auto passage = passage_of(border, {begin, loads_->time_of(i)}, from > to)) {
+        passage->instant = i;
+        found.push_back(*passage);
+      }
+    }
+    std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+              [](const Passage& a, const Passage& b) { return a.time < b.time; });
+  }
+  return found;
+}
+
+std::optional<StationHistory::Passage> StationHistory::passage_of(std::size_t border,
+                                                                  const LoadHistory::Reach& within,
+                                                                  bool forwards) const {
+  // How far the border still has to go, below zero when it has passed. Which border it is is told
+  // by their order, which changes where a load slides over one that stays: there this has a kink,
+  // and where that one is the station itself, a level.
+  constexpr double least = 1e-300;
+  const auto left_in = [&](const CutForceDiagram& diagram) {
+    const std::vector<CutForcePiece>& pieces = diagram.pieces;
+    const std::size_t count = borders_before(diagram, station_);
+    const bool passed = forwards ? count <= border : count > border;
+    const Length to_go = pieces[std::min(border, pieces.size() - 1)].end() - station_.s;
+    const double left = std::max(std::abs(to_go.value()), least);
+    return passed ? -left : left;
+  };
+  const LoadHistory::Bracket& bracket = loads_->bracket(within);
+  std::array<double, LoadHistory::nodes> left{};
+  std::transform(bracket.begin(), bracket.end(), left.begin(), left_in);
+  std::size_t k = 1;
+  while (k < last_node && left[k] > 0.0) ++k;
+  if (left[k - 1] < 0.0 || left[k] > 0.0) return std::nullopt;
+
+  const double begin = within.from.value(), end = within.to.value();
+  const auto time_at = [&](double u) {
+    return si<Time>(0.5 * (begin + end) + 0.5 * (end - begin) * u);
+  };
+  // On either side of the passage, this near; nearer, what stands beside a border counts as on it.
+  constexpr double near = 1e-5;
+  CutForceDiagram before, behind;
+  const auto look_at = [&](double u) {
+    CutForceDiagram at = loads_->diagram_at(time_at(u));
+    const double value = left_in(at);
+    (value > 0.0 ? before : behind) = std::move(at);
+    return value;
+  };
+  double low = node(k - 1), high = node(k);
+  constexpr int bisections = 32;
+  for (int i = 0; i < bisections; ++i) {
+    const double half = 0.5 * (low + high);
+    (interpolate(left, half) > 0.0 ? low : high) = half;
+  }
+  double passed_at = low;
+  if (!(look_at(low - near) > 0.0 && look_at(low + near) < 0.0)) {
+    std::uintmax_t most = 100;
+    const auto [from, to] = boost::math::tools::toms748_solve(
+        look_at, node(k - 1), node(k), left[k - 1], left[k],
+        [](double a, double b) { return b - a <= near; }, most);
+    passed_at = 0.5 * (from + to);
+    if (!(look_at(from - near) > 0.0 && look_at(to + near) < 0.0)) return std::nullopt;
+  }
+  return Passage{0, time_at(passed_at), before.at(station_), behind.at(station_)};
+}
+
+const std::vector<StationHistory::Piece>& StationHistory::pieces_of(std::size_t instant) const {
+  const auto found = pieces_.find(instant);
+  if (found != pieces_.end()) return found->second;
+  std::vector<Piece> pieces;
+  const LoadHistory::Reach reach = loads_->reach_of(instant);
+  const LoadHistory::Bracket& bracket = loads_->bracket(reach);
+  const bool passage =
+      std::any_of(bracket.begin(), bracket.end(), [&](const CutForceDiagram& diagram) {
+        return borders_before(diagram, station_) != borders_before(bracket[0], station_);
+      });
+  if (passage) {
+    divide_at_passages(reach, pieces);
+  } else if (reach.to > reach.from) {
+    add_smooth(piece_between(reach.from.value(), reach.to.value(), true), most_halvings, true,
+               pieces);
+  }
+  return pieces_.emplace(instant, std::move(pieces)).first->second;
+}
+
+Extremum StationHistory::extremum_near(std::size_t instant, double sign,
+                                       const CutForceFunction& f) const {
+  Extremum best{loads_->time_of(instant).value(), sign * f(samples_[instant])};
+  for (const Piece& piece : pieces_of(instant)) {
+    std::array<double, LoadHistory::nodes> values{};
+    for (std::size_t k = 0; k <= last_node; ++k) values[k] = sign * f(piece.at[k]);
+    const auto k =
+        static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+    if (values[k] > best.value) best = {node_between(piece.from, piece.to, k), values[k]};
+    if (piece.jump) continue;
+    const Extremum found =
+        find_maximum([&](double u) { return sign * f(interpolate(piece.at, u)); },
+                     node(k > 0 ? k - 1 : 0), node(std::min(k + 1, last_node)));
+    if (found.value <= best.value) continue;
+    const double middle = 0.5 * (piece.from + piece.to);
+    best = {middle + 0.5 * (piece.to - piece.from) * found.at, found.value};
+    // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
+    const double own = loads_->time_of(instant).value();
+    if (std::abs(best.at - own) < 1e-6 * (piece.to - piece.from)) best.at = own;
+  }
+  return best;
+}
+
+TurningPoint StationHistory::refine(std::size_t instant, bool maximum, const CutForceFunction& f,
+                                    double noise) const {
+  const double sign = maximum ? 1.0 : -1.0;
+  Extremum found = extremum_near(instant, sign, f);
+  // Where the loads bend and do not jump, the two instants of a break are one, and the extremum may
+  // lie on either side of it.
+  const std::size_t n = samples_.size();
+  const double own = f(samples_[instant]);
+  const auto look_at = [&](std::size_t other) {
+    if (std::abs(f(samples_[other]) - own) > noise) return;
+    const Extremum across = extremum_near(other, sign, f);
+    if (across.value > found.value) found = across;
+  };
+  if (loads_->begins_piece(instant) && (instant > 0 || loads_->closed())) {
+    look_at((instant + n - 1) % n);
+  }
+  const bool last = instant + 1 == n;
+  if ((!last || loads_->closed()) && loads_->begins_piece((instant + 1) % n)) {
+    look_at((instant + 1) % n);
+  }
+  Time time = si<Time>(found.at);
+  if (loads_->closed()) {
+    if (time < loads_->begin()) time += loads_->period();
+    if (time >= loads_->begin() + loads_->period()) time -= loads_->period();
+  }
+  return {time, sign * found.value, maximum};
+}
+
+std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction& f) const {
+  const std::size_t n = samples_.size();
+  std::vector<double> values(n);
+  std::transform(samples_.begin(), samples_.end(), values.begin(), f);
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double scale = std::max(std::abs(*low), std::abs(*high));
+  const double noise = 1e-9 * scale;
+  const auto highest = static_cast<std::size_t>(high - values.begin());
+  std::vector<TurningPoint> turns;
+  if (!(*high - *low > noise)) return {{loads_->time_of(highest), values[highest], true}};
+
+  // From the highest sample once round; a turn counts when the history has come back from it by
+  // more than the noise.
+  std::vector<std::pair<std::size_t, bool>> brackets{{highest, true}};
+  std::size_t candidate = highest;
+  bool falling = true;
+  for (std::size_t k = 1; k <= n; ++k) {
+    const std::size_t i = (highest + k) % n;
+    const double towards = falling ? values[candidate] - values[i] : values[i] - values[candidate];
+    if (towards > 0.0) {
+      candidate = i;
+    } else if (towards < -noise) {
+      brackets.emplace_back(candidate, !falling);
+      falling = !falling;
+      candidate = i;
+    }
+  }
+  std::sort(brackets.begin(), brackets.end());
+  brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
+
+  turns.reserve(brackets.size());
+  for (const auto& [middle, maximum] : brackets) turns.push_back(refine(middle, maximum, f, noise));
+  std::sort(turns.begin(), turns.end(),
+            [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });
+  return turns;
+}
+
+CutForces StationHistory::at(Time time) const {
+  const auto& instants = *loads_;
+  Time within = time;
+  if (closed()) {
+    within -= period() * std::floor((time - instants.begin()) / period());
+  }
+  // The nearest instant; of two of a break, the one on whose side the time is.
+  std::size_t low = 0;
+  std::size_t high = samples_.size();
+  while (high - low > 1) {
+    const std::size_t half = (low + high) / 2;
+    (instants.time_of(half) <= within ? low : high) = half;
+  }
+  const auto is_in = [&](std::size_t instant) {
+    const LoadHistory::Reach reach = instants.reach_of(instant);
+    return within >= reach.from && within <= reach.to;
+  };
+  std::size_t instant = low;
+  if (instants.time_of(low) != within && low + 1 < samples_.size()) {
+    const bool nearer = instants.time_of(low + 1) - within < within - instants.time_of(low);
+    if ((nearer && is_in(low + 1)) || !is_in(low)) instant = low + 1;
+  }
+  if (instants.time_of(instant) == within) return samples_[instant];
+  const double at = within.value();
+  const std::vector<Piece>& pieces = pieces_of(instant);
+  for (const Piece& piece : pieces) {
+    if (at > piece.to) continue;
+    if (at <= piece.from) return piece.at.front();
+    if (piece.jump) {
+      std::size_t nearest = 0;
+      for (std::size_t k = 1; k <= last_node; ++k) {
+        const double here = std::abs(node_between(piece.from, piece.to, k) - at);
+        if (here < std::abs(node_between(piece.from, piece.to, nearest) - at)) nearest = k;
+      }
+      return piece.at[nearest];
+    }
+    return interpolate(piece.at, (2.0 * at - piece.from - piece.to) / (piece.to - piece.from));
+  }
+  return pieces.empty() ? samples_[instant] : pieces.back().at.back();
+}
+
+TurningPoint StationHistory::largest(const CutForceFunction& f) const {
+  const std::size_t n = samples_.size();
+  std::vector<double> values(n);
+  std::transform(samples_.begin(), samples_.end(), values.begin(), f);
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto highest = static_cast<std::size_t>(high - values.begin());
+  const double noise = 1e-9 * std::max(std::abs(*low), std::abs(*high));
+  TurningPoint best{loads_->time_of(highest), values[highest], true};
+  // Peaks a little lower at the instants may be higher between them.
+  const double enough = *high - 0.05 * (*high - *low);
+  constexpr double outside = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double before = i > 0 ? values[i - 1] : (closed() ? values[n - 1] : outside);
+    const double behind = i + 1 < n ? values[i + 1] : (closed() ? values[0] : outside);
+    if (!(values[i] >= before && values[i] > behind) || values[i] < enough) continue;
+    const TurningPoint found = refine(i, true, f, noise);
+    if (found.value > best.value) best = found;
+  }
+  return best;
+}
+
+}  // namespace boxbeam
