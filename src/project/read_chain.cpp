@@ -321,21 +321,6 @@ void read_joint_drivers(TableReader& root, Mechanism& mechanism, TimeTables& tab
   }
 }
 
-std::vector<NamedFunction> named_functions_of(const Mechanism& mechanism) {
-  std::vector<NamedFunction> functions;
-  for (const Joint& joint : mechanism.joints) {
-    if (joint.kind == JointKind::fixed) continue;
-    functions.push_back({&joint.driver, joint.kind == JointKind::revolute, joint.name, "joints"});
-  }
-  for (const spatial::AppliedLoad& load : mechanism.loads) {
-    functions.push_back({&load.size, false, load.name, "forces"});
-  }
-  for (const spatial::LineForce& line : mechanism.line_forces) {
-    functions.push_back({&line.size, false, line.name, "forces"});
-  }
-  return functions;
-}
-
 }  // namespace
 
 Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables& tables) {
@@ -361,12 +346,7 @@ Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables
   }
   read_joint_drivers(root, mechanism, tables);
   read_chain_loads(root, mechanism, tables);
-  if (root.problems().empty() && mechanism.duration.length == 0.0) {
-    check_repetition(root, named_functions_of(mechanism));
-  }
-  if (root.problems().empty()) {
-    check_tables_cover(root, named_functions_of(mechanism), mechanism.duration);
-  }
+  check_functions(root, functions_of(mechanism), mechanism.duration, "joints");
   return mechanism;
 }
 

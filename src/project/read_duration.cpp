@@ -10,35 +10,28 @@ namespace {
 constexpr const char* with_a_duration =
     "or say how long to look at the motion: [motion] with duration = \"10 s\"";
 
-}  // namespace
-
-Duration read_duration(TableReader& root) {
-  Duration duration;
-  if (!root.has("motion")) return duration;
-  TableReader table = root.table(
-      {"motion", "how long to look: where forces move the mechanism or its drivers do not repeat"});
-  duration.length = table.positive({"duration", "to look at"}, wanted::time);
-  duration.settle = table.not_negative({"settle", "before it, not looked at"}, wanted::time, 0.0);
-  table.finish();
-  return duration;
+/// The table of a case in which a function of time is written.
+const char* table_of(const DriverUse& function, const char* drivers) {
+  return function.on == DriverUse::On::joint ? drivers : "forces";
 }
 
-void check_tables_cover(TableReader& root, const std::vector<NamedFunction>& functions,
-                        const Duration& duration) {
+/// Notes tables that say nothing of a time that is looked at, 0 s to the end of the motion.
+void check_tables_cover(TableReader& root, const std::vector<DriverUse>& functions,
+                        const Duration& duration, const char* drivers) {
   double until = duration.settle + duration.length;
   if (duration.length == 0.0) {
     // To the end of the last step or table; where all repeats, no table has an end.
-    for (const NamedFunction& function : functions) {
+    for (const DriverUse& function : functions) {
       until = std::max(until, timing_of(*function.driver, function.turning).end);
     }
   }
-  for (const NamedFunction& function : functions) {
+  for (const DriverUse& function : functions) {
     const DriverTiming timing = timing_of(*function.driver, function.turning);
     if (!timing.known) continue;
     const auto [first, last] = *timing.known;
     const double rounding = 1e-9 * (last - first);
     if (first <= rounding && last >= until - rounding) continue;
-    TableReader table = root.table(function.table);
+    TableReader table = root.table(table_of(function, drivers));
     table.problem(
         function.name,
         fmt::format("the table of \"{}\" goes from {:.6g} s to {:.6g} s, and the motion is "
@@ -49,11 +42,13 @@ void check_tables_cover(TableReader& root, const std::vector<NamedFunction>& fun
   }
 }
 
-void check_repetition(TableReader& root, const std::vector<NamedFunction>& functions) {
+/// Without a duration, the motion is looked at for a common period, or to the end of a step.
+void check_repetition(TableReader& root, const std::vector<DriverUse>& functions,
+                      const char* drivers) {
   std::vector<double> omegas;
-  const NamedFunction* endless = nullptr;  // neither repeats nor ends
+  const DriverUse* endless = nullptr;  // neither repeats nor ends
   bool repeats = true;
-  for (const NamedFunction& function : functions) {
+  for (const DriverUse& function : functions) {
     const DriverTiming timing = timing_of(*function.driver, function.turning);
     omegas.insert(omegas.end(), timing.omegas.begin(), timing.omegas.end());
     repeats = repeats && timing.repeats;
@@ -69,11 +64,30 @@ void check_repetition(TableReader& root, const std::vector<NamedFunction>& funct
                     "Hz and 1.4 Hz), {}",
                     with_a_duration));
   } else if (!repeats && endless != nullptr) {
-    TableReader table = root.table(endless->table);
+    TableReader table = root.table(table_of(*endless, drivers));
     table.problem(
         endless->name, fmt::format("\"{}\" neither repeats nor ends", endless->name),
         fmt::format("write a kind that does (harmonic, smooth step, table), {}", with_a_duration));
   }
+}
+
+}  // namespace
+
+Duration read_duration(TableReader& root) {
+  Duration duration;
+  if (!root.has("motion")) return duration;
+  TableReader table = root.table(
+      {"motion", "how long to look: where forces move the mechanism or its drivers do not repeat"});
+  duration.length = table.positive({"duration", "to look at"}, wanted::time);
+  duration.settle = table.not_negative({"settle", "before it, not looked at"}, wanted::time, 0.0);
+  table.finish();
+  return duration;
+}
+
+void check_functions(TableReader& root, const std::vector<DriverUse>& functions,
+                     const Duration& duration, const char* drivers) {
+  if (root.problems().empty() && duration.length == 0.0) check_repetition(root, functions, drivers);
+  if (root.problems().empty()) check_tables_cover(root, functions, duration, drivers);
 }
 
 }  // namespace boxbeam::readers

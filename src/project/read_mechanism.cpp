@@ -42,25 +42,6 @@ planar::Loop read_loop(const std::string& name, TableReader& table, const Mechan
   return loop;
 }
 
-/// The functions of time of drivers and forces, with their names.
-std::vector<NamedFunction> named_functions_of(const Mechanism& mechanism) {
-  std::vector<NamedFunction> functions;
-  for (const Joint& joint : mechanism.joints) {
-    const auto* driven = std::get_if<planar::Driven>(&joint.kind);
-    if (driven == nullptr) continue;
-    functions.push_back(
-        {&driven->driver, driven->coordinate == planar::Coordinate::angle, joint.name, "drivers"});
-  }
-  for (const planar::AppliedForce& force : mechanism.forces) {
-    if (const auto* point = std::get_if<planar::PointForce>(&force.kind)) {
-      functions.push_back({&point->size, false, force.name, "forces"});
-    } else if (const auto* couple = std::get_if<planar::Couple>(&force.kind)) {
-      functions.push_back({&couple->size, false, force.name, "forces"});
-    }
-  }
-  return functions;
-}
-
 /// Forces move what no joint or driver determines, but only over a duration that is given.
 void check_count(TableReader& root, const Mechanism& mechanism) {
   const auto coordinates = mechanism.coordinates();
@@ -201,14 +182,9 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
   for (auto& [name, table] : loops.named_tables()) {
     mechanism.loops.push_back(read_loop(name, table, mechanism));
   }
-  if (root.problems().empty() && mechanism.duration.length == 0.0) {
-    check_repetition(root, named_functions_of(mechanism));
-    // Of nothing that drives and too few equations, the one follows from the other.
-    if (root.problems().empty()) check_count(root, mechanism);
-  }
-  if (root.problems().empty()) {
-    check_tables_cover(root, named_functions_of(mechanism), mechanism.duration);
-  }
+  check_functions(root, functions_of(mechanism), mechanism.duration, "drivers");
+  // Of nothing that drives and too few equations, the one follows from the other.
+  if (root.problems().empty() && mechanism.duration.length == 0.0) check_count(root, mechanism);
   return draft;
 }
 

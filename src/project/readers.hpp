@@ -74,20 +74,12 @@ std::optional<Driver> read_function(TableReader& table, const FunctionOf& of, Ti
 /// [motion], how long to look.
 Duration read_duration(TableReader& root);
 
-/// A function of time with the name and the table that it has in the case.
-struct NamedFunction {
-  const Driver* driver = nullptr;
-  bool turning = false;  ///< it moves an angle
-  std::string name;
-  const char* table;  ///< "drivers"
-};
-
-/// Notes tables that say nothing of a time that is looked at, 0 s to the end of the motion.
-void check_tables_cover(TableReader& root, const std::vector<NamedFunction>& functions,
-                        const Duration& duration);
-
-/// Without a duration, the motion is looked at for a common period, or to the end of a step.
-void check_repetition(TableReader& root, const std::vector<NamedFunction>& functions);
+/// Notes functions of time by which the time to look at is not known, or that say nothing of a part
+/// of it: without a duration the motion is looked at for a common period, or to the end of a step;
+/// tables cover it from 0 s to its end. `drivers`: the table in which the functions of joints are
+/// written.
+void check_functions(TableReader& root, const std::vector<DriverUse>& functions,
+                     const Duration& duration, const char* drivers);
 
 /// The constant "size" of a force, or its function of time "law".
 Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables);

@@ -30,17 +30,18 @@ void add_duration(const Duration& duration, Entries& entries) {
 }
 
 /// Notes how far curves leave the points of their tables.
-void add_overshoots(const NamedFunctions& functions, std::vector<std::string>& remarks) {
+void add_overshoots(const std::vector<DriverUse>& functions,
+                    std::string (*name_of)(const DriverUse&), std::vector<std::string>& remarks) {
   constexpr double rounding = 1e-6;
-  for (const auto& [name, driver] : functions) {
-    const auto* table = std::get_if<TableDriver>(driver);
+  for (const DriverUse& function : functions) {
+    const auto* table = std::get_if<TableDriver>(function.driver);
     if (table == nullptr) continue;
     const Overshoot overshoot = table->curve.overshoot();
     if (overshoot.share <= rounding) continue;
     remarks.push_back(fmt::format(
         "{}: between two points of its table the cubic curve leaves them by {:.2g} % of the range "
         "of all points, at t = {}",
-        name, 100.0 * overshoot.share, text::seconds(overshoot.at)));
+        name_of(function), 100.0 * overshoot.share, text::seconds(overshoot.at)));
   }
 }
 

@@ -22,9 +22,6 @@ struct RigidBodies {
   std::vector<Body> bodies;
 };
 
-/// The functions of time that a mechanism follows, by name.
-using NamedFunctions = std::vector<std::pair<std::string, const Driver*>>;
-
 class FrontEndText {
  public:
   explicit FrontEndText(const Project& project) : project_(&project) {}
@@ -61,6 +58,7 @@ std::unique_ptr<const FrontEndText> flexible_text(const Project& project);  // r
 void add_duration(const Duration& duration, Entries& entries);
 
 /// Notes how far curves leave the points of their tables.
-void add_overshoots(const NamedFunctions& functions, std::vector<std::string>& remarks);
+void add_overshoots(const std::vector<DriverUse>& functions,
+                    std::string (*name_of)(const DriverUse&), std::vector<std::string>& remarks);
 
 }  // namespace boxbeam::report

@@ -246,21 +246,15 @@ void add_closure(const planar::Mechanism& mechanism, const ClosureSummary& closu
   }
 }
 
-NamedFunctions named_functions_of(const planar::Mechanism& mechanism) {
-  NamedFunctions functions;
-  for (const planar::Joint& joint : mechanism.joints) {
-    if (const auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
-      functions.emplace_back("driver " + joint.name, &driven->driver);
-    }
+/// "driver crank", "force push", "couple brake".
+std::string name_of(const DriverUse& function) {
+  const auto as = [&](const char* word) { return fmt::format("{} {}", word, function.name); };
+  switch (function.on) {
+    case DriverUse::On::joint: return as("driver");
+    case DriverUse::On::force: return as("force");
+    case DriverUse::On::couple: return as("couple");
   }
-  for (const planar::AppliedForce& force : mechanism.forces) {
-    if (const auto* push = std::get_if<planar::PointForce>(&force.kind)) {
-      functions.emplace_back("force " + force.name, &push->size);
-    } else if (const auto* couple = std::get_if<planar::Couple>(&force.kind)) {
-      functions.emplace_back("couple " + force.name, &couple->size);
-    }
-  }
-  return functions;
+  return "";
 }
 
 class PlanarText : public FrontEndText {
@@ -298,7 +292,7 @@ class PlanarText : public FrontEndText {
   void add_remarks(const MotionSummary& motion, std::vector<std::string>& remarks) const override {
     add_closure(planar_of(*project_), *motion.closure, remarks);
     const Situation& situation = project_->situations[motion.situation];
-    add_overshoots(named_functions_of(planar_in(*project_, situation)), remarks);
+    add_overshoots(functions_of(planar_in(*project_, situation)), name_of, remarks);
   }
 };
 

@@ -130,27 +130,19 @@ Entries entries_of(const Project& project) {
   return entries;
 }
 
-NamedFunctions named_functions_of(const spatial::Mechanism& mechanism) {
-  NamedFunctions functions;
-  for (const spatial::Joint& joint : mechanism.joints) {
-    if (joint.kind == spatial::JointKind::fixed) continue;
-    functions.emplace_back("the driver of joint " + joint.name, &joint.driver);
-  }
-  for (const spatial::AppliedLoad& load : mechanism.loads) {
-    functions.emplace_back("load " + load.name, &load.size);
-  }
-  for (const spatial::LineForce& line : mechanism.line_forces) {
-    functions.emplace_back("load " + line.name, &line.size);
-  }
-  return functions;
+/// "the driver of joint hinge", "load push".
+std::string name_of(const DriverUse& function) {
+  const char* word = function.on == DriverUse::On::joint ? "the driver of joint" : "load";
+  return fmt::format("{} {}", word, function.name);
 }
 
 /// Notes drivers and loads that the time looked at cuts off.
 void add_cut_off(const spatial::Mechanism& mechanism, const MotionSummary& motion,
                  std::vector<std::string>& remarks) {
   const double end = (motion.begin + motion.period).value();
-  for (const auto& [name, driver] : named_functions_of(mechanism)) {
-    const DriverTiming timing = timing_of(*driver, false);
+  for (const DriverUse& function : functions_of(mechanism)) {
+    const std::string name = name_of(function);
+    const DriverTiming timing = timing_of(*function.driver, false);
     if (timing.end > end * (1.0 + 1e-9)) {
       remarks.push_back(fmt::format("the time looked at ends at {}, before {} does at {}",
                                     text::seconds(end), name, text::seconds(timing.end)));
@@ -194,7 +186,7 @@ class SpatialText : public FrontEndText {
   void add_remarks(const MotionSummary& motion, std::vector<std::string>& remarks) const override {
     const Mechanism& mechanism = spatial_in(*project_, project_->situations[motion.situation]);
     add_cut_off(mechanism, motion, remarks);
-    add_overshoots(named_functions_of(mechanism), remarks);
+    add_overshoots(functions_of(mechanism), name_of, remarks);
   }
 
   using FrontEndText::add_remarks;

@@ -144,15 +144,11 @@ void choose_unvibrated(const Project& project, const std::string& obstacle, Mode
 std::string tabled_forces_in(const Project& project) {
   std::vector<std::string> names;
   const auto look = [&](const planar::Mechanism& mechanism) {
-    for (const planar::AppliedForce& force : mechanism.forces) {
-      const auto* push = std::get_if<planar::PointForce>(&force.kind);
-      const auto* couple = std::get_if<planar::Couple>(&force.kind);
-      const Driver* size = push != nullptr     ? &push->size
-                           : couple != nullptr ? &couple->size
-                                               : nullptr;
-      if (size == nullptr || !std::holds_alternative<TableDriver>(*size)) continue;
-      if (std::find(names.begin(), names.end(), force.name) == names.end()) {
-        names.push_back(force.name);
+    for (const DriverUse& function : functions_of(mechanism)) {
+      if (function.on == DriverUse::On::joint) continue;
+      if (!std::holds_alternative<TableDriver>(*function.driver)) continue;
+      if (std::find(names.begin(), names.end(), function.name) == names.end()) {
+        names.emplace_back(function.name);
       }
     }
   };

@@ -115,21 +115,35 @@ double size_of(const Mechanism& mechanism) {
   return size > 0.0 ? size : 1.0;
 }
 
+namespace {
+
+/// What a force follows over time; a spring follows the motion.
+struct FollowedBy {
+  std::string_view name;
+  std::vector<DriverUse>& uses;
+
+  void operator()(const Spring&) const {}
+  void operator()(const TorsionSpring&) const {}
+  void operator()(const PointForce& force) const {
+    uses.push_back({&force.size, false, DriverUse::On::force, name});
+  }
+  void operator()(const Couple& couple) const {
+    uses.push_back({&couple.size, false, DriverUse::On::couple, name});
+  }
+};
+
+}  // namespace
+
 std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
   std::vector<DriverUse> uses;
   for (const Joint& joint : mechanism.joints) {
     const auto* driven = std::get_if<Driven>(&joint.kind);
-    if (driven != nullptr) {
-      uses.push_back({&driven->driver, driven->coordinate == Coordinate::angle});
-    }
+    if (driven == nullptr) continue;
+    uses.push_back({&driven->driver, driven->coordinate == Coordinate::angle, DriverUse::On::joint,
+                    joint.name});
   }
-  for (const AppliedForce& force : mechanism.forces) {
-    if (const auto* point = std::get_if<PointForce>(&force.kind)) {
-      uses.push_back({&point->size, false});
-    } else if (const auto* couple = std::get_if<Couple>(&force.kind)) {
-      uses.push_back({&couple->size, false});
-    }
-  }
+  for (const AppliedForce& force : mechanism.forces)
+    std::visit(FollowedBy{force.name, uses}, force.kind);
   return uses;
 }
 

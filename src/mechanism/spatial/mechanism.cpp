@@ -40,10 +40,13 @@ std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
   std::vector<DriverUse> uses;
   for (const Joint& joint : mechanism.joints) {
     if (joint.kind == JointKind::fixed) continue;
-    uses.push_back({&joint.driver, joint.kind == JointKind::revolute});
+    uses.push_back(
+        {&joint.driver, joint.kind == JointKind::revolute, DriverUse::On::joint, joint.name});
   }
-  for (const AppliedLoad& load : mechanism.loads) uses.push_back({&load.size, false});
-  for (const LineForce& line : mechanism.line_forces) uses.push_back({&line.size, false});
+  for (const AppliedLoad& load : mechanism.loads)
+    uses.push_back({&load.size, false, DriverUse::On::force, load.name});
+  for (const LineForce& line : mechanism.line_forces)
+    uses.push_back({&line.size, false, DriverUse::On::force, line.name});
   return uses;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "boxbeam/mechanism/common/driver.hpp"
@@ -20,10 +21,14 @@ struct TimeSpan {
   double highest_omega = 0.0;  ///< of drivers and forces [rad/s]
 };
 
-/// A function of time that a mechanism follows.
+/// A function of time that a mechanism follows, and what follows it.
 struct DriverUse {
+  enum class On { joint, force, couple };
+
   const Driver* driver = nullptr;
   bool turning = false;  ///< it moves an angle, whose whole turns are no difference
+  On on = On::joint;
+  std::string_view name;  ///< of the joint or force, whose mechanism stays
 };
 
 /// From the duration, or one common period of all functions, or up to the end of the last step or
