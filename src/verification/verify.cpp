@@ -104,13 +104,10 @@ Verification verify(const Project& project, Figures figures) {
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
   Pictures pictures = pictures_of(project, runs, model.chosen, checks, instants, motions, figures);
-  return {.verdict = verdict_of(checks, gates),
-          .codes = compare_codes(project, checks),
-          .equivalent_mass = equivalent_mass_in(project, runs.front()),
-          .chain = chain_comparison_of(project, runs, instants),
-          .beam_mass = mass_properties_of(project.beam),
-          .tapers = taper_slopes_of(project.beam),
-          .published_concentrations = published_concentrations_of(project),
+  std::optional<ChainComparison> chain = chain_comparison_of(project, runs, instants);
+  std::vector<CodeResult> codes = compare_codes(project, checks);
+  const Verdict verdict = verdict_of(checks, gates);
+  return {.verdict = verdict,
           .model = std::move(model),
           .search = search,
           .motions = std::move(motions),
@@ -120,6 +117,12 @@ Verification verify(const Project& project, Figures figures) {
           .gates = std::move(gates),
           .not_judged = std::move(not_judged),
           .critical_instants = std::move(instants),
+          .codes = std::move(codes),
+          .equivalent_mass = equivalent_mass_in(project, runs.front()),
+          .chain = std::move(chain),
+          .beam_mass = mass_properties_of(project.beam),
+          .tapers = taper_slopes_of(project.beam),
+          .published_concentrations = published_concentrations_of(project),
           .pictures = std::move(pictures)};
 }
 

@@ -22,12 +22,6 @@ const char* to_text(Verdict verdict);
 /// The result of a verification.
 struct Verification {
   Verdict verdict = Verdict::fail;
-  std::vector<CodeResult> codes;  ///< the governing fatigue check under several codes
-  std::optional<planar::EquivalentMass> equivalent_mass;
-  std::optional<ChainComparison> chain;
-  MassProperties beam_mass;
-  std::vector<TaperSlope> tapers;
-  std::vector<PublishedConcentration> published_concentrations;
   ModelChoice model;
   SearchSummary search;                ///< of the governing places along the beam
   std::vector<MotionSummary> motions;  ///< at least one; the first situation runs
@@ -37,6 +31,12 @@ struct Verification {
   std::vector<Gate> gates;  ///< what stands against believing the stresses, or changes them
   std::vector<NotJudged> not_judged;
   std::vector<CriticalInstant> critical_instants;
+  std::vector<CodeResult> codes;  ///< the governing fatigue check under several codes
+  std::optional<planar::EquivalentMass> equivalent_mass;
+  std::optional<ChainComparison> chain;
+  MassProperties beam_mass;
+  std::vector<TaperSlope> tapers;
+  std::vector<PublishedConcentration> published_concentrations;
   Pictures pictures;
 
   /// The check with the highest utilisation of a criterion, or nullptr.
