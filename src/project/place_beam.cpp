@@ -6,11 +6,8 @@
 
 namespace boxbeam::readers {
 
-using spatial::Body;
-using spatial::Joint;
-using spatial::Mechanism;
-
-spatial::BeamPlacement read_placement(TableReader& beam, const Mechanism& mechanism, int body) {
+spatial::BeamPlacement read_placement(TableReader& beam, const spatial::Mechanism& mechanism,
+                                      int body) {
   spatial::BeamPlacement placement;
   placement.body = body;
   const std::string start =
@@ -18,7 +15,7 @@ spatial::BeamPlacement read_placement(TableReader& beam, const Mechanism& mechan
   const Eigen::Vector3d axis = beam.direction({"axis", "the beam's axis in the body"});
   const Eigen::Vector3d z = beam.direction({"z", "the beam's z in the body"});
   if (!beam.problems().empty() || body < 0) return placement;
-  const Body& of = mechanism.bodies[static_cast<std::size_t>(body)];
+  const spatial::Body& of = mechanism.bodies[static_cast<std::size_t>(body)];
   if (!start.empty()) {
     const auto point = std::find_if(of.points.begin(), of.points.end(),
                                     [&](const auto& p) { return p.name == start; });
@@ -43,7 +40,7 @@ namespace {
 
 /// Notes joints and loads on the beam's body that stand beyond the ends of the beam.
 void check_on_beam(TableReader& root, const TaperedBeam& beam,
-                   const spatial::BeamPlacement& placement, const Mechanism& mechanism) {
+                   const spatial::BeamPlacement& placement, const spatial::Mechanism& mechanism) {
   const double whole = beam.length().value();
   const auto look = [&](const char* table, const std::string& name, const Eigen::Vector3d& place) {
     const double s = in_beam(placement, place).x();
@@ -56,7 +53,7 @@ void check_on_beam(TableReader& root, const TaperedBeam& beam,
                     whole));
   };
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
+    const spatial::Joint& joint = mechanism.joints[i];
     if (static_cast<int>(i) == placement.body) look("joints", joint.name, joint.point);
     if (joint.parent == placement.body) look("joints", joint.name, joint.at);
   }
@@ -70,8 +67,8 @@ void check_on_beam(TableReader& root, const TaperedBeam& beam,
 }  // namespace
 
 void place_beam(TableReader& root, const TaperedBeam& beam, const spatial::BeamPlacement& placement,
-                Mechanism& mechanism) {
-  Body& body = mechanism.bodies[static_cast<std::size_t>(placement.body)];
+                spatial::Mechanism& mechanism) {
+  spatial::Body& body = mechanism.bodies[static_cast<std::size_t>(placement.body)];
   give_mass(body, placement, beam);
   check_on_beam(root, beam, placement, mechanism);
   const double whole = beam.length().value();

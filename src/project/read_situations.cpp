@@ -167,12 +167,12 @@ std::vector<std::size_t> read_parts(TableReader& table, const Key& of,
   std::vector<std::size_t> parts;
   std::vector<std::string> running;
   for (const Situation& other : situations) {
-    if (other.between.empty()) running.push_back(other.name);
+    if (other.runs()) running.push_back(other.name);
   }
   for (const std::string& name : table.texts(of, true)) {
-    const auto found = std::find_if(
-        situations.begin(), situations.end(),
-        [&](const Situation& other) { return other.name == name && other.between.empty(); });
+    const auto found =
+        std::find_if(situations.begin(), situations.end(),
+                     [&](const Situation& other) { return other.name == name && other.runs(); });
     if (found == situations.end()) {
       table.problem(key, fmt::format("no situation above is \"{}\"", name),
                     unknown_hint(name, running));

@@ -13,8 +13,6 @@ LadderCase ladder_case(const Project& project, const Situation& situation) {
   return {&flexible_in(project, situation), project.beam_body, &project.beam};
 }
 
-bool runs(const Situation& situation) { return situation.between.empty(); }
-
 /// A model that the user demands, with the error that it is found to have.
 ModelChoice demanded(const Project& project, const ElasticModel& model) {
   ModelChoice choice;
@@ -24,7 +22,7 @@ ModelChoice demanded(const Project& project, const ElasticModel& model) {
   estimate.model = model;
   estimate.basis = "as demanded";
   for (const Situation& situation : project.situations) {
-    if (!runs(situation)) continue;
+    if (!situation.runs()) continue;
     const LadderCase of = ladder_case(project, situation);
     estimate.error = std::max(estimate.error, error_of(of, model));
     choice.harmonics = {{of.mechanism->frequency, 1.0}};
@@ -106,7 +104,7 @@ ModelChoice choose_for_links(const Project& project) {
   std::vector<ModelChoice> choices;
   std::vector<const Situation*> of;
   for (const Situation& situation : project.situations) {
-    if (!runs(situation)) continue;
+    if (!situation.runs()) continue;
     choices.push_back(climb_ladder(ladder_case(project, situation), project.model.tolerance));
     of.push_back(&situation);
   }

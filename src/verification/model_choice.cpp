@@ -16,8 +16,6 @@
 namespace boxbeam {
 namespace {
 
-bool runs(const Situation& situation) { return situation.between.empty(); }
-
 /// A joint that slides with dry friction, by name; "" where there is none.
 std::string dry_friction_in(const Project& project, const std::deque<SituationRun>& rigid) {
   for (const SituationRun& run : rigid) {
@@ -153,7 +151,7 @@ std::string tabled_forces_in(const Project& project) {
     }
   };
   for (const Situation& situation : project.situations) {
-    if (runs(situation)) look(planar_in(project, situation));
+    if (situation.runs()) look(planar_in(project, situation));
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }

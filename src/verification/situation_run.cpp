@@ -61,7 +61,7 @@ std::deque<SituationRun> run_situations(const Project& project, const ElasticMod
   const std::size_t places = places_of(project.beam).size();
   std::size_t instants = 0;
   for (const Situation& situation : project.situations) {
-    if (!situation.between.empty()) continue;
+    if (!situation.runs()) continue;
     try {
       runs.emplace_back(project, situation, model);
       instants += runs.back().loads.instants();

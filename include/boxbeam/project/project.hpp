@@ -126,6 +126,9 @@ struct Situation {
   /// Elastic links: the harmonic loads are switched on at once on the structure at rest, and the
   /// time after it is looked at, instead of the steady vibration.
   bool sudden_start = false;
+
+  /// Whether it is a motion of its own.
+  bool runs() const { return between.empty(); }
 };
 
 /// A pin of the mechanism and the plates it bears on.
