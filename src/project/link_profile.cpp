@@ -1,7 +1,7 @@
 #include "boxbeam/project/link_profile.hpp"
 
 #include "boxbeam/section/section_properties.hpp"
-#include "boxbeam/strength/shear_area.hpp"
+#include "boxbeam/section/shear_area.hpp"
 
 namespace boxbeam {
 
@@ -23,7 +23,7 @@ std::vector<flexible::LinkStretch> link_stretches_of(const TaperedBeam& beam, do
       return youngs_modulus * properties_of(section).area.value();
     });
     stretch.GA = over_length(
-        [&](const Section& section) { return shear_modulus * shear_area_of(section).value(); });
+        [&](const Section& section) { return shear_modulus * shear_areas_of(section).z.value(); });
     stretch.EI = over_length([&](const Section& section) {
       const SectionProperties properties = properties_of(section);
       const double I_yz = properties.I_yz.value();

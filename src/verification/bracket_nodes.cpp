@@ -1,5 +1,6 @@
 #include "bracket_nodes.hpp"
 
+#include <numbers>
 #include <utility>
 
 namespace boxbeam {
@@ -11,7 +12,7 @@ CutForces chebyshev_coefficient(const std::array<CutForces, LoadHistory::nodes>&
                                 std::size_t degree) {
   CutForces sum{};
   for (std::size_t k = 0; k <= last_node; ++k) {
-    // node(k) = cos of the angle pi - pi k/n
+    // The point is the cos of the angle pi - pi k/n
     const double angle = std::numbers::pi *
                          (1.0 - static_cast<double>(k) / static_cast<double>(last_node)) *
                          static_cast<double>(degree);

@@ -3,34 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "boxbeam/numerics/chebyshev_points.hpp"
 #include "boxbeam/verification/load_history.hpp"
 
 /// The nodes of a bracket of a history, and how large the cut forces at them are.
 namespace boxbeam {
 
-inline constexpr std::size_t last_node = LoadHistory::nodes - 1;
+using BracketPoints = ChebyshevPoints<LoadHistory::nodes>;
 
-/// Chebyshev point of the second kind, ascending in [-1, 1]. Every value between instants asks for
-/// all of them: their cosines are taken once.
-inline double node(std::size_t k) {
-  static const auto nodes = [] {
-    std::array<double, LoadHistory::nodes> of;
-    for (std::size_t i = 0; i < of.size(); ++i)
-      of[i] = -std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(last_node));
-    return of;
-  }();
-  return nodes[k];
-}
-
-/// The place of a node between two times; exactly the ends, and the middle.
-inline double node_between(double from, double to, std::size_t k) {
-  if (k == 0) return from;
-  if (k == last_node) return to;
-  const double middle = 0.5 * (from + to);
-  return 2 * k == last_node ? middle : middle + 0.5 * (to - from) * node(k);
-}
+inline constexpr std::size_t last_node = BracketPoints::last;
 
 inline double force_in(const CutForces& cut) {
   return std::max({std::abs(cut.N.value()), std::abs(cut.V_y.value()), std::abs(cut.V_z.value())});
@@ -47,22 +29,13 @@ inline CutForces sum_of(const CutForces& a, double factor, const CutForces& b) {
 
 inline double sum_of(double a, double factor, double b) { return a + factor * b; }
 
-/// Value at u of the polynomial through the nodes. Barycentric formula; weights of Chebyshev points
-/// alternate in sign and are halved at the ends. Source: Berrut and Trefethen, SIAM Review 46
-/// (2004).
+/// Value at u of the polynomial through the nodes.
 template <class Value>
 Value interpolate(const std::array<Value, LoadHistory::nodes>& values, double u) {
-  double sum = 0.0;
+  const std::array<double, LoadHistory::nodes> shares = BracketPoints::shares_at(u);
   Value result{};
-  for (std::size_t k = 0; k <= last_node; ++k) {
-    const double distance = u - node(k);
-    if (distance == 0.0) return values[k];
-    double weight = (k % 2 == 0 ? 1.0 : -1.0) / distance;
-    if (k == 0 || k == last_node) weight *= 0.5;
-    sum += weight;
-    result = sum_of(result, weight, values[k]);
-  }
-  return sum_of(Value{}, 1.0 / sum, result);
+  for (std::size_t k = 0; k <= last_node; ++k) result = sum_of(result, shares[k], values[k]);
+  return result;
 }
 
 /// What the highest waves of the polynomial through the nodes are of what they may be, where it

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "boxbeam/section/normal_stress.hpp"
-#include "boxbeam/strength/shear_area.hpp"
+#include "boxbeam/section/shear_area.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
 
 namespace boxbeam {
@@ -206,7 +206,7 @@ DeflectionModel deflection_model_of(const Project& project) {
             input.youngs_modulus.value();
         piece.curvature_N[i] = curvature[0];
         piece.curvature_M[i] = curvature[1];
-        piece.shear[i] = 1.0 / (input.shear_modulus * shear_area_of(section)).value();
+        piece.shear[i] = 1.0 / (input.shear_modulus * shear_areas_of(section).z).value();
       }
     }
   }

@@ -128,7 +128,7 @@ const LoadHistory::Bracket& LoadHistory::bracket(const Reach& reach) const {
   if (brackets_.size() >= most_brackets) brackets_.clear();
   Bracket bracket;
   for (std::size_t k = 0; k <= last_node; ++k) {
-    const Time time = si<Time>(node_between(key.first, key.second, k));
+    const Time time = si<Time>(BracketPoints::between(key.first, key.second, k));
     Time within = time;
     if (span_.closed && time < span_.begin) within = time + span_.period;
     if (span_.closed && time >= span_.begin + span_.period) within = time - span_.period;

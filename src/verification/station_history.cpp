@@ -52,7 +52,7 @@ StationHistory::Piece StationHistory::piece_between(double from, double to, bool
     return piece;
   }
   for (std::size_t k = 0; k <= last_node; ++k) {
-    piece.at[k] = loads_->diagram_at(si<Time>(node_between(from, to, k))).at(station_);
+    piece.at[k] = loads_->diagram_at(si<Time>(BracketPoints::between(from, to, k))).at(station_);
   }
   return piece;
 }
@@ -100,8 +100,8 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
   for (std::size_t k = 1; k <= last_node; ++k) {
     const std::size_t before = borders_before(bracket[k - 1], station_);
     if (borders_before(bracket[k], station_) == before) continue;
-    double low = node_between(begin, end, k - 1);
-    double high = node_between(begin, end, k);
+    double low = BracketPoints::between(begin, end, k - 1);
+    double high = BracketPoints::between(begin, end, k);
     constexpr int bisections = 40;
     for (int i = 0; i < bisections; ++i) {
       const double half = 0.5 * (low + high);
@@ -171,7 +171,7 @@ std::optional<StationHistory::Passage> StationHistory::passage_of(std::size_t bo
     (value > 0.0 ? before : behind) = std::move(at);
     return value;
   };
-  double low = node(k - 1), high = node(k);
+  double low = BracketPoints::point(k - 1), high = BracketPoints::point(k);
   constexpr int bisections = 32;
   for (int i = 0; i < bisections; ++i) {
     const double half = 0.5 * (low + high);
@@ -181,7 +181,7 @@ std::optional<StationHistory::Passage> StationHistory::passage_of(std::size_t bo
   if (!(look_at(low - near) > 0.0 && look_at(low + near) < 0.0)) {
     std::uintmax_t most = 100;
     const auto [from, to] = boost::math::tools::toms748_solve(
-        look_at, node(k - 1), node(k), left[k - 1], left[k],
+        look_at, BracketPoints::point(k - 1), BracketPoints::point(k), left[k - 1], left[k],
         [](double a, double b) { return b - a <= near; }, most);
     passed_at = 0.5 * (from + to);
     if (!(look_at(from - near) > 0.0 && look_at(to + near) < 0.0)) return std::nullopt;
@@ -216,11 +216,11 @@ Extremum StationHistory::extremum_near(std::size_t instant, double sign,
     for (std::size_t k = 0; k <= last_node; ++k) values[k] = sign * f(piece.at[k]);
     const auto k =
         static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-    if (values[k] > best.value) best = {node_between(piece.from, piece.to, k), values[k]};
+    if (values[k] > best.value) best = {BracketPoints::between(piece.from, piece.to, k), values[k]};
     if (piece.jump) continue;
-    const Extremum found =
-        find_maximum([&](double u) { return sign * f(interpolate(piece.at, u)); },
-                     node(k > 0 ? k - 1 : 0), node(std::min(k + 1, last_node)));
+    const Extremum found = find_maximum(
+        [&](double u) { return sign * f(interpolate(piece.at, u)); },
+        BracketPoints::point(k > 0 ? k - 1 : 0), BracketPoints::point(std::min(k + 1, last_node)));
     if (found.value <= best.value) continue;
     const double middle = 0.5 * (piece.from + piece.to);
     best = {middle + 0.5 * (piece.to - piece.from) * found.at, found.value};
@@ -327,8 +327,9 @@ CutForces StationHistory::at(Time time) const {
     if (piece.jump) {
       std::size_t nearest = 0;
       for (std::size_t k = 1; k <= last_node; ++k) {
-        const double here = std::abs(node_between(piece.from, piece.to, k) - at);
-        if (here < std::abs(node_between(piece.from, piece.to, nearest) - at)) nearest = k;
+        const double here = std::abs(BracketPoints::between(piece.from, piece.to, k) - at);
+        if (here < std::abs(BracketPoints::between(piece.from, piece.to, nearest) - at))
+          nearest = k;
       }
       return piece.at[nearest];
     }

@@ -14,7 +14,7 @@
 #include "boxbeam/fatigue/damage.hpp"
 #include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
-#include "boxbeam/strength/shear_area.hpp"
+#include "boxbeam/section/shear_area.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "instants.hpp"
 #include "rules.hpp"
@@ -698,7 +698,7 @@ class Search {
       const double E = input.youngs_modulus.value();
       middles.push_back(
           {station, at[i + 1] - at[i], plane.of[0][2] / E, plane.of[1][2] / E,
-           1.0 / (input.shear_modulus.value() * shear_area_of(section.here).value())});
+           1.0 / (input.shear_modulus.value() * shear_areas_of(section.here).z.value())});
     }
     const auto value_at = [&](const std::vector<double>& of, double s) {
       const auto next = std::upper_bound(at.begin(), at.end() - 1, s);

@@ -11,7 +11,7 @@ namespace boxbeam {
 ///
 ///     EA = E A,   GA = G A_s,   EI = E (I_y - I_yz^2/I_z),   mass = rho A,   rotary = rho I_y
 ///
-/// A_s  shear area (`shear_area_of`); I_y about the centroid; with I_yz the beam bends freely
+/// A_s  shear area (`shear_areas_of`); I_y about the centroid; with I_yz the beam bends freely
 /// sideways. `youngs_modulus` E and `shear_modulus` G in [Pa]. `rotary` is zero where the beam does
 /// not count it. Exact for boxes, plates and tubes whose dimensions change linearly, but for the
 /// shear area of a tapered rectangular tube, which is no polynomial and agrees at five places.

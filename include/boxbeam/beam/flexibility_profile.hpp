@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "boxbeam/beam/tapered_beam.hpp"
+#include "boxbeam/numerics/chebyshev_points.hpp"
+
+namespace boxbeam {
+
+/// Strains of the axis per cut force, rows and columns in the order of cut_force::Index: extension,
+/// shear along y and z, twist and the turns about y and z per length. Symmetric.
+using Flexibility = Eigen::Matrix<double, 6, 6>;
+
+/// Of a section,
+///
+///     (epsilon, kappa_y, kappa_z) = K (N, M_y, M_z)/E         of unsymmetric bending about the
+///     axis (gamma_y, gamma_z) = (V_y/(G A_y), V_z/(G A_z)) + (e_z, -e_y) kappa_T kappa_T = (T +
+///     e_z V_y - e_y V_z)/(G I_T)               e the shear centre
+///
+/// kappa_y > 0 lengthens +z, kappa_z > 0 shortens +y. Where the torsion constant of a profile is
+/// not known (polygons) it does not twist; `twists` says so. Free warping. SI, moduli in Pa.
+/// Source: `normal_stress_plane`, `shear_areas_of`, `torsion_properties_of`; virtual work for the
+/// couplings.
+Flexibility flexibility_of(const Section& section, double youngs_modulus, double shear_modulus);
+
+/// Whether the torsion constant of a section is known.
+bool twists(const Section& section);
+
+/// The flexibility along a beam: between neighbouring borders, where nothing jumps, the polynomial
+/// through its values at Chebyshev points. A piece is halved until that polynomial is within 1e-12
+/// of the largest flexibility of its kind between the points, at most 2^6 pieces to a segment.
+class FlexibilityProfile {
+ public:
+  FlexibilityProfile(const TaperedBeam& beam, double youngs_modulus, double shear_modulus);
+
+  /// At a place within the piece from borders()[k] to borders()[k + 1] [m].
+  Flexibility at(std::size_t piece, double s) const;
+
+  /// Ascending, from 0 to the beam's length [m].
+  const std::vector<double>& borders() const { return borders_; }
+
+ private:
+  static constexpr std::size_t nodes = 13;
+  using Points = ChebyshevPoints<nodes>;
+
+  void add(const TaperedBeam& beam, std::size_t segment, double from, double to, int halvings,
+           double E, double G);
+
+  std::vector<double> borders_{0.0};
+  std::vector<std::array<Flexibility, nodes>> pieces_;
+};
+
+}  // namespace boxbeam

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/beam/flexibility_profile.hpp"
+#include "boxbeam/mechanism/frame/structure.hpp"
+
+namespace boxbeam::frame {
+
+/// A shift [m] and a turn [rad], or a force [N] and a couple [N m].
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// What acts at an instant: the weight of every member, points and lines, heat, shifted joints;
+/// each already times its factor, wheels where they stand.
+struct ActingLoads {
+  double weight = 0.0;  ///< so often
+  struct Point {
+    std::string_view name;  ///< of the action, whose structure stays
+    PointAction action;
+  };
+  std::vector<Point> points;
+  std::vector<LineAction> lines;
+  std::vector<HeatAction> heat;
+  std::vector<Settlement> settlements;
+};
+
+ActingLoads acting_at(const Structure& structure, double time);
+
+/// What is done to a member, in its axes, and what that cuts.
+struct MemberLoads {
+  BeamLoads loads;  ///< the seam to the verification
+  CutForceDiagram cut;
+  Vector6 heat = Vector6::Zero();  ///< strains, in the order of the cut forces
+};
+
+/// How a frame stands under loads.
+struct Equilibrium {
+  std::vector<MemberLoads> members;
+  std::vector<Vector6> joints;  ///< what each does to its a, world axes, about the joint's place
+  Eigen::VectorXd motion;       ///< of the nodes, for `Statics`
+};
+
+/// Solves frames under loads, members exact: their taper, shear and torsion as `FlexibilityProfile`
+/// knows them, small displacements.
+///
+/// Members are cut where joints are. Unknown are the motions u of these nodes, the cut forces c at
+/// the end of each piece and the forces of the joints; equations are the balance of the nodes, that
+/// pieces fit between their nodes, and the joints:
+///
+///     A^T c + G^T r = p,   A u - F c = d,   G u - r/k = -settlement
+///
+/// F = int B^T f B ds and d = int B^T (f c_q + e) ds over a piece, c_q the cut forces of what acts
+/// between its nodes, e the strains of heat. No stiffness is formed: rigid joints have 1/k = 0, and
+/// where balance alone decides, forces are free of the round-off of elasticity. Source: principle
+/// of virtual forces; Argyris, Kelsey, Energy Theorems and Structural Analysis (1960).
+class Statics {
+ public:
+  /// `structure` stays. Throws AnalysisError where something is free to move (says what), or where
+  /// the torsion constant of a member in space is not known.
+  explicit Statics(const Structure& structure);
+
+  /// Throws AnalysisError where the loads are not finite.
+  Equilibrium solve(const ActingLoads& loads) const;
+
+  /// Shift and turn of a member's section at a station, world axes.
+  Vector6 motion_at(int member, double s, const Equilibrium& of) const;
+
+  const Structure& structure() const { return *structure_; }
+
+ private:
+  struct Node {
+    int member = 0;
+    double s = 0.0;
+  };
+  struct Piece {
+    int member = 0;
+    std::size_t from = 0, to = 0;  ///< nodes
+  };
+  Eigen::Index row_of_node(std::size_t node) const;
+  Eigen::Index row_of_piece(std::size_t piece) const;
+  void assemble();
+  void refuse_mechanisms(const Eigen::SparseMatrix<double>& matrix) const;
+  std::size_t node_of(const Place& at) const;
+  std::vector<MemberLoads> member_loads_of(const ActingLoads& loads) const;
+  std::vector<LineLoad> lines_on(int member, const ActingLoads& loads) const;
+  /// Integral of B^T (f c + e): how far the section at `to` is shifted and turned from where the
+  /// one at `from` would carry it, member axes. Between `breaks`, ascending, c is a polynomial.
+  Vector6 strain_between(int member, double from, double to, const std::vector<double>& breaks,
+                         const std::function<Vector6(double s)>& cut, const Vector6& heat) const;
+
+  const Structure* structure_;
+  std::vector<FlexibilityProfile> profiles_;
+  std::vector<std::vector<SegmentMass>> masses_;
+  std::vector<Node> nodes_;
+  std::vector<Piece> pieces_;
+  std::vector<Eigen::Index> joint_rows_;
+  double length_ = 1.0, force_ = 1.0;  ///< units of the unknowns [m, N]
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> solver_;
+};
+
+}  // namespace boxbeam::frame

@@ -1,0 +1,90 @@
+#include "boxbeam/beam/flexibility_profile.hpp"
+
+#include "boxbeam/section/cut_forces.hpp"
+#include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/shear_area.hpp"
+#include "boxbeam/section/torsion.hpp"
+
+namespace boxbeam {
+
+Flexibility flexibility_of(const Section& section, double youngs_modulus, double shear_modulus) {
+  using namespace cut_force;
+  Flexibility of = Flexibility::Zero();
+  // The plane a + b y + c z of stress: extension a, turn about y c, about z -b.
+  const Eigen::Matrix3d plane = normal_stress_plane(sums_of(outline_of(section, {})));
+  const std::array<Eigen::Index, 3> bends{N, M_y, M_z};
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Eigen::Index force = bends[static_cast<std::size_t>(k)];
+    of(N, force) = plane(0, k) / youngs_modulus;
+    of(M_y, force) = plane(2, k) / youngs_modulus;
+    of(M_z, force) = -plane(1, k) / youngs_modulus;
+  }
+  const ShearAreas areas = shear_areas_of(section);
+  of(V_y, V_y) = 1.0 / (shear_modulus * areas.y.value());
+  of(V_z, V_z) = 1.0 / (shear_modulus * areas.z.value());
+  const TorsionProperties torsion = torsion_properties_of(section);
+  if (!torsion.I_T) return of;
+  Eigen::Matrix<double, 6, 1> torque = Eigen::Matrix<double, 6, 1>::Unit(T);
+  if (torsion.shear_centre) {
+    torque[V_y] = torsion.shear_centre->z.value();
+    torque[V_z] = -torsion.shear_centre->y.value();
+  }
+  of += torque * torque.transpose() / (shear_modulus * torsion.I_T->value());
+  return of;
+}
+
+bool twists(const Section& section) { return torsion_properties_of(section).I_T.has_value(); }
+
+FlexibilityProfile::FlexibilityProfile(const TaperedBeam& beam, double youngs_modulus,
+                                       double shear_modulus) {
+  for (std::size_t k = 0; k < beam.segments.size(); ++k) {
+    const Segment& segment = beam.segments[k];
+    add(beam, k, segment.start.value(), segment.end().value(), 0, youngs_modulus, shear_modulus);
+  }
+}
+
+void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, double from, double to,
+                             int halvings, double E, double G) {
+  const Segment& of = beam.segments[segment];
+  const auto exact = [&](double s) {
+    const double fraction = (s - of.start.value()) / of.length.value();
+    return flexibility_of(interpolate(of.from, of.to, fraction), E, G);
+  };
+  std::array<Flexibility, nodes> values;
+  const bool prismatic = of.from == of.to;
+  for (std::size_t k = 0; k < nodes; ++k) {
+    values[k] = prismatic && k > 0 ? values[0] : exact(Points::between(from, to, k));
+  }
+  borders_.push_back(to);
+  pieces_.push_back(values);
+  constexpr double within = 1e-12;
+  constexpr int most_halvings = 6;
+  if (prismatic || halvings == most_halvings) return;
+  Flexibility largest = Flexibility::Zero();
+  for (const Flexibility& value : values) largest = largest.cwiseMax(value.cwiseAbs());
+  for (std::size_t k = 0; k + 1 < nodes; ++k) {
+    const double s = 0.5 * (Points::between(from, to, k) + Points::between(from, to, k + 1));
+    const Flexibility missed = (at(pieces_.size() - 1, s) - exact(s)).cwiseAbs();
+    // What couples two cut forces by round-off is measured by what each does alone.
+    const Eigen::Array<double, 6, 1> size = largest.diagonal().array().sqrt();
+    const bool close =
+        (missed.array() <= within * (size.matrix() * size.matrix().transpose()).array()).all();
+    if (close) continue;
+    borders_.pop_back();
+    pieces_.pop_back();
+    const double middle = 0.5 * (from + to);
+    add(beam, segment, from, middle, halvings + 1, E, G);
+    add(beam, segment, middle, to, halvings + 1, E, G);
+    return;
+  }
+}
+
+Flexibility FlexibilityProfile::at(std::size_t piece, double s) const {
+  const double from = borders_[piece], to = borders_[piece + 1];
+  const std::array<double, nodes> shares = Points::shares_at((2.0 * s - from - to) / (to - from));
+  Flexibility sum = Flexibility::Zero();
+  for (std::size_t k = 0; k < nodes; ++k) sum += shares[k] * pieces_[piece][k];
+  return sum;
+}
+
+}  // namespace boxbeam

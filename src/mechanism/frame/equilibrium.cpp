@@ -1,0 +1,247 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "boxbeam/core/error.hpp"
+#include "rigid_arms.hpp"
+
+namespace boxbeam::frame {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector6 vector_of(const CutForces& cut) {
+  Vector6 of;
+  of << cut.N.value(), cut.V_y.value(), cut.V_z.value(), cut.T.value(), cut.M_y.value(),
+      cut.M_z.value();
+  return of;
+}
+
+/// Strains of heat: a rise towards +z lengthens there, towards +y likewise.
+Vector6 strain_of(const HeatAction& heat, double expansion) {
+  Vector6 strain = Vector6::Zero();
+  strain[0] = expansion * heat.mean;
+  strain[4] = expansion * heat.along_z;
+  strain[5] = -expansion * heat.along_y;
+  return strain;
+}
+
+/// A load on a member at a place of it, from world axes.
+PointLoad point_load(const Member& member, const Place& at, const Vector3d& force,
+                     const Vector3d& moment, std::string_view name) {
+  const Vector3d turned = member.axes.transpose() * force;
+  const Vector3d arm(0.0, at.p.y(), at.p.z());
+  return {si<Length>(at.p.x()), turned, member.axes.transpose() * moment + arm.cross(turned), name};
+}
+
+std::vector<double> borders_of(const CutForceDiagram& diagram) {
+  std::vector<double> borders;
+  for (const CutForcePiece& piece : diagram.pieces) borders.push_back(piece.start.value());
+  return borders;
+}
+
+const Member& member_of(const Structure& structure, int member) {
+  return structure.members[static_cast<std::size_t>(member)];
+}
+
+}  // namespace
+
+std::vector<LineLoad> Statics::lines_on(int member, const ActingLoads& loads) const {
+  const Member& of = member_of(*structure_, member);
+  const Vector3d gravity = loads.weight * (of.axes.transpose() * structure_->gravity);
+  const std::vector<LineLoad> weight =
+      weight_and_inertia(of.beam, masses_[static_cast<std::size_t>(member)], gravity, {});
+  std::vector<double> ends;
+  for (const LineAction& line : loads.lines) {
+    if (line.member == member) ends.insert(ends.end(), {line.from, line.to});
+  }
+  if (ends.empty()) return weight;
+  for (const LineLoad& line : weight) ends.push_back(line.start.value());
+  ends.push_back(of.beam.length().value());
+  std::sort(ends.begin(), ends.end());
+  const double close = 1e-9 * ends.back();
+  ends.erase(
+      std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a < close; }),
+      ends.end());
+  std::vector<LineLoad> lines;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double from = ends[k], length = ends[k + 1] - from, middle = from + 0.5 * length;
+    const auto under = std::find_if(weight.begin(), weight.end() - 1, [&](const LineLoad& line) {
+      return middle < (line.start + line.length).value();
+    });
+    LineLoad& line = lines.emplace_back();
+    line.start = si<Length>(from);
+    line.length = si<Length>(length);
+    const double by = from - under->start.value();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      line.force[axis] =
+          interpolate<3>([&](double x) { return under->force[axis](by + x); }, length);
+    }
+    for (const LineAction& action : loads.lines) {
+      if (action.member != member || middle < action.from || middle > action.to) continue;
+      const Vector3d slope =
+          of.axes.transpose() * (action.at_to - action.at_from) / (action.to - action.from);
+      const Vector3d start = of.axes.transpose() * action.at_from + (from - action.from) * slope;
+      for (int axis = 0; axis < 3; ++axis) {
+        Polynomial<3>& force = line.force[static_cast<std::size_t>(axis)];
+        force = force + Polynomial<1>{{start[axis], slope[axis]}};
+      }
+    }
+  }
+  return lines;
+}
+
+std::vector<MemberLoads> Statics::member_loads_of(const ActingLoads& loads) const {
+  std::vector<MemberLoads> members(structure_->members.size());
+  for (std::size_t m = 0; m < members.size(); ++m)
+    members[m].loads.lines = lines_on(static_cast<int>(m), loads);
+  for (const auto& [name, action] : loads.points) {
+    const Member& member = member_of(*structure_, action.at.member);
+    PointLoad load = point_load(member, action.at, action.force, action.moment, name);
+    const Node& node = nodes_[node_of(action.at)];
+    if (std::abs(node.s - action.at.p.x()) < 1e-9 * member.beam.length().value())
+      load.s = si<Length>(node.s);
+    members[static_cast<std::size_t>(action.at.member)].loads.points.push_back(load);
+  }
+  for (const HeatAction& heat : loads.heat) {
+    members[static_cast<std::size_t>(heat.member)].heat +=
+        strain_of(heat, member_of(*structure_, heat.member).expansion);
+  }
+  return members;
+}
+
+Vector6 Statics::strain_between(int member, double from, double to,
+                                const std::vector<double>& breaks,
+                                const std::function<Vector6(double s)>& cut,
+                                const Vector6& heat) const {
+  using Rule = boost::math::quadrature::gauss<double, 15>;
+  const FlexibilityProfile& profile = profiles_[static_cast<std::size_t>(member)];
+  const std::vector<double>& pieces = profile.borders();
+  Vector6 sum = Vector6::Zero();
+  for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+    const double first = std::max(from, pieces[k]), last = std::min(to, pieces[k + 1]);
+    if (!(first < last)) continue;
+    const auto add = [&](double s, double weight) {
+      const Vector6 strain = profile.at(k, s) * cut(s) + heat;
+      sum += weight * (carry(Vector3d(to - s, 0.0, 0.0)) * strain);
+    };
+    double low = first;
+    while (low < last) {
+      const auto next = std::upper_bound(breaks.begin(), breaks.end(), low);
+      const double high = next == breaks.end() ? last : std::min(last, *next);
+      const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+        const double u = Rule::abscissa()[i], weight = half * Rule::weights()[i];
+        add(middle + half * u, weight);
+        if (u > 0.0) add(middle - half * u, weight);
+      }
+      low = high;
+    }
+  }
+  return sum;
+}
+
+Equilibrium Statics::solve(const ActingLoads& loads) const {
+  const Structure& of = *structure_;
+  const std::span<const Index> world = world_components(of), cuts = cut_components(of);
+  Equilibrium result;
+  result.members = member_loads_of(loads);
+  for (MemberLoads& member : result.members) member.cut = cut_forces_of(member.loads);
+  const auto shift_unit = [&](Index k) { return k < 3 ? length_ : 1.0; };
+  const auto force_unit = [&](Index k) { return k < 3 ? force_ : force_ * length_; };
+
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix_.rows());
+  const auto load_node = [&](std::size_t node, const Vector6& load) {
+    for (std::size_t k = 0; k < world.size(); ++k)
+      right[row_of_node(node) + static_cast<Index>(k)] += load[world[k]] / force_unit(world[k]);
+  };
+  // The diagram of what acts on a member alone is in balance with it between its nodes; what acts
+  // at a node is the node's.
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const Piece& piece = pieces_[p];
+    const Member& member = member_of(of, piece.member);
+    const MemberLoads& acting = result.members[static_cast<std::size_t>(piece.member)];
+    const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
+    const Vector6 last = vector_of(acting.cut.at({si<Length>(to), Side::before}));
+    const auto cut = [&](double s) -> Vector6 {
+      return vector_of(acting.cut.at({si<Length>(s), Side::behind})) - carried_back(last, to - s);
+    };
+    const Matrix6 outwards = rotation(member.axes);
+    load_node(piece.from, outwards * cut(from));
+    const Vector6 misfit =
+        strain_between(piece.member, from, to, borders_of(acting.cut), cut, acting.heat);
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      right[row_of_piece(p) + static_cast<Index>(i)] = misfit[cuts[i]] / shift_unit(cuts[i]);
+  }
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const Node& node = nodes_[n];
+    for (const PointLoad& load :
+         result.members[static_cast<std::size_t>(node.member)].loads.points) {
+      if (load.s.value() != node.s) continue;
+      Vector6 wrench;
+      wrench << load.force, load.moment;
+      load_node(n, rotation(member_of(of, node.member).axes) * wrench);
+    }
+  }
+  for (const Settlement& settlement : loads.settlements) {
+    const auto joint = static_cast<std::size_t>(settlement.joint);
+    Vector6 shift;
+    shift << of.joints[joint].axes.transpose() * settlement.shift,
+        of.joints[joint].axes.transpose() * settlement.turn;
+    for (std::size_t k = 0; k < world.size(); ++k) {
+      const Index row = joint_rows_[joint * world.size() + k];
+      if (row >= 0) right[row] -= shift[world[k]] / shift_unit(world[k]);
+    }
+  }
+  Eigen::VectorXd x = solver_.solve(right);
+  x += solver_.solve(right - matrix_ * x);
+  if (!x.allFinite()) throw AnalysisError({"the loads on the frame are too large", "", {}, {}, {}});
+
+  for (std::size_t j = 0; j < of.joints.size(); ++j) {
+    const Joint& joint = of.joints[j];
+    Vector6 force = Vector6::Zero();
+    for (std::size_t k = 0; k < world.size(); ++k) {
+      const Index row = joint_rows_[j * world.size() + k];
+      if (row >= 0) force[world[k]] = x[row] * force_unit(world[k]);
+    }
+    force = rotation(joint.axes) * force;
+    result.joints.push_back(force);
+    for (const auto& [at, sign] : {std::pair{&joint.a, 1.0}, {&joint.b, -1.0}}) {
+      if (at->member == ground) continue;
+      Place there = *at;
+      there.p.x() = nodes_[node_of(*at)].s;
+      result.members[static_cast<std::size_t>(at->member)].loads.points.push_back(
+          point_load(member_of(of, at->member), there, sign * force.head<3>(),
+                     sign * force.tail<3>(), joint.name));
+    }
+  }
+  for (MemberLoads& member : result.members) member.cut = cut_forces_of(member.loads);
+  result.motion = x.head(row_of_node(nodes_.size()));
+  return result;
+}
+
+Vector6 Statics::motion_at(int member, double s, const Equilibrium& of) const {
+  const std::span<const Index> world = world_components(*structure_);
+  const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& candidate) {
+    return candidate.member == member && s <= nodes_[candidate.to].s;
+  });
+  const double from = nodes_[piece->from].s;
+  Vector6 start = Vector6::Zero();
+  for (std::size_t k = 0; k < world.size(); ++k) {
+    start[world[k]] = of.motion[row_of_node(piece->from) + static_cast<Index>(k)] *
+                      (world[k] < 3 ? length_ : 1.0);
+  }
+  const MemberLoads& acting = of.members[static_cast<std::size_t>(member)];
+  const auto cut = [&](double at) {
+    return vector_of(acting.cut.at({si<Length>(at), Side::behind}));
+  };
+  const Matrix6 outwards = rotation(member_of(*structure_, member).axes);
+  const Vector6 strain = strain_between(member, from, s, borders_of(acting.cut), cut, acting.heat);
+  return outwards * (carry(Vector3d(s - from, 0.0, 0.0)) * (outwards.transpose() * start) + strain);
+}
+
+}  // namespace boxbeam::frame
