@@ -17,7 +17,7 @@ ROWS = [
     ["section"],
     ["beam"],
     ["mechanism/common"],
-    ["mechanism/planar", "mechanism/spatial", "mechanism/flexible"],
+    ["mechanism/planar", "mechanism/spatial", "mechanism/flexible", "mechanism/frame"],
     ["strength"],
     ["fatigue"],
     ["project"],

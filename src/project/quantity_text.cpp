@@ -32,7 +32,7 @@ constexpr Unit units_known[] = {
     {"Hz", 1.0, {0, 0, -1, 0}, true},   {"rpm", full_turn / 60.0, {0, 0, -1, 1}, false},
     {"N", 1.0, {1, 1, -2, 0}, true},    {"Pa", 1.0, {-1, 1, -2, 0}, true},
     {"bar", 1e5, {-1, 1, -2, 0}, true}, {"J", 1.0, {2, 1, -2, 0}, true},
-    {"W", 1.0, {2, 1, -3, 0}, true},
+    {"W", 1.0, {2, 1, -3, 0}, true},    {"K", 1.0, {0, 0, 0, 0, 1}, false},
 };
 
 struct Prefix {
@@ -66,6 +66,7 @@ class UnitScanner {
   std::optional<std::string> scan(ParsedQuantity& quantity) {
     bool divide = false;
     bool any = false;
+    if (text_.starts_with(" 1/")) at_ = 2;  // "1.2e-5 1/K"
     while (skip_separators(divide)) {
       const std::string_view word = take_word();
       if (word.empty()) return fmt::format("\"{}\" cannot be read as a unit", text_.substr(at_));
@@ -79,6 +80,7 @@ class UnitScanner {
       quantity.exponents.mass += exponent * unit->exponents.mass;
       quantity.exponents.time += exponent * unit->exponents.time;
       quantity.exponents.angle += exponent * unit->exponents.angle;
+      quantity.exponents.temperature += exponent * unit->exponents.temperature;
       any = true;
     }
     if (divide && !any) return std::string("a unit is missing");
@@ -202,6 +204,9 @@ std::string name_of(const DimensionExponents& exponents) {
                                               wanted::density,
                                               wanted::inertia,
                                               wanted::time,
+                                              wanted::temperature,
+                                              wanted::temperature_gradient,
+                                              wanted::expansion,
                                               {{0, 0, 0, 0}, "a number without unit", ""},
                                               {{3, 0, 0, 0}, "a volume", ""}};
   for (const WantedDimension& known : named) {
@@ -218,6 +223,7 @@ std::string name_of(const DimensionExponents& exponents) {
   add("m", exponents.length);
   add("s", exponents.time);
   add("rad", exponents.angle);
+  add("K", exponents.temperature);
   return text;
 }
 

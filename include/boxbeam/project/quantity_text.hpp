@@ -7,10 +7,10 @@
 
 namespace boxbeam {
 
-/// Exponents of metre, kilogram, second and radian. The angle counts here, so that "0.7 Hz" is not
+/// Exponents of metre, kilogram, second, radian and kelvin. The angle counts here, so that "0.7 Hz" is not
 /// taken for "0.7 rad/s".
 struct DimensionExponents {
-  int length = 0, mass = 0, time = 0, angle = 0;
+  int length = 0, mass = 0, time = 0, angle = 0, temperature = 0;
 
   friend bool operator==(const DimensionExponents&, const DimensionExponents&) = default;
 };
@@ -60,6 +60,13 @@ inline constexpr WantedDimension torsional_stiffness{
     {2, 1, -2, -1}, "a moment per angle", "\"5 kN m/rad\"", true};
 inline constexpr WantedDimension torsional_damping{
     {2, 1, -1, -1}, "a moment per angular velocity", "\"20 N m s/rad\"", true};
+/// Of how much warmer something is.
+inline constexpr WantedDimension temperature{
+    {0, 0, 0, 0, 1}, "a difference of temperature", "\"30 K\""};
+inline constexpr WantedDimension temperature_gradient{
+    {-1, 0, 0, 0, 1}, "a difference of temperature per length", "\"50 K/m\""};
+inline constexpr WantedDimension expansion{
+    {0, 0, 0, 0, -1}, "a strain per difference of temperature", "\"1.2e-5 1/K\""};
 }  // namespace wanted
 
 /// A number with its unit, in SI base units.

@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "frame_reader.hpp"
+
+namespace boxbeam::readers {
+namespace {
+
+using Eigen::Vector3d;
+using frame::Structure;
+
+/// Vectors as the case writes them: in world axes, or in those of the member.
+struct LoadAxes {
+  bool of_member = false;
+  bool plane = true;
+
+  /// In the plane a member's axes are x along it and z to its left.
+  Vector3d read(TableReader& table, const Key& key, const WantedDimension& wanted,
+                const frame::Member& member, std::optional<Vector3d> fallback = {}) const {
+    const Vector3d written = vector_of(table, key, wanted, plane, fallback);
+    if (!of_member) return written;
+    if (plane) return member.axes * Vector3d(written.x(), 0.0, written.y());
+    return member.axes * written;
+  }
+};
+
+LoadAxes read_load_axes(TableReader& table, const Structure& structure) {
+  const bool of_member =
+      table.choice({"axes", "in which forces are written: the world's, or the member's"},
+                   {"world", "member"}, 0) == 1;
+  return {of_member, structure.plane};
+}
+
+int read_member(TableReader& table, const Structure& structure) {
+  if (!table.has("on")) return 0;
+  const std::string name = table.text({"on", "the member; the verified beam where not said"});
+  const int member = index_of(structure.members, name);
+  if (member >= 0 || name.empty()) return std::max(0, member);
+  table.problem("on", fmt::format("there is no member \"{}\"", name),
+                unknown_hint(name, names_of(structure.members)));
+  return 0;
+}
+
+const frame::Member& member_at(const Structure& structure, int member) {
+  return structure.members[static_cast<std::size_t>(member)];
+}
+
+frame::PointAction read_point_action(TableReader& table, const Structure& structure) {
+  frame::PointAction action;
+  action.at = read_frame_place(table, structure);
+  const LoadAxes axes = read_load_axes(table, structure);
+  const frame::Member& member = member_at(structure, action.at.member);
+  const Vector3d none = Vector3d::Zero();
+  action.force = axes.read(table, {"force", "on the member"}, wanted::force, member, none);
+  if (structure.plane) {
+    action.moment.z() =
+        table.quantity({"moment", "on the member, counter-clockwise; in space three"}, wanted::moment, 0.0);
+  } else {
+    action.moment = axes.read(table, {"moment", "on the member, counter-clockwise; in space three"},
+                              wanted::moment, member, none);
+  }
+  if (action.force.isZero(0.0) && action.moment.isZero(0.0) && table.problems().empty()) {
+    table.problem("", "the load has neither a force nor a moment",
+                  structure.plane ? "write for example force = [\"0 kN\", \"-10 kN\"]"
+                                  : "write for example force = [\"0 kN\", \"0 kN\", \"-10 kN\"]");
+  }
+  return action;
+}
+
+/// Two stations of a member, the first before the second; its ends where not said.
+std::pair<double, double> read_stretch(TableReader& table, const frame::Member& member) {
+  const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
+  const double from = table.quantity({"from", "station; the member's start where not said"}, wanted::length, 0.0);
+  const double to = table.quantity({"to", "station; the member's end where not said"}, wanted::length, length);
+  if (table.problems().empty() &&
+      (from < -1e-9 * length || to > length * (1.0 + 1e-9) || !(from < to))) {
+    table.problem("to", fmt::format("from {:.6g} to {:.6g} m is no stretch of member \"{}\"", from,
+                                    to, member.name),
+                  fmt::format("stations go from 0 to {:.6g} m, \"from\" before \"to\"", length));
+  }
+  return {std::max(0.0, from), std::min(to, length)};
+}
+
+frame::LineAction read_line_action(TableReader& table, const Structure& structure) {
+  frame::LineAction action;
+  action.member = read_member(table, structure);
+  const frame::Member& member = member_at(structure, action.member);
+  std::tie(action.from, action.to) = read_stretch(table, member);
+  const LoadAxes axes = read_load_axes(table, structure);
+  action.at_from = axes.read(table, {"force_per_length", "per length of the axis; at \"from\" where it varies"},
+                             wanted::stiffness, member);
+  action.at_to = action.at_from;
+  if (table.has("to_force_per_length")) {
+    action.at_to = axes.read(table, {"to_force_per_length", "at \"to\", linear between them"},
+                             wanted::stiffness, member);
+  }
+  if (table.boolean({"projected", "per length across the force, as snow lies, not along the axis"},
+                    false)) {
+    for (Vector3d* force : {&action.at_from, &action.at_to}) {
+      if (force->isZero(0.0)) continue;
+      *force *= force->normalized().cross(member.axes.col(0)).norm();
+    }
+  }
+  return action;
+}
+
+frame::HeatAction read_heat(TableReader& table, const Structure& structure) {
+  frame::HeatAction action;
+  action.member = read_member(table, structure);
+  action.mean = table.quantity({"temperature", "by which the member's axis is warmer"}, wanted::temperature, 0.0);
+  action.along_z = table.quantity({"gradient", "warmer towards +z"}, wanted::temperature_gradient, 0.0);
+  if (!structure.plane) {
+    action.along_y =
+        table.quantity({"gradient_y", "warmer towards +y, in space"}, wanted::temperature_gradient, 0.0);
+  }
+  return action;
+}
+
+frame::Settlement read_settlement(TableReader& table, const Structure& structure) {
+  frame::Settlement action;
+  const std::string name = table.text({"support", "that moves"});
+  action.joint = index_of(structure.joints, name);
+  if (action.joint < 0) {
+    if (!name.empty()) {
+      table.problem("support", fmt::format("there is no support \"{}\"", name),
+                    unknown_hint(name, names_of(structure.joints)));
+    }
+    action.joint = 0;
+  }
+  action.shift = vector_of(table, {"shift", "of the ground under it, world axes"}, wanted::length,
+                           structure.plane, Vector3d(Vector3d::Zero()));
+  if (structure.plane) {
+    action.turn.z() = table.quantity({"turn", "of the ground, counter-clockwise; in space three"}, wanted::angle, 0.0);
+  } else {
+    action.turn = table.triple({"turn", "of the ground, counter-clockwise; in space three"},
+                               wanted::angle, Vector3d(Vector3d::Zero()));
+  }
+  return action;
+}
+
+frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
+  frame::Wheels action;
+  action.member = read_member(table, structure);
+  const frame::Member& member = member_at(structure, action.member);
+  const LoadAxes axes = read_load_axes(table, structure);
+  double last = 0.0;
+  for (TableReader& wheel : table.tables({"wheels", "that run along the member, the first ahead"}, true)) {
+    frame::Wheels::Wheel of;
+    of.behind = wheel.not_negative({"behind", "the first wheel"}, wanted::length, 0.0);
+    of.force = axes.read(wheel, {"force", "of the wheel"}, wanted::force, member);
+    wheel.finish();
+    last = std::max(last, of.behind);
+    action.wheels.push_back(of);
+  }
+  if (action.wheels.empty() && table.problems().empty()) {
+    table.problem("", "no wheel runs", "write wheels = [{ force = [..] }, { behind = \"2 m\", force = [..] }]");
+  }
+  const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
+  action.from = table.quantity({"from", "station of the first wheel at the start; where all stand on "
+                                        "the member if not said"},
+                               wanted::length, last);
+  action.to = table.quantity({"to", "and at the end"}, wanted::length, length);
+  action.speed = table.positive({"speed", "at which they pass; it says only when"}, wanted::velocity, 1.0);
+  if (!structure.plane) {
+    action.y = table.quantity({"y", "of the rail, off the member's axis"}, wanted::length, 0.0);
+  }
+  action.z = table.quantity({"z", "likewise"}, wanted::length, 0.0);
+  if (table.problems().empty() && !(action.from < action.to)) {
+    table.problem("to", fmt::format("the wheels have no way to go from {:.6g} to {:.6g} m",
+                                    action.from, action.to),
+                  "write \"from\" before \"to\"");
+  }
+  return action;
+}
+
+}  // namespace
+
+void read_frame_loads(TableReader& root, Structure& structure) {
+  for (auto& [name, table] : root.table({"loads", "what acts"}, false).named_tables()) {
+    const std::string of_case = table.text({"case", "the load case; one of its own where not said"}, name);
+    const std::size_t before = table.problems().size();
+    const std::size_t kind =
+        table.kind({"kind", "of load"},
+                   {"force", "line", "weight", "temperature", "settlement", "wheels"});
+    if (table.problems().size() != before) {
+      table.accept_all();
+      continue;
+    }
+    frame::Action action{name, frame::OwnWeight{}};
+    switch (kind) {
+      case 0: action.kind = read_point_action(table, structure); break;
+      case 1: action.kind = read_line_action(table, structure); break;
+      case 2: break;
+      case 3: action.kind = read_heat(table, structure); break;
+      case 4: action.kind = read_settlement(table, structure); break;
+      default: action.kind = read_wheels(table, structure);
+    }
+    if (index_of(structure.joints, name) >= 0) {
+      table.problem("", fmt::format("\"{}\" is already the name of a support or joint", name),
+                    "give the load another name");
+    }
+    table.finish();
+    int index = index_of(structure.cases, of_case);
+    if (index < 0) {
+      index = static_cast<int>(structure.cases.size());
+      structure.cases.push_back({of_case, {}});
+    }
+    structure.cases[static_cast<std::size_t>(index)].actions.push_back(std::move(action));
+  }
+  // The weight is there unless somebody places it in a case of its own.
+  const bool weighed = std::any_of(
+      structure.cases.begin(), structure.cases.end(), [](const frame::LoadCase& of) {
+        return std::any_of(of.actions.begin(), of.actions.end(), [](const frame::Action& action) {
+          return std::holds_alternative<frame::OwnWeight>(action.kind);
+        });
+      });
+  if (!weighed && index_of(structure.cases, "weight") < 0) {
+    structure.cases.insert(structure.cases.begin(), {"weight", {{"weight", frame::OwnWeight{}}}});
+  } else if (!weighed) {
+    const int at = index_of(structure.cases, "weight");
+    structure.cases[static_cast<std::size_t>(at)].actions.push_back({"weight", frame::OwnWeight{}});
+  }
+  structure.factors.assign(structure.cases.size(), 1.0);
+}
+
+}  // namespace boxbeam::readers

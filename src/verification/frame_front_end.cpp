@@ -1,0 +1,242 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/mechanism/frame/statics.hpp"
+#include "front_ends.hpp"
+
+namespace boxbeam {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The wheels that act, the others left out.
+frame::Structure with_wheels(const frame::Structure& structure, bool wheels) {
+  frame::Structure of = structure;
+  for (frame::LoadCase& in : of.cases) {
+    std::erase_if(in.actions, [&](const frame::Action& action) {
+      return std::holds_alternative<frame::Wheels>(action.kind) != wheels;
+    });
+  }
+  return of;
+}
+
+std::vector<const frame::Wheels*> wheels_in(const frame::Structure& structure) {
+  std::vector<const frame::Wheels*> all;
+  for (std::size_t k = 0; k < structure.cases.size(); ++k) {
+    if (structure.factors[k] == 0.0) continue;
+    for (const frame::Action& action : structure.cases[k].actions) {
+      if (const auto* wheels = std::get_if<frame::Wheels>(&action.kind)) all.push_back(wheels);
+    }
+  }
+  return all;
+}
+
+/// Adds loads at the same places; what one joint does there in both is one load.
+BeamLoads sum_of(const BeamLoads& standing, const BeamLoads& moving) {
+  BeamLoads sum = standing;
+  for (const PointLoad& load : moving.points) {
+    const auto same = std::find_if(sum.points.begin(), sum.points.end(), [&](const auto& other) {
+      return other.name == load.name && other.s == load.s;
+    });
+    if (same == sum.points.end()) {
+      sum.points.push_back(load);
+    } else {
+      same->force += load.force;
+      same->moment += load.moment;
+    }
+  }
+  return sum;
+}
+
+/// When a wheel passes a place at which the frame answers otherwise: nodes, ends and borders.
+std::vector<Time> passages_of(const frame::Structure& structure) {
+  std::vector<Time> times;
+  for (const frame::Wheels* of : wheels_in(structure)) {
+    const frame::Member& member = structure.members[static_cast<std::size_t>(of->member)];
+    std::vector<double> places{0.0};
+    for (const Segment& segment : member.beam.segments) places.push_back(segment.end().value());
+    for (const frame::Joint& joint : structure.joints) {
+      for (const frame::Place* at : {&joint.a, &joint.b}) {
+        if (at->member == of->member) places.push_back(at->p.x());
+      }
+    }
+    for (const frame::Wheels::Wheel& wheel : of->wheels) {
+      for (const double place : places) {
+        const double time = (place + wheel.behind - of->from) / of->speed;
+        if (time > 0.0 && time < of->duration()) times.push_back(si<Time>(time));
+      }
+    }
+  }
+  std::sort(times.begin(), times.end());
+  const auto close = [](Time a, Time b) { return b - a < 1e-9 * second; };
+  times.erase(std::unique(times.begin(), times.end(), close), times.end());
+  return times;
+}
+
+/// A frame under what stands on it, solved once, and under wheels that move, at every instant.
+class LoadedFrame {
+ public:
+  LoadedFrame(const Project& project, const Situation& situation)
+      : structure(frame_in(project, situation)), member_(project.beam_body), statics_(structure) {
+    standing_ = statics_.solve(acting_at(with_wheels(structure, false), 0.0));
+    for (const frame::Wheels* wheels : wheels_in(structure))
+      duration_ = std::max(duration_, wheels->duration());
+    // Loads name their actions, which must stay.
+    moving_ = with_wheels(structure, true);
+  }
+
+  frame::Equilibrium moving_at(double time) const {
+    return statics_.solve(acting_at(moving_, time));
+  }
+
+  BeamLoads loads_at(double time) const {
+    const auto member = static_cast<std::size_t>(member_);
+    if (duration_ == 0.0) return standing_.members[member].loads;
+    return sum_of(standing_.members[member].loads, moving_at(time).members[member].loads);
+  }
+
+  /// What a support or joint does to what it holds, world axes.
+  std::vector<frame::Vector6> reactions_at(double time) const {
+    std::vector<frame::Vector6> forces = standing_.joints;
+    if (duration_ == 0.0) return forces;
+    const frame::Equilibrium moving = moving_at(time);
+    for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += moving.joints[k];
+    return forces;
+  }
+
+  /// Of the longest way of wheels; zero where none moves [s].
+  double duration() const { return duration_; }
+
+  const frame::Structure& structure;
+
+ private:
+  int member_;
+  frame::Statics statics_;
+  frame::Structure moving_;
+  frame::Equilibrium standing_;
+  double duration_ = 0.0;
+};
+
+/// Members as lines with their points, supports as grounds.
+PostureFigure figure_of(const Project& project, const frame::Structure& structure, Time time,
+                        const std::string& why) {
+  PostureFigure figure;
+  figure.time = time;
+  figure.why = why;
+  for (std::size_t m = 0; m < structure.members.size(); ++m) {
+    const frame::Member& member = structure.members[m];
+    PostureFigure::Line line;
+    line.beam = static_cast<int>(m) == project.beam_body;
+    const auto place = [&](const Vector3d& p) -> Vector3d { return member.start + member.axes * p; };
+    const Vector3d end = place({member.beam.length().value(), 0.0, 0.0});
+    for (const frame::MemberPoint& point : member.points) line.points.push_back(place(point.p));
+    line.strokes.push_back({member.start, end});
+    for (const frame::MemberPoint& point : member.points) {
+      if (point.p.tail<2>().isZero(0.0)) continue;
+      line.strokes.push_back({place({point.p.x(), 0.0, 0.0}), place(point.p)});
+    }
+    figure.bodies.push_back(std::move(line));
+  }
+  for (const frame::Joint& joint : structure.joints) {
+    if (joint.b.member == frame::ground) figure.grounds.push_back(joint.b.p);
+  }
+  return figure;
+}
+
+std::vector<BeamLoadRow> rows_of(const Project& project, const frame::Structure& structure,
+                                 const BeamLoads& loads, Time time) {
+  const frame::Member& beam = structure.members[static_cast<std::size_t>(project.beam_body)];
+  std::vector<BeamLoadRow> rows = load_rows(loads, time, beam.axes);
+  for (BeamLoadRow& row : rows)
+    row.place = beam.start + beam.axes * Vector3d(row.s.value(), 0.0, 0.0);
+  return rows;
+}
+
+class FrameAtRest : public SolvedMotion {
+ public:
+  FrameAtRest(const Project& project, const Situation& situation)
+      : project_(&project), frame_(std::make_shared<const LoadedFrame>(project, situation)) {}
+
+  LoadHistory loads() const override {
+    if (stands_still()) {
+      // Loads that are always the same are looked at for a second, at a few instants.
+      const LoadSpan span{Time{}, si<Time>(1.0), 2, true};
+      return {span, [frame = frame_](Time) { return frame->loads_at(0.0); }};
+    }
+    constexpr std::size_t instants = 256;
+    LoadSpan span{Time{}, si<Time>(frame_->duration()), instants, false};
+    span.breaks = passages_of(frame_->structure);
+    return {span, [frame = frame_](Time time) { return frame->loads_at(time.value()); }};
+  }
+
+  double gravity() const override { return frame_->structure.gravity.norm(); }
+
+  bool stands_still() const override { return frame_->duration() == 0.0; }
+
+  PostureAt postures(const LoadHistory& loads) const override {
+    return [this, &loads](Time time, const std::string& why) {
+      PostureFigure figure = figure_of(*project_, frame_->structure, time, why);
+      figure.loads = rows_of(*project_, frame_->structure, loads.loads_at(time), time);
+      return figure;
+    };
+  }
+
+  std::vector<DriverLine> driver_lines(const LoadHistory&) const override { return {}; }
+
+  std::vector<double> supports(const BeamLoads&) const override {
+    std::vector<double> places;
+    for (const frame::Joint& joint : frame_->structure.joints) {
+      for (const frame::Place* at : {&joint.a, &joint.b}) {
+        if (at->member == project_->beam_body) places.push_back(at->p.x());
+      }
+    }
+    return places;
+  }
+
+ private:
+  const Project* project_;
+  std::shared_ptr<const LoadedFrame> frame_;
+};
+
+class FrameFrontEnd : public FrontEnd {
+ public:
+  using FrontEnd::FrontEnd;
+
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
+                                            const ElasticModel&) const override {
+    return std::make_unique<FrameAtRest>(*project_, situation);
+  }
+
+  std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {
+    return "nothing moves: loads act slowly";
+  }
+
+  void require_elastic_model() const override {
+    throw InputError("the members of a frame at rest are elastic already",
+                     "leave out --model");
+  }
+
+  AnyMotionResult motion(const std::vector<double>&, const std::string&) const override {
+    throw InputError("a frame at rest has no motion",
+                     "boxbeam verify gives its reactions and what they do to the beam");
+  }
+
+  std::string obstacle_to_instants() const override {
+    return "a frame at rest has no instants to choose";
+  }
+
+  std::vector<AssemblyResult> assemblies(double) const override {
+    throw InputError("a frame is placed by the case, which is its only assembly",
+                     "leave out --assemblies");
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<const FrontEnd> front_end_for(const frame::Structure&, const Project& project) {
+  return std::make_unique<FrameFrontEnd>(project);
+}
+
+}  // namespace boxbeam
