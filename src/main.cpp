@@ -12,6 +12,7 @@
 
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/project/key_reference.hpp"
 #include "boxbeam/report/case_schema.hpp"
 #include "program/chart_command.hpp"
 #include "program/command_line.hpp"
@@ -321,7 +322,7 @@ Entry chart_entry(CLI::App& app) {
 
 /// The first word of init: a kind, or the file of a planar case.
 CLI::Validator kind_or_file() {
-  CLI::Validator kind = CLI::IsMember({"planar", "spatial", "flexible"});
+  CLI::Validator kind = CLI::IsMember(case_kinds());
   const std::string words = kind.get_description();
   return {[kind](std::string& word) { return is_case_file(word) ? std::string() : kind(word); },
           words};

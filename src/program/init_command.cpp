@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/files.hpp"
@@ -13,6 +15,17 @@
 namespace boxbeam::program {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// The commented case of a kind, which is the first of its examples.
+const char* template_of(const std::string& kind) {
+  return std::find_if(std::begin(template_data::examples), std::end(template_data::examples),
+                      [&](const auto& example) { return example.kind == kind; })
+      ->text;
+}
+
+}  // namespace
 
 bool is_case_file(const std::string& word) { return word.ends_with(".toml"); }
 
@@ -25,9 +38,7 @@ int run_init(const InitOptions& given) {
     }
     options = {"planar", given.kind};
   }
-  const char* text = options.kind == "spatial"    ? template_data::spatial
-                     : options.kind == "flexible" ? template_data::flexible
-                                                  : template_data::planar;
+  const char* const text = template_of(options.kind);
   if (options.file == "-") {
     put(text);
     return all_pass;

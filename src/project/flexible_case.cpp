@@ -62,13 +62,13 @@ class FlexibleReader : public FrontEndReader {
   using FrontEndReader::FrontEndReader;
 
   void read(TableReader& root, const Node&) override {
-    links_.form = read_model(root, Kind::flexible, project_->model);
+    links_.form = read_model(root, *project_);
     TableReader beam = root.table({"beam", "the verified beam"});
     read_beam(beam, *links_.sections, *project_);
     links_.beam_link = read_beam_link(root, beam);
     beam.finish();
     flexible::Mechanism mechanism = read_flexible(root, links_);
-    refuse_planar_parts(root, "flexible");
+    refuse_planar_parts(root, *project_);
     refuse_rigid_parts(root);
     project_->beam_body = std::max(0, index_of(mechanism.links, links_.beam_link));
     project_->mechanism = std::move(mechanism);
@@ -92,8 +92,8 @@ class FlexibleReader : public FrontEndReader {
 
 }  // namespace
 
-std::unique_ptr<FrontEndReader> flexible_reader(const Sections& sections, TimeTables& tables,
-                                                Project& project) {
+std::unique_ptr<FrontEndReader> reader_for(const flexible::Mechanism&, const Sections& sections,
+                                           TimeTables& tables, Project& project) {
   return std::make_unique<FlexibleReader>(sections, tables, project);
 }
 

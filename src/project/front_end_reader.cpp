@@ -6,14 +6,11 @@
 
 namespace boxbeam::readers {
 
-std::unique_ptr<FrontEndReader> front_end_reader(Kind kind, const Sections& sections,
-                                                 TimeTables& tables, Project& project) {
-  switch (kind) {
-    case Kind::planar: return planar_reader(sections, tables, project);
-    case Kind::spatial: return spatial_reader(sections, tables, project);
-    case Kind::flexible: return flexible_reader(sections, tables, project);
-  }
-  return {};
+std::unique_ptr<FrontEndReader> front_end_reader(const Sections& sections, TimeTables& tables,
+                                                 Project& project) {
+  return std::visit(
+      [&](const auto& mechanism) { return reader_for(mechanism, sections, tables, project); },
+      project.mechanism);
 }
 
 Changeable changeable_of_bodies(const std::string& beam_body) {
@@ -22,12 +19,13 @@ Changeable changeable_of_bodies(const std::string& beam_body) {
   return {parts, "drivers.exciter.frequency", beam_body};
 }
 
-void refuse_planar_parts(TableReader& root, const char* kind) {
+void refuse_planar_parts(TableReader& root, const Project& project) {
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
     if (!root.has_misplaced(key)) continue;
-    root.problem(key, fmt::format("\"{}\" is known for rigid mechanisms in the plane only", key),
-                 fmt::format("remove it from this case of kind = \"{}\"", kind));
+    root.problem(
+        key, fmt::format("\"{}\" is known for rigid mechanisms in the plane only", key),
+        fmt::format("remove it from this case of kind = \"{}\"", kind_word_of(project.mechanism)));
   }
 }
 

@@ -45,21 +45,23 @@ class FrontEndReader {
   Project* project_;
 };
 
-/// Everything given stays as long as the reader.
-std::unique_ptr<FrontEndReader> front_end_reader(Kind kind, const Sections& sections,
-                                                 TimeTables& tables, Project& project);
+/// The reader for the kind of the project's mechanism. Everything given stays as long as the
+/// reader.
+std::unique_ptr<FrontEndReader> front_end_reader(const Sections& sections, TimeTables& tables,
+                                                 Project& project);
 
-std::unique_ptr<FrontEndReader> planar_reader(const Sections& sections, TimeTables& tables,
-                                              Project& project);  // planar_case.cpp
-std::unique_ptr<FrontEndReader> spatial_reader(const Sections& sections, TimeTables& tables,
-                                               Project& project);  // spatial_case.cpp
-std::unique_ptr<FrontEndReader> flexible_reader(const Sections& sections, TimeTables& tables,
-                                                Project& project);  // flexible_case.cpp
+/// Those of the kinds, each in its *_case.cpp; of the mechanism only the kind counts.
+std::unique_ptr<FrontEndReader> reader_for(const planar::Mechanism&, const Sections&, TimeTables&,
+                                           Project&);
+std::unique_ptr<FrontEndReader> reader_for(const spatial::Mechanism&, const Sections&, TimeTables&,
+                                           Project&);
+std::unique_ptr<FrontEndReader> reader_for(const flexible::Mechanism&, const Sections&, TimeTables&,
+                                           Project&);
 
 /// The parts of a mechanism of rigid bodies that a situation may change.
 Changeable changeable_of_bodies(const std::string& beam_body);
 
 /// Notes what is known of rigid mechanisms in the plane only, in a case of another kind.
-void refuse_planar_parts(TableReader& root, const char* kind);
+void refuse_planar_parts(TableReader& root, const Project& project);
 
 }  // namespace boxbeam::readers

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "boxbeam/project/project.hpp"
 #include "template_data.hpp"
 
 namespace boxbeam {
@@ -131,7 +132,7 @@ TableDescription described(const std::string& pattern, const Visits& visits) {
 }  // namespace
 
 const std::vector<std::string>& case_kinds() {
-  static const std::vector<std::string> kinds{"planar", "spatial", "flexible"};
+  static const std::vector<std::string> kinds(kind_words.begin(), kind_words.end());
   return kinds;
 }
 

@@ -68,7 +68,7 @@ class PlanarReader : public FrontEndReader {
   using FrontEndReader::FrontEndReader;
 
   void read(TableReader& root, const Node& tree) override {
-    read_model(root, Kind::planar, project_->model);
+    read_model(root, *project_);
     TableReader beam = root.table({"beam", "the verified beam"});
     read_beam(beam, *sections_, *project_);
     beam_body_ =
@@ -117,8 +117,8 @@ class PlanarReader : public FrontEndReader {
 
 }  // namespace
 
-std::unique_ptr<FrontEndReader> planar_reader(const Sections& sections, TimeTables& tables,
-                                              Project& project) {
+std::unique_ptr<FrontEndReader> reader_for(const planar::Mechanism&, const Sections& sections,
+                                           TimeTables& tables, Project& project) {
   return std::make_unique<PlanarReader>(sections, tables, project);
 }
 

@@ -3,17 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
+#include "boxbeam/project/key_reference.hpp"
 #include "front_end_reader.hpp"
 #include "readers.hpp"
 
 namespace boxbeam {
 namespace {
 
-using readers::Kind;
+/// A mechanism of the kind of an index, with nothing in it yet.
+template <std::size_t... index>
+AnyMechanism empty_mechanism(std::size_t kind, std::index_sequence<index...>) {
+  const AnyMechanism kinds[] = {AnyMechanism(std::in_place_index<index>)...};
+  return kinds[kind];
+}
 
-Kind read_case(TableReader table, Project& project) {
+/// [case]; of the project's mechanism it gives the kind.
+void read_case(TableReader table, Project& project) {
   project.name = table.text({"name", "of the report's folder, too"});
   project.title = table.text({"title", "of the report; the name where not said"}, "");
   if (project.title.empty()) project.title = project.name;
@@ -23,9 +30,9 @@ Kind read_case(TableReader table, Project& project) {
                                   {"rigorous", "newton-chain"}, 0) == 0
                          ? Dynamics::rigorous
                          : Dynamics::newton_chain;
-  constexpr Kind kinds[] = {Kind::planar, Kind::spatial, Kind::flexible};
-  const Kind kind = kinds[table.choice({"kind", "what moves or loads the beam"},
-                                       {"planar", "spatial", "flexible"})];
+  const std::size_t kind = table.choice({"kind", "what moves or loads the beam"}, case_kinds());
+  project.mechanism =
+      empty_mechanism(kind, std::make_index_sequence<std::variant_size_v<AnyMechanism>>());
   table.finish();
   const bool plain = project.name.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
@@ -35,7 +42,6 @@ Kind read_case(TableReader table, Project& project) {
     table.problem("name", "the name of a case is also the name of its report folder",
                   "use letters, digits, \"-\" and \"_\"");
   }
-  return kind;
 }
 
 /// A strength must not be rounded to nothing.
@@ -53,8 +59,9 @@ void check_rounding(TableReader& root, const Project& project) {
                "write for example \"0.1 MPa\"");
 }
 
-void check_dynamics(TableReader& root, Kind kind, const Project& project) {
-  if (project.dynamics == Dynamics::newton_chain && kind != Kind::planar) {
+void check_dynamics(TableReader& root, const Project& project) {
+  const bool rigid_in_plane = std::holds_alternative<planar::Mechanism>(project.mechanism);
+  if (project.dynamics == Dynamics::newton_chain && !rigid_in_plane) {
     root.problem("case", "the loads of a Newton chain are known for mechanisms in the plane only",
                  "use rigorous dynamics");
   } else if (project.dynamics == Dynamics::newton_chain && !project.chain) {
@@ -93,12 +100,12 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
     problems.raise();
   }
   TableReader root(problems, document.root, "");
-  const Kind kind = read_case(root.table({"case", "the case itself"}), project);
+  read_case(root.table({"case", "the case itself"}), project);
   if (dynamics) project.dynamics = *dynamics;
 
   const readers::Sections sections =
       readers::read_sections(root.table({"sections", "cross-sections, each by a name"}));
-  const auto front_end = readers::front_end_reader(kind, sections, tables, project);
+  const auto front_end = readers::front_end_reader(sections, tables, project);
   front_end->read(root, document.root);
   readers::read_situations(root, document.root, *front_end, project);
   readers::read_demands(root, project);
@@ -106,7 +113,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   readers::read_welds(root, sections, project);
   readers::check_net_sections(root, project);
   check_rounding(root, project);
-  check_dynamics(root, kind, project);
+  check_dynamics(root, project);
   root.finish();
   problems.raise();
   for (const std::string& line : document.lines.at(document.path)) project.text += line + "\n";
@@ -130,42 +137,6 @@ std::vector<Hole> holes_at(const Project& project, Length s) {
     if (at.s == s) holes.push_back(at.hole);
   }
   return holes;
-}
-
-const planar::Mechanism& planar_of(const Project& project) {
-  return std::get<planar::Mechanism>(project.mechanism);
-}
-
-planar::Mechanism& planar_of(Project& project) {
-  return std::get<planar::Mechanism>(project.mechanism);
-}
-
-spatial::Mechanism& spatial_of(Project& project) {
-  return std::get<spatial::Mechanism>(project.mechanism);
-}
-
-const spatial::Mechanism& spatial_of(const Project& project) {
-  return std::get<spatial::Mechanism>(project.mechanism);
-}
-
-const flexible::Mechanism& flexible_of(const Project& project) {
-  return std::get<flexible::Mechanism>(project.mechanism);
-}
-
-flexible::Mechanism& flexible_of(Project& project) {
-  return std::get<flexible::Mechanism>(project.mechanism);
-}
-
-const planar::Mechanism& planar_in(const Project& project, const Situation& situation) {
-  return std::get<planar::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
-}
-
-const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation) {
-  return std::get<spatial::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
-}
-
-const flexible::Mechanism& flexible_in(const Project& project, const Situation& situation) {
-  return std::get<flexible::Mechanism>(situation.changed ? *situation.changed : project.mechanism);
 }
 
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism) {

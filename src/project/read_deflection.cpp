@@ -20,38 +20,23 @@ struct Support {
 };
 
 /// What a joint does to the beam where it holds it.
-struct Hold {
+struct Held {
   bool place = false;  ///< it keeps the beam's place, across the axis at least
   bool angle = false;
 };
 
-Hold hold_of(const planar::JointKind& kind) {
-  struct Holds {
-    Hold operator()(const planar::Pin&) const { return {true, false}; }
-    Hold operator()(const planar::Slider&) const { return {true, true}; }
-    Hold operator()(const planar::PinInSlot&) const { return {true, false}; }
-    Hold operator()(const planar::Rigid&) const { return {true, true}; }
-    Hold operator()(const planar::Distance&) const { return {true, false}; }
-    Hold operator()(const planar::AngleCoupling&) const { return {false, true}; }
-    Hold operator()(const planar::Gear&) const { return {true, true}; }
-    Hold operator()(const planar::Rack&) const { return {true, true}; }
-    Hold operator()(const planar::Driven& driven) const {
-      const bool angle = driven.coordinate == planar::Coordinate::angle;
-      return {!angle, angle};
-    }
-  };
-  return std::visit(Holds{}, kind);
+Held held_by(const planar::Joint& joint) {
+  const planar::Hold hold = planar::holds_of(joint).first;
+  return {hold != planar::Hold::angle, hold == planar::Hold::angle || hold == planar::Hold::clamp};
 }
 
 /// The joint's point on the beam; nothing where another body slides along the beam, which loads it
 /// at a place that changes.
 std::optional<planar::Attachment> point_on_beam(const planar::Joint& joint, int beam_body) {
-  const auto slides = [&](const auto* of) { return of != nullptr && of->guide.body == beam_body; };
-  if (slides(std::get_if<planar::Slider>(&joint.kind)) ||
-      slides(std::get_if<planar::PinInSlot>(&joint.kind))) {
+  const auto [a, b] = planar::ends_of(joint);
+  if (planar::holds_of(joint).second == planar::Hold::guide && b.body == beam_body) {
     return std::nullopt;
   }
-  const auto [a, b] = planar::ends_of(joint);
   if (a.body == beam_body) return a;
   if (b.body == beam_body) return b;
   return std::nullopt;
@@ -63,13 +48,13 @@ std::vector<Support> supports_of(const Project& project, const planar::Mechanism
   const Length centre = mass_properties_of(project.beam).centre;
   const std::vector<Length> places = places_of(project.beam);
   struct Place : Support {
-    Hold hold;
+    Held hold;
   };
   std::vector<Place> found;
   for (const planar::Joint& joint : mechanism.joints) {
     const auto point = point_on_beam(joint, project.beam_body);
     if (!point) continue;
-    const Hold hold = hold_of(joint.kind);
+    const Held hold = held_by(joint);
     const Length s = place_near(places, centre + si<Length>(point->p.x()));
     const auto same =
         std::find_if(found.begin(), found.end(), [&](const Place& at) { return at.s == s; });

@@ -57,32 +57,14 @@ void check_count(TableReader& root, const Mechanism& mechanism) {
                            missing, missing == 1 ? "equation is" : "equations are"));
 }
 
-/// Calls `move` with every attachment of a joint.
-template <class Move>
-struct JointAttachments {
-  const Move& move;
-
-  template <class Ends>
-  void operator()(Ends& joint) const {
-    move(joint.a);
-    move(joint.b);
-  }
-  void operator()(planar::Slider& slider) const { both(slider.point, slider.guide); }
-  void operator()(planar::PinInSlot& slot) const { both(slot.point, slot.guide); }
-  void operator()(planar::Rack& rack) const { both(rack.pinion, rack.rack); }
-  void operator()(planar::Driven& driven) const { both(driven.point, driven.other); }
-
- private:
-  void both(Attachment& one, Attachment& other) const {
-    move(one);
-    move(other);
-  }
-};
-
 /// Calls `move` with every attachment of the mechanism.
 template <class Move>
 void for_each_attachment(Mechanism& mechanism, const Move& move) {
-  for (Joint& joint : mechanism.joints) std::visit(JointAttachments<Move>{move}, joint.kind);
+  for (Joint& joint : mechanism.joints) {
+    const auto [first, second] = planar::ends_in(joint);
+    move(*first);
+    move(*second);
+  }
   for (planar::AppliedForce& force : mechanism.forces) {
     if (auto* point = std::get_if<planar::PointForce>(&force.kind)) {
       move(point->at);

@@ -20,9 +20,10 @@ double read_retardation(TableReader& table, std::optional<double> fallback) {
   return ratio / (std::numbers::pi * at);
 }
 
-ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input) {
+ElasticForm read_model(TableReader& root, Project& project) {
   ElasticForm form;
-  if (kind == Kind::spatial) {
+  ModelInput& input = project.model;
+  if (std::holds_alternative<spatial::Mechanism>(project.mechanism)) {
     if (root.has_misplaced("model"))
       root.problem("model",
                    "the bodies of a mechanism in space are rigid: there is nothing to choose",
@@ -46,7 +47,7 @@ ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input) {
   input.shear_modulus =
       table.positive({"shear_modulus", "of the beam"}, wanted::stress, input.shear_modulus);
   input.retardation = read_retardation(table, input.retardation);
-  if (kind == Kind::flexible) {
+  if (std::holds_alternative<flexible::Mechanism>(project.mechanism)) {
     constexpr flexible::Element elements[] = {flexible::Element::corrected,
                                               flexible::Element::classical};
     form.element = elements[table.choice({"element", "how rigid elements bend"},
@@ -54,7 +55,7 @@ ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input) {
     form.nodes_at_joints = table.choice({"division", "nodes stand at joints, or equal parts"},
                                         {"nodes at joints", "equal"}, 0) == 0;
   }
-  if (kind == Kind::planar) {
+  if (std::holds_alternative<planar::Mechanism>(project.mechanism)) {
     input.measured_loads =
         table.choice(
             {"loads",

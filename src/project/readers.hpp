@@ -98,17 +98,15 @@ spatial::BeamPlacement read_placement(TableReader& beam, const spatial::Mechanis
 void place_beam(TableReader& root, const TaperedBeam& beam, const spatial::BeamPlacement& placement,
                 spatial::Mechanism& mechanism);
 
-/// The kinds of a case, in the order of their words.
-enum class Kind { planar, spatial, flexible };
-
 /// How elastic links are divided.
 struct ElasticForm {
   flexible::Element element = flexible::Element::corrected;
   bool nodes_at_joints = true;
 };
 
-/// [model], which may be missing: which model is wanted, and what all elastic links have in common.
-ElasticForm read_model(TableReader& root, Kind kind, ModelInput& input);
+/// [model], which may be missing: which model is wanted, into the project; and what all elastic
+/// links have in common.
+ElasticForm read_model(TableReader& root, Project& project);
 
 /// "damping" of elastic links as retardation time [s]: a time tau, or a ratio zeta at a frequency
 /// f, tau = 2 zeta/(2 pi f).

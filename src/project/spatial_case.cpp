@@ -38,7 +38,7 @@ class SpatialReader : public FrontEndReader {
   using FrontEndReader::FrontEndReader;
 
   void read(TableReader& root, const Node&) override {
-    read_model(root, Kind::spatial, project_->model);
+    read_model(root, *project_);
     project_->in_space = true;
     TableReader beam = root.table({"beam", "the verified beam"});
     read_beam(beam, *sections_, *project_);
@@ -52,7 +52,7 @@ class SpatialReader : public FrontEndReader {
       for (const char* key : {"start", "axis", "z"}) static_cast<void>(beam.has(key));
     }
     beam.finish();
-    refuse_planar_parts(root, "spatial");
+    refuse_planar_parts(root, *project_);
     if (root.problems().empty()) {
       place_beam(root, project_->beam, project_->placement, mechanism);
       project_->hand_formulas = read_hand_formulas(root, mechanism);
@@ -80,8 +80,8 @@ class SpatialReader : public FrontEndReader {
 
 }  // namespace
 
-std::unique_ptr<FrontEndReader> spatial_reader(const Sections& sections, TimeTables& tables,
-                                               Project& project) {
+std::unique_ptr<FrontEndReader> reader_for(const spatial::Mechanism&, const Sections& sections,
+                                           TimeTables& tables, Project& project) {
   return std::make_unique<SpatialReader>(sections, tables, project);
 }
 

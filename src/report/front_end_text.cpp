@@ -8,19 +8,8 @@
 namespace boxbeam::report {
 
 std::unique_ptr<const FrontEndText> front_end_text_of(const Project& project) {
-  struct OfKind {
-    const Project& project;
-    std::unique_ptr<const FrontEndText> operator()(const planar::Mechanism&) const {
-      return planar_text(project);
-    }
-    std::unique_ptr<const FrontEndText> operator()(const spatial::Mechanism&) const {
-      return spatial_text(project);
-    }
-    std::unique_ptr<const FrontEndText> operator()(const flexible::Mechanism&) const {
-      return flexible_text(project);
-    }
-  };
-  return std::visit(OfKind{project}, project.mechanism);
+  return std::visit([&](const auto& mechanism) { return text_for(mechanism, project); },
+                    project.mechanism);
 }
 
 void add_duration(const Duration& duration, Entries& entries) {

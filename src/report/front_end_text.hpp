@@ -50,9 +50,11 @@ class FrontEndText {
 
 std::unique_ptr<const FrontEndText> front_end_text_of(const Project& project);
 
-std::unique_ptr<const FrontEndText> planar_text(const Project& project);    // report_planar.cpp
-std::unique_ptr<const FrontEndText> spatial_text(const Project& project);   // report_spatial.cpp
-std::unique_ptr<const FrontEndText> flexible_text(const Project& project);  // report_flexible.cpp
+/// The text for a kind of mechanism, each in its report_*.cpp; of the mechanism only the kind
+/// counts.
+std::unique_ptr<const FrontEndText> text_for(const planar::Mechanism&, const Project& project);
+std::unique_ptr<const FrontEndText> text_for(const spatial::Mechanism&, const Project& project);
+std::unique_ptr<const FrontEndText> text_for(const flexible::Mechanism&, const Project& project);
 
 /// How long a motion that integrates is looked at.
 void add_duration(const Duration& duration, Entries& entries);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "blocks.hpp"
-#include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "report_parts.hpp"
@@ -54,7 +53,7 @@ Chapter remarks_chapter(const Source& source) {
 Chapter figures_chapter(const Source& source) {
   Chapter chapter{"Figures", {}};
   if (source.level != ReportLevel::summary) return chapter;
-  add_pictures(source, {"mechanism", "cut-forces", "utilisation", "sn"}, chapter.blocks);
+  add_deciding_pictures(source, chapter.blocks);
   return chapter;
 }
 
@@ -84,7 +83,7 @@ Mark report::mark_of(Verdict verdict) {
 
 report::Document report_of(const Project& project, const Verification& verification,
                            ReportLevel level) {
-  const Source source{project, verification, level, figures_of(project, verification)};
+  const Source source{project, verification, level};
   Document document;
   document.title = project.name;
   document.subtitle = project.title;

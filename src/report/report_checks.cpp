@@ -160,7 +160,7 @@ Chapter checks_chapter(const Source& source) {
   const std::vector<CheckResult>& all = source.verification.checks;
   Chapter chapter{"Checks", {}};
   if (source.level == ReportLevel::summary) return chapter;
-  add_pictures(source, {"utilisation"}, chapter.blocks);
+  add_pictures(source, FigurePlace::checks, chapter.blocks);
   const std::size_t much_used = checks_above(source.verification, shown_above);
   const std::size_t shown = source.level == ReportLevel::full ? all.size() : much_used;
   std::vector<const Check*> checks;

@@ -74,7 +74,7 @@ Chapter cut_force_chapter(const Source& source) {
             "tension, M_z > 0 -y; - and + are the two sides of a jump."
           : "N tension positive, V along +z, M > 0 puts +z in tension; - and + are the two sides "
             "of a jump."});
-  add_pictures(source, {"cut-forces", "loads"}, blocks);
+  add_pictures(source, FigurePlace::cut_forces, blocks);
   for (const std::vector<CutForceName>& names : groups_of(source.project)) {
     blocks.emplace_back(envelope_table(source.verification, names));
   }

@@ -129,9 +129,8 @@ void add_codes(const Verification& verification, std::vector<Block>& blocks) {
 Chapter fatigue_chapter(const Source& source) {
   Chapter chapter{"Fatigue", {}};
   if (source.level == ReportLevel::summary) return chapter;
-  add_pictures(source, {"sn"}, chapter.blocks);
   if (!source.verification.pictures.sn) return chapter;
-  add_pictures(source, {"spectrum"}, chapter.blocks);
+  add_pictures(source, FigurePlace::fatigue, chapter.blocks);
   chapter.blocks.emplace_back(demand_facts(source.project));
   if (const CheckResult* governing = governing_fatigue(source.verification)) {
     add_spectrum(source, *governing, chapter.blocks);

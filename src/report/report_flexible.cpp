@@ -184,7 +184,7 @@ class FlexibleText : public FrontEndText {
 
 }  // namespace
 
-std::unique_ptr<const FrontEndText> flexible_text(const Project& project) {
+std::unique_ptr<const FrontEndText> text_for(const flexible::Mechanism&, const Project& project) {
   return std::make_unique<FlexibleText>(project);
 }
 

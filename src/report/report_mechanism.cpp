@@ -8,7 +8,7 @@ namespace boxbeam::report {
 Chapter mechanism_chapter(const Source& source) {
   Chapter chapter{"Mechanism", {}};
   if (source.level == ReportLevel::summary) return chapter;
-  add_pictures(source, {"mechanism"}, chapter.blocks);
+  add_pictures(source, FigurePlace::mechanism, chapter.blocks);
   std::vector<Block> blocks = front_end_text_of(source.project)->blocks(source.verification);
   chapter.blocks.insert(chapter.blocks.end(), std::make_move_iterator(blocks.begin()),
                         std::make_move_iterator(blocks.end()));

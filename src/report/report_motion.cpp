@@ -99,15 +99,14 @@ Chapter motion_chapter(const Source& source) {
   }
   chapter.blocks.emplace_back(std::move(facts));
   if (!verification.pictures.cycles.empty()) chapter.blocks.emplace_back(moving_picture(source));
-  add_pictures(source, {"motion"}, chapter.blocks);
+  add_pictures(source, FigurePlace::motion, chapter.blocks);
   chapter.blocks.emplace_back(critical_table(source));
   if (verification.pictures.elastic) {
     std::vector<Block> blocks =
         vibration_blocks(*verification.pictures.elastic, verification.model.chosen);
     chapter.blocks.insert(chapter.blocks.end(), std::make_move_iterator(blocks.begin()),
                           std::make_move_iterator(blocks.end()));
-    add_pictures(source, {"modes", "frequency-response", "joint-forces", "sudden-start"},
-                 chapter.blocks);
+    add_pictures(source, FigurePlace::vibration, chapter.blocks);
   }
   return chapter;
 }

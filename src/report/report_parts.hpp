@@ -18,7 +18,6 @@ struct Source {
   const Project& project;
   const Verification& verification;
   ReportLevel level;
-  std::vector<std::string> figures;  ///< names of those that are drawn
 };
 
 // report_inputs.cpp
@@ -51,9 +50,22 @@ Chapter checks_chapter(const Source& source);
 /// "s = 4.2 m, fibre +z", or the name of a pin or rod.
 std::string place_of(const Check& check);
 
-/// Adds the figures of these names that are drawn, each with a sentence that says what is to be
-/// seen; report_pictures.cpp.
-void add_pictures(const Source& source, const std::vector<std::string>& names,
-                  std::vector<Block>& blocks);
+/// Where in a report a figure stands.
+enum class FigurePlace {
+  mechanism,
+  motion,
+  vibration,
+  cut_forces,
+  sections,
+  stresses,
+  fatigue,
+  checks
+};
+
+// figure_kinds.cpp
+/// Adds the figures of a place that this report has, each with its caption.
+void add_pictures(const Source& source, FigurePlace place, std::vector<Block>& blocks);
+/// Adds those that decide at a glance.
+void add_deciding_pictures(const Source& source, std::vector<Block>& blocks);
 
 }  // namespace boxbeam::report

@@ -298,7 +298,7 @@ class PlanarText : public FrontEndText {
 
 }  // namespace
 
-std::unique_ptr<const FrontEndText> planar_text(const Project& project) {
+std::unique_ptr<const FrontEndText> text_for(const planar::Mechanism&, const Project& project) {
   return std::make_unique<PlanarText>(project);
 }
 

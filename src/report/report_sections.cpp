@@ -77,7 +77,7 @@ Chapter section_chapter(const Source& source) {
   if (source.level == ReportLevel::summary) return chapter;
   const std::vector<const StressPoint*> points = points_per_station(source.verification);
   if (points.empty()) return chapter;
-  add_pictures(source, {"section"}, chapter.blocks);
+  add_pictures(source, FigurePlace::sections, chapter.blocks);
   chapter.blocks.emplace_back(source.project.in_space ? spatial_table(points)
                                                       : planar_table(points));
   chapter.blocks.emplace_back(

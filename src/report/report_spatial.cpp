@@ -194,7 +194,7 @@ class SpatialText : public FrontEndText {
 
 }  // namespace
 
-std::unique_ptr<const FrontEndText> spatial_text(const Project& project) {
+std::unique_ptr<const FrontEndText> text_for(const spatial::Mechanism&, const Project& project) {
   return std::make_unique<SpatialText>(project);
 }
 

@@ -106,7 +106,7 @@ Chapter stress_chapter(const Source& source) {
     chapter.blocks.emplace_back(given_table(source.project));
     return chapter;
   }
-  add_pictures(source, {"stress"}, chapter.blocks);
+  add_pictures(source, FigurePlace::stresses, chapter.blocks);
   const StressMap stresses = stresses_of(source.verification);
   if (stresses.empty()) return chapter;
   chapter.blocks.emplace_back(Paragraph{

@@ -51,8 +51,8 @@ report::MarkedText marked(const Verification& verification, const VerdictText& v
 }  // namespace
 
 report::MarkedText summary(const Project& project, const Verification& verification) {
-  const report::Table governing = report::with_results(
-      report::governing_table({project, verification, ReportLevel::summary, {}}));
+  const report::Table governing =
+      report::with_results(report::governing_table({project, verification, ReportLevel::summary}));
   const VerdictText verdict = verdict_text_of(project, verification);
   report::MarkedText out = marked(verification, verdict, verdict.line);
   out += fmt::format("  {}\n", visible(project.title));

@@ -14,53 +14,23 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using planar::Attachment;
 
-/// What a joint or force wants of a body at one of its ends.
-enum class Hold {
-  point,  ///< a place
-  angle,  ///< a place and the angle there
-  line,   ///< a line along which another body moves
-};
+using planar::Hold;
 
-/// Calls `f(attachment, hold)` for both ends of a joint or force.
+/// Calls `f(attachment, hold)` for the ends of a force.
 template <class F>
-struct Ends {
-  F f;
+struct EndsOfForce {
+  const F& f;
 
-  void operator()(auto& of) const requires requires { of.guide; }
+  void operator()(auto& of) const requires requires { of.a; }
   {
     using Of = std::remove_cvref_t<decltype(of)>;
-    f(of.point, std::is_same_v<Of, planar::Slider> ? Hold::angle : Hold::point);
-    f(of.guide, Hold::line);
-  }
-  void operator()(auto& of) const requires requires {
-    of.a;
-    of.b;
-  }
-  {
-    using Of = std::remove_cvref_t<decltype(of)>;
-    constexpr bool by_place = std::is_same_v<Of, planar::Pin> ||
-                              std::is_same_v<Of, planar::Distance> ||
-                              std::is_same_v<Of, planar::Spring>;
-    f(of.a, by_place ? Hold::point : Hold::angle);
-    f(of.b, by_place ? Hold::point : Hold::angle);
-  }
-  void operator()(auto& of) const requires requires { of.rack; }
-  {
-    f(of.pinion, Hold::angle);
-    f(of.rack, Hold::line);
-  }
-  void operator()(auto& of) const requires requires { of.other; }
-  {
-    const Hold hold = of.coordinate == planar::Coordinate::angle ? Hold::angle : Hold::point;
-    f(of.point, hold);
-    f(of.other, hold);
+    constexpr Hold hold = std::is_same_v<Of, planar::Spring> ? Hold::place : Hold::clamp;
+    f(of.a, hold);
+    f(of.b, hold);
   }
   void operator()(auto& of) const requires requires { of.turns; }
-  { f(of.at, of.turns ? Hold::angle : Hold::point); }
+  { f(of.at, of.turns ? Hold::clamp : Hold::place); }
 };
-
-template <class F>
-Ends(F) -> Ends<F>;
 
 /// Calls `f(attachment, hold)` for every end of a joint or force that is on a body.
 template <class Mechanism, class F>
@@ -68,9 +38,18 @@ void for_each_end(Mechanism& mechanism, int body, const F& f) {
   const auto on_body = [&](auto& at, Hold hold) {
     if (at.body == body) f(at, hold);
   };
-  for (auto& joint : mechanism.joints) std::visit(Ends{on_body}, joint.kind);
-  for (auto& force : mechanism.forces) std::visit(Ends{on_body}, force.kind);
+  for (auto& joint : mechanism.joints) {
+    const auto [first, second] = planar::ends_in(joint);
+    const auto [hold, other] = planar::holds_of(joint);
+    on_body(*first, hold);
+    on_body(*second, other);
+  }
+  for (auto& force : mechanism.forces)
+    std::visit(EndsOfForce<decltype(on_body)>{on_body}, force.kind);
 }
+
+/// Whether the angle of the axis is wanted.
+bool turns_with_axis(Hold hold) { return hold == Hold::clamp || hold == Hold::angle; }
 
 }  // namespace
 
@@ -84,7 +63,7 @@ DividedAxis::DividedAxis(const planar::Mechanism& mechanism, const ElasticBody& 
   for_each_end(mechanism, elastic_->body, [&](const Attachment& at, Hold hold) {
     const double s = std::clamp(at.p.x() + elastic_->centre, 0.0, length);
     held.push_back(s);
-    if (hold == Hold::angle) turned = s;
+    if (turns_with_axis(hold)) turned = s;
   });
   fixed.insert(fixed.end(), held.begin(), held.end());
   std::sort(fixed.begin(), fixed.end());
@@ -175,8 +154,9 @@ std::string obstacle_to_bent_axis(const planar::Mechanism& mechanism, int beam) 
   std::optional<double> turned;
   std::string obstacle;
   for_each_end(mechanism, beam, [&](const Attachment& at, Hold hold) {
-    if (hold == Hold::line) obstacle = "another body moves along the bent beam";
-    if (hold != Hold::angle) return;
+    if (hold == Hold::guide || hold == Hold::teeth)
+      obstacle = "another body moves along the bent beam";
+    if (!turns_with_axis(hold)) return;
     if (turned && *turned != at.p.x()) obstacle = "the beam's angle is held at two places";
     turned = at.p.x();
   });

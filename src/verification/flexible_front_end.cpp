@@ -152,7 +152,7 @@ class FlexibleFrontEnd : public FrontEnd {
 
 }  // namespace
 
-std::unique_ptr<const FrontEnd> flexible_front_end(const Project& project) {
+std::unique_ptr<const FrontEnd> front_end_for(const flexible::Mechanism&, const Project& project) {
   return std::make_unique<FlexibleFrontEnd>(project);
 }
 

@@ -14,19 +14,8 @@ std::optional<ElasticFigures> FrontEnd::elastic_figures(const SituationRun&,
 }
 
 std::unique_ptr<const FrontEnd> front_end_of(const Project& project) {
-  struct OfKind {
-    const Project& project;
-    std::unique_ptr<const FrontEnd> operator()(const planar::Mechanism&) const {
-      return planar_front_end(project);
-    }
-    std::unique_ptr<const FrontEnd> operator()(const spatial::Mechanism&) const {
-      return spatial_front_end(project);
-    }
-    std::unique_ptr<const FrontEnd> operator()(const flexible::Mechanism&) const {
-      return flexible_front_end(project);
-    }
-  };
-  return std::visit(OfKind{project}, project.mechanism);
+  return std::visit([&](const auto& mechanism) { return front_end_for(mechanism, project); },
+                    project.mechanism);
 }
 
 AnyMotionResult any_motion_of(const Project& project, const std::vector<double>& times) {

@@ -6,9 +6,10 @@
 /// The front ends, each in a source of its own.
 namespace boxbeam {
 
-std::unique_ptr<const FrontEnd> planar_front_end(const Project& project);
-std::unique_ptr<const FrontEnd> spatial_front_end(const Project& project);
-std::unique_ptr<const FrontEnd> flexible_front_end(const Project& project);
+/// The front end for a kind of mechanism; of the mechanism only the kind counts.
+std::unique_ptr<const FrontEnd> front_end_for(const planar::Mechanism&, const Project& project);
+std::unique_ptr<const FrontEnd> front_end_for(const spatial::Mechanism&, const Project& project);
+std::unique_ptr<const FrontEnd> front_end_for(const flexible::Mechanism&, const Project& project);
 
 /// The model of elastic links: the cheapest whose error of the governing stress is within the
 /// tolerance that the case asks for, or the one that it demands.

@@ -64,13 +64,9 @@ void stiffen_lines(const planar::Mechanism& mechanism, const planar::State& stat
   const LineStiffness lines(state, factor, links);
   Eigen::Index row = 0;
   for (const planar::Joint& joint : mechanism.joints) {
-    // The multiplier of a length is its tension.
-    if (const auto* rod = std::get_if<planar::Distance>(&joint.kind)) {
-      lines.add(joint.name, rod->a, rod->b, state.lambda[row]);
-    } else if (const auto* driven = std::get_if<planar::Driven>(&joint.kind)) {
-      if (driven->coordinate == planar::Coordinate::length) {
-        lines.add(joint.name, driven->point, driven->other, state.lambda[row]);
-      }
+    if (planar::is_rod(joint)) {
+      const auto [a, b] = planar::ends_of(joint);
+      lines.add(joint.name, a, b, state.lambda[row]);
     }
     row += planar::equations_of(joint);
   }

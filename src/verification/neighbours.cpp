@@ -146,14 +146,12 @@ std::vector<std::string> bending_of(const planar::Mechanism& mechanism, const Ro
   for (const planar::Joint& joint : mechanism.joints) {
     const auto [a, b] = planar::ends_of(joint);
     if (a.body != rod.from.body && b.body != rod.from.body) continue;
-    const auto* driven = std::get_if<planar::Driven>(&joint.kind);
-    const bool hinged = std::holds_alternative<planar::Pin>(joint.kind) ||
-                        std::holds_alternative<planar::Distance>(joint.kind) ||
-                        (driven != nullptr && driven->coordinate != planar::Coordinate::angle);
-    // A point that slides along the rod, or the rod's end in a slot.
-    const auto* slot = std::get_if<planar::PinInSlot>(&joint.kind);
-    const bool in_slot = slot != nullptr && slot->guide.body != rod.from.body;
-    if ((!hinged && !in_slot) || beside(a) || beside(b)) names.push_back(joint.name);
+    const auto [hold, other] = planar::holds_of(joint);
+    // In a slot the rod's end turns; what slides along the rod bends it.
+    const bool turns_freely =
+        hold == planar::Hold::place &&
+        (other == planar::Hold::place || (other == planar::Hold::guide && b.body != rod.from.body));
+    if (!turns_freely || beside(a) || beside(b)) names.push_back(joint.name);
   }
   for (const planar::AppliedForce& force : mechanism.forces) {
     const bool bends = std::visit(

@@ -212,7 +212,7 @@ class PlanarFrontEnd : public FrontEnd {
 
 }  // namespace
 
-std::unique_ptr<const FrontEnd> planar_front_end(const Project& project) {
+std::unique_ptr<const FrontEnd> front_end_for(const planar::Mechanism&, const Project& project) {
   return std::make_unique<PlanarFrontEnd>(project);
 }
 

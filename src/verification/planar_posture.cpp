@@ -84,24 +84,25 @@ PostureFigure posture_figure(const Project& project, const planar::Mechanism& me
   }
   for (const planar::Joint& joint : mechanism.joints) {
     const auto [a, b] = planar::ends_of(joint);
-    const auto* driven = std::get_if<planar::Driven>(&joint.kind);
-    const bool between = std::holds_alternative<planar::Distance>(joint.kind) ||
-                         (driven != nullptr && driven->coordinate == planar::Coordinate::length);
+    const bool between = planar::is_rod(joint);
     if (between) figure.rods.push_back({place(a), place(b)});
-    if (between || std::holds_alternative<planar::Pin>(joint.kind)) {
+    const bool hinged =
+        planar::holds_of(joint) == std::pair(planar::Hold::place, planar::Hold::place);
+    if (between || (hinged && !planar::is_driver(joint))) {
       for (const planar::Attachment& end : {a, b}) {
         if (end.body == planar::ground) figure.grounds.push_back(lifted(end.p));
       }
     }
     const auto add_guide = [&](const auto& slide) {
-      const double direction =
-          slide.direction +
-          (slide.guide.body == planar::ground ? 0.0 : state.q[3 * slide.guide.body + 2]);
-      figure.guides.push_back(
-          {place(slide.point), Eigen::Vector3d(std::cos(direction), std::sin(direction), 0.0)});
+      if constexpr (requires { slide.guide; }) {
+        const double direction =
+            slide.direction +
+            (slide.guide.body == planar::ground ? 0.0 : state.q[3 * slide.guide.body + 2]);
+        figure.guides.push_back(
+            {place(slide.point), Eigen::Vector3d(std::cos(direction), std::sin(direction), 0.0)});
+      }
     };
-    if (const auto* slider = std::get_if<planar::Slider>(&joint.kind)) add_guide(*slider);
-    if (const auto* slot = std::get_if<planar::PinInSlot>(&joint.kind)) add_guide(*slot);
+    std::visit(add_guide, joint.kind);
   }
   return figure;
 }

@@ -202,7 +202,7 @@ class SpatialFrontEnd : public FrontEnd {
 
 }  // namespace
 
-std::unique_ptr<const FrontEnd> spatial_front_end(const Project& project) {
+std::unique_ptr<const FrontEnd> front_end_for(const spatial::Mechanism&, const Project& project) {
   return std::make_unique<SpatialFrontEnd>(project);
 }
 

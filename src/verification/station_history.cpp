@@ -6,6 +6,7 @@
 
 #include "boxbeam/verification/load_history.hpp"
 #include "bracket_nodes.hpp"
+#include "turning_samples.hpp"
 
 namespace boxbeam {
 namespace {
@@ -260,37 +261,17 @@ TurningPoint StationHistory::refine(std::size_t instant, bool maximum, const Cut
 }
 
 std::vector<TurningPoint> StationHistory::turning_points(const CutForceFunction& f) const {
-  const std::size_t n = samples_.size();
-  std::vector<double> values(n);
+  std::vector<double> values(samples_.size());
   std::transform(samples_.begin(), samples_.end(), values.begin(), f);
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double scale = std::max(std::abs(*low), std::abs(*high));
-  const double noise = 1e-9 * scale;
-  const auto highest = static_cast<std::size_t>(high - values.begin());
+  const double noise = noise_between(*low, *high);
+  const TurningSamples found = turning_samples_of(values);
+  if (found.turns.empty()) return {{loads_->time_of(found.highest), values[found.highest], true}};
+
   std::vector<TurningPoint> turns;
-  if (!(*high - *low > noise)) return {{loads_->time_of(highest), values[highest], true}};
-
-  // From the highest sample once round; a turn counts when the history has come back from it by
-  // more than the noise.
-  std::vector<std::pair<std::size_t, bool>> brackets{{highest, true}};
-  std::size_t candidate = highest;
-  bool falling = true;
-  for (std::size_t k = 1; k <= n; ++k) {
-    const std::size_t i = (highest + k) % n;
-    const double towards = falling ? values[candidate] - values[i] : values[i] - values[candidate];
-    if (towards > 0.0) {
-      candidate = i;
-    } else if (towards < -noise) {
-      brackets.emplace_back(candidate, !falling);
-      falling = !falling;
-      candidate = i;
-    }
-  }
-  std::sort(brackets.begin(), brackets.end());
-  brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
-
-  turns.reserve(brackets.size());
-  for (const auto& [middle, maximum] : brackets) turns.push_back(refine(middle, maximum, f, noise));
+  turns.reserve(found.turns.size());
+  for (const auto& [sample, maximum] : found.turns)
+    turns.push_back(refine(sample, maximum, f, noise));
   std::sort(turns.begin(), turns.end(),
             [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });
   return turns;
@@ -344,7 +325,7 @@ TurningPoint StationHistory::largest(const CutForceFunction& f) const {
   std::transform(samples_.begin(), samples_.end(), values.begin(), f);
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const auto highest = static_cast<std::size_t>(high - values.begin());
-  const double noise = 1e-9 * std::max(std::abs(*low), std::abs(*high));
+  const double noise = noise_between(*low, *high);
   TurningPoint best{loads_->time_of(highest), values[highest], true};
   // Peaks a little lower at the instants may be higher between them.
   const double enough = *high - 0.05 * (*high - *low);

@@ -12,6 +12,7 @@
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
+#include "turning_samples.hpp"
 
 namespace boxbeam {
 namespace {
@@ -97,35 +98,11 @@ double largest_of(const std::vector<double>& values, const SampledInstants& inst
 /// The turning points of a stress in order of time, without their instants.
 SituationTurns turns_among(const std::vector<double>& values, const SampledInstants& instants) {
   SituationTurns of;
-  const std::size_t n = values.size();
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double noise = 1e-9 * std::max(std::abs(*low), std::abs(*high));
   of.begin = values.front();
   of.end = instants.closed ? values.front() : values.back();
-  if (!(*high - *low > noise)) {
-    of.turns.push_back({Time{}, *high, true});
-    return of;
-  }
-  // From the highest sample once round; a turn counts when the history has come back from it by
-  // more than the noise.
-  const auto highest = static_cast<std::size_t>(high - values.begin());
-  std::vector<std::pair<std::size_t, bool>> brackets{{highest, true}};
-  std::size_t candidate = highest;
-  bool falling = true;
-  for (std::size_t k = 1; k <= n; ++k) {
-    const std::size_t i = highest + k < n ? highest + k : highest + k - n;
-    const double towards = falling ? values[candidate] - values[i] : values[i] - values[candidate];
-    if (towards > 0.0) {
-      candidate = i;
-    } else if (towards < -noise) {
-      brackets.emplace_back(candidate, !falling);
-      falling = !falling;
-      candidate = i;
-    }
-  }
-  std::sort(brackets.begin(), brackets.end());
-  brackets.erase(std::unique(brackets.begin(), brackets.end()), brackets.end());
-  for (const auto& [i, maximum] : brackets) {
+  const TurningSamples found = turning_samples_of(values);
+  if (found.turns.empty()) of.turns.push_back({Time{}, values[found.highest], true});
+  for (const auto& [i, maximum] : found.turns) {
     const double sign = maximum ? 1.0 : -1.0;
     of.turns.push_back({Time{}, sign * peak_near(values, i, sign, instants), maximum});
   }

@@ -1,10 +1,8 @@
 #include "boxbeam/verification/verify.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
-#include "boxbeam/mechanism/planar/motion.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/plausibility.hpp"

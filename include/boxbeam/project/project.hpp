@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,6 +26,15 @@ namespace boxbeam {
 /// What moves or loads the beam: rigid bodies in the plane or in space, or elastic links in a
 /// plane.
 using AnyMechanism = std::variant<planar::Mechanism, spatial::Mechanism, flexible::Mechanism>;
+
+/// The words for these kinds in a case, in the same order.
+inline constexpr std::array kind_words{"planar", "spatial", "flexible"};
+static_assert(kind_words.size() == std::variant_size_v<AnyMechanism>);
+
+/// The word for the kind of a mechanism.
+inline const char* kind_word_of(const AnyMechanism& mechanism) {
+  return kind_words[mechanism.index()];
+}
 
 /// Where the loads on the beam come from.
 enum class Dynamics {
@@ -267,18 +277,41 @@ void add_hole(Project& project, BeamHole hole);
 /// The holes whose centre is at s.
 std::vector<Hole> holes_at(const Project& project, Length s);
 
-/// The mechanism of a case: rigid bodies in the plane, in space, or elastic links.
-const planar::Mechanism& planar_of(const Project& project);
-planar::Mechanism& planar_of(Project& project);
-const spatial::Mechanism& spatial_of(const Project& project);
-spatial::Mechanism& spatial_of(Project& project);
-const flexible::Mechanism& flexible_of(const Project& project);
-flexible::Mechanism& flexible_of(Project& project);
+/// The mechanism of a case, of a kind that the caller knows.
+inline const planar::Mechanism& planar_of(const Project& project) {
+  return std::get<planar::Mechanism>(project.mechanism);
+}
+inline planar::Mechanism& planar_of(Project& project) {
+  return std::get<planar::Mechanism>(project.mechanism);
+}
+inline const spatial::Mechanism& spatial_of(const Project& project) {
+  return std::get<spatial::Mechanism>(project.mechanism);
+}
+inline spatial::Mechanism& spatial_of(Project& project) {
+  return std::get<spatial::Mechanism>(project.mechanism);
+}
+inline const flexible::Mechanism& flexible_of(const Project& project) {
+  return std::get<flexible::Mechanism>(project.mechanism);
+}
+inline flexible::Mechanism& flexible_of(Project& project) {
+  return std::get<flexible::Mechanism>(project.mechanism);
+}
 
-/// The mechanism as it runs in a situation.
-const planar::Mechanism& planar_in(const Project& project, const Situation& situation);
-const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation);
-const flexible::Mechanism& flexible_in(const Project& project, const Situation& situation);
+/// The mechanism as it runs in a situation, of whichever kind.
+inline const AnyMechanism& mechanism_in(const Project& project, const Situation& situation) {
+  return situation.changed ? *situation.changed : project.mechanism;
+}
+
+/// The same of a kind that the caller knows.
+inline const planar::Mechanism& planar_in(const Project& project, const Situation& situation) {
+  return std::get<planar::Mechanism>(mechanism_in(project, situation));
+}
+inline const spatial::Mechanism& spatial_in(const Project& project, const Situation& situation) {
+  return std::get<spatial::Mechanism>(mechanism_in(project, situation));
+}
+inline const flexible::Mechanism& flexible_in(const Project& project, const Situation& situation) {
+  return std::get<flexible::Mechanism>(mechanism_in(project, situation));
+}
 
 /// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.
 spatial::BeamPlacement placement_in(const Project& project, const spatial::Mechanism& mechanism);

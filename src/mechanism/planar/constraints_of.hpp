@@ -7,6 +7,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/mechanism/planar/constraints.hpp"
+#include "joint_kinds.hpp"
 
 /// The constraint equations in any arithmetic: what the sources that instantiate them share.
 namespace boxbeam::planar {
@@ -23,11 +24,6 @@ Scalar whole_turn() {
   } else {
     return Scalar(full_turn);
   }
-}
-
-/// The unit vector to the left of a direction.
-inline Eigen::Vector2d normal_of(double direction) {
-  return {-std::sin(direction), std::cos(direction)};
 }
 
 /// Takes joints apart into terms and notes where their derivatives go.
@@ -54,15 +50,8 @@ struct ConstraintEquationsOf<Scalar>::Builder {
     equations.terms_.push_back(term);
   }
 
-  void add_angle(const Attachment& a, const Attachment& b, double ratio, double offset) const {
-    Term term = between(Kind::turn, a, b);
-    term.ratio = static_cast<Scalar>(ratio);
-    term.offset = static_cast<Scalar>(offset);
-    add(term);
-  }
-
-  void add_along(const Attachment& a, const Attachment& b, const Eigen::Vector2d& n, double r = 0.0,
-                 double offset = 0.0) const {
+  void add_along(const Attachment& a, const Attachment& b, const Eigen::Vector2d& n, double r,
+                 double offset) const {
     Term term = between(Kind::along, a, b);
     term.n = n.cast<Scalar>();
     term.ratio = static_cast<Scalar>(r);
@@ -70,60 +59,50 @@ struct ConstraintEquationsOf<Scalar>::Builder {
     add(term);
   }
 
-  void operator()(const Pin& pin) const { add(between(Kind::coincide, pin.a, pin.b)); }
-
-  void operator()(const Slider& slider) const {
-    add_along(slider.point, slider.guide, normal_of(slider.direction));
-    add_angle(slider.point, slider.guide, 1.0, slider.angle);
+  // The equations that EquationsOfKind tells.
+  void coincide(const Attachment& a, const Attachment& b) const {
+    add(between(Kind::coincide, a, b));
   }
 
-  void operator()(const PinInSlot& slot) const {
-    add_along(slot.point, slot.guide, normal_of(slot.direction));
+  void across(const Attachment& point, const Attachment& guide, double direction) const {
+    add_along(point, guide, {-std::sin(direction), std::cos(direction)}, 0.0, 0.0);
   }
 
-  void operator()(const Rigid& rigid) const {
-    add(between(Kind::coincide, rigid.a, rigid.b));
-    add_angle(rigid.a, rigid.b, 1.0, rigid.angle);
+  void along(const Attachment& a, const Attachment& b, double direction, double r,
+             double offset) const {
+    add_along(a, b, {std::cos(direction), std::sin(direction)}, r, offset);
   }
 
-  void operator()(const Distance& distance) const {
-    Term term = between(Kind::length, distance.a, distance.b);
-    term.offset = static_cast<Scalar>(distance.length);
+  void coordinate(const Attachment& point, int axis) const {
+    add_along(point, {}, Eigen::Vector2d::Unit(axis), 0.0, 0.0);
+  }
+
+  void turn(const Attachment& a, const Attachment& b, double ratio, double offset) const {
+    Term term = between(Kind::turn, a, b);
+    term.ratio = static_cast<Scalar>(ratio);
+    term.offset = static_cast<Scalar>(offset);
     add(term);
   }
 
-  void operator()(const AngleCoupling& coupling) const {
-    add_angle(coupling.a, coupling.b, coupling.ratio, coupling.offset);
-  }
-
-  void operator()(const Gear& gear) const {
-    Term term = between(Kind::mesh, gear.a, gear.b);
-    term.ratio = static_cast<Scalar>(gear.radius_a);
-    term.r_b = static_cast<Scalar>(gear.radius_b);
-    term.offset = static_cast<Scalar>(gear.offset);
+  void length(const Attachment& a, const Attachment& b, double length) const {
+    Term term = between(Kind::length, a, b);
+    term.offset = static_cast<Scalar>(length);
     add(term);
   }
 
-  void operator()(const Rack& rack) const {
-    add_along(rack.pinion, rack.rack, {std::cos(rack.direction), std::sin(rack.direction)},
-              rack.radius, rack.offset);
+  void mesh(const Attachment& a, const Attachment& b, double r_a, double r_b, double offset) const {
+    Term term = between(Kind::mesh, a, b);
+    term.ratio = static_cast<Scalar>(r_a);
+    term.r_b = static_cast<Scalar>(r_b);
+    term.offset = static_cast<Scalar>(offset);
+    add(term);
   }
 
-  void operator()(const Driven& driven) const {
-    equations.drivers_.push_back(&driven.driver);
-    equations.driver_rows_.push_back(equations.pattern_.rows);
-    Term term;
-    if (driven.coordinate == Coordinate::angle) {
-      term = between(Kind::turn, driven.point, driven.other);
-      term.ratio = Scalar(1);
-    } else if (driven.coordinate == Coordinate::length) {
-      term = between(Kind::length, driven.point, driven.other);
-    } else {
-      term = between(Kind::along, driven.point, {});
-      term.n = driven.coordinate == Coordinate::x ? Vector2::UnitX() : Vector2::UnitY();
-    }
-    term.driver = static_cast<int>(equations.drivers_.size()) - 1;
-    add(term);
+  void follows(const Driver& driver) const {
+    Term& term = equations.terms_.back();
+    term.driver = static_cast<int>(equations.drivers_.size());
+    equations.drivers_.push_back(&driver);
+    equations.driver_rows_.push_back(term.row);
   }
 
   /// Notes the entries of all rows in the pattern and in the terms, and writes the constant ones.
@@ -176,7 +155,8 @@ ConstraintEquationsOf<Scalar>::ConstraintEquationsOf(const Mechanism& mechanism)
   const auto bodies = static_cast<int>(mechanism.bodies.size());
   pattern_.cols = mechanism.coordinates();
   const Builder builder{*this, bodies};
-  for (const Joint& joint : mechanism.joints) std::visit(builder, joint.kind);
+  for (const Joint& joint : mechanism.joints)
+    std::visit(EquationsOfKind<const Builder>{builder}, joint.kind);
   builder.place_entries();
   driver_states_.resize(drivers_.size());
   poses_.resize(static_cast<std::size_t>(bodies) + 1);

@@ -119,23 +119,30 @@ bool rubs(const Joint& joint) {
   const auto with = [](const Friction& friction) {
     return friction.coulomb != 0.0 || friction.viscous != 0.0;
   };
-  if (const auto* slider = std::get_if<Slider>(&joint.kind)) return with(slider->friction);
-  const auto* slot = std::get_if<PinInSlot>(&joint.kind);
-  return slot != nullptr && with(slot->friction);
+  return std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.friction; })
+          return with(kind.friction);
+        else
+          return false;
+      },
+      joint.kind);
 }
 
 std::vector<FrictionContact> friction_contacts_of(const Mechanism& mechanism) {
   std::vector<FrictionContact> contacts;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const auto take = [&](const auto& slide, bool moment) {
-      if (!rubs(mechanism.joints[i])) return;
-      contacts.push_back({static_cast<int>(i), row, moment, slide.point, slide.guide,
-                          slide.direction, slide.friction});
+    const Joint& joint = mechanism.joints[i];
+    const bool moment = holds_of(joint).first == Hold::clamp;
+    const auto take = [&](const auto& slide) {
+      if constexpr (requires { slide.friction; }) {
+        contacts.push_back({static_cast<int>(i), row, moment, slide.point, slide.guide,
+                            slide.direction, slide.friction});
+      }
     };
-    if (const auto* slider = std::get_if<Slider>(&mechanism.joints[i].kind)) take(*slider, true);
-    if (const auto* slot = std::get_if<PinInSlot>(&mechanism.joints[i].kind)) take(*slot, false);
-    row += equations_of(mechanism.joints[i]);
+    if (rubs(joint)) std::visit(take, joint.kind);
+    row += equations_of(joint);
   }
   return contacts;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
+#include "joint_kinds.hpp"
 
 namespace boxbeam::planar {
 namespace {
@@ -15,38 +16,58 @@ int index_by_name(const Items& items, std::string_view name) {
   return found == items.end() ? -1 : static_cast<int>(found - items.begin());
 }
 
-}  // namespace
+/// Counts the equations that EquationsOfKind tells.
+struct Equations {
+  int count = 0;
+  int of_distances = 0;    ///< how many are of the distance of two points
+  unsigned of_angles = 0;  ///< bit by bit, which are of angles
 
-int equations_of(const Joint& joint) {
-  if (std::holds_alternative<Rigid>(joint.kind)) return 3;
-  const bool two =
-      std::holds_alternative<Pin>(joint.kind) || std::holds_alternative<Slider>(joint.kind);
-  return two ? 2 : 1;
+  void coincide(const Attachment&, const Attachment&) { count += 2; }
+  void across(const Attachment&, const Attachment&, double) { ++count; }
+  void along(const Attachment&, const Attachment&, double, double, double) { ++count; }
+  void coordinate(const Attachment&, int) { ++count; }
+  void turn(const Attachment&, const Attachment&, double, double) { of_angles |= 1U << count++; }
+  void length(const Attachment&, const Attachment&, double) {
+    ++of_distances;
+    ++count;
+  }
+  void mesh(const Attachment&, const Attachment&, double, double, double) { ++count; }
+  void follows(const Driver&) {}
+};
+
+Equations equations_in(const Joint& joint) {
+  Equations equations;
+  std::visit(EquationsOfKind<Equations>{equations}, joint.kind);
+  return equations;
 }
 
+}  // namespace
+
+int equations_of(const Joint& joint) { return equations_in(joint).count; }
+
 bool is_length_equation(const Joint& joint, int row) {
-  if (std::holds_alternative<Slider>(joint.kind)) return row == 0;
-  if (std::holds_alternative<Rigid>(joint.kind)) return row < 2;
-  if (std::holds_alternative<AngleCoupling>(joint.kind)) return false;
-  const auto* driven = std::get_if<Driven>(&joint.kind);
-  return driven == nullptr || driven->coordinate != Coordinate::angle;
+  return (equations_in(joint).of_angles & (1U << row)) == 0U;
+}
+
+bool is_rod(const Joint& joint) {
+  const Equations equations = equations_in(joint);
+  return equations.count == 1 && equations.of_distances == 1;
 }
 
 std::pair<Attachment, Attachment> ends_of(const Joint& joint) {
-  struct Ends {
-    using Pair = std::pair<Attachment, Attachment>;
-    Pair operator()(const Slider& slider) const { return {slider.point, slider.guide}; }
-    Pair operator()(const PinInSlot& slot) const { return {slot.point, slot.guide}; }
-    Pair operator()(const Rack& rack) const { return {rack.pinion, rack.rack}; }
-    Pair operator()(const Driven& driven) const { return {driven.point, driven.other}; }
-    Pair operator()(const Pin& pin) const { return {pin.a, pin.b}; }
-    Pair operator()(const Rigid& rigid) const { return {rigid.a, rigid.b}; }
-    Pair operator()(const Distance& distance) const { return {distance.a, distance.b}; }
-    Pair operator()(const AngleCoupling& coupling) const { return {coupling.a, coupling.b}; }
-    Pair operator()(const Gear& gear) const { return {gear.a, gear.b}; }
-  };
-  return std::visit(Ends{}, joint.kind);
+  const auto [first, second] = ends_in(joint);
+  return {*first, *second};
 }
+
+std::pair<Attachment*, Attachment*> ends_in(Joint& joint) {
+  return std::visit([](auto& kind) { return attachments_in(kind); }, joint.kind);
+}
+
+std::pair<const Attachment*, const Attachment*> ends_in(const Joint& joint) {
+  return std::visit([](const auto& kind) { return attachments_in(kind); }, joint.kind);
+}
+
+std::pair<Hold, Hold> holds_of(const Joint& joint) { return std::visit(HoldsOfKind{}, joint.kind); }
 
 Eigen::Index Mechanism::equations() const {
   Eigen::Index sum = 0;

@@ -133,6 +133,10 @@ struct Joint {
 /// How many equations a joint contributes: 3 for rigid, 2 for pin and slider, 1 for the others.
 int equations_of(const Joint& joint);
 
+/// Whether a joint keeps the distance of its two points, or drives it, and nothing else: its
+/// multiplier is the tension between them.
+bool is_rod(const Joint& joint);
+
 /// Whether equation `row` of a joint is one of lengths [m]; otherwise of angles [rad].
 bool is_length_equation(const Joint& joint, int row);
 
@@ -140,6 +144,22 @@ inline bool is_driver(const Joint& joint) { return std::holds_alternative<Driven
 
 /// The two attachments of a joint; of a driven coordinate of the world the second is the ground.
 std::pair<Attachment, Attachment> ends_of(const Joint& joint);
+
+/// The same where they stand in the joint, to be changed.
+std::pair<Attachment*, Attachment*> ends_in(Joint& joint);
+std::pair<const Attachment*, const Attachment*> ends_in(const Joint& joint);
+
+/// What a joint wants of a body at one of its ends.
+enum class Hold {
+  place,  ///< a place, across the body's axis at least
+  angle,  ///< the angle of the body there
+  clamp,  ///< both
+  guide,  ///< a line along which a point of another body slides
+  teeth,  ///< a line on which a wheel of another body rolls
+};
+
+/// What a joint wants of the bodies at its two ends.
+std::pair<Hold, Hold> holds_of(const Joint& joint);
 
 /// A spring and a damper between two points, pulling them together with
 /// stiffness (d - free_length) + damping d', d their distance.

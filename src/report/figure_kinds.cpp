@@ -1,12 +1,12 @@
+#include "figure_kinds.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "blocks.hpp"
 #include "function_text.hpp"
-#include "report_parts.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -233,34 +233,98 @@ std::string sudden_start_caption(const Source& source) {
                      largest_force(source.verification.pictures.elastic->after_start));
 }
 
-std::string caption_of(const Source& source, const std::string& name) {
-  static const std::map<std::string, std::string (*)(const Source&), std::less<>> captions{
-      {"mechanism", mechanism_caption},
-      {"motion", motion_caption},
-      {"cut-forces", cut_force_caption},
-      {"loads", loads_caption},
-      {"stress", stress_caption},
-      {"section", section_caption},
-      {"utilisation", utilisation_caption},
-      {"sn", sn_caption},
-      {"spectrum", spectrum_caption},
-      {"modes", modes_caption},
-      {"frequency-response", response_caption},
-      {"joint-forces", joint_forces_caption},
-      {"sudden-start", sudden_start_caption},
-  };
-  return captions.at(name)(source);
+bool in_plane(const Project& project, const Verification&) { return !project.in_space; }
+
+bool in_three_dimensions(const Project& project, const Verification&) { return project.in_space; }
+
+bool is_driven(const Project&, const Verification& verification) {
+  return !verification.pictures.cycles.empty() && !verification.pictures.drivers.empty();
+}
+
+bool over_time(const Project&, const Verification& verification) {
+  return verification.pictures.loads_over_time.has_value();
+}
+
+bool is_checked_along(const Project&, const Verification& verification) {
+  return std::any_of(verification.checks.begin(), verification.checks.end(),
+                     [](const CheckResult& result) { return result.basis.has_value(); });
+}
+
+bool has_section(const Project&, const Verification& verification) {
+  return verification.pictures.section.has_value();
+}
+
+/// The worst check of a criterion rests on cut forces.
+bool is_computed(const Verification& verification, Criterion criterion) {
+  const CheckResult* governing = verification.governing(criterion);
+  return governing != nullptr && governing->basis;
+}
+
+bool has_history(const Project&, const Verification& verification) {
+  return is_computed(verification, Criterion::fatigue) ||
+         is_computed(verification, Criterion::yield);
+}
+
+bool has_curve(const Project&, const Verification& verification) {
+  return verification.pictures.sn.has_value();
+}
+
+bool has_several_ranges(const Project&, const Verification& verification) {
+  return is_computed(verification, Criterion::fatigue) &&
+         verification.governing(Criterion::fatigue)->basis->spectrum.size() > 1;
+}
+
+bool is_elastic(const Project&, const Verification& verification) {
+  return verification.pictures.elastic && !verification.pictures.elastic->modes.empty();
+}
+
+bool vibrates(const Project&, const Verification& verification) {
+  return verification.pictures.elastic && !verification.pictures.elastic->over_period.at.empty();
+}
+
+constexpr FigureKind kinds[] = {
+    {"mechanism", FigurePlace::mechanism, true, in_plane, mechanism_caption, nullptr,
+     plot::mechanism},
+    {"mechanism", FigurePlace::mechanism, true, in_three_dimensions, mechanism_caption, nullptr,
+     plot::mechanism_in_space},
+    {"motion", FigurePlace::motion, false, is_driven, motion_caption, plot::motion},
+    {"cut-forces", FigurePlace::cut_forces, true, in_plane, cut_force_caption, plot::cut_forces},
+    {"cut-forces", FigurePlace::cut_forces, true, in_three_dimensions, cut_force_caption,
+     plot::cut_forces_in_space},
+    {"loads", FigurePlace::cut_forces, false, over_time, loads_caption, plot::loads_over_time},
+    {"utilisation", FigurePlace::checks, true, is_checked_along, utilisation_caption,
+     plot::utilisation},
+    {"section", FigurePlace::sections, false, has_section, section_caption, nullptr, plot::section},
+    {"stress", FigurePlace::stresses, false, has_history, stress_caption, plot::stress},
+    {"sn", FigurePlace::fatigue, true, has_curve, sn_caption, plot::sn},
+    {"spectrum", FigurePlace::fatigue, false, has_several_ranges, spectrum_caption, plot::spectrum},
+    {"modes", FigurePlace::vibration, false, is_elastic, modes_caption, nullptr, plot::modes},
+    {"frequency-response", FigurePlace::vibration, false, vibrates, response_caption,
+     plot::frequency_response},
+    {"joint-forces", FigurePlace::vibration, false, vibrates, joint_forces_caption,
+     plot::joint_forces},
+    {"sudden-start", FigurePlace::vibration, false, vibrates, sudden_start_caption,
+     plot::sudden_start},
+};
+
+template <class Wanted>
+void add_where(const Source& source, std::vector<Block>& blocks, Wanted wanted) {
+  for (const FigureKind& kind : kinds) {
+    if (wanted(kind) && kind.shown(source.project, source.verification))
+      blocks.emplace_back(Picture{kind.name, kind.caption(source)});
+  }
 }
 
 }  // namespace
 
-void add_pictures(const Source& source, const std::vector<std::string>& names,
-                  std::vector<Block>& blocks) {
-  for (const std::string& name : names) {
-    const auto& drawn = source.figures;
-    if (std::find(drawn.begin(), drawn.end(), name) == drawn.end()) continue;
-    blocks.emplace_back(Picture{name, caption_of(source, name)});
-  }
+std::span<const FigureKind> figure_kinds() { return kinds; }
+
+void add_pictures(const Source& source, FigurePlace place, std::vector<Block>& blocks) {
+  add_where(source, blocks, [&](const FigureKind& kind) { return kind.place == place; });
+}
+
+void add_deciding_pictures(const Source& source, std::vector<Block>& blocks) {
+  add_where(source, blocks, [](const FigureKind& kind) { return kind.decides; });
 }
 
 }  // namespace boxbeam::report
