@@ -74,6 +74,18 @@ void add_mechanism(Parts& parts, const flexible::Mechanism& mechanism) {
   if (mechanism.frequency > 0.0) parts.add("frequency", fmt::format("{} Hz", mechanism.frequency));
 }
 
+void add_mechanism(Parts& parts, const frame::Structure& structure) {
+  parts.add("kind", fmt::format("static: a frame at rest {}",
+                                structure.plane ? "in the plane" : "in space"));
+  parts.add("members", listed(names_of(structure.members)));
+  std::vector<std::string> supports, joints;
+  for (const frame::Joint& joint : structure.joints)
+    (joint.b.member == frame::ground ? supports : joints).push_back(joint.name);
+  parts.add("supports", listed(supports));
+  parts.add("joints", listed(joints));
+  parts.add("load cases", listed(names_of(structure.cases)));
+}
+
 std::vector<std::string> situations_of(const Project& project) {
   std::vector<std::string> names;
   for (const Situation& situation : project.situations) {

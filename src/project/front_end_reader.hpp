@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -36,6 +37,13 @@ class FrontEndReader {
   /// Whether it vibrates of itself, so that it can be started.
   virtual bool vibrates() const { return false; }
 
+  /// "loads" of a situation, and the mechanism with them; nothing where it has no load cases.
+  virtual std::optional<AnyMechanism> read_loads(TableReader&,
+                                                 std::vector<std::string>& what) const;
+
+  /// Situations that the case does not list.
+  virtual std::vector<Situation> read_combinations(TableReader&) const { return {}; }
+
   /// What is checked beside the beam.
   virtual void read_neighbours(TableReader&) {}
 
@@ -56,6 +64,8 @@ std::unique_ptr<FrontEndReader> reader_for(const planar::Mechanism&, const Secti
 std::unique_ptr<FrontEndReader> reader_for(const spatial::Mechanism&, const Sections&, TimeTables&,
                                            Project&);
 std::unique_ptr<FrontEndReader> reader_for(const flexible::Mechanism&, const Sections&, TimeTables&,
+                                           Project&);
+std::unique_ptr<FrontEndReader> reader_for(const frame::Structure&, const Sections&, TimeTables&,
                                            Project&);
 
 /// The parts of a mechanism of rigid bodies that a situation may change.

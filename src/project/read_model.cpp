@@ -32,6 +32,17 @@ ElasticForm read_model(TableReader& root, Project& project) {
   }
   if (!root.has("model")) return form;
   TableReader table = root.table({"model", "which model of the beam in its mechanism"});
+  const auto read_moduli = [&] {
+    input.youngs_modulus =
+        table.positive({"youngs_modulus", "of the beam"}, wanted::stress, input.youngs_modulus);
+    input.shear_modulus =
+        table.positive({"shear_modulus", "of the beam"}, wanted::stress, input.shear_modulus);
+  };
+  if (std::holds_alternative<frame::Structure>(project.mechanism)) {
+    read_moduli();
+    table.finish();
+    return form;
+  }
   constexpr ModelDemand demands[] = {ModelDemand::automatic, ModelDemand::rigid,
                                      ModelDemand::flexible};
   input.demand = demands[table.choice({"demand", "which model is enough, and of what"},
@@ -42,10 +53,7 @@ ElasticForm read_model(TableReader& root, Project& project) {
     table.problem("tolerance", "the tolerance is a fraction of the governing stress, below 1",
                   "write tolerance = 0.01 for 1 %");
   }
-  input.youngs_modulus =
-      table.positive({"youngs_modulus", "of the beam"}, wanted::stress, input.youngs_modulus);
-  input.shear_modulus =
-      table.positive({"shear_modulus", "of the beam"}, wanted::stress, input.shear_modulus);
+  read_moduli();
   input.retardation = read_retardation(table, input.retardation);
   if (std::holds_alternative<flexible::Mechanism>(project.mechanism)) {
     constexpr flexible::Element elements[] = {flexible::Element::corrected,

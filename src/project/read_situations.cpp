@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "boxbeam/project/limits.hpp"
@@ -237,8 +238,10 @@ void read_situations(TableReader& root, const Node& tree, const FrontEndReader& 
   std::vector<TableReader> listed = root.tables({"situations", "ways in which the beam is used"});
   const bool asked = root.has("fatigue");
   TableReader fatigue = root.table("fatigue", false);
-  if (listed.empty()) {
-    project.situations.push_back({"", asked ? read_cycles(fatigue) : 0.0, 1.0, {}, {}, {}, false});
+  std::vector<Situation> combined = front_end.read_combinations(root);
+  if (listed.empty() && combined.empty()) {
+    Situation& only = project.situations.emplace_back();
+    if (asked) only.cycles = read_cycles(fatigue);
     return;
   }
   if (fatigue.has("cycles")) {
@@ -272,10 +275,14 @@ void read_situations(TableReader& root, const Node& tree, const FrontEndReader& 
         set.accept_all();
         situation.changed = changed_mechanism(set, tree, situation, project, front_end);
       }
+      if (auto loaded = front_end.read_loads(table, situation.set)) {
+        situation.changed = std::move(loaded);
+      }
     }
     table.finish();
     project.situations.push_back(std::move(situation));
   }
+  std::move(combined.begin(), combined.end(), std::back_inserter(project.situations));
   if (!root.problems().empty()) return;
   if (project.dynamics == Dynamics::newton_chain && project.situations.size() > 1) {
     root.problem("situations", "the published Newton chain knows one situation only",

@@ -55,6 +55,7 @@ std::unique_ptr<const FrontEndText> front_end_text_of(const Project& project);
 std::unique_ptr<const FrontEndText> text_for(const planar::Mechanism&, const Project& project);
 std::unique_ptr<const FrontEndText> text_for(const spatial::Mechanism&, const Project& project);
 std::unique_ptr<const FrontEndText> text_for(const flexible::Mechanism&, const Project& project);
+std::unique_ptr<const FrontEndText> text_for(const frame::Structure&, const Project& project);
 
 /// How long a motion that integrates is looked at.
 void add_duration(const Duration& duration, Entries& entries);

@@ -239,6 +239,7 @@ std::optional<CheckResult> check_deflection(const Project& project,
   DeflectionBasis basis;
   Length place;
   for (const SituationRun& run : runs) {
+    if (!run.situation->serviceability) continue;
     const LoadHistory& loads = run.loads;
     const double factor = input.load_factor ? run.situation->load_factor : 1.0;
     std::vector<double> values;

@@ -4,6 +4,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/frame/statics.hpp"
+#include "boxbeam/verification/model_choice.hpp"
 #include "front_ends.hpp"
 
 namespace boxbeam {
@@ -129,7 +130,9 @@ PostureFigure figure_of(const Project& project, const frame::Structure& structur
     const frame::Member& member = structure.members[m];
     PostureFigure::Line line;
     line.beam = static_cast<int>(m) == project.beam_body;
-    const auto place = [&](const Vector3d& p) -> Vector3d { return member.start + member.axes * p; };
+    const auto place = [&](const Vector3d& p) -> Vector3d {
+      return member.start + member.axes * p;
+    };
     const Vector3d end = place({member.beam.length().value(), 0.0, 0.0});
     for (const frame::MemberPoint& point : member.points) line.points.push_back(place(point.p));
     line.strokes.push_back({member.start, end});
@@ -185,6 +188,27 @@ class FrameAtRest : public SolvedMotion {
 
   std::vector<DriverLine> driver_lines(const LoadHistory&) const override { return {}; }
 
+  std::vector<SupportReaction> reactions(const LoadHistory& loads) const override {
+    std::vector<SupportReaction> of;
+    for (const frame::Joint& joint : frame_->structure.joints) {
+      if (joint.b.member == frame::ground) of.push_back({joint.name, {}, {}});
+    }
+    for (std::size_t i = 0; i < loads.instants(); ++i) {
+      const std::vector<frame::Vector6> all = frame_->reactions_at(loads.time_of(i).value());
+      std::size_t next = 0;
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        if (frame_->structure.joints[k].b.member != frame::ground) continue;
+        SupportReaction& reaction = of[next++];
+        for (std::size_t c = 0; c < 6; ++c) {
+          const double value = all[k][static_cast<Eigen::Index>(c)];
+          reaction.low[c] = i == 0 ? value : std::min(reaction.low[c], value);
+          reaction.high[c] = i == 0 ? value : std::max(reaction.high[c], value);
+        }
+      }
+    }
+    return of;
+  }
+
   std::vector<double> supports(const BeamLoads&) const override {
     std::vector<double> places;
     for (const frame::Joint& joint : frame_->structure.joints) {
@@ -209,13 +233,17 @@ class FrameFrontEnd : public FrontEnd {
     return std::make_unique<FrameAtRest>(*project_, situation);
   }
 
-  std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {
-    return "nothing moves: loads act slowly";
+  std::optional<ModelChoice> own_model() const override {
+    ModelChoice choice;
+    choice.chosen = {ModelLevel::flexible, 0, 0, {}, false};
+    choice.tolerance = project_->model.tolerance;
+    choice.second_order = estimate_second_order(*project_, run_situations(*project_));
+    choice.reason = "elastic members at rest, exact; " + second_order_text(choice.second_order);
+    return choice;
   }
 
-  void require_elastic_model() const override {
-    throw InputError("the members of a frame at rest are elastic already",
-                     "leave out --model");
+  std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {
+    return "nothing moves: loads act slowly";
   }
 
   AnyMotionResult motion(const std::vector<double>&, const std::string&) const override {

@@ -91,22 +91,6 @@ std::string against_frequencies(const VibrationEstimate& estimate) {
   return text;
 }
 
-/// "second order changes it by 0.3 %, N/N_cr = 0.012 at most in the plane, 0.004 across it".
-std::string second_order_text(const SecondOrderEstimate& of) {
-  if (of.in_plane.part == 0.0 && of.change.value_or(0.0) == 0.0) {
-    return "second order changes nothing, for the beam bears no axial force";
-  }
-  std::string text = of.change ? fmt::format("second order is estimated to change it by {}",
-                                             percent_text(*of.change))
-                               : std::string("the beam buckles");
-  if (of.in_plane.part > 0.0) {
-    text += fmt::format(", N/N_cr = {:.3g} at most in the plane", of.in_plane.part);
-  }
-  if (of.across && of.across->part > 0.0)
-    text += fmt::format(", {:.3g} across it", of.across->part);
-  return text;
-}
-
 /// Bodies that bend statically under their axial force, without vibration.
 constexpr ElasticModel bent{ModelLevel::quasi_static, 0, 16, {}, false};
 

@@ -16,6 +16,7 @@ MotionSummary summary_of(const Project& project, const SituationRun& run) {
   summary.stands_still = run.motion->stands_still();
   summary.imbalance = run.imbalance;
   summary.closure = run.motion->closure();
+  summary.reactions = run.motion->reactions(run.loads);
   return summary;
 }
 

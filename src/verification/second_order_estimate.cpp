@@ -14,6 +14,7 @@
 #include "boxbeam/strength/material.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
+#include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
 
@@ -318,6 +319,21 @@ SecondOrderEstimate estimate_second_order(const Project& project,
   Estimating estimating(project);
   for (const SituationRun& run : runs) estimating.look_at(run);
   return estimating.result();
+}
+
+std::string second_order_text(const SecondOrderEstimate& of) {
+  if (of.in_plane.part == 0.0 && of.change.value_or(0.0) == 0.0) {
+    return "second order changes nothing, for the beam bears no axial force";
+  }
+  std::string text = of.change ? fmt::format("second order is estimated to change it by {}",
+                                             percent_text(*of.change))
+                               : std::string("the beam buckles");
+  if (of.in_plane.part > 0.0) {
+    text += fmt::format(", N/N_cr = {:.3g} at most in the plane", of.in_plane.part);
+  }
+  if (of.across && of.across->part > 0.0)
+    text += fmt::format(", {:.3g} across it", of.across->part);
+  return text;
 }
 
 }  // namespace boxbeam

@@ -11,6 +11,7 @@
 #include "boxbeam/fatigue/detail.hpp"
 #include "boxbeam/fatigue/sn_curve.hpp"
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
+#include "boxbeam/mechanism/frame/structure.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
@@ -23,12 +24,13 @@
 
 namespace boxbeam {
 
-/// What moves or loads the beam: rigid bodies in the plane or in space, or elastic links in a
-/// plane.
-using AnyMechanism = std::variant<planar::Mechanism, spatial::Mechanism, flexible::Mechanism>;
+/// What moves or loads the beam: rigid bodies in the plane or in space, elastic links in a plane,
+/// or a frame at rest.
+using AnyMechanism =
+    std::variant<planar::Mechanism, spatial::Mechanism, flexible::Mechanism, frame::Structure>;
 
 /// The words for these kinds in a case, in the same order.
-inline constexpr std::array kind_words{"planar", "spatial", "flexible"};
+inline constexpr std::array kind_words{"planar", "spatial", "flexible", "static"};
 static_assert(kind_words.size() == std::variant_size_v<AnyMechanism>);
 
 /// The word for the kind of a mechanism.
@@ -125,7 +127,9 @@ struct Situation {
   /// Repetitions of its period, or of the change between situations, in the wanted life; zero where
   /// it counts for the strength only.
   double cycles = 0.0;
-  double load_factor = 1.0;      ///< on all its loads, for strength
+  /// On all its loads, for strength; zero where it does not count for that.
+  double load_factor = 1.0;
+  bool serviceability = true;    ///< whether it counts for the deflection
   std::vector<std::string> set;  ///< what differs from the case, "drivers.exciter.frequency = ..."
   std::optional<AnyMechanism> changed;  ///< the mechanism with that; nothing: as the case is
   /// Where not empty: made of these situations (indices). Either the change between them, one
@@ -296,6 +300,9 @@ inline const flexible::Mechanism& flexible_of(const Project& project) {
 inline flexible::Mechanism& flexible_of(Project& project) {
   return std::get<flexible::Mechanism>(project.mechanism);
 }
+inline const frame::Structure& frame_of(const Project& project) {
+  return std::get<frame::Structure>(project.mechanism);
+}
 
 /// The mechanism as it runs in a situation, of whichever kind.
 inline const AnyMechanism& mechanism_in(const Project& project, const Situation& situation) {
@@ -311,6 +318,9 @@ inline const spatial::Mechanism& spatial_in(const Project& project, const Situat
 }
 inline const flexible::Mechanism& flexible_in(const Project& project, const Situation& situation) {
   return std::get<flexible::Mechanism>(mechanism_in(project, situation));
+}
+inline const frame::Structure& frame_in(const Project& project, const Situation& situation) {
+  return std::get<frame::Structure>(mechanism_in(project, situation));
 }
 
 /// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.

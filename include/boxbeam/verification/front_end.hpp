@@ -14,6 +14,7 @@
 #include "boxbeam/verification/loaded_posture.hpp"
 #include "boxbeam/verification/posture.hpp"
 #include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/support_reaction.hpp"
 
 namespace boxbeam {
 
@@ -55,6 +56,9 @@ class SolvedMotion {
   /// The whole mechanism stopped at a time and holding the beam, under its loads then; nothing
   /// where it cannot be stopped and hold it.
   virtual MakePosture stopped(Time, const BeamLoads&) const { return {}; }
+
+  /// What the ground does to it; nothing where that is not asked of its kind.
+  virtual std::vector<SupportReaction> reactions(const LoadHistory&) const { return {}; }
 
   /// How it closes; nothing where there is nothing to close.
   virtual std::optional<ClosureSummary> closure() const { return {}; }

@@ -7,6 +7,7 @@
 
 #include "boxbeam/verification/closure_summary.hpp"
 #include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/support_reaction.hpp"
 
 namespace boxbeam {
 
@@ -21,6 +22,7 @@ struct MotionSummary {
   double imbalance = 0.0;     ///< of force and moment on the beam, relative to the largest load
   /// Nothing for a chain, whose motion is explicit, and for elastic links.
   std::optional<ClosureSummary> closure;
+  std::vector<SupportReaction> reactions;  ///< of frames at rest
 };
 
 /// One for every situation that runs, in their order.

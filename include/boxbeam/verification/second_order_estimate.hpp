@@ -52,4 +52,8 @@ SecondOrderEstimate estimate_second_order(const Project& project,
 inline constexpr double no_buckling_below = 0.04;
 inline constexpr double first_order_below = 0.1;
 
+/// "second order is estimated to change it by 0.3 %, N/N_cr = 0.012 at most in the plane, 0.004
+/// across it".
+std::string second_order_text(const SecondOrderEstimate& of);
+
 }  // namespace boxbeam
