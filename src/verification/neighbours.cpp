@@ -175,8 +175,8 @@ Gate rod_gate(const RodInput& rod, const std::string& finding) {
   return {"", "", fmt::format("rod {}: {}", rod.name, finding), true};
 }
 
-Check frame(Criterion criterion, const std::string& name, const Project& project,
-            const Extreme& worst) {
+Check check_begun(Criterion criterion, const std::string& name, const Project& project,
+                  const Extreme& worst) {
   Check check;
   check.criterion = criterion;
   check.point = name;
@@ -208,7 +208,7 @@ NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun
     }
     const double largest =
         governing_utilisation(pin_utilisation(si<Force>(worst.value), pin.geometry, pin.strength));
-    NeighbourResult result{frame(Criterion::pin, pin.name, project, worst),
+    NeighbourResult result{check_begun(Criterion::pin, pin.name, project, worst),
                            LoadedPin{pin.geometry, pin.strength}};
     Check& check = result.check;
     check.safety_factor = 1.0 / largest;
@@ -225,7 +225,7 @@ namespace {
 /// The check of a rod by the least of its resistances.
 Check check_of(Criterion criterion, const Project& project, const RodInput& rod,
                const Extreme& worst, Force resistance, const char* source) {
-  Check check = frame(criterion, rod.name, project, worst);
+  Check check = check_begun(criterion, rod.name, project, worst);
   check.resisting = resistance;
   check.safety_factor = check.resisting / check.acting;
   check.required = rod.required;

@@ -1,0 +1,200 @@
+// Frames at rest from the case file to the factor: against the same beam in other kinds of case,
+// closed forms of moving loads, and combinations by hand.
+
+#include <cmath>
+#include <map>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+#include "support/clamped_beam.hpp"
+
+namespace frame_front_end_test {
+
+using namespace boxbeam;
+
+namespace {
+
+const std::string section =
+    "[sections.box]\nkind = \"box\"\nwidth = \"150 mm\"\nheight = \"300 mm\"\n"
+    "flange = \"12 mm\"\nweb = \"8 mm\"\n";
+
+std::string beam(const std::string& length, const std::string& density = "7850 kg/m^3") {
+  return "[beam]\ndensity = \"" + density + "\"\n[[beam.segments]]\nlength = \"" + length +
+         "\"\nsection = \"box\"\n";
+}
+
+const std::string demands = "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n";
+
+Project parse(const std::string& text) {
+  return parse_project("frame.toml", "[case]\nname = \"frame\"\nkind = \"static\"\n" + section + text + demands);
+}
+
+const std::string fixed_at_start = "[supports.root]\nkind = \"fixed\"\nat = \"0 m\"\n";
+const std::string ends =
+    "[supports.left]\nkind = \"pinned\"\nat = \"0 m\"\n"
+    "[supports.right]\nkind = \"roller\"\nat = \"6 m\"\n";
+
+double largest_moment(const Verification& of) {
+  double largest = 0.0;
+  for (const StationEnvelope& station : of.stations) {
+    for (const Extreme* at : {&station.of[cut_force::M_y].smallest, &station.of[cut_force::M_y].largest})
+      largest = std::max(largest, std::abs(at->value));
+  }
+  return largest;
+}
+
+TEST_CASE("a cantilever at rest has the factors of the same beam in a mechanism", "[frame]") {
+  const Verification moving = verify(test::clamped_beam(test::clamped::steady, ""));
+  const Verification still = verify(
+      parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("4 m") + fixed_at_start +
+            "[loads.tip]\nkind = \"force\"\nat = \"4 m\"\nforce = [\"0 kN\", \"-30 kN\"]\n"));
+  REQUIRE(still.checks.size() == moving.checks.size());
+  for (std::size_t i = 0; i < still.checks.size(); ++i) {
+    CHECK(still.checks[i].check.id == moving.checks[i].check.id);
+    CHECK(still.checks[i].check.safety_factor ==
+          Approx(moving.checks[i].check.safety_factor).epsilon(1e-9));
+  }
+  CHECK(still.verdict == moving.verdict);
+}
+
+TEST_CASE("two wheels: largest moment R (L/2 - a/4)^2/L under the first", "[frame]") {
+  // Two equal forces P = R/2 at a distance a. Source: Timoshenko, Young, Theory of Structures, 3.7.
+  constexpr double L = 6.0, a = 1.2, R = 40e3;
+  const Verification of = verify(
+      parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
+            "[loads.trolley]\nkind = \"wheels\"\nwheels = [{ force = [\"0 kN\", \"-20 kN\"] }, "
+            "{ behind = \"1.2 m\", force = [\"0 kN\", \"-20 kN\"] }]\n"));
+  const double expected = R * std::pow(0.5 * L - 0.25 * a, 2) / L;
+  CHECK(largest_moment(of) == Approx(expected).epsilon(1e-4));
+  CHECK(largest_moment(of) <= expected * (1.0 + 1e-9));
+  const CheckResult* yield = of.governing(Criterion::yield);
+  REQUIRE(yield != nullptr);
+  const double W = test::clamped::inertia() / 0.150;
+  CHECK(yield->check.safety_factor == Approx(355e6 * W / expected).epsilon(1e-4));
+  // Reactions run from nothing to nearly all.
+  const std::vector<SupportReaction>& reactions = of.motions.front().reactions;
+  REQUIRE(reactions.size() == 2);
+  CHECK(reactions[0].high[1] == Approx(R * (L - 0.5 * a) / L).epsilon(1e-9));
+  CHECK(reactions[1].high[1] == Approx(R * (L - 0.5 * a) / L).epsilon(1e-9));
+}
+
+TEST_CASE("wheels that run over the ends load only what is on the beam", "[frame]") {
+  const Verification of = verify(
+      parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
+            "[loads.trolley]\nkind = \"wheels\"\nfrom = \"0 m\"\nto = \"10 m\"\nwheels = "
+            "[{ force = [\"0 kN\", \"-20 kN\"] }, { behind = \"4 m\", force = [\"0 kN\", \"-20 kN\"] }]\n"));
+  // So far apart that one alone in the middle is worse than both.
+  CHECK(largest_moment(of) == Approx(20e3 * 6.0 / 4.0).epsilon(1e-4));
+  CHECK(of.motions.front().reactions[0].high[1] == Approx(20e3 * (1.0 + 2.0 / 6.0)).epsilon(1e-9));
+}
+
+/// Names of situations and the factors of their load cases.
+std::map<std::string, std::vector<double>> combinations_of(const Project& project) {
+  std::map<std::string, std::vector<double>> of;
+  for (const Situation& situation : project.situations)
+    of[situation.name] = frame_in(project, situation).factors;
+  return of;
+}
+
+const std::string loads =
+    "[loads.wind]\nkind = \"line\"\nforce_per_length = [\"0 N/m\", \"300 N/m\"]\n"
+    "[loads.snow]\nkind = \"line\"\nforce_per_length = [\"0 N/m\", \"-500 N/m\"]\n"
+    "[load_cases.wind]\nkind = \"variable\"\npsi_0 = 0.6\npsi_1 = 0.2\npsi_2 = 0.0\n"
+    "[load_cases.snow]\nkind = \"variable\"\npsi_0 = 0.5\npsi_1 = 0.2\npsi_2 = 0.0\n";
+
+TEST_CASE("EN 1990 6.10: every variable action leads once, what helps is left out", "[frame]") {
+  const auto found =
+      combinations_of(parse(beam("6 m") + ends + loads + "[combinations]\nrule = \"6.10\"\n"));
+  // Table by hand, of (weight, wind, snow): G 1.35 or 1.0; Q leading 1.5, beside it 1.5 psi_0 or 0.
+  std::vector<std::vector<double>> expected;
+  for (const double G : {1.35, 1.0}) {
+    expected.push_back({G, 1.5, 0.75});
+    expected.push_back({G, 1.5, 0.0});
+    expected.push_back({G, 0.9, 1.5});
+    expected.push_back({G, 0.0, 1.5});
+    expected.push_back({G, 0.0, 0.0});
+  }
+  CHECK(found.size() == expected.size());
+  for (const std::vector<double>& of : expected) {
+    INFO(of[0] << " " << of[1] << " " << of[2]);
+    const bool there = std::any_of(found.begin(), found.end(), [&](const auto& entry) {
+      return (Eigen::Map<const Eigen::Vector3d>(entry.second.data()) -
+              Eigen::Map<const Eigen::Vector3d>(of.data()))
+                 .norm() < 1e-12;
+    });
+    CHECK(there);
+  }
+  CHECK(found.count("6.10: 1.35 weight + 1.5 wind + 0.75 snow") == 1);
+}
+
+TEST_CASE("EN 1990 6.10a and 6.10b", "[frame]") {
+  const auto found =
+      combinations_of(parse(beam("6 m") + ends + loads + "[combinations]\nrule = \"6.10a/b\"\n"));
+  // a: psi_0 on the leader, too; b: xi gamma_G = 1.1475.
+  CHECK(found.count("6.10a: 1.35 weight + 0.9 wind + 0.75 snow") == 1);
+  CHECK(found.count("6.10b: 1.148 weight + 1.5 wind + 0.75 snow") == 1);
+  CHECK(found.count("6.10b: 1.148 weight + 0.9 wind + 1.5 snow") == 1);
+  // a: 2 x 2 x 2; b: 2 x 5, of which 1.0 G alone is in a already.
+  CHECK(found.size() == 8 + 10 - 1);
+}
+
+TEST_CASE("deflection has combinations of its own and strength does not see them", "[frame]") {
+  const Project project = parse(beam("6 m") + ends + loads +
+                                "[combinations]\nrule = \"6.10\"\ndeflection = \"characteristic\"\n"
+                                "[deflection]\nlimit = \"10 mm\"\n");
+  const Verification of = verify(project);
+  const CheckResult* bent = of.governing(Criterion::deflection);
+  REQUIRE(bent != nullptr);
+  CHECK(bent->check.situation == "characteristic: 1 weight + 1 snow");
+  // 5 q L^4/(384 E I) and q L^2/(8 G A_v) of shear.
+  const double q = 500.0 + 9.81 * 7850.0 * (0.150 * 0.300 - 0.134 * 0.276);
+  const double expected = 5.0 * q * std::pow(6.0, 4) / (384.0 * 210e9 * test::clamped::inertia()) +
+                          q * 36.0 / (8.0 * 81e9 * test::clamped::shear_area());
+  CHECK(bent->check.acting.value() == Approx(expected).epsilon(1e-9));
+  const CheckResult* yield = of.governing(Criterion::yield);
+  REQUIRE(yield != nullptr);
+  CHECK(yield->check.situation == "6.10: 1.35 weight + 1.5 snow");
+}
+
+TEST_CASE("fatigue counts the cycle between two load situations without partial factors", "[frame]") {
+  const std::string text =
+      beam("6 m") + ends + "[loads.lift]\nkind = \"force\"\nat = \"3 m\"\nforce = [\"0 kN\", \"-20 kN\"]\n"
+      "[load_cases.lift]\nkind = \"variable\"\npsi_0 = 1.0\n[combinations]\nrule = \"6.10\"\n"
+      "[[situations]]\nname = \"empty\"\nloads = { weight = 1.0 }\n"
+      "[[situations]]\nname = \"full\"\nloads = { weight = 1.0, lift = 1.0 }\n"
+      "[[situations]]\nname = \"lift\"\nbetween = [\"empty\", \"full\"]\ncycles = 2e6\n"
+      "[fatigue]\ncategory = 71\nloading = \"constant amplitude\"\ngamma_Mf = 1.35\nrequired = 1.0\n";
+  const CheckResult* fatigue = verify(parse(text)).governing(Criterion::fatigue);
+  REQUIRE(fatigue != nullptr);
+  const double range = 20e3 * 6.0 / 4.0 * 0.150 / test::clamped::inertia();
+  CHECK(fatigue->check.safety_factor == Approx(71e6 / 1.35 / range).epsilon(1e-6));
+}
+
+TEST_CASE("what a frame cannot be is said with what to write", "[frame]") {
+  const auto refusal = [](const std::string& text) {
+    try {
+      parse(text);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(refusal(beam("6 m") + "[supports.a]\nkind = \"pinned\"\nat = \"7 m\"\n"),
+             Contains("s = 7 m is beyond member \"beam\""));
+  CHECK_THAT(refusal(beam("6 m") + ends + "[loads.a]\nkind = \"force\"\nat = \"beem.end\"\nforce = [\"0 N\", \"1 N\"]\n"),
+             Contains("not a point of a member"));
+  CHECK_THAT(refusal(beam("6 m") + ends + loads + "[combinations]\nrule = \"6.10\"\n[load_cases.rain]\nkind = \"permanent\"\n"),
+             Contains("no load is in a case \"rain\""));
+  CHECK_THAT(refusal(beam("6 m") + ends + "[loads.a]\nkind = \"force\"\nat = \"1 m\"\nforce = [\"0 N\", \"1 N\"]\n[combinations]\nrule = \"6.10\"\n"),
+             Contains("how load case \"a\" combines is not said"));
+  CHECK_THAT(refusal(beam("6 m") + ends + "[bodies.a]\nmass = \"1 kg\"\n"), Contains("not known of frames at rest"));
+  CHECK_THAT(refusal(beam("6 m") + ends + "[members.a]\nfrom = [\"0 m\", \"1 m\"]\nto = [\"1 m\", \"1 m\"]\nsection = \"box\"\n"
+                     "[joints.j]\nkind = \"rigid\"\nconnect = [\"beam.end\", \"a.end\"]\n"),
+             Contains("mm apart"));
+}
+
+}  // namespace
+
+}  // namespace frame_front_end_test
