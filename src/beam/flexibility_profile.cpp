@@ -81,10 +81,10 @@ void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, doubl
 
 Flexibility FlexibilityProfile::at(std::size_t piece, double s) const {
   const double from = borders_[piece], to = borders_[piece + 1];
-  const std::array<double, nodes> shares = Points::shares_at((2.0 * s - from - to) / (to - from));
+  const Points::Shares shares = Points::shares_at((2.0 * s - from - to) / (to - from));
   Flexibility sum = Flexibility::Zero();
-  for (std::size_t k = 0; k < nodes; ++k) sum += shares[k] * pieces_[piece][k];
-  return sum;
+  for (std::size_t k = 0; k < nodes; ++k) sum += shares.weights[k] * pieces_[piece][k];
+  return sum / shares.sum;
 }
 
 }  // namespace boxbeam

@@ -9,13 +9,15 @@ namespace boxbeam::readers {
 namespace {
 
 /// What belongs to rigid bodies.
-void refuse_rigid_parts(TableReader& root) {
-  for (const auto& [key, hint] :
-       {std::pair{"bodies", "links are elastic or rigid: write [links.<name>]"},
-        {"drivers", "what moves it are [loads.<name>] with amplitudes"},
-        {"forces", "write [loads.<name>], and springs as joints"},
-        {"hand_formulas", "remove it from this case of kind = \"flexible\""},
-        {"hand_symbols", "remove it from this case of kind = \"flexible\""}}) {
+void refuse_rigid_parts(TableReader& root, const Project& project) {
+  const std::string remove =
+      fmt::format("remove it from this case of kind = \"{}\"", kind_word_of(project.mechanism));
+  for (const auto& [key, hint] : {std::pair<const char*, std::string>{
+                                      "bodies", "links are elastic or rigid: write [links.<name>]"},
+                                  {"drivers", "what moves it are [loads.<name>] with amplitudes"},
+                                  {"forces", "write [loads.<name>], and springs as joints"},
+                                  {"hand_formulas", remove},
+                                  {"hand_symbols", remove}}) {
     if (!root.has_misplaced(key)) continue;
     root.problem(key, fmt::format("\"{}\" is known for rigid mechanisms only", key), hint);
   }
@@ -69,7 +71,7 @@ class FlexibleReader : public FrontEndReader {
     beam.finish();
     flexible::Mechanism mechanism = read_flexible(root, links_);
     refuse_planar_parts(root, *project_);
-    refuse_rigid_parts(root);
+    refuse_rigid_parts(root, *project_);
     project_->beam_body = std::max(0, index_of(mechanism.links, links_.beam_link));
     project_->mechanism = std::move(mechanism);
     if (root.problems().empty()) add_points_of_link(*project_);

@@ -49,7 +49,7 @@ class FrameReader : public FrontEndReader {
     read_model(root, *project_);
     frame::Structure structure = structure_of(root);
     refuse_moving_parts(root);
-    refuse_planar_parts(root, *project_);
+    refuse_planar_parts(root, *project_, structure.plane);
     project_->in_space = !structure.plane;
     project_->beam_body = 0;
     if (root.problems().empty()) add_places(*project_, structure);
@@ -76,6 +76,12 @@ class FrameReader : public FrontEndReader {
         what.push_back(fmt::format("{:.4g} {}", structure.factors[k], structure.cases[k].name));
     }
     return structure;
+  }
+
+  void read_neighbours(TableReader& root) override {
+    if (!root.has("deflection")) return;
+    project_->deflection = read_deflection(
+        root.table({"deflection", "how far the beam may bend"}), *project_);
   }
 
   std::vector<Situation> read_combinations(TableReader& root) const override {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string_view>
 
 namespace boxbeam::readers {
 
@@ -28,10 +29,10 @@ Changeable changeable_of_bodies(const std::string& beam_body) {
   return {parts, "drivers.exciter.frequency", beam_body};
 }
 
-void refuse_planar_parts(TableReader& root, const Project& project) {
+void refuse_planar_parts(TableReader& root, const Project& project, bool deflects) {
   for (const char* key :
        {"loops", "newton_chain", "equivalent_mass", "pins", "rods", "deflection"}) {
-    if (!root.has_misplaced(key)) continue;
+    if ((deflects && key == std::string_view("deflection")) || !root.has_misplaced(key)) continue;
     root.problem(
         key, fmt::format("\"{}\" is known for rigid mechanisms in the plane only", key),
         fmt::format("remove it from this case of kind = \"{}\"", kind_word_of(project.mechanism)));

@@ -71,7 +71,8 @@ std::unique_ptr<FrontEndReader> reader_for(const frame::Structure&, const Sectio
 /// The parts of a mechanism of rigid bodies that a situation may change.
 Changeable changeable_of_bodies(const std::string& beam_body);
 
-/// Notes what is known of rigid mechanisms in the plane only, in a case of another kind.
-void refuse_planar_parts(TableReader& root, const Project& project);
+/// Notes what is known of rigid mechanisms in the plane only, in a case of another kind; of its
+/// deflection only where it is not known.
+void refuse_planar_parts(TableReader& root, const Project& project, bool deflects = false);
 
 }  // namespace boxbeam::readers

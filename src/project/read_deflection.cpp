@@ -8,10 +8,6 @@
 namespace boxbeam::readers {
 namespace {
 
-/// E and G of structural steel. Source: EN 1993-1-1:2005, 3.2.6.
-constexpr double youngs_modulus = 210e9;
-constexpr double shear_modulus = 81e9;
-
 /// Where joints hold the beam across its axis, ascending, and whether they hold its angle there.
 struct Support {
   Length s;
@@ -82,7 +78,7 @@ std::string metres(Length s) { return fmt::format("{:.6g}", s.value()); }
 /// clamped, or held at one place only, which can but be a clamp; the chord between two supports.
 /// Nothing where they are more.
 struct SupportedLine {
-  std::variant<Chord, Tangent> line;
+  MeasuredFrom line;
   std::string why;  ///< "where joint root clamps the beam"
 };
 
@@ -101,7 +97,8 @@ std::optional<SupportedLine> line_of(const std::vector<Support>& supports) {
       fmt::format("between its supports, joints {} and {}", supports[0].joint, supports[1].joint)};
 }
 
-std::string text_of(const std::variant<Chord, Tangent>& line) {
+std::string text_of(const MeasuredFrom& line) {
+  if (std::holds_alternative<UnloadedAxis>(line)) return "the unloaded axis";
   if (const auto* chord = std::get_if<Chord>(&line)) {
     return fmt::format("the chord from s = {} to {} m", metres(chord->from), metres(chord->to));
   }
@@ -110,6 +107,8 @@ std::string text_of(const std::variant<Chord, Tangent>& line) {
 
 /// The same of a case; nothing where its situations hold the beam unlike.
 std::optional<SupportedLine> supported_line_of(const Project& project) {
+  if (std::holds_alternative<frame::Structure>(project.mechanism))
+    return SupportedLine{UnloadedAxis{}, "its supports' motion included"};
   auto line = line_of(supports_of(project, planar_of(project)));
   for (const Situation& situation : project.situations) {
     if (!line) break;
@@ -156,14 +155,15 @@ void read_against(TableReader& table, const Project& project, DeflectionInput& d
   }
   if (!table.problems().empty()) return;
 
-  const auto take = [&](const std::variant<Chord, Tangent>& line, const std::string& why) {
+  const auto take = [&](const MeasuredFrom& line, const std::string& why) {
     deflection.against = line;
     deflection.measured_from = text_of(line) + (why.empty() ? "" : ", " + why);
   };
   const bool clamped = supported && std::holds_alternative<Tangent>(supported->line);
+  const bool at_rest = supported && std::holds_alternative<UnloadedAxis>(supported->line);
   if (between && (said || !supported)) return take(*between, "");
   if (touching) return take(*touching, "");
-  const bool fits = supported && (word == axis || clamped == (word == tangent));
+  const bool fits = supported && (word == axis || (!at_rest && clamped == (word == tangent)));
   if (!fits) {
     const char* const hint =
         "write against = \"chord\" with \"from\" and \"to\", or against = \"tangent\" with "
@@ -192,10 +192,10 @@ DeflectionInput read_deflection(TableReader table, const Project& project) {
   deflection.load_factor =
       table.boolean({"load_factor", "the situations' load factors multiply it"}, false);
   read_against(table, project, deflection);
-  deflection.youngs_modulus =
-      si<Stress>(table.positive({"youngs_modulus", "of the beam"}, wanted::stress, youngs_modulus));
-  deflection.shear_modulus =
-      si<Stress>(table.positive({"shear_modulus", "of the beam"}, wanted::stress, shear_modulus));
+  deflection.youngs_modulus = si<Stress>(table.positive(
+      {"youngs_modulus", "of the beam"}, wanted::stress, project.model.youngs_modulus));
+  deflection.shear_modulus = si<Stress>(table.positive(
+      {"shear_modulus", "of the beam"}, wanted::stress, project.model.shear_modulus));
   table.finish();
   return deflection;
 }

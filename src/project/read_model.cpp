@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "readers.hpp"
@@ -27,7 +29,8 @@ ElasticForm read_model(TableReader& root, Project& project) {
     if (root.has_misplaced("model"))
       root.problem("model",
                    "the bodies of a mechanism in space are rigid: there is nothing to choose",
-                   "remove [model] from this case of kind = \"spatial\"");
+                   fmt::format("remove [model] from this case of kind = \"{}\"",
+                               kind_word_of(project.mechanism)));
     return form;
   }
   if (!root.has("model")) return form;

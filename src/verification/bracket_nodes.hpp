@@ -32,10 +32,11 @@ inline double sum_of(double a, double factor, double b) { return a + factor * b;
 /// Value at u of the polynomial through the nodes.
 template <class Value>
 Value interpolate(const std::array<Value, LoadHistory::nodes>& values, double u) {
-  const std::array<double, LoadHistory::nodes> shares = BracketPoints::shares_at(u);
+  const BracketPoints::Shares shares = BracketPoints::shares_at(u);
   Value result{};
-  for (std::size_t k = 0; k <= last_node; ++k) result = sum_of(result, shares[k], values[k]);
-  return result;
+  for (std::size_t k = 0; k <= last_node; ++k)
+    result = sum_of(result, shares.weights[k], values[k]);
+  return shares.sum == 1.0 ? result : sum_of(Value{}, 1.0 / shares.sum, result);
 }
 
 /// What the highest waves of the polynomial through the nodes are of what they may be, where it

@@ -7,6 +7,7 @@
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/shear_area.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
 
 namespace boxbeam {
@@ -45,8 +46,8 @@ Flexibility flexibility_at(const FlexibilityPiece& piece, double s) {
 /// Integrates the bent axis along the beam, from no deflection and no turn at its start.
 class Integration {
  public:
-  Integration(const DeflectionModel& model, const CutForceDiagram& diagram)
-      : model_(&model), diagram_(&diagram) {}
+  Integration(const DeflectionModel& model, const CutForceDiagram& diagram, const BeamShift& shift)
+      : model_(&model), diagram_(&diagram), shift_(shift) {}
 
   void run() {
     for (const FlexibilityPiece& piece : model_->pieces) {
@@ -64,11 +65,13 @@ class Integration {
       a = chord->from.value();
       w_0 = line_.at(chord->from).value();
       slope = (line_.at(chord->to).value() - w_0) / (chord->to - chord->from).value();
-    } else {
-      const Length at = std::get<Tangent>(model_->against).at;
-      a = at.value();
-      w_0 = line_.at(at).value();
+    } else if (const auto* tangent = std::get_if<Tangent>(&model_->against)) {
+      a = tangent->at.value();
+      w_0 = line_.at(tangent->at).value();
       slope = rotation_at(a);
+    } else {  // the start of the line has moved and turned itself
+      w_0 = -shift_.w;
+      slope = -shift_.slope;
     }
     DeflectedLine line = line_;
     for (DeflectedLine::Stretch& stretch : line.stretches) {
@@ -92,8 +95,8 @@ class Integration {
     if (const auto* chord = std::get_if<Chord>(&model_->against)) {
       add(chord->from);
       add(chord->to);
-    } else {
-      add(std::get<Tangent>(model_->against).at);
+    } else if (const auto* tangent = std::get_if<Tangent>(&model_->against)) {
+      add(tangent->at);
     }
     std::sort(borders.begin(), borders.end());
     borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
@@ -107,7 +110,8 @@ class Integration {
       const double s = from + half * (1.0 + u);
       const CutForces cut = diagram_->at({si<Length>(s)});
       const Flexibility of = flexibility_at(piece, s);
-      const double kappa = of.curvature_N * cut.N.value() + of.curvature_M * cut.M_y.value();
+      const double kappa = of.curvature_N * cut.N.value() + of.curvature_M * cut.M_y.value() +
+                           shift_.curvature;
       turn += half * weight * kappa;
       lag += half * weight * (to - s) * kappa;
       sheared += half * weight * of.shear * cut.V_z.value();
@@ -136,6 +140,7 @@ class Integration {
 
   const DeflectionModel* model_;
   const CutForceDiagram* diagram_;
+  BeamShift shift_;
   double w_ = 0.0, theta_ = 0.0;
   DeflectedLine line_;
   std::vector<double> rotations_;  ///< at the beginnings of the stretches
@@ -213,13 +218,15 @@ DeflectionModel deflection_model_of(const Project& project) {
   return model;
 }
 
-DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiagram& diagram) {
-  Integration integration(model, diagram);
+DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiagram& diagram,
+                                const BeamShift& shift) {
+  Integration integration(model, diagram, shift);
   integration.run();
   return integration.measured();
 }
 
-std::string to_text(const std::variant<Chord, Tangent>& against) {
+std::string to_text(const MeasuredFrom& against) {
+  if (std::holds_alternative<UnloadedAxis>(against)) return "unloaded axis";
   if (const auto* chord = std::get_if<Chord>(&against)) {
     return fmt::format("chord {} to {} m", to_text(Station{chord->from}),
                        to_text(Station{chord->to}));
@@ -232,8 +239,8 @@ std::optional<CheckResult> check_deflection(const Project& project,
   if (!project.deflection) return std::nullopt;
   const DeflectionInput& input = *project.deflection;
   const DeflectionModel model = deflection_model_of(project);
-  const auto largest_in = [&](const CutForceDiagram& diagram) {
-    return largest_of(deflected_line_of(model, diagram));
+  const auto largest_in = [&](const SituationRun& run, const CutForceDiagram& diagram, Time time) {
+    return largest_of(deflected_line_of(model, diagram, run.motion->beam_shift(time)));
   };
   Extreme worst;
   DeflectionBasis basis;
@@ -244,19 +251,19 @@ std::optional<CheckResult> check_deflection(const Project& project,
     const double factor = input.load_factor ? run.situation->load_factor : 1.0;
     std::vector<double> values;
     for (std::size_t i = 0; i < loads.instants(); ++i) {
-      values.push_back(largest_in(loads.diagram(i)).size.value());
+      values.push_back(largest_in(run, loads.diagram(i), loads.time_of(i)).size.value());
     }
     const double begin = loads.begin().value(), end = (loads.begin() + loads.period()).value();
     const auto diagram_at = [&](double time) {
       return loads.diagram_at(si<Time>(loads.closed() ? time : std::clamp(time, begin, end)));
     };
     const Extremum peak = peak_over_time(values, sampled_time_of(loads), [&](double time) {
-      return largest_in(diagram_at(time)).size.value();
+      return largest_in(run, diagram_at(time), si<Time>(time)).size.value();
     });
     if (factor * peak.value <= worst.value) continue;
     worst = {si<Time>(peak.at), factor * peak.value, index_of(project, *run.situation)};
     basis = {si<Length>(peak.value), factor};
-    place = largest_in(diagram_at(peak.at)).at;
+    place = largest_in(run, diagram_at(peak.at), si<Time>(peak.at)).at;
   }
   if (worst.value == 0.0) return std::nullopt;
   const Situation& situation = project.situations[worst.situation];

@@ -98,6 +98,20 @@ class LoadedFrame {
     return sum_of(standing_.members[member].loads, moving_at(time).members[member].loads);
   }
 
+  /// Shift and turn of the beam's start, in its axes.
+  frame::Vector6 start_at(double time) const {
+    frame::Vector6 of = statics_.motion_at(member_, 0.0, standing_);
+    if (duration_ > 0.0) of += statics_.motion_at(member_, 0.0, moving_at(time));
+    const Eigen::Matrix3d& axes = structure.members[static_cast<std::size_t>(member_)].axes;
+    of << axes.transpose() * of.head<3>().eval(), axes.transpose() * of.tail<3>().eval();
+    return of;
+  }
+
+  /// By which heat bends the beam about its y [1/m].
+  double heat_curvature() const {
+    return standing_.members[static_cast<std::size_t>(member_)].heat[4];
+  }
+
   /// What a support or joint does to what it holds, world axes.
   std::vector<frame::Vector6> reactions_at(double time) const {
     std::vector<frame::Vector6> forces = standing_.joints;
@@ -187,6 +201,11 @@ class FrameAtRest : public SolvedMotion {
   }
 
   std::vector<DriverLine> driver_lines(const LoadHistory&) const override { return {}; }
+
+  BeamShift beam_shift(Time time) const override {
+    const frame::Vector6 start = frame_->start_at(time.value());
+    return {start[2], -start[4], frame_->heat_curvature()};
+  }
 
   std::vector<SupportReaction> reactions(const LoadHistory& loads) const override {
     std::vector<SupportReaction> of;

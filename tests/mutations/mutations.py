@@ -108,7 +108,7 @@ MUTATIONS = [
           "sense of the angular acceleration about y", "beam_loads_test sledge_loads_test"),
          ("centre-to-start", "beam.centre * Eigen::Vector3d(-omega * omega, 0.0, alpha);", "beam.centre * Eigen::Vector3d(omega * omega, 0.0, alpha);",
           "acceleration of the start of a turning beam", "beam_loads_test sledge_loads_test")),
-    *_in("src/mechanism/planar", "reactions.cpp",
+    *_in("src/mechanism/planar", "joint_kinds.hpp",
          ("pin-sense", "    add(pin.a, -force, 0.0);\n", "    add(pin.a, force, 0.0);\n",
           "action and reaction in a pin", "reactions_test"),
          ("ratio", "coupling.ratio * lambda[0]", "-coupling.ratio * lambda[0]",

@@ -31,24 +31,27 @@ struct ChebyshevPoints {
     return 2 * k == last ? middle : middle + 0.5 * (to - from) * point(k);
   }
 
-  /// What the value at each point counts in the polynomial's value at u. Barycentric formula;
-  /// weights of these points alternate in sign and are halved at the ends. Source: Berrut and
-  /// Trefethen, SIAM Review 46 (2004).
-  static std::array<double, n> shares_at(double u) {
-    std::array<double, n> shares{};
+  /// What the value at each point counts in the polynomial's value at u, all times `sum`.
+  struct Shares {
+    std::array<double, n> weights{};
     double sum = 0.0;
+  };
+
+  /// Barycentric formula; weights of these points alternate in sign and are halved at the ends.
+  /// Source: Berrut and Trefethen, SIAM Review 46 (2004).
+  static Shares shares_at(double u) {
+    Shares shares;
     for (std::size_t k = 0; k < n; ++k) {
       const double distance = u - point(k);
       if (distance == 0.0) {
-        shares = {};
-        shares[k] = 1.0;
+        shares = {{}, 1.0};
+        shares.weights[k] = 1.0;
         return shares;
       }
-      shares[k] = (k % 2 == 0 ? 1.0 : -1.0) / distance;
-      if (k == 0 || k == last) shares[k] *= 0.5;
-      sum += shares[k];
+      shares.weights[k] = (k % 2 == 0 ? 1.0 : -1.0) / distance;
+      if (k == 0 || k == last) shares.weights[k] *= 0.5;
+      shares.sum += shares.weights[k];
     }
-    for (double& share : shares) share /= sum;
     return shares;
   }
 };

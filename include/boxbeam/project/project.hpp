@@ -191,10 +191,16 @@ struct Tangent {
   Length at;
 };
 
+/// The beam's axis where nothing loads it; of frames at rest, whose motion as a whole is known.
+struct UnloadedAxis {};
+
+/// The line from which a deflection is measured.
+using MeasuredFrom = std::variant<Chord, Tangent, UnloadedAxis>;
+
 /// How far the beam may bend away from a line.
 struct DeflectionInput {
   Length limit;
-  std::variant<Chord, Tangent> against;
+  MeasuredFrom against;
   std::string measured_from;  ///< "the tangent at s = 0 m, where joint root clamps the beam"
   bool load_factor = false;   ///< whether the situations' load factors multiply it
   Stress youngs_modulus;
@@ -218,7 +224,8 @@ enum class ModelDemand {
 struct ModelInput {
   ModelDemand demand = ModelDemand::automatic;
   double tolerance = 0.01;         ///< on the governing stress, relative
-  double youngs_modulus = 2.1e11;  ///< of the beam [Pa]
+  /// Of the beam; structural steel where not said, EN 1993-1-1:2005, 3.2.6 [Pa].
+  double youngs_modulus = 2.1e11;
   double shear_modulus = 8.1e10;   ///< [Pa]
   double retardation = 0.0;        ///< Kelvin-Voigt damping of the beam [s]
   /// Whether the loads were measured on the running machine: they contain its vibration.

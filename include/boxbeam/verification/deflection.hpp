@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/verification/beam_shift.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
@@ -28,7 +29,7 @@ struct FlexibilityPiece {
 /// (webs of boxes, 2 A/pi of round tubes, 5/6 of solid plates). Holes are left out.
 struct DeflectionModel {
   std::vector<FlexibilityPiece> pieces;
-  std::variant<Chord, Tangent> against;
+  MeasuredFrom against;
 };
 
 DeflectionModel deflection_model_of(const Project& project);
@@ -59,12 +60,14 @@ LargestDeflection largest_of(const DeflectedLine& line);
 ///     theta' = -kappa,  w' = theta + V/(G A_v),  kappa = M/(E I_y)
 ///
 /// The rotation theta is that of the sections. From a chord: w less the straight line through both
-/// ends; from a tangent at a: w less w(a) + theta(a) (s - a), as of a beam clamped there.
+/// ends; from a tangent at a: w less w(a) + theta(a) (s - a), as of a beam clamped there; from the
+/// unloaded axis: w with the shift and the turn of the beam's start. Heat bends it besides.
 /// Source: Timoshenko, Strength of Materials I, articles 38 and 39.
-DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiagram& diagram);
+DeflectedLine deflected_line_of(const DeflectionModel& model, const CutForceDiagram& diagram,
+                                const BeamShift& shift = {});
 
-/// "chord 0 to 4 m", "tangent at 0 m".
-std::string to_text(const std::variant<Chord, Tangent>& against);
+/// "chord 0 to 4 m", "tangent at 0 m", "unloaded axis".
+std::string to_text(const MeasuredFrom& against);
 
 /// The largest deflection anywhere along the beam, at any time, in any situation, against its
 /// limit; the load factors of the situations count only where the case asks for it. Small

@@ -9,6 +9,7 @@
 
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
+#include "boxbeam/verification/beam_shift.hpp"
 #include "boxbeam/verification/closure_summary.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/loaded_posture.hpp"
@@ -56,6 +57,9 @@ class SolvedMotion {
   /// The whole mechanism stopped at a time and holding the beam, under its loads then; nothing
   /// where it cannot be stopped and hold it.
   virtual MakePosture stopped(Time, const BeamLoads&) const { return {}; }
+
+  /// What bends and moves the beam beside its cut forces; nothing of rigid bodies.
+  virtual BeamShift beam_shift(Time) const { return {}; }
 
   /// What the ground does to it; nothing where that is not asked of its kind.
   virtual std::vector<SupportReaction> reactions(const LoadHistory&) const { return {}; }
