@@ -89,7 +89,8 @@ std::string count_text(const Project& project, const Situation& situation) {
       project.situations.begin(), project.situations.end(), [&](const Situation& other) {
         return std::find(other.between.begin(), other.between.end(), index) != other.between.end();
       });
-  return part ? "as part of others" : "strength only";
+  if (part) return "as part of others";
+  return situation.load_factor == 0.0 ? "deflection only" : "strength only";
 }
 
 std::string situation_text(const Project& project, const Situation& situation) {
@@ -102,7 +103,7 @@ std::string situation_text(const Project& project, const Situation& situation) {
                       ? fmt::format(", one after the other: {}", fmt::join(names, ", "))
                       : fmt::format(", changing between {}", fmt::join(names, " and ")));
   }
-  if (situation.load_factor != 1.0) {
+  if (situation.load_factor != 1.0 && situation.load_factor != 0.0) {
     out += fmt::format(", load factor {} on its stresses for strength",
                        text::significant(situation.load_factor, 3));
   }
