@@ -88,7 +88,8 @@ struct SignalHead {
   std::optional<std::uint64_t> rows = {};  ///< where the head tells
   std::optional<double> time_step = {};    ///< [s], where the steps are equal
   bool single_precision = false;           ///< a float holds what the file holds
-  int names_line = 0;                      ///< 0: not in a line
+  int names_line = 0;                      ///< in which the channels are named; 0: in none
+  std::string names_text;                  ///< that line
 };
 
 /// A wanted channel. Without `dimension` its values stay in the file's unit; with it they are

@@ -96,10 +96,12 @@ class CsvReader : public SignalReader {
     if (head.empty()) {
       if (!sae_step_) lines_.fail(1, "the columns have no names", csv_head_hint);
       const std::size_t width = signal_fields(first_row, form_.separator).size();
-      for (std::size_t i = 0; i < width; ++i) names_.push_back({fmt::format("column {}", i + 1), {}, {}});
+      for (std::size_t i = 0; i < width; ++i)
+        names_.push_back({fmt::format("column {}", i + 1), {}, {}});
       return;
     }
     head_.names_line = head.front().number;
+    head_.names_text = head.front().text;
     head_line_ = head.front();
     take_names(head.front());
     if (head.size() == 2) take_units(head[1]);

@@ -23,6 +23,7 @@ class OpenfastTextReader : public SignalReader {
     refuse_time_step(lines_.bytes(), source);
     std::vector<std::string> names = find_names();
     head_.names_line = static_cast<int>(lines_.number());
+    head_.names_text = utf8_of(lines_.line());
     if (!lines_.next()) lines_.fail(1, "the file ends behind the names", out_head_hint);
     const std::string line = utf8_of(lines_.line());
     const std::vector<Field> units = signal_fields(line, ' ');

@@ -35,6 +35,7 @@ class RequestTableReader : public SignalReader {
       if (line.empty() || has_row) continue;
       names_ = utf8_of(line);
       head_.names_line = static_cast<int>(lines_.number());
+      head_.names_text = utf8_of(lines_.line());
     }
     if (!has_row) lines_.bytes().fail("the table has no rows", table_hint);
     width_ = signal_fields(lines_.line(), ' ').size();

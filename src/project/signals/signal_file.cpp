@@ -77,7 +77,8 @@ OpenedAndChosen open_and_choose(const SignalSource& source,
   opened.chosen = wanted.empty() ? all_signals(head) : choose_signals(head, wanted);
   std::vector<Problem> problems;
   for (const ChosenSignals::Trouble& trouble : opened.chosen.troubles) {
-    problems.push_back({head.path, head.names_line, 0, {}, trouble.message, trouble.hint});
+    problems.push_back({head.path, head.names_line, head.names_line > 0 ? 1 : 0, head.names_text,
+                        trouble.message, trouble.hint});
   }
   if (!problems.empty()) throw InputError(std::move(problems));
   return opened;
