@@ -78,6 +78,9 @@ struct SignalSource {
 struct SignalChannel {
   std::string name;  ///< without unit
   std::string unit;  ///< as written, without brackets; "" where the file has none
+  /// Whether a float holds what the file holds: to a sixteenth of a step of its integers, or, of a
+  /// file of floats, to one rounding.
+  bool single_precision = false;
 };
 
 /// What is known before a row is read.
@@ -87,7 +90,6 @@ struct SignalHead {
   std::vector<SignalChannel> channels;     ///< all but the time, in the order of the file
   std::optional<std::uint64_t> rows = {};  ///< where the head tells
   std::optional<double> time_step = {};    ///< [s], where the steps are equal
-  bool single_precision = false;           ///< a float holds what the file holds
   int names_line = 0;                      ///< in which the channels are named; 0: in none
   std::string names_text;                  ///< that line
 };
@@ -98,6 +100,7 @@ struct WantedSignal {
   std::string name;
   std::optional<WantedDimension> dimension = {};
   /// What one of the file's unit is in SI, where the file gives none or one that is not known.
+  /// Without `dimension` a plain factor.
   std::optional<double> scale = {};
 };
 

@@ -25,10 +25,8 @@ std::string small_word(std::string_view word) {
   return small;
 }
 
-bool is_time_name(std::string_view name) {
-  const std::string small = small_word(name);
-  return small == "time" || small == "t";
-}
+/// "T" is a torsional moment.
+bool is_time_name(std::string_view name) { return name == "t" || small_word(name) == "time"; }
 
 bool is_time_unit(std::string_view unit) {
   const auto parsed = parse_file_unit(unit);
@@ -198,7 +196,8 @@ class CsvReader : public SignalReader {
   /// columns where there is none.
   std::size_t time_column() const {
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (is_time_name(names_[i].name)) return i;
+      const Name& name = names_[i];
+      if (is_time_name(name.name) && (name.unit.empty() || is_time_unit(name.unit))) return i;
     }
     return is_time_unit(names_.front().unit) ? 0 : names_.size();
   }

@@ -61,7 +61,7 @@ class MbdynReader : public SignalReader {
     head_.path = source.path;
     head_.format = SignalFormat::mbdyn;
     head_.time_step = source.time_step;
-    find_instants(*bytes, source);
+    find_instants(source);
     TextLines lines(std::move(bytes));
     // The first step ends where its first label comes again.
     while (lines.next()) {
@@ -76,9 +76,13 @@ class MbdynReader : public SignalReader {
 
   void read(const std::vector<std::size_t>& columns, RowBlock& block) override {
     const std::vector<std::vector<Wanted>> wanted = wanted_by_label(columns);
-    std::optional<MbdynInstants> instants;
-    if (!instants_path_.empty()) instants.emplace(instants_path_);
     TextLines lines(std::make_unique<FileBytes>(head_.path));
+    if (!has_instants_ && !head_.time_step) {
+      lines.bytes().fail(fmt::format("MBDyn writes no time here, and there is no {}", out_path_),
+                         "put the .out file of the run beside it, or give the time step");
+    }
+    std::optional<MbdynInstants> instants;
+    if (has_instants_) instants.emplace(out_path_);
     std::vector<double> values(columns.size());
     std::uint64_t steps = 0;
     for (; read_step(lines, steps, wanted, values); ++steps) {
@@ -90,9 +94,9 @@ class MbdynReader : public SignalReader {
     }
     if (!instants || !instants->next()) return;
     while (instants->next()) continue;
-    lines.bytes().fail(fmt::format("{} tells {} instants, here are {} steps", instants_path_,
-                                   instants->count(), steps),
-                       "let MBDyn write both files once more, or give the time step");
+    lines.bytes().fail(
+        fmt::format("{} tells {} instants, here are {} steps", out_path_, instants->count(), steps),
+        "let MBDyn write both files once more, or give the time step");
   }
 
  private:
@@ -107,15 +111,10 @@ class MbdynReader : public SignalReader {
     std::size_t to = 0;
   };
 
-  void find_instants(const FileBytes& bytes, const SignalSource& source) {
-    if (source.time_step) return;
-    const std::string out = std::filesystem::path(source.path).replace_extension(".out").string();
+  void find_instants(const SignalSource& source) {
+    out_path_ = std::filesystem::path(source.path).replace_extension(".out").string();
     std::error_code error;
-    if (!std::filesystem::is_regular_file(out, error)) {
-      bytes.fail(fmt::format("MBDyn writes no time here, and there is no {}", out),
-                 "put the .out file of the run beside it, or give the time step");
-    }
-    instants_path_ = out;
+    has_instants_ = !source.time_step && std::filesystem::is_regular_file(out_path_, error);
   }
 
   void take_label(const TextLines& lines, const std::string& label, std::size_t width) {
@@ -206,12 +205,13 @@ class MbdynReader : public SignalReader {
   double time_of(MbdynInstants& instants, const TextLines& lines, std::uint64_t step) const {
     if (const std::optional<double> time = instants.next()) return *time;
     lines.fail(1,
-               fmt::format("{} tells {} instants, here ends step {}", instants_path_,
-                           instants.count(), step + 1),
+               fmt::format("{} tells {} instants, here ends step {}", out_path_, instants.count(),
+                           step + 1),
                "let MBDyn write both files once more, or give the time step");
   }
 
-  std::string instants_path_;
+  std::string out_path_;
+  bool has_instants_ = false;
   std::vector<Label> labels_;
   std::set<std::string> known_;
   std::vector<double> numbers_;

@@ -112,7 +112,6 @@ class OpenfastBinaryReader : public SignalReader {
     }
     if (!packed_time()) head_.time_step = time_second_;
     head_.rows = rows_;
-    head_.single_precision = !doubles();
   }
 
   void want_bytes(std::uint64_t count, const char* what) const {
@@ -164,9 +163,17 @@ class OpenfastBinaryReader : public SignalReader {
     if (head_.time_step) *head_.time_step *= time_factor_;
     for (std::size_t i = 1; i < count; ++i) {
       const std::string text = word(count + i);
-      head_.channels.push_back({word(i), std::string(without_unit_brackets(text))});
+      head_.channels.push_back(
+          {word(i), std::string(without_unit_brackets(text)), !doubles() && fits_float(i - 1)});
     }
     at_ += raw.size();
+  }
+
+  /// A float has 24 bits. Far from zero, as seen from the width of an integer's step, it would blur
+  /// the steps, on whose differences fatigue rests.
+  bool fits_float(std::size_t channel) const {
+    constexpr double farthest = 1048576.0;  // 2^20 steps
+    return std::abs(offset_[channel]) + 32768.0 <= farthest;
   }
 
   void look_at_size() {

@@ -67,7 +67,7 @@ class Rpc3Reader : public SignalReader {
   };
 
   /// The record at a place, whose key must be as told where one is.
-  std::string take_record(std::uint64_t index, std::string_view told = {}) {
+  void take_record(std::uint64_t index, std::string_view told = {}) {
     const std::uint64_t at = index * record_bytes;
     if (at + record_bytes > bytes_->size()) {
       bytes_->fail_at(bytes_->size(), "the file ends within its head", rpc_hint);
@@ -81,15 +81,11 @@ class Rpc3Reader : public SignalReader {
     const std::string key = text(raw, key_bytes);
     const std::string value = text(raw + key_bytes, record_bytes - key_bytes);
     if (!told.empty() && key != told) {
-      bytes_->fail_at(at,
-                      fmt::format("the keyword {} is due, here is \"{}\"", told, visible_part(key)),
+      bytes_->fail_at(at, fmt::format("the keyword {} is due, here is \"{}\"", told, key),
                       rpc_hint);
     }
     if (!key.empty()) records_.insert_or_assign(key, Record{value, at + key_bytes});
-    return value;
   }
-
-  static std::string visible_part(const std::string& text) { return text.substr(0, key_bytes); }
 
   void read_records() {
     take_record(0, "FORMAT");
@@ -143,8 +139,7 @@ class Rpc3Reader : public SignalReader {
   /// A word of the head that must be one of a few.
   std::string word(const std::string& key, const std::vector<std::string>& known,
                    const std::string& fallback) const {
-    const std::string value =
-        !fallback.empty() && !records_.contains(key) ? fallback : record(key).value;
+    std::string value = !fallback.empty() && !records_.contains(key) ? fallback : record(key).value;
     if (std::find(known.begin(), known.end(), value) != known.end()) return value;
     bytes_->fail_at(record(key).at,
                     fmt::format("{} is \"{}\", it can be {}", key, value, fmt::join(known, ", ")),
@@ -160,7 +155,6 @@ class Rpc3Reader : public SignalReader {
     floats_ =
         word("DATA_TYPE", {"SHORT_INTEGER", "FLOATING_POINT"}, "SHORT_INTEGER") == "FLOATING_POINT";
     value_bytes_ = floats_ ? sizeof(float) : sizeof(std::int16_t);
-    head_.single_precision = true;
   }
 
   void read_counts() {
@@ -200,7 +194,8 @@ class Rpc3Reader : public SignalReader {
         const bool quoted = value.size() >= 2 && value.starts_with('"') && value.ends_with('"');
         return quoted ? value.substr(1, value.size() - 2) : value;
       };
-      head_.channels.push_back({text("DESC"), std::string(without_unit_brackets(text("UNITS")))});
+      head_.channels.push_back(
+          {text("DESC"), std::string(without_unit_brackets(text("UNITS"))), true});
       if (floats_) continue;
       const std::string key = fmt::format("SCALE.CHAN_{}", i);
       const double scale = number(key);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "boxbeam/core/error.hpp"
@@ -36,7 +38,7 @@ std::string names_of(const SignalHead& head) {
 std::variant<double, ChosenSignals::Trouble> factor_of(const SignalChannel& channel,
                                                        const WantedSignal& wanted) {
   using Trouble = ChosenSignals::Trouble;
-  if (!wanted.dimension) return 1.0;
+  if (!wanted.dimension) return wanted.scale.value_or(1.0);
   const auto unit = parse_file_unit(channel.unit);
   const auto* quantity = std::get_if<ParsedQuantity>(&unit);
   if (quantity == nullptr && wanted.scale) return *wanted.scale;
@@ -168,7 +170,7 @@ SignalTable read_signal_file(const SignalSource& source, const std::vector<Wante
   for (const std::size_t column : opened.chosen.columns) {
     table.names.push_back(head.channels[column].name);
     table.units.push_back(head.channels[column].unit);
-    table.columns.emplace_back(head.single_precision);
+    table.columns.emplace_back(head.channels[column].single_precision);
     // The head's count has been compared with the size of the file.
     if (head.rows) table.columns.back().reserve(static_cast<std::size_t>(*head.rows));
   }

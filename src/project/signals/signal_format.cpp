@@ -1,8 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 
-#include "boxbeam/core/error.hpp"
 #include "number_rows.hpp"
 #include "signal_reader.hpp"
 #include "text_lines.hpp"
@@ -50,8 +51,6 @@ std::optional<SignalFormat> format_by_lines(const FileBytes& bytes, const std::s
   constexpr int most_lines = 200;
   TextLines lines(std::make_unique<FileBytes>(bytes.path()));
   bool after_names = false;
-  int rows = 0;
-  std::vector<std::size_t> widths;
   while (lines.number() < most_lines && lines.next()) {
     const std::string_view line = trimmed(lines.line());
     if (line.starts_with("#Exudyn")) return SignalFormat::exudyn;
@@ -64,13 +63,12 @@ std::optional<SignalFormat> format_by_lines(const FileBytes& bytes, const std::s
     if (line.empty()) continue;
     const std::vector<Field> words = signal_fields(line, ' ');
     // Units of CSV stand in parentheses too, but with something between the columns.
-    if (after_names && words.front().text.starts_with('(') && words.size() > 1 &&
-        line.find_first_of(",;") == std::string_view::npos) {
+    if (extension != ".csv" && after_names && words.front().text.starts_with('(') &&
+        words.size() > 1 && line.find_first_of(",;") == std::string_view::npos) {
       return SignalFormat::openfast_text;
     }
     after_names = words.front().text == "Time" || words.front().text == "TIME";
-    rows += begins_with_number(line) ? 1 : 0;
-    if (rows > 0) break;
+    if (begins_with_number(line)) break;
   }
   return std::nullopt;
 }
@@ -134,9 +132,11 @@ std::string_view name_of(SignalFormat format) {
 
 OpenedSignals open_signals(const SignalSource& source) {
   auto bytes = std::make_unique<FileBytes>(source.path);
-  if (source.time_step && !(*source.time_step > 0.0 && *source.time_step <= 1e9)) {
-    throw InputError("the time step of a file of signals must be above zero",
-                     "write for example \"0.01 s\"");
+  for (const std::optional<double>& given : {source.time_step, source.time_unit}) {
+    if (given && !(*given > 0.0 && *given <= 1e9)) {
+      bytes->fail(fmt::format("a time step or unit of the time of {} s is given", *given),
+                  "it is above zero, for example \"0.01 s\"");
+    }
   }
   switch (format_of(*bytes, source)) {
     case SignalFormat::csv: return open_csv_signals(std::move(bytes), source);

@@ -1,6 +1,7 @@
 #include "boxbeam/project/signal_file.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <numeric>
 
@@ -165,7 +166,7 @@ TEST_CASE("an Exudyn sensor file holds the force of a mass on a spring") {
 }
 
 TEST_CASE("MBDyn's files take their time from the .out file, or a step that is given") {
-  const auto scaled = [](std::vector<std::string> names) {
+  const auto scaled = [](const std::vector<std::string>& names) {
     std::vector<WantedSignal> wanted = sample_wanted(names);
     wanted[0].scale = wanted[1].scale = 1e3;  // the samples are in kN
     wanted[2].scale = 1.0;
@@ -175,6 +176,9 @@ TEST_CASE("MBDyn's files take their time from the .out file, or a step that is g
   check_sample(read_signal_file({sample("mbdyn.jnt")}, joints), 0.0, 1e-14);
   check_sample(read_signal_file({sample("mbdyn.jnt"), {}, 0.01}, joints), 0.0, 1e-14);
   CHECK(list_signals({sample("mbdyn.jnt")}).channels.back().name == "3.c16");
+  const test::TemporaryFolder alone;
+  const std::string joints_alone = alone.write("a.jnt", test::read_file(sample("mbdyn.jnt")));
+  CHECK(list_signals({joints_alone}).channels.size() == 12 + 15);  // without a time
 
   const SignalTable beam =
       read_signal_file({sample("mbdyn.act")}, {{"7.I.Fx", wanted::force, 1e3},
@@ -304,6 +308,34 @@ TEST_CASE("a head of the SAE gives the time step, or says that the first column 
   const test::TemporaryFolder folder;
   const std::string path = folder.write("a.csv", "load [kN]\n1\n2\n");
   CHECK(read_signal_file({path, {}, 0.25}).time[1] == 0.25);
+}
+
+TEST_CASE("a column called T is a torsional moment, however small its name") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", "N [kN],T [kN m]\n1,2\n3,4\n");
+  CHECK(list_signals({path, {}, 0.1}).channels.size() == 2);
+  CHECK(read_text("T [kN m],t [s]\n1,2\n3,4\n").time[1] == 4.0);
+}
+
+TEST_CASE("a table keeps the steps of integers that are far from zero") {
+  // The first channel at 1000 km, of steps of 1 mm: value = (integer - offset)/scale [m], scale
+  // 1000 and offset -1e9, both floats. Single precision at 1e6 m has steps of 62.5 mm.
+  std::string bytes = test::read_file(sample("openfast-id2.outb"));
+  const auto put = [&](std::size_t at, float number) {
+    std::memcpy(bytes.data() + at, &number, sizeof number);
+  };
+  put(26, 1000.0F);
+  put(38, -1e9F);
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("a.outb", bytes);
+  const SignalTable far = read_signal_file({path});
+  CHECK_FALSE(far.columns[0].is_single());
+  CHECK(far.columns[1].is_single());
+  const std::size_t rows_at = bytes.size() - std::size_t{100} * 3 * 2;
+  std::int16_t first = 0, second = 0;
+  std::memcpy(&first, bytes.data() + rows_at, 2);
+  std::memcpy(&second, bytes.data() + rows_at + 6, 2);
+  CHECK(far.columns[0][1] - far.columns[0][0] == Approx(1e-3 * (second - first)).epsilon(1e-6));
 }
 
 TEST_CASE("units are those of the field, in the ways in which programs write them") {
