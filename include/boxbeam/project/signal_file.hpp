@@ -49,8 +49,9 @@ enum class SignalFormat {
   /// of six values for each of them. Channels are "4711.FX" (type 4, forces); no units.
   request_steps,
   /// RPC III (.rpc, .rsp, .tim): 16-bit integers or single precision. An integer is
-  /// SCALE INT_FULL_SCALE/32768 units. What fills the last frame up is read as if it were measured,
-  /// unless the head gives SAMPLES.
+  /// SCALE INT_FULL_SCALE/32768 units, as rpc_reader has it; rpc3-file writes and reads it as SCALE
+  /// units, which with its full scale of 32752 is 0.05 % more. What fills the last frame up is read
+  /// as if it were measured, unless the head gives SAMPLES.
   rpc3,
 };
 

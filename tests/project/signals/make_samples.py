@@ -89,6 +89,16 @@ def write_openfast_by_hand(folder):
             data += struct.pack("<h", max(-32768, min(32767, raw)))
     (folder / "openfast-id1.outb").write_bytes(head + data)
 
+    # What is written by hand is read by weio as well.
+    import numpy
+    from weio.fast_output_file import load_binary_output
+
+    for file_id, steps in ((1, 1.0), (3, 0.0)):
+        # Without its buffer, weio 2.0.0 does not read id 3.
+        read, _ = load_binary_output(str(folder / f"openfast-id{file_id}.outb"), use_buffer=True)
+        allowed = steps / 65535.0 * numpy.ptp(numpy.array(rows), axis=0) + 1e-9
+        assert (abs(read - numpy.array(rows)) <= allowed).all(), file_id
+
 
 def write_rpc(folder):
     import numpy
