@@ -2,8 +2,8 @@
 # Runs the fuzzers for a time and says executions, coverage and findings; ends with 1 where
 # something was found.
 #
-#   scripts/fuzz.sh [SECONDS] [case|case-reader|history|comparison]...     default: 60, all
-#   scripts/fuzz.sh --executions N [case|case-reader|history|comparison]...
+#   scripts/fuzz.sh [SECONDS] [case|case-reader|history|comparison|signal]...     default: 60, all
+#   scripts/fuzz.sh --executions N [case|case-reader|history|comparison|signal]...
 #
 # The time is shared: half of it goes to whole cases that are verified, the rest to the readers under
 # libFuzzer with the address sanitizer. With --executions each of them runs N times, however long
@@ -24,7 +24,7 @@ elif [ $# -gt 0 ] && [[ $1 =~ ^[0-9]+$ ]]; then
   shift
 fi
 wanted=("$@")
-[ ${#wanted[@]} -gt 0 ] || wanted=(case case-reader history comparison)
+[ ${#wanted[@]} -gt 0 ] || wanted=(case case-reader history comparison signal)
 jobs=$(nproc)
 folder=build-fuzz
 findings=$folder/findings

@@ -58,7 +58,12 @@ std::vector<Field> fields_of(std::string_view line, char separator) {
 }
 
 std::string_view TableForm::separators() const {
-  return separator == ';' ? "semicolons" : separator == '\t' ? "tabs" : "commas";
+  switch (separator) {
+    case ';': return "semicolons";
+    case '\t': return "tabs";
+    case ' ': return "blanks";
+    default: return "commas";
+  }
 }
 
 TableForm form_of(std::string_view first_line) {

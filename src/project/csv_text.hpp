@@ -40,7 +40,7 @@ struct TableForm {
   char separator = ',';     ///< the first of ; tab , that its first line has outside quotes
   char decimal_sign = '.';  ///< between commas a point, else that of the first number with one
 
-  /// "semicolons", "tabs", "commas".
+  /// "semicolons", "tabs", "commas", "blanks".
   std::string_view separators() const;
 };
 

@@ -207,7 +207,7 @@ std::string name_of(const DimensionExponents& exponents) {
                                               wanted::temperature,
                                               wanted::temperature_gradient,
                                               wanted::expansion,
-                                              {{0, 0, 0, 0}, "a number without unit", ""},
+                                              wanted::pure_number,
                                               {{3, 0, 0, 0}, "a volume", ""}};
   for (const WantedDimension& known : named) {
     if (known.exponents == exponents) return known.name;

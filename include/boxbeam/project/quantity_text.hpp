@@ -33,6 +33,7 @@ constexpr bool is_of(const DimensionExponents& exponents, const WantedDimension&
 }
 
 namespace wanted {
+inline constexpr WantedDimension pure_number{{0, 0, 0, 0}, "a number without unit", "\"2.0\""};
 inline constexpr WantedDimension length{{1, 0, 0, 0}, "a length", "\"0.25 m\" or \"250 mm\""};
 inline constexpr WantedDimension area{{2, 0, 0, 0}, "an area", "\"1200 mm^2\""};
 inline constexpr WantedDimension mass{{0, 1, 0, 0}, "a mass", "\"119 kg\" or \"20 t\""};
