@@ -46,9 +46,10 @@ FlexibilityProfile::FlexibilityProfile(const TaperedBeam& beam, double youngs_mo
 void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, double from, double to,
                              int halvings, double E, double G) {
   const Segment& of = beam.segments[segment];
+  const double half_way = (of.start + 0.5 * of.length).value();
   const auto exact = [&](double s) {
-    const double fraction = (s - of.start.value()) / of.length.value();
-    return flexibility_of(interpolate(of.from, of.to, fraction), E, G);
+    const Side inside = s < half_way ? Side::behind : Side::before;
+    return flexibility_of(section_at(beam, {si<Length>(s), inside}), E, G);
   };
   std::array<Flexibility, nodes> values;
   const bool prismatic = of.from == of.to;
@@ -58,7 +59,7 @@ void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, doubl
   borders_.push_back(to);
   pieces_.push_back(values);
   constexpr double within = 1e-12;
-  constexpr int most_halvings = 6;
+  constexpr int most_halvings = 16;
   if (prismatic || halvings == most_halvings) return;
   Flexibility largest = Flexibility::Zero();
   for (const Flexibility& value : values) largest = largest.cwiseMax(value.cwiseAbs());

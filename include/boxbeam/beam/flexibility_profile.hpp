@@ -30,7 +30,8 @@ bool twists(const Section& section);
 
 /// The flexibility along a beam: between neighbouring borders, where nothing jumps, the polynomial
 /// through its values at Chebyshev points. A piece is halved until that polynomial is within 1e-12
-/// of the largest flexibility of its kind between the points, at most 2^6 pieces to a segment.
+/// of the largest flexibility of its kind between the points, down to 2^-16 of a segment: sizes may
+/// shrink to 1e-4 of themselves.
 class FlexibilityProfile {
  public:
   FlexibilityProfile(const TaperedBeam& beam, double youngs_modulus, double shear_modulus);

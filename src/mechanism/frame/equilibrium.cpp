@@ -55,18 +55,21 @@ std::vector<LineLoad> Statics::lines_on(int member, const ActingLoads& loads) co
   const Vector3d gravity = loads.weight * (of.axes.transpose() * structure_->gravity);
   const std::vector<LineLoad> weight =
       weight_and_inertia(of.beam, masses_[static_cast<std::size_t>(member)], gravity, {});
+  const double whole = of.beam.length().value();
   std::vector<double> ends;
   for (const LineAction& line : loads.lines) {
-    if (line.member == member) ends.insert(ends.end(), {line.from, line.to});
+    if (line.member != member) continue;
+    ends.insert(ends.end(), {std::clamp(line.from, 0.0, whole), std::clamp(line.to, 0.0, whole)});
   }
   if (ends.empty()) return weight;
   for (const LineLoad& line : weight) ends.push_back(line.start.value());
-  ends.push_back(of.beam.length().value());
+  ends.push_back(whole);
   std::sort(ends.begin(), ends.end());
-  const double close = 1e-9 * ends.back();
+  const double close = 1e-9 * whole;
   ends.erase(
       std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a < close; }),
       ends.end());
+  ends.back() = whole;  // also where a load ends just before
   std::vector<LineLoad> lines;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from, middle = from + 0.5 * length;
@@ -226,6 +229,8 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
 
 Vector6 Statics::motion_at(int member, double s, const Equilibrium& of) const {
   const std::span<const Index> world = world_components(*structure_);
+  // What is computed may miss the ends by round-off.
+  s = std::clamp(s, 0.0, member_of(*structure_, member).beam.length().value());
   const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& candidate) {
     return candidate.member == member && s <= nodes_[candidate.to].s;
   });

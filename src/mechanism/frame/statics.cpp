@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,12 @@ namespace boxbeam::frame {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+}  // namespace
 
 Statics::Statics(const Structure& structure) : structure_(&structure) {
   for (const Member& member : structure.members) {
@@ -47,6 +54,7 @@ Statics::Statics(const Structure& structure) : structure_(&structure) {
     std::sort(stations.begin(), stations.end());
     const auto same = [&](double a, double b) { return b - a < 1e-9 * length; };
     stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
+    stations.front() = 0.0;
     stations.back() = length;
     for (std::size_t k = 0; k < stations.size(); ++k) {
       if (k > 0) pieces_.push_back({static_cast<int>(m), nodes_.size() - 1, nodes_.size()});
@@ -151,8 +159,52 @@ void Statics::assemble() {
   }
   matrix_.resize(rows, rows);
   matrix_.setFromTriplets(entries.begin(), entries.end());
+  refuse_held_twice();
   solver_.compute(matrix_);
   refuse_mechanisms(matrix_);
+}
+
+void Statics::refuse_held_twice() const {
+  // Between nodes everything yields, so that only rigid joints of the same nodes can hold the same:
+  // their rows G are then dependent, and a pivot of G G^T vanishes.
+  const std::span<const Index> world = world_components(*structure_);
+  const Index moving = row_of_node(nodes_.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<std::size_t> held;  // places in joint_rows_
+  for (std::size_t k = 0; k < joint_rows_.size(); ++k) {
+    const Joint& joint = structure_->joints[k / world.size()];
+    if (!std::isinf(joint.stiffness[static_cast<std::size_t>(world[k % world.size()])])) continue;
+    for (Eigen::SparseMatrix<double>::InnerIterator at(matrix_, joint_rows_[k]); at; ++at) {
+      if (at.row() < moving)
+        entries.emplace_back(at.row(), static_cast<Index>(held.size()), at.value());
+    }
+    held.push_back(k);
+  }
+  if (held.empty()) return;
+  Eigen::SparseMatrix<double> G(moving, static_cast<Index>(held.size()));
+  G.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> gram = G.transpose() * G;
+  const Eigen::VectorXd sizes = gram.diagonal();
+  // In the order of the joints, so that the first that is one too many is named.
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
+                              Eigen::NaturalOrdering<int>>
+      pivots(gram);
+  constexpr double vanishes = 1e-12;  // axes within 1e-6 rad of each other
+  for (Index k = 0; k < sizes.size(); ++k) {
+    if (pivots.vectorD()[k] > vanishes * sizes[k]) continue;
+    const std::size_t row = held[static_cast<std::size_t>(k)];
+    const Joint& joint = structure_->joints[row / world.size()];
+    const Index component = world[row % world.size()];
+    throw AnalysisError(
+        {fmt::format("joint \"{}\" holds rigidly {} its {} axis what rigid joints at "
+                     "the same place hold already: how they share the load is not "
+                     "determined; free it of one, or give it a stiffness",
+                     joint.name, component < 3 ? "along" : "about", axis_names[component % 3]),
+         joint.name,
+         {},
+         {},
+         {}});
+  }
 }
 
 void Statics::refuse_mechanisms(const Eigen::SparseMatrix<double>& matrix) const {
@@ -170,7 +222,7 @@ void Statics::refuse_mechanisms(const Eigen::SparseMatrix<double>& matrix) const
   if (!moves()) return;
   // On springs too soft to carry anything it moves as it is free to.
   Eigen::SparseMatrix<double> held = matrix;
-  for (Index k = 0; k < moving; ++k) held.coeffRef(k, k) -= 1e-13;
+  for (Index k = 0; k < moving; ++k) held.coeffRef(k, k) += 1e-13;
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> softly(held);
   if (softly.info() == Eigen::Success) motion = softly.solve(probe);
   AnalysisFailure failure{"the frame is free to move", "", {}, {}, {}};
@@ -181,13 +233,13 @@ void Statics::refuse_mechanisms(const Eigen::SparseMatrix<double>& matrix) const
     const std::size_t count = world.size();
     const Node& node = nodes_[static_cast<std::size_t>(most) / count];
     const Index component = world[static_cast<std::size_t>(most) % count];
-    constexpr const char* axes[] = {"x", "y", "z"};
     const Member& member = structure_->members[static_cast<std::size_t>(node.member)];
     failure.what = fmt::format(
         "the frame is free to move: member \"{}\" can {} {} at s = {:.6g} m, and nothing resists; "
         "add "
         "a support or a joint that holds it",
-        member.name, component < 3 ? "shift along" : "turn about", axes[component % 3], node.s);
+        member.name, component < 3 ? "shift along" : "turn about", axis_names[component % 3],
+        node.s);
     failure.where = member.name;
   }
   throw AnalysisError(std::move(failure));

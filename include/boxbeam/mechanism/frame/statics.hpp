@@ -60,14 +60,15 @@ struct Equilibrium {
 /// of virtual forces; Argyris, Kelsey, Energy Theorems and Structural Analysis (1960).
 class Statics {
  public:
-  /// `structure` stays. Throws AnalysisError where something is free to move (says what), or where
-  /// the torsion constant of a member in space is not known.
+  /// `structure` stays. Throws AnalysisError where something is free to move (says what), where
+  /// rigid joints hold the same twice, so that their forces are not determined, or where the
+  /// torsion constant of a member in space is not known.
   explicit Statics(const Structure& structure);
 
   /// Throws AnalysisError where the loads are not finite.
   Equilibrium solve(const ActingLoads& loads) const;
 
-  /// Shift and turn of a member's section at a station, world axes.
+  /// Shift and turn of a member's section at a station, at an end of it beyond; world axes.
   Vector6 motion_at(int member, double s, const Equilibrium& of) const;
 
   const Structure& structure() const { return *structure_; }
@@ -84,6 +85,7 @@ class Statics {
   Eigen::Index row_of_node(std::size_t node) const;
   Eigen::Index row_of_piece(std::size_t piece) const;
   void assemble();
+  void refuse_held_twice() const;
   void refuse_mechanisms(const Eigen::SparseMatrix<double>& matrix) const;
   std::size_t node_of(const Place& at) const;
   std::vector<MemberLoads> member_loads_of(const ActingLoads& loads) const;
