@@ -1,5 +1,7 @@
 #include "boxbeam/beam/flexibility_profile.hpp"
 
+#include <algorithm>
+
 #include "boxbeam/section/cut_forces.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/shear_area.hpp"
@@ -46,10 +48,13 @@ FlexibilityProfile::FlexibilityProfile(const TaperedBeam& beam, double youngs_mo
 void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, double from, double to,
                              int halvings, double E, double G) {
   const Segment& of = beam.segments[segment];
-  const double half_way = (of.start + 0.5 * of.length).value();
+  // From the nearer end, so that near a thin one no digits are lost.
   const auto exact = [&](double s) {
-    const Side inside = s < half_way ? Side::behind : Side::before;
-    return flexibility_of(section_at(beam, {si<Length>(s), inside}), E, G);
+    const double before = std::max(0.0, (s - of.start.value()) / of.length.value());
+    const double behind = std::max(0.0, (of.end().value() - s) / of.length.value());
+    return flexibility_of(before <= behind ? interpolate(of.from, of.to, before)
+                                           : interpolate(of.to, of.from, behind),
+                          E, G);
   };
   std::array<Flexibility, nodes> values;
   const bool prismatic = of.from == of.to;

@@ -88,7 +88,7 @@ TEST_CASE("a prop that is a spring: (3 q L/8)/(1 + 3 E I/(k L^3))", "[frame]") {
 TEST_CASE("a prop that sinks: 3 E I d/L^3", "[frame]") {
   constexpr double sinks = 0.004;
   Structure of = propped();
-  test::act(of, Settlement{1, {0.0, -sinks, 0.0}, {}});
+  test::act(of, Settlement{1, {0.0, -sinks, 0.0}, Eigen::Vector3d::Zero()});
   const AtRest at(of);
   CHECK(-at.reaction(1) == exactly(3.0 * EI * sinks / (L * L * L)));
   CHECK(at.moment(0.0) == exactly(3.0 * EI * sinks / (L * L)));
@@ -142,7 +142,7 @@ TEST_CASE("two spans under a uniform load: 3, 10, 3 q L/8 and q L^2/8", "[frame]
     CHECK(at.moment(L) == exactly(q * L * L / 8.0));
   }
   SECTION("the middle sinks: M = 3 E I d/L^2, R = 6 E I d/L^3") {
-    test::act(of, Settlement{1, {0.0, -0.003, 0.0}, {}});
+    test::act(of, Settlement{1, {0.0, -0.003, 0.0}, Eigen::Vector3d::Zero()});
     const AtRest at(of);
     CHECK(-at.moment(L) == exactly(3.0 * EI * 0.003 / (L * L)));
     CHECK(-at.reaction(1) == exactly(6.0 * EI * 0.003 / (L * L * L)));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -143,7 +144,8 @@ class RandomFrame {
     }
     member.axes = axes();
     if (of.plane)
-      member.axes = member.axes * Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitX());
+      member.axes =
+          member.axes * Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX());
     if (of.plane) clean(member.axes);
     used_.emplace_back();
     if (m == 0) {

@@ -4,6 +4,7 @@
 #include "support/random_frame.hpp"
 #include "catch.hpp"
 #include "support/frame_by_stiffness.hpp"
+#include "support/frame_differences.hpp"
 #include "support/property.hpp"
 
 namespace random_frame_test {
@@ -13,37 +14,6 @@ using namespace boxbeam::frame;
 
 namespace {
 
-/// Largest difference of two quantities of six numbers, by the largest of forces (shifts) and of
-/// couples (turns).
-class Differences {
- public:
-  void add(const Vector6& a, const Vector6& b) {
-    for (int k = 0; k < 2; ++k) {
-      const auto half = [k](const Vector6& of) { return of.segment<3>(3 * k); };
-      size_[k] = std::max(size_[k], half(b).norm());
-      missed_[k] = std::max(missed_[k], (half(a) - half(b)).norm());
-    }
-  }
-  double largest() const {
-    double worst = 0.0;
-    for (int k = 0; k < 2; ++k) {
-      if (missed_[k] > 0.0) worst = std::max(worst, missed_[k] / std::max(size_[k], least_));
-    }
-    return worst;
-  }
-  explicit Differences(double least) : least_(least) {}
-
- private:
-  double least_;  ///< what is smaller is nothing
-  double size_[2] = {0.0, 0.0}, missed_[2] = {0.0, 0.0};
-};
-
-Vector6 vector_of(const CutForces& of) {
-  Vector6 cut;
-  cut << of.N.value(), of.V_y.value(), of.V_z.value(), of.T.value(), of.M_y.value(), of.M_z.value();
-  return cut;
-}
-
 void agree(bool plane) {
   const test::RandomFrame random(plane, false);
   const ActingLoads loads = random.loads();
@@ -52,14 +22,12 @@ void agree(bool plane) {
   const test::FrameByStiffness expected(random.of, loads);
   RC_ASSERT(expected.solution().balance < 1e-17);
 
-  Differences joints(1.0), cuts(1.0), motions(1e-9);
+  test::Differences joints(1.0), cuts(1.0), motions(1e-9);
   for (std::size_t j = 0; j < at.joints.size(); ++j)
     joints.add(at.joints[j], expected.solution().joints[j]);
   for (const auto& station : expected.stations()) {
-    const CutForceDiagram& cut = at.members[static_cast<std::size_t>(station.member)].cut;
-    const Length s = si<Length>(station.s);
-    cuts.add(vector_of(cut.at({s, Side::before})), station.before);
-    cuts.add(vector_of(cut.at({s, Side::behind})), station.behind);
+    cuts.add(test::cut_at(at, station.member, station.s, Side::before), station.before);
+    cuts.add(test::cut_at(at, station.member, station.s, Side::behind), station.behind);
     motions.add(statics.motion_at(station.member, station.s, at), station.motion);
   }
   RC_ASSERT(joints.largest() < 1e-9);
