@@ -9,7 +9,8 @@
 
 namespace boxbeam {
 
-Flexibility flexibility_of(const Section& section, double youngs_modulus, double shear_modulus) {
+Flexibility flexibility_of(const Section& section, double youngs_modulus, double shear_modulus,
+                           bool twisted) {
   using namespace cut_force;
   Flexibility of = Flexibility::Zero();
   // The plane a + b y + c z of stress: extension a, turn about y c, about z -b.
@@ -24,6 +25,7 @@ Flexibility flexibility_of(const Section& section, double youngs_modulus, double
   const ShearAreas areas = shear_areas_of(section);
   of(V_y, V_y) = 1.0 / (shear_modulus * areas.y.value());
   of(V_z, V_z) = 1.0 / (shear_modulus * areas.z.value());
+  if (!twisted) return of;
   const TorsionProperties torsion = torsion_properties_of(section);
   if (!torsion.I_T) return of;
   Eigen::Matrix<double, 6, 1> torque = Eigen::Matrix<double, 6, 1>::Unit(T);
@@ -38,23 +40,20 @@ Flexibility flexibility_of(const Section& section, double youngs_modulus, double
 bool twists(const Section& section) { return torsion_properties_of(section).I_T.has_value(); }
 
 FlexibilityProfile::FlexibilityProfile(const TaperedBeam& beam, double youngs_modulus,
-                                       double shear_modulus) {
-  for (std::size_t k = 0; k < beam.segments.size(); ++k) {
-    const Segment& segment = beam.segments[k];
-    add(beam, k, segment.start.value(), segment.end().value(), 0, youngs_modulus, shear_modulus);
-  }
+                                       double shear_modulus, bool twisted)
+    : youngs_modulus_(youngs_modulus), shear_modulus_(shear_modulus), twisted_(twisted) {
+  for (const Segment& segment : beam.segments)
+    add(segment, segment.start.value(), segment.end().value(), 0);
 }
 
-void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, double from, double to,
-                             int halvings, double E, double G) {
-  const Segment& of = beam.segments[segment];
+void FlexibilityProfile::add(const Segment& of, double from, double to, int halvings) {
   // From the nearer end, so that near a thin one no digits are lost.
   const auto exact = [&](double s) {
     const double before = std::max(0.0, (s - of.start.value()) / of.length.value());
     const double behind = std::max(0.0, (of.end().value() - s) / of.length.value());
     return flexibility_of(before <= behind ? interpolate(of.from, of.to, before)
                                            : interpolate(of.to, of.from, behind),
-                          E, G);
+                          youngs_modulus_, shear_modulus_, twisted_);
   };
   std::array<Flexibility, nodes> values;
   const bool prismatic = of.from == of.to;
@@ -63,7 +62,10 @@ void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, doubl
   }
   borders_.push_back(to);
   pieces_.push_back(values);
-  constexpr double within = 1e-12;
+  // The torsion constant of a box bends where the table of its corners has an entry.
+  Flexibility within = Flexibility::Constant(1e-12);
+  within.row(cut_force::T).setConstant(1e-10);
+  within.col(cut_force::T).setConstant(1e-10);
   constexpr int most_halvings = 16;
   if (prismatic || halvings == most_halvings) return;
   Flexibility largest = Flexibility::Zero();
@@ -74,13 +76,14 @@ void FlexibilityProfile::add(const TaperedBeam& beam, std::size_t segment, doubl
     // What couples two cut forces by round-off is measured by what each does alone.
     const Eigen::Array<double, 6, 1> size = largest.diagonal().array().sqrt();
     const bool close =
-        (missed.array() <= within * (size.matrix() * size.matrix().transpose()).array()).all();
+        (missed.array() <= within.array() * (size.matrix() * size.matrix().transpose()).array())
+            .all();
     if (close) continue;
     borders_.pop_back();
     pieces_.pop_back();
     const double middle = 0.5 * (from + to);
-    add(beam, segment, from, middle, halvings + 1, E, G);
-    add(beam, segment, middle, to, halvings + 1, E, G);
+    add(of, from, middle, halvings + 1);
+    add(of, middle, to, halvings + 1);
     return;
   }
 }

@@ -80,8 +80,8 @@ class FrameReader : public FrontEndReader {
 
   void read_neighbours(TableReader& root) override {
     if (!root.has("deflection")) return;
-    project_->deflection = read_deflection(
-        root.table({"deflection", "how far the beam may bend"}), *project_);
+    project_->deflection =
+        read_deflection(root.table({"deflection", "how far the beam may bend"}), *project_);
   }
 
   std::vector<Situation> read_combinations(TableReader& root) const override {

@@ -30,7 +30,8 @@ std::string name_of(const std::string& rule, const std::vector<double>& factors,
   std::string text;
   for (std::size_t k = 0; k < factors.size(); ++k) {
     if (factors[k] == 0.0) continue;
-    text += fmt::format("{}{:.4g} {}", text.empty() ? "" : " + ", factors[k], structure.cases[k].name);
+    text +=
+        fmt::format("{}{:.4g} {}", text.empty() ? "" : " + ", factors[k], structure.cases[k].name);
   }
   return fmt::format("{}: {}", rule, text.empty() ? "nothing" : text);
 }
@@ -58,7 +59,8 @@ class Combinations {
 
   std::vector<Situation> take() {
     if (found_.size() > most_combinations) {
-      table_->problem("rule", fmt::format("that makes more than {} combinations", most_combinations),
+      table_->problem("rule",
+                      fmt::format("that makes more than {} combinations", most_combinations),
                       "put loads that come together into one load case, or write the "
                       "combinations that matter as [[combinations.sets]]");
       return {};
@@ -153,9 +155,12 @@ void add_with_leaders(Combinations& combinations, const std::string& rule,
     any = true;
     Choices choices;
     for (std::size_t k = 0; k < rules.size(); ++k) {
-      if (rules[k].permanent) choices.push_back(permanent);
-      else if (k == leader) choices.push_back({leading(rules[k])});
-      else choices.push_back({beside(rules[k]), 0.0});
+      if (rules[k].permanent)
+        choices.push_back(permanent);
+      else if (k == leader)
+        choices.push_back({leading(rules[k])});
+      else
+        choices.push_back({beside(rules[k]), 0.0});
     }
     combinations.add(rule, choices, strength, !strength);
   }
@@ -165,11 +170,13 @@ void add_with_leaders(Combinations& combinations, const std::string& rule,
   if (!any || strength) combinations.add(rule, alone, strength, !strength);
 }
 
-void add_strength(TableReader& table, const std::vector<CaseRule>& rules, Combinations& combinations) {
-  const std::size_t rule = table.choice(
-      {"rule", "of EN 1990, 6.4.3.2, for strength"}, {"6.10", "6.10a/b", "none"}, 0);
+void add_strength(TableReader& table, const std::vector<CaseRule>& rules,
+                  Combinations& combinations) {
+  const std::size_t rule =
+      table.choice({"rule", "of EN 1990, 6.4.3.2, for strength"}, {"6.10", "6.10a/b", "none"}, 0);
   PartialFactors of;
-  of.gamma_G_sup = table.number({"gamma_G", "on permanent actions that are unfavourable"}, of.gamma_G_sup);
+  of.gamma_G_sup =
+      table.number({"gamma_G", "on permanent actions that are unfavourable"}, of.gamma_G_sup);
   of.gamma_G_inf = table.number({"gamma_G_inf", "on those that are favourable"}, of.gamma_G_inf);
   of.gamma_Q = table.number({"gamma_Q", "on variable actions"}, of.gamma_Q);
   if (rule == 1) of.xi = table.number({"xi", "on gamma_G in 6.10b"}, of.xi);
@@ -177,7 +184,8 @@ void add_strength(TableReader& table, const std::vector<CaseRule>& rules, Combin
   const Factor full = [&](const CaseRule&) { return of.gamma_Q; };
   const Factor combined = [&](const CaseRule& with) { return of.gamma_Q * with.psi_0; };
   if (rule == 0) {
-    add_with_leaders(combinations, "6.10", rules, {of.gamma_G_sup, of.gamma_G_inf}, full, combined, true);
+    add_with_leaders(combinations, "6.10", rules, {of.gamma_G_sup, of.gamma_G_inf}, full, combined,
+                     true);
   } else if (rule == 1) {
     Choices choices;
     for (const CaseRule& with : rules) {
@@ -185,8 +193,8 @@ void add_strength(TableReader& table, const std::vector<CaseRule>& rules, Combin
                                        : std::vector{combined(with), 0.0});
     }
     combinations.add("6.10a", choices, true, false);
-    add_with_leaders(combinations, "6.10b", rules, {of.xi * of.gamma_G_sup, of.gamma_G_inf}, full, combined,
-                     true);
+    add_with_leaders(combinations, "6.10b", rules, {of.xi * of.gamma_G_sup, of.gamma_G_inf}, full,
+                     combined, true);
   }
 }
 
@@ -258,8 +266,10 @@ std::vector<Situation> read_combinations(TableReader& root, const frame::Structu
   TableReader table = root.table({"combinations", "of the load cases, by EN 1990"});
   Combinations combinations(table, structure);
   add_strength(table, rules, combinations);
-  if (root.is_there("deflection")) add_serviceability(table, rules, combinations);
-  else static_cast<void>(table.has("deflection"));
+  if (root.is_there("deflection"))
+    add_serviceability(table, rules, combinations);
+  else
+    static_cast<void>(table.has("deflection"));
   add_sets(table, structure, combinations);
   table.finish();
   if (root.problems().size() != before) return {};

@@ -23,11 +23,13 @@ Vector3d vector_of(TableReader& table, const Key& key, const WantedDimension& wa
 
 void read_frame(TableReader& root, frame::Structure& structure) {
   TableReader table = root.table({"frame", "what all members have in common"}, false);
-  structure.plane = !table.boolean({"space", "whether it is looked at in space, z upwards, or in "
-                                             "the plane of x and y, y upwards"},
+  structure.plane = !table.boolean({"space",
+                                    "whether it is looked at in space, z upwards, or in "
+                                    "the plane of x and y, y upwards"},
                                    false);
   constexpr double standard = 9.81;
-  const Vector3d down = structure.plane ? Vector3d(0.0, -standard, 0.0) : Vector3d(0.0, 0.0, -standard);
+  const Vector3d down =
+      structure.plane ? Vector3d(0.0, -standard, 0.0) : Vector3d(0.0, 0.0, -standard);
   structure.gravity = vector_of(table, {"gravity", "acceleration of free fall"},
                                 wanted::acceleration, structure.plane, down);
   table.finish();
@@ -59,8 +61,10 @@ void read_axes(TableReader& table, const frame::Structure& structure, frame::Mem
   const bool to_its_end = length == 0.0 && !member.beam.segments.empty();
   Vector3d along = Vector3d::UnitX();
   if (to_its_end || table.has("to")) {
-    along = written_place(table, {"to", "where its end lies; only its direction counts where the "
-                                        "segments say the length"},
+    along = written_place(table,
+                          {"to",
+                           "where its end lies; only its direction counts where the "
+                           "segments say the length"},
                           structure, {}) -
             member.start;
     if (table.problems().empty() && !(along.norm() > 1e-9)) {
@@ -76,7 +80,8 @@ void read_axes(TableReader& table, const frame::Structure& structure, frame::Mem
                     "leave out \"to\" and write \"angle\" or \"axis\", or mend the lengths");
     }
   } else if (structure.plane) {
-    const double angle = table.quantity({"angle", "of its axis, from the world's x"}, wanted::angle, 0.0);
+    const double angle =
+        table.quantity({"angle", "of its axis, from the world's x"}, wanted::angle, 0.0);
     along = Vector3d(std::cos(angle), std::sin(angle), 0.0);
   } else {
     along = table.direction({"axis", "of the member, world axes"}, Vector3d::UnitX());
@@ -115,7 +120,8 @@ void read_points(TableReader& table, bool plane, frame::Member& member) {
       p = points.triple_in(point.value, what, wanted::length);
     }
     if (length > 0.0 && (p.x() < -1e-9 * length || p.x() > length * (1.0 + 1e-9))) {
-      points.problem(point.key, fmt::format("the point is beyond the member, at s = {:.6g} m", p.x()),
+      points.problem(point.key,
+                     fmt::format("the point is beyond the member, at s = {:.6g} m", p.x()),
                      fmt::format("s goes from 0 to {:.6g} m", length));
     }
     member.points.push_back({point.key, p});
@@ -126,9 +132,9 @@ void read_points(TableReader& table, bool plane, frame::Member& member) {
 
 void read_member_place(TableReader& table, const frame::Structure& structure,
                        frame::Member& member) {
-  member.start = written_place(
-      table, {"from", "where its start lies: a place, or a point \"member.point\""}, structure,
-      Vector3d(Vector3d::Zero()));
+  member.start =
+      written_place(table, {"from", "where its start lies: a place, or a point \"member.point\""},
+                    structure, Vector3d(Vector3d::Zero()));
   read_axes(table, structure, member);
   read_points(table, structure.plane, member);
   member.expansion = table.positive({"expansion", "of its material when it gets warm"},
@@ -145,9 +151,9 @@ void read_members(TableReader& root, const FrameDefaults& defaults, frame::Struc
                                            project.model.youngs_modulus);
     member.shear_modulus = table.positive({"shear_modulus", "of the member"}, wanted::stress,
                                           project.model.shear_modulus);
-    member.beam.density = si<Density>(
-        table.positive({"density", "of its material; that of the beam where not said"},
-                       wanted::density, project.beam.density.value()));
+    member.beam.density =
+        si<Density>(table.positive({"density", "of its material; that of the beam where not said"},
+                                   wanted::density, project.beam.density.value()));
     if (table.has("section")) {
       const Section section = named_section(
           table, {"section", "the same all along, from \"from\" to \"to\""}, *defaults.sections);
@@ -156,8 +162,8 @@ void read_members(TableReader& root, const FrameDefaults& defaults, frame::Struc
       Length start;
       for (TableReader& segment :
            table.tables({"segments", "from its start to its end, constant or tapered"}, true)) {
-        member.beam.segments.push_back(read_segment(segment, member.beam.segments.size() + 1, start,
-                                                    *defaults.sections));
+        member.beam.segments.push_back(
+            read_segment(segment, member.beam.segments.size() + 1, start, *defaults.sections));
         start = member.beam.segments.back().end();
       }
     }
@@ -225,7 +231,8 @@ frame::Place read_frame_place(TableReader& table, const frame::Structure& struct
   if (!table.problems().empty() || member.beam.segments.empty()) return place;
   const double length = member.beam.length().value();
   if (place.p.x() < -1e-9 * length || place.p.x() > length * (1.0 + 1e-9)) {
-    table.problem("at", fmt::format("s = {:.6g} m is beyond member \"{}\"", place.p.x(), member.name),
+    table.problem("at",
+                  fmt::format("s = {:.6g} m is beyond member \"{}\"", place.p.x(), member.name),
                   fmt::format("s goes from 0 to {:.6g} m", length));
   }
   place.p.x() = std::clamp(place.p.x(), 0.0, length);

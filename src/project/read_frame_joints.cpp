@@ -57,9 +57,9 @@ void read_springs(TableReader& table, const frame::Structure& structure, Joint& 
   const std::vector<double> along = table.per_direction(
       {"stiffness", "along its axes, in the plane two; \"rigid\" or 0 N/m for none"}, plane ? 2 : 3,
       wanted::stiffness, rigid_word);
-  const std::vector<double> about = table.per_direction(
-      {"turning_stiffness", "about its axes, in the plane one"}, plane ? 1 : 3,
-      wanted::torsional_stiffness, rigid_word, 0.0);
+  const std::vector<double> about =
+      table.per_direction({"turning_stiffness", "about its axes, in the plane one"}, plane ? 1 : 3,
+                          wanted::torsional_stiffness, rigid_word, 0.0);
   joint.stiffness = {};
   for (std::size_t k = 0; k < along.size(); ++k) joint.stiffness[k] = along[k];
   for (std::size_t k = 0; k < about.size(); ++k) joint.stiffness[plane ? 5 : 3 + k] = about[k];
@@ -83,15 +83,18 @@ void read_support(TableReader& table, const std::string& name, frame::Structure&
     case 1: joint.stiffness = {rigid, rigid, rigid, 0.0, 0.0, 0.0}; break;
     case 2:
       joint.stiffness = {rigid, 0.0, 0.0, 0.0, 0.0, 0.0};
-      joint.axes = joint_axes(
-          direction_of(table, {"direction", "in which a roller holds; upwards where not said; in "
+      joint.axes = joint_axes(direction_of(table,
+                                           {"direction",
+                                            "in which a roller holds; upwards where not said; in "
                                             "the plane an angle"},
-                       structure, up),
-          structure.plane);
+                                           structure, up),
+                              structure.plane);
       break;
     default:
-      joint.axes = joint_axes(direction_of(table, {"direction", "of its first axis; the world's x "
-                                                                "where not said"},
+      joint.axes = joint_axes(direction_of(table,
+                                           {"direction",
+                                            "of its first axis; the world's x "
+                                            "where not said"},
                                            structure, Vector3d::UnitX()),
                               structure.plane);
       read_springs(table, structure, joint);
@@ -138,13 +141,19 @@ void read_joint(TableReader& table, const std::string& name, frame::Structure& s
     return;
   }
   const double apart = (in_world(structure, joint.b) - in_world(structure, joint.a)).norm();
-  const double size = structure.members[static_cast<std::size_t>(joint.a.member)].beam.length().value();
+  const double size =
+      structure.members[static_cast<std::size_t>(joint.a.member)].beam.length().value();
   if (joint.a.member == joint.b.member) {
     table.problem("connect", "a joint connects two different members", "write another point");
   } else if (apart > 1e-6 * size) {
     table.problem("connect", fmt::format("the two points are {:.4g} mm apart", apart * 1e3),
                   "move a member or a point so that they meet; \"from\" and \"to\" take "
                   "\"member.point\", too");
+  }
+  // Where it is within round-off: a joint that acts at two places is in no balance.
+  if (table.problems().size() == before) {
+    const frame::Member& b = structure.members[static_cast<std::size_t>(joint.b.member)];
+    joint.b.p = b.axes.transpose() * (in_world(structure, joint.a) - b.start);
   }
   switch (kind) {
     case 0: joint.stiffness.fill(rigid); break;
@@ -158,8 +167,10 @@ void read_joint(TableReader& table, const std::string& name, frame::Structure& s
       }
       break;
     case 2:
-      joint.axes = joint_axes(direction_of(table, {"direction", "of its first axis; the world's x "
-                                                                "where not said"},
+      joint.axes = joint_axes(direction_of(table,
+                                           {"direction",
+                                            "of its first axis; the world's x "
+                                            "where not said"},
                                            structure, Vector3d::UnitX()),
                               structure.plane);
       read_springs(table, structure, joint);
@@ -175,8 +186,7 @@ void read_joint(TableReader& table, const std::string& name, frame::Structure& s
 void read_frame_joints(TableReader& root, frame::Structure& structure) {
   for (auto& [name, table] : root.table({"supports", "what holds the frame"}).named_tables())
     read_support(table, name, structure);
-  for (auto& [name, table] :
-       root.table({"joints", "between members"}, false).named_tables()) {
+  for (auto& [name, table] : root.table({"joints", "between members"}, false).named_tables()) {
     if (index_of(structure.joints, name) >= 0) {
       table.problem("", fmt::format("\"{}\" is already the name of a support", name),
                     "give the joint another name");

@@ -56,8 +56,8 @@ frame::PointAction read_point_action(TableReader& table, const Structure& struct
   const Vector3d none = Vector3d::Zero();
   action.force = axes.read(table, {"force", "on the member"}, wanted::force, member, none);
   if (structure.plane) {
-    action.moment.z() =
-        table.quantity({"moment", "on the member, counter-clockwise; in space three"}, wanted::moment, 0.0);
+    action.moment.z() = table.quantity(
+        {"moment", "on the member, counter-clockwise; in space three"}, wanted::moment, 0.0);
   } else {
     action.moment = axes.read(table, {"moment", "on the member, counter-clockwise; in space three"},
                               wanted::moment, member, none);
@@ -73,12 +73,15 @@ frame::PointAction read_point_action(TableReader& table, const Structure& struct
 /// Two stations of a member, the first before the second; its ends where not said.
 std::pair<double, double> read_stretch(TableReader& table, const frame::Member& member) {
   const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
-  const double from = table.quantity({"from", "station; the member's start where not said"}, wanted::length, 0.0);
-  const double to = table.quantity({"to", "station; the member's end where not said"}, wanted::length, length);
+  const double from =
+      table.quantity({"from", "station; the member's start where not said"}, wanted::length, 0.0);
+  const double to =
+      table.quantity({"to", "station; the member's end where not said"}, wanted::length, length);
   if (table.problems().empty() &&
       (from < -1e-9 * length || to > length * (1.0 + 1e-9) || !(from < to))) {
-    table.problem("to", fmt::format("from {:.6g} to {:.6g} m is no stretch of member \"{}\"", from,
-                                    to, member.name),
+    table.problem("to",
+                  fmt::format("from {:.6g} to {:.6g} m is no stretch of member \"{}\"", from, to,
+                              member.name),
                   fmt::format("stations go from 0 to {:.6g} m, \"from\" before \"to\"", length));
   }
   return {std::max(0.0, from), std::min(to, length)};
@@ -90,8 +93,9 @@ frame::LineAction read_line_action(TableReader& table, const Structure& structur
   const frame::Member& member = member_at(structure, action.member);
   std::tie(action.from, action.to) = read_stretch(table, member);
   const LoadAxes axes = read_load_axes(table, structure);
-  action.at_from = axes.read(table, {"force_per_length", "per length of the axis; at \"from\" where it varies"},
-                             wanted::stiffness, member);
+  action.at_from =
+      axes.read(table, {"force_per_length", "per length of the axis; at \"from\" where it varies"},
+                wanted::stiffness, member);
   action.at_to = action.at_from;
   if (table.has("to_force_per_length")) {
     action.at_to = axes.read(table, {"to_force_per_length", "at \"to\", linear between them"},
@@ -110,11 +114,13 @@ frame::LineAction read_line_action(TableReader& table, const Structure& structur
 frame::HeatAction read_heat(TableReader& table, const Structure& structure) {
   frame::HeatAction action;
   action.member = read_member(table, structure);
-  action.mean = table.quantity({"temperature", "by which the member's axis is warmer"}, wanted::temperature, 0.0);
-  action.along_z = table.quantity({"gradient", "warmer towards +z"}, wanted::temperature_gradient, 0.0);
+  action.mean = table.quantity({"temperature", "by which the member's axis is warmer"},
+                               wanted::temperature, 0.0);
+  action.along_z =
+      table.quantity({"gradient", "warmer towards +z"}, wanted::temperature_gradient, 0.0);
   if (!structure.plane) {
-    action.along_y =
-        table.quantity({"gradient_y", "warmer towards +y, in space"}, wanted::temperature_gradient, 0.0);
+    action.along_y = table.quantity({"gradient_y", "warmer towards +y, in space"},
+                                    wanted::temperature_gradient, 0.0);
   }
   return action;
 }
@@ -133,7 +139,8 @@ frame::Settlement read_settlement(TableReader& table, const Structure& structure
   action.shift = vector_of(table, {"shift", "of the ground under it, world axes"}, wanted::length,
                            structure.plane, Vector3d(Vector3d::Zero()));
   if (structure.plane) {
-    action.turn.z() = table.quantity({"turn", "of the ground, counter-clockwise; in space three"}, wanted::angle, 0.0);
+    action.turn.z() = table.quantity({"turn", "of the ground, counter-clockwise; in space three"},
+                                     wanted::angle, 0.0);
   } else {
     action.turn = table.triple({"turn", "of the ground, counter-clockwise; in space three"},
                                wanted::angle, Vector3d(Vector3d::Zero()));
@@ -147,7 +154,8 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
   const frame::Member& member = member_at(structure, action.member);
   const LoadAxes axes = read_load_axes(table, structure);
   double last = 0.0;
-  for (TableReader& wheel : table.tables({"wheels", "that run along the member, the first ahead"}, true)) {
+  for (TableReader& wheel :
+       table.tables({"wheels", "that run along the member, the first ahead"}, true)) {
     frame::Wheels::Wheel of;
     of.behind = wheel.not_negative({"behind", "the first wheel"}, wanted::length, 0.0);
     of.force = axes.read(wheel, {"force", "of the wheel"}, wanted::force, member);
@@ -156,22 +164,26 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
     action.wheels.push_back(of);
   }
   if (action.wheels.empty() && table.problems().empty()) {
-    table.problem("", "no wheel runs", "write wheels = [{ force = [..] }, { behind = \"2 m\", force = [..] }]");
+    table.problem("", "no wheel runs",
+                  "write wheels = [{ force = [..] }, { behind = \"2 m\", force = [..] }]");
   }
   const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
-  action.from = table.quantity({"from", "station of the first wheel at the start; where all stand on "
-                                        "the member if not said"},
+  action.from = table.quantity({"from",
+                                "station of the first wheel at the start; where all stand on "
+                                "the member if not said"},
                                wanted::length, last);
   action.to = table.quantity({"to", "and at the end"}, wanted::length, length);
-  action.speed = table.positive({"speed", "at which they pass; it says only when"}, wanted::velocity, 1.0);
+  action.speed =
+      table.positive({"speed", "at which they pass; it says only when"}, wanted::velocity, 1.0);
   if (!structure.plane) {
     action.y = table.quantity({"y", "of the rail, off the member's axis"}, wanted::length, 0.0);
   }
   action.z = table.quantity({"z", "likewise"}, wanted::length, 0.0);
   if (table.problems().empty() && !(action.from < action.to)) {
-    table.problem("to", fmt::format("the wheels have no way to go from {:.6g} to {:.6g} m",
-                                    action.from, action.to),
-                  "write \"from\" before \"to\"");
+    table.problem(
+        "to",
+        fmt::format("the wheels have no way to go from {:.6g} to {:.6g} m", action.from, action.to),
+        "write \"from\" before \"to\"");
   }
   return action;
 }
@@ -180,11 +192,11 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
 
 void read_frame_loads(TableReader& root, Structure& structure) {
   for (auto& [name, table] : root.table({"loads", "what acts"}, false).named_tables()) {
-    const std::string of_case = table.text({"case", "the load case; one of its own where not said"}, name);
+    const std::string of_case =
+        table.text({"case", "the load case; one of its own where not said"}, name);
     const std::size_t before = table.problems().size();
-    const std::size_t kind =
-        table.kind({"kind", "of load"},
-                   {"force", "line", "weight", "temperature", "settlement", "wheels"});
+    const std::size_t kind = table.kind(
+        {"kind", "of load"}, {"force", "line", "weight", "temperature", "settlement", "wheels"});
     if (table.problems().size() != before) {
       table.accept_all();
       continue;
@@ -211,8 +223,8 @@ void read_frame_loads(TableReader& root, Structure& structure) {
     structure.cases[static_cast<std::size_t>(index)].actions.push_back(std::move(action));
   }
   // The weight is there unless somebody places it in a case of its own.
-  const bool weighed = std::any_of(
-      structure.cases.begin(), structure.cases.end(), [](const frame::LoadCase& of) {
+  const bool weighed =
+      std::any_of(structure.cases.begin(), structure.cases.end(), [](const frame::LoadCase& of) {
         return std::any_of(of.actions.begin(), of.actions.end(), [](const frame::Action& action) {
           return std::holds_alternative<frame::OwnWeight>(action.kind);
         });

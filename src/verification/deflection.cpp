@@ -110,8 +110,8 @@ class Integration {
       const double s = from + half * (1.0 + u);
       const CutForces cut = diagram_->at({si<Length>(s)});
       const Flexibility of = flexibility_at(piece, s);
-      const double kappa = of.curvature_N * cut.N.value() + of.curvature_M * cut.M_y.value() +
-                           shift_.curvature;
+      const double kappa =
+          of.curvature_N * cut.N.value() + of.curvature_M * cut.M_y.value() + shift_.curvature;
       turn += half * weight * kappa;
       lag += half * weight * (to - s) * kappa;
       sheared += half * weight * of.shear * cut.V_z.value();

@@ -27,7 +27,8 @@ std::string beam(const std::string& length, const std::string& density = "7850 k
 const std::string demands = "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n";
 
 Project parse(const std::string& text) {
-  return parse_project("frame.toml", "[case]\nname = \"frame\"\nkind = \"static\"\n" + section + text + demands);
+  return parse_project("frame.toml",
+                       "[case]\nname = \"frame\"\nkind = \"static\"\n" + section + text + demands);
 }
 
 const std::string fixed_at_start = "[supports.root]\nkind = \"fixed\"\nat = \"0 m\"\n";
@@ -38,7 +39,8 @@ const std::string ends =
 double largest_moment(const Verification& of) {
   double largest = 0.0;
   for (const StationEnvelope& station : of.stations) {
-    for (const Extreme* at : {&station.of[cut_force::M_y].smallest, &station.of[cut_force::M_y].largest})
+    for (const Extreme* at :
+         {&station.of[cut_force::M_y].smallest, &station.of[cut_force::M_y].largest})
       largest = std::max(largest, std::abs(at->value));
   }
   return largest;
@@ -80,10 +82,11 @@ TEST_CASE("two wheels: largest moment R (L/2 - a/4)^2/L under the first", "[fram
 }
 
 TEST_CASE("wheels that run over the ends load only what is on the beam", "[frame]") {
-  const Verification of = verify(
-      parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
-            "[loads.trolley]\nkind = \"wheels\"\nfrom = \"0 m\"\nto = \"10 m\"\nwheels = "
-            "[{ force = [\"0 kN\", \"-20 kN\"] }, { behind = \"4 m\", force = [\"0 kN\", \"-20 kN\"] }]\n"));
+  const Verification of =
+      verify(parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
+                   "[loads.trolley]\nkind = \"wheels\"\nfrom = \"0 m\"\nto = \"10 m\"\nwheels = "
+                   "[{ force = [\"0 kN\", \"-20 kN\"] }, { behind = \"4 m\", force = [\"0 kN\", "
+                   "\"-20 kN\"] }]\n"));
   // So far apart that one alone in the middle is worse than both.
   CHECK(largest_moment(of) == Approx(20e3 * 6.0 / 4.0).epsilon(1e-4));
   CHECK(of.motions.front().reactions[0].high[1] == Approx(20e3 * (1.0 + 2.0 / 6.0)).epsilon(1e-9));
@@ -157,14 +160,17 @@ TEST_CASE("deflection has combinations of its own and strength does not see them
   CHECK(yield->check.situation == "6.10: 1.35 weight + 1.5 snow");
 }
 
-TEST_CASE("fatigue counts the cycle between two load situations without partial factors", "[frame]") {
+TEST_CASE("fatigue counts the cycle between two load situations without partial factors",
+          "[frame]") {
   const std::string text =
-      beam("6 m") + ends + "[loads.lift]\nkind = \"force\"\nat = \"3 m\"\nforce = [\"0 kN\", \"-20 kN\"]\n"
+      beam("6 m") + ends +
+      "[loads.lift]\nkind = \"force\"\nat = \"3 m\"\nforce = [\"0 kN\", \"-20 kN\"]\n"
       "[load_cases.lift]\nkind = \"variable\"\npsi_0 = 1.0\n[combinations]\nrule = \"6.10\"\n"
       "[[situations]]\nname = \"empty\"\nloads = { weight = 1.0 }\n"
       "[[situations]]\nname = \"full\"\nloads = { weight = 1.0, lift = 1.0 }\n"
       "[[situations]]\nname = \"lift\"\nbetween = [\"empty\", \"full\"]\ncycles = 2e6\n"
-      "[fatigue]\ncategory = 71\nloading = \"constant amplitude\"\ngamma_Mf = 1.35\nrequired = 1.0\n";
+      "[fatigue]\ncategory = 71\nloading = \"constant amplitude\"\ngamma_Mf = 1.35\nrequired = "
+      "1.0\n";
   const CheckResult* fatigue = verify(parse(text)).governing(Criterion::fatigue);
   REQUIRE(fatigue != nullptr);
   const double range = 20e3 * 6.0 / 4.0 * 0.150 / test::clamped::inertia();
@@ -183,16 +189,24 @@ TEST_CASE("what a frame cannot be is said with what to write", "[frame]") {
   using Catch::Matchers::Contains;
   CHECK_THAT(refusal(beam("6 m") + "[supports.a]\nkind = \"pinned\"\nat = \"7 m\"\n"),
              Contains("s = 7 m is beyond member \"beam\""));
-  CHECK_THAT(refusal(beam("6 m") + ends + "[loads.a]\nkind = \"force\"\nat = \"beem.end\"\nforce = [\"0 N\", \"1 N\"]\n"),
-             Contains("not a point of a member"));
-  CHECK_THAT(refusal(beam("6 m") + ends + loads + "[combinations]\nrule = \"6.10\"\n[load_cases.rain]\nkind = \"permanent\"\n"),
+  CHECK_THAT(
+      refusal(beam("6 m") + ends +
+              "[loads.a]\nkind = \"force\"\nat = \"beem.end\"\nforce = [\"0 N\", \"1 N\"]\n"),
+      Contains("not a point of a member"));
+  CHECK_THAT(refusal(beam("6 m") + ends + loads +
+                     "[combinations]\nrule = \"6.10\"\n[load_cases.rain]\nkind = \"permanent\"\n"),
              Contains("no load is in a case \"rain\""));
-  CHECK_THAT(refusal(beam("6 m") + ends + "[loads.a]\nkind = \"force\"\nat = \"1 m\"\nforce = [\"0 N\", \"1 N\"]\n[combinations]\nrule = \"6.10\"\n"),
+  CHECK_THAT(refusal(beam("6 m") + ends +
+                     "[loads.a]\nkind = \"force\"\nat = \"1 m\"\nforce = [\"0 N\", \"1 "
+                     "N\"]\n[combinations]\nrule = \"6.10\"\n"),
              Contains("how load case \"a\" combines is not said"));
-  CHECK_THAT(refusal(beam("6 m") + ends + "[bodies.a]\nmass = \"1 kg\"\n"), Contains("not known of frames at rest"));
-  CHECK_THAT(refusal(beam("6 m") + ends + "[members.a]\nfrom = [\"0 m\", \"1 m\"]\nto = [\"1 m\", \"1 m\"]\nsection = \"box\"\n"
-                     "[joints.j]\nkind = \"rigid\"\nconnect = [\"beam.end\", \"a.end\"]\n"),
-             Contains("mm apart"));
+  CHECK_THAT(refusal(beam("6 m") + ends + "[bodies.a]\nmass = \"1 kg\"\n"),
+             Contains("not known of frames at rest"));
+  CHECK_THAT(
+      refusal(beam("6 m") + ends +
+              "[members.a]\nfrom = [\"0 m\", \"1 m\"]\nto = [\"1 m\", \"1 m\"]\nsection = \"box\"\n"
+              "[joints.j]\nkind = \"rigid\"\nconnect = [\"beam.end\", \"a.end\"]\n"),
+      Contains("mm apart"));
 }
 
 }  // namespace

@@ -23,18 +23,20 @@ using Flexibility = Eigen::Matrix<double, 6, 6>;
 /// not known (polygons) it does not twist; `twists` says so. Free warping. SI, moduli in Pa.
 /// Source: `normal_stress_plane`, `shear_areas_of`, `torsion_properties_of`; virtual work for the
 /// couplings.
-Flexibility flexibility_of(const Section& section, double youngs_modulus, double shear_modulus);
+Flexibility flexibility_of(const Section& section, double youngs_modulus, double shear_modulus,
+                           bool twisted = true);
 
 /// Whether the torsion constant of a section is known.
 bool twists(const Section& section);
 
 /// The flexibility along a beam: between neighbouring borders, where nothing jumps, the polynomial
 /// through its values at Chebyshev points. A piece is halved until that polynomial is within 1e-12
-/// of the largest flexibility of its kind between the points, down to 2^-16 of a segment: sizes may
-/// shrink to 1e-4 of themselves.
+/// of the largest flexibility of its kind between the points, 1e-10 in twist, down to 2^-16 of a
+/// segment: sizes may shrink to 1e-4 of themselves.
 class FlexibilityProfile {
  public:
-  FlexibilityProfile(const TaperedBeam& beam, double youngs_modulus, double shear_modulus);
+  FlexibilityProfile(const TaperedBeam& beam, double youngs_modulus, double shear_modulus,
+                     bool twisted = true);
 
   /// At a place within the piece from borders()[k] to borders()[k + 1] [m].
   Flexibility at(std::size_t piece, double s) const;
@@ -46,9 +48,10 @@ class FlexibilityProfile {
   static constexpr std::size_t nodes = 13;
   using Points = ChebyshevPoints<nodes>;
 
-  void add(const TaperedBeam& beam, std::size_t segment, double from, double to, int halvings,
-           double E, double G);
+  void add(const Segment& segment, double from, double to, int halvings);
 
+  double youngs_modulus_, shear_modulus_;
+  bool twisted_;
   std::vector<double> borders_{0.0};
   std::vector<std::array<Flexibility, nodes>> pieces_;
 };

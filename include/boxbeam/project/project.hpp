@@ -223,11 +223,11 @@ enum class ModelDemand {
 
 struct ModelInput {
   ModelDemand demand = ModelDemand::automatic;
-  double tolerance = 0.01;         ///< on the governing stress, relative
+  double tolerance = 0.01;  ///< on the governing stress, relative
   /// Of the beam; structural steel where not said, EN 1993-1-1:2005, 3.2.6 [Pa].
   double youngs_modulus = 2.1e11;
-  double shear_modulus = 8.1e10;   ///< [Pa]
-  double retardation = 0.0;        ///< Kelvin-Voigt damping of the beam [s]
+  double shear_modulus = 8.1e10;  ///< [Pa]
+  double retardation = 0.0;       ///< Kelvin-Voigt damping of the beam [s]
   /// Whether the loads were measured on the running machine: they contain its vibration.
   bool measured_loads = false;
 };

@@ -7,8 +7,8 @@
 
 namespace boxbeam {
 
-/// Exponents of metre, kilogram, second, radian and kelvin. The angle counts here, so that "0.7 Hz" is not
-/// taken for "0.7 rad/s".
+/// Exponents of metre, kilogram, second, radian and kelvin. The angle counts here, so that "0.7 Hz"
+/// is not taken for "0.7 rad/s".
 struct DimensionExponents {
   int length = 0, mass = 0, time = 0, angle = 0, temperature = 0;
 

@@ -39,7 +39,8 @@ Statics::Statics(const Structure& structure) : structure_(&structure) {
              {}});
       }
     }
-    profiles_.emplace_back(member.beam, member.youngs_modulus, member.shear_modulus);
+    profiles_.emplace_back(member.beam, member.youngs_modulus, member.shear_modulus,
+                           !structure.plane);
     masses_.push_back(mass_distribution_of(member.beam));
   }
   for (std::size_t m = 0; m < structure.members.size(); ++m) {
