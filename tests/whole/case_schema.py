@@ -38,7 +38,7 @@ ONLY_THE_PROGRAM = {
     ("deflection", "from"), ("deflection", "to"),  # where the supports do not say it
     ("joints", "angle"),  # of a contact that slides on the ground
 }
-KINDS = ("planar", "spatial", "flexible")
+KINDS = ("planar", "spatial", "flexible", "static")
 # What the cases with every key name.
 TABLES = {"stroke.csv": "stroke [m]", "angle.csv": "angle [rad]", "force.csv": "force [N]",
           "couple.csv": "moment [N m]", "line.csv": "line force [N/m]"}

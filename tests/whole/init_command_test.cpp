@@ -33,7 +33,7 @@ std::string uncommented(std::string text, const std::string& first) {
 }  // namespace
 
 TEST_CASE("init: each kind of case runs as it is and passes", "[init]") {
-  for (const std::string kind : {"planar", "spatial", "flexible"}) {
+  for (const std::string kind : {"planar", "spatial", "flexible", "static"}) {
     INFO(kind);
     const test::TemporaryFolder folder;
     const test::ProgramResult written = test::run_program({"init", kind, "my.toml"}, folder.path());
@@ -45,7 +45,9 @@ TEST_CASE("init: each kind of case runs as it is and passes", "[init]") {
       CHECK(text.find('\n', line) - line <= 100);
     }
     CHECK(test::run_program({"validate", "my.toml"}, folder.path()).exit_code == 0);
-    CHECK(test::run_program({"motion", "my.toml"}, folder.path()).exit_code == 0);
+    // A frame at rest has no motion, and says so.
+    CHECK(test::run_program({"motion", "my.toml"}, folder.path()).exit_code ==
+          (kind == "static" ? 2 : 0));
     const test::ProgramResult verified = test::run_program(
         {"verify", "my.toml", "--no-plots", "--no-pdf", "--json", "-"}, folder.path());
     INFO(verified.err);
@@ -82,6 +84,11 @@ TEST_CASE("init: what its comments offer instead is right as well", "[init]") {
   runs(changed(planar, "\"spectrum\"", "\"constant amplitude\""));
   runs(changed(template_of("spatial"), "direction = \"-z\" ",
                "direction = \"-z\"\naxes = \"column\" #"));
+  const std::string at_rest = template_of("static");
+  runs(uncommented(at_rest, "# [members.strut]\n"));
+  runs(uncommented(at_rest, "# [loads.snow]\n") +
+       "\n[load_cases.snow]\nkind = \"variable\"\npsi_0 = 0.5\n");
+  runs(uncommented(at_rest, "# from = [\"0 m\", \"0 m\"]"));
   const std::string flexible = template_of("flexible");
   runs(uncommented(flexible, "# force = "));
   runs(changed(flexible, "{ ratio = 0.01, at = \"25 Hz\" } ", "\"0.3 ms\" "));
