@@ -16,8 +16,7 @@ void refuse_moving_parts(TableReader& root) {
         {"bodies", "what is not verified are [members.<name>]"},
         {"links", "what is not verified are [members.<name>]"},
         {"drivers", "nothing moves; for a beam on a machine write kind = \"planar\""},
-        {"forces", "write [loads.<name>]"},
-        {"motion", "nothing moves; wheels say their speed"}}) {
+        {"forces", "write [loads.<name>]"}}) {
     if (!root.has_misplaced(key)) continue;
     root.problem(key, fmt::format("\"{}\" is not known of frames at rest", key), hint);
   }
@@ -58,7 +57,7 @@ class FrameReader : public FrontEndReader {
   }
 
   Changeable changeable() const override {
-    static constexpr std::array parts{"frame", "members", "supports", "joints", "loads"};
+    static constexpr std::array parts{"frame", "members", "supports", "joints", "loads", "motion"};
     return {parts, "loads.lift.force", "beam"};
   }
 
@@ -118,13 +117,13 @@ class FrameReader : public FrontEndReader {
   frame::Structure with_rest(TableReader& root, frame::Structure structure) const {
     read_members(root, {sections_, project_}, structure);
     if (!root.problems().empty()) {  // where members are is not known
-      for (const char* key : {"supports", "joints", "loads"}) {
+      for (const char* key : {"supports", "joints", "loads", "motion"}) {
         if (root.has(key)) root.table(key).accept_all();
       }
       return structure;
     }
     read_frame_joints(root, structure);
-    read_frame_loads(root, structure);
+    read_frame_loads(root, structure, *tables_);
     return structure;
   }
 

@@ -34,7 +34,7 @@ frame::Place frame_point(TableReader& table, std::string_view key, const std::st
 void read_frame_joints(TableReader& root, frame::Structure& structure);
 
 /// [loads], each in its load case.
-void read_frame_loads(TableReader& root, frame::Structure& structure);
+void read_frame_loads(TableReader& root, frame::Structure& structure, TimeTables& tables);
 
 /// [actions] and [combinations] of EN 1990, as situations.
 std::vector<Situation> read_combinations(TableReader& root, const frame::Structure& structure);

@@ -346,7 +346,7 @@ Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables
   }
   read_joint_drivers(root, mechanism, tables);
   read_chain_loads(root, mechanism, tables);
-  check_functions(root, functions_of(mechanism), mechanism.duration, "joints");
+  check_functions(root, functions_of(mechanism), mechanism.duration, {"joints", "forces"});
   return mechanism;
 }
 

@@ -11,13 +11,13 @@ constexpr const char* with_a_duration =
     "or say how long to look at the motion: [motion] with duration = \"10 s\"";
 
 /// The table of a case in which a function of time is written.
-const char* table_of(const DriverUse& function, const char* drivers) {
-  return function.on == DriverUse::On::joint ? drivers : "forces";
+const char* table_of(const DriverUse& function, const FunctionTables& tables) {
+  return function.on == DriverUse::On::joint ? tables.joints : tables.forces;
 }
 
 /// Notes tables that say nothing of a time that is looked at, 0 s to the end of the motion.
 void check_tables_cover(TableReader& root, const std::vector<DriverUse>& functions,
-                        const Duration& duration, const char* drivers) {
+                        const Duration& duration, const FunctionTables& tables) {
   double until = duration.settle + duration.length;
   if (duration.length == 0.0) {
     // To the end of the last step or table; where all repeats, no table has an end.
@@ -31,7 +31,7 @@ void check_tables_cover(TableReader& root, const std::vector<DriverUse>& functio
     const auto [first, last] = *timing.known;
     const double rounding = 1e-9 * (last - first);
     if (first <= rounding && last >= until - rounding) continue;
-    TableReader table = root.table(table_of(function, drivers));
+    TableReader table = root.table(table_of(function, tables));
     table.problem(
         function.name,
         fmt::format("the table of \"{}\" goes from {:.6g} s to {:.6g} s, and the motion is "
@@ -44,7 +44,7 @@ void check_tables_cover(TableReader& root, const std::vector<DriverUse>& functio
 
 /// Without a duration, the motion is looked at for a common period, or to the end of a step.
 void check_repetition(TableReader& root, const std::vector<DriverUse>& functions,
-                      const char* drivers) {
+                      const FunctionTables& tables) {
   std::vector<double> omegas;
   const DriverUse* endless = nullptr;  // neither repeats nor ends
   bool repeats = true;
@@ -64,7 +64,7 @@ void check_repetition(TableReader& root, const std::vector<DriverUse>& functions
                     "Hz and 1.4 Hz), {}",
                     with_a_duration));
   } else if (!repeats && endless != nullptr) {
-    TableReader table = root.table(table_of(*endless, drivers));
+    TableReader table = root.table(table_of(*endless, tables));
     table.problem(
         endless->name, fmt::format("\"{}\" neither repeats nor ends", endless->name),
         fmt::format("write a kind that does (harmonic, smooth step, table), {}", with_a_duration));
@@ -85,9 +85,9 @@ Duration read_duration(TableReader& root) {
 }
 
 void check_functions(TableReader& root, const std::vector<DriverUse>& functions,
-                     const Duration& duration, const char* drivers) {
-  if (root.problems().empty() && duration.length == 0.0) check_repetition(root, functions, drivers);
-  if (root.problems().empty()) check_tables_cover(root, functions, duration, drivers);
+                     const Duration& duration, const FunctionTables& tables) {
+  if (root.problems().empty() && duration.length == 0.0) check_repetition(root, functions, tables);
+  if (root.problems().empty()) check_tables_cover(root, functions, duration, tables);
 }
 
 }  // namespace boxbeam::readers

@@ -70,6 +70,38 @@ frame::PointAction read_point_action(TableReader& table, const Structure& struct
   return action;
 }
 
+constexpr FunctionOf driven_force{wanted::force, "N", "force", "the force does not change"};
+constexpr FunctionOf driven_couple{wanted::moment, "N m", "moment", "the couple does not change"};
+
+/// A force, or a couple, in a direction: of a constant size, or following a function of time.
+std::variant<frame::PointAction, frame::DrivenAction> read_driven(TableReader& table,
+                                                                  const Structure& structure,
+                                                                  TimeTables& tables) {
+  frame::DrivenAction action;
+  action.at = read_frame_place(table, structure);
+  const LoadAxes axes = read_load_axes(table, structure);
+  action.couple = table.boolean({"couple", "a couple, not a force"}, false);
+  const frame::Member& member = member_at(structure, action.at.member);
+  if (structure.plane && !action.couple) {
+    const double angle =
+        table.quantity({"direction", "of the force, from the x of its axes"}, wanted::angle);
+    action.direction = {std::cos(angle), std::sin(angle), 0.0};
+    if (axes.of_member)
+      action.direction = member.axes * Vector3d(std::cos(angle), 0.0, std::sin(angle));
+  } else if (structure.plane) {
+    action.direction = Vector3d::UnitZ();
+  } else {
+    action.direction = table.direction({"direction", "of the force or couple, in its axes"});
+    if (axes.of_member) action.direction = member.axes * action.direction;
+  }
+  const bool constant = table.has("size");
+  action.size = read_size(table, action.couple ? driven_couple : driven_force, tables);
+  if (!constant) return action;
+  const Vector3d load = driver_at(action.size, 0.0).value * action.direction;
+  const Vector3d none = Vector3d::Zero();
+  return frame::PointAction{action.at, action.couple ? none : load, action.couple ? load : none};
+}
+
 /// Two stations of a member, the first before the second; its ends where not said.
 std::pair<double, double> read_stretch(TableReader& table, const frame::Member& member) {
   const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
@@ -190,13 +222,14 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
 
 }  // namespace
 
-void read_frame_loads(TableReader& root, Structure& structure) {
+void read_frame_loads(TableReader& root, Structure& structure, TimeTables& tables) {
   for (auto& [name, table] : root.table({"loads", "what acts"}, false).named_tables()) {
     const std::string of_case =
         table.text({"case", "the load case; one of its own where not said"}, name);
     const std::size_t before = table.problems().size();
-    const std::size_t kind = table.kind(
-        {"kind", "of load"}, {"force", "line", "weight", "temperature", "settlement", "wheels"});
+    const std::size_t kind =
+        table.kind({"kind", "of load"},
+                   {"force", "driven", "line", "weight", "temperature", "settlement", "wheels"});
     if (table.problems().size() != before) {
       table.accept_all();
       continue;
@@ -204,10 +237,14 @@ void read_frame_loads(TableReader& root, Structure& structure) {
     frame::Action action{name, frame::OwnWeight{}};
     switch (kind) {
       case 0: action.kind = read_point_action(table, structure); break;
-      case 1: action.kind = read_line_action(table, structure); break;
-      case 2: break;
-      case 3: action.kind = read_heat(table, structure); break;
-      case 4: action.kind = read_settlement(table, structure); break;
+      case 1:
+        std::visit([&](auto kind) { action.kind = std::move(kind); },
+                   read_driven(table, structure, tables));
+        break;
+      case 2: action.kind = read_line_action(table, structure); break;
+      case 3: break;
+      case 4: action.kind = read_heat(table, structure); break;
+      case 5: action.kind = read_settlement(table, structure); break;
       default: action.kind = read_wheels(table, structure);
     }
     if (index_of(structure.joints, name) >= 0) {
@@ -236,6 +273,15 @@ void read_frame_loads(TableReader& root, Structure& structure) {
     structure.cases[static_cast<std::size_t>(at)].actions.push_back({"weight", frame::OwnWeight{}});
   }
   structure.factors.assign(structure.cases.size(), 1.0);
+  const std::vector<DriverUse> functions = functions_of(structure);
+  if (!functions.empty()) {
+    structure.duration = read_duration(root);
+    if (root.problems().empty())
+      check_functions(root, functions, structure.duration, {"supports", "loads"});
+  } else if (root.has_misplaced("motion")) {
+    root.problem("motion", "no load follows a function of time",
+                 "remove [motion], or write a load of kind = \"driven\" with a law");
+  }
 }
 
 }  // namespace boxbeam::readers

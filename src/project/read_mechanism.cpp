@@ -164,7 +164,7 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
   for (auto& [name, table] : loops.named_tables()) {
     mechanism.loops.push_back(read_loop(name, table, mechanism));
   }
-  check_functions(root, functions_of(mechanism), mechanism.duration, "drivers");
+  check_functions(root, functions_of(mechanism), mechanism.duration, {});
   // Of nothing that drives and too few equations, the one follows from the other.
   if (root.problems().empty() && mechanism.duration.length == 0.0) check_count(root, mechanism);
   return draft;

@@ -74,12 +74,17 @@ std::optional<Driver> read_function(TableReader& table, const FunctionOf& of, Ti
 /// [motion], how long to look.
 Duration read_duration(TableReader& root);
 
+/// The tables of a case in which functions of time are written.
+struct FunctionTables {
+  const char* joints = "drivers";
+  const char* forces = "forces";
+};
+
 /// Notes functions of time by which the time to look at is not known, or that say nothing of a part
 /// of it: without a duration the motion is looked at for a common period, or to the end of a step;
-/// tables cover it from 0 s to its end. `drivers`: the table in which the functions of joints are
-/// written.
+/// tables cover it from 0 s to its end.
 void check_functions(TableReader& root, const std::vector<DriverUse>& functions,
-                     const Duration& duration, const char* drivers);
+                     const Duration& duration, const FunctionTables& tables);
 
 /// The constant "size" of a force, or its function of time "law".
 Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables);

@@ -58,6 +58,11 @@ struct ActionText {
     if (structure.plane) return text + fmt::format(", couple {} kN m", plain(of.moment.z() / 1e3));
     return text + fmt::format(", couple {} kN m", components(of.moment, false, 1e3));
   }
+  std::string operator()(const frame::DrivenAction& of) const {
+    return fmt::format("at {}, {} along {}, = {}", place_text(structure, of.at),
+                       of.couple ? "couple" : "force", components(of.direction, structure.plane),
+                       function_text(of.size, of.couple ? "N m" : "N"));
+  }
   std::string operator()(const frame::LineAction& of) const {
     std::string text =
         fmt::format("on {}, {} kN/m", stretch_text(structure, of.member, of.from, of.to),

@@ -12,12 +12,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The wheels that act, the others left out.
-frame::Structure with_wheels(const frame::Structure& structure, bool wheels) {
+/// What changes over time of a frame's loads, or what stays.
+frame::Structure with_actions(const frame::Structure& structure, bool that_change) {
   frame::Structure of = structure;
   for (frame::LoadCase& in : of.cases) {
     std::erase_if(in.actions, [&](const frame::Action& action) {
-      return std::holds_alternative<frame::Wheels>(action.kind) != wheels;
+      const bool changes = std::holds_alternative<frame::Wheels>(action.kind) ||
+                           std::holds_alternative<frame::DrivenAction>(action.kind);
+      return changes != that_change;
     });
   }
   return of;
@@ -81,11 +83,19 @@ class LoadedFrame {
  public:
   LoadedFrame(const Project& project, const Situation& situation)
       : structure(frame_in(project, situation)), member_(project.beam_body), statics_(structure) {
-    standing_ = statics_.solve(acting_at(with_wheels(structure, false), 0.0));
-    for (const frame::Wheels* wheels : wheels_in(structure))
-      duration_ = std::max(duration_, wheels->duration());
+    const std::vector<DriverUse> functions = functions_of(structure);
+    if (!functions.empty()) time_ = time_span_of(functions, structure.duration);
+    changes_ = !functions.empty();
+    for (const frame::Wheels* wheels : wheels_in(structure)) {
+      if (!changes_) time_ = {};
+      changes_ = true;
+      time_.length = std::max(time_.length, wheels->duration());
+      time_.closed = false;
+    }
     // Loads name their actions, which must stay.
-    moving_ = with_wheels(structure, true);
+    lasting_ = with_actions(structure, false);
+    moving_ = with_actions(structure, true);
+    standing_ = statics_.solve(acting_at(lasting_, 0.0));
   }
 
   frame::Equilibrium moving_at(double time) const {
@@ -94,14 +104,14 @@ class LoadedFrame {
 
   BeamLoads loads_at(double time) const {
     const auto member = static_cast<std::size_t>(member_);
-    if (duration_ == 0.0) return standing_.members[member].loads;
+    if (!changes_) return standing_.members[member].loads;
     return sum_of(standing_.members[member].loads, moving_at(time).members[member].loads);
   }
 
   /// Shift and turn of the beam's start, in its axes.
   frame::Vector6 start_at(double time) const {
     frame::Vector6 of = statics_.motion_at(member_, 0.0, standing_);
-    if (duration_ > 0.0) of += statics_.motion_at(member_, 0.0, moving_at(time));
+    if (changes_) of += statics_.motion_at(member_, 0.0, moving_at(time));
     const Eigen::Matrix3d& axes = structure.members[static_cast<std::size_t>(member_)].axes;
     of << axes.transpose() * of.head<3>().eval(), axes.transpose() * of.tail<3>().eval();
     return of;
@@ -115,23 +125,24 @@ class LoadedFrame {
   /// What a support or joint does to what it holds, world axes.
   std::vector<frame::Vector6> reactions_at(double time) const {
     std::vector<frame::Vector6> forces = standing_.joints;
-    if (duration_ == 0.0) return forces;
+    if (!changes_) return forces;
     const frame::Equilibrium moving = moving_at(time);
     for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += moving.joints[k];
     return forces;
   }
 
-  /// Of the longest way of wheels; zero where none moves [s].
-  double duration() const { return duration_; }
+  /// Nothing where all loads stand still.
+  std::optional<TimeSpan> time() const { return changes_ ? std::optional(time_) : std::nullopt; }
 
   const frame::Structure& structure;
 
  private:
   int member_;
   frame::Statics statics_;
-  frame::Structure moving_;
+  frame::Structure lasting_, moving_;
   frame::Equilibrium standing_;
-  double duration_ = 0.0;
+  bool changes_ = false;
+  TimeSpan time_;
 };
 
 /// Members as lines with their points, supports as grounds.
@@ -183,14 +194,18 @@ class FrameAtRest : public SolvedMotion {
       return {span, [frame = frame_](Time) { return frame->loads_at(0.0); }};
     }
     constexpr std::size_t instants = 256;
-    LoadSpan span{Time{}, si<Time>(frame_->duration()), instants, false};
-    span.breaks = passages_of(frame_->structure);
+    const TimeSpan of = *frame_->time();
+    LoadSpan span{si<Time>(of.begin), si<Time>(of.length), instants, of.closed};
+    span.breaks = break_times_in(functions_of(frame_->structure), of.begin, of.length);
+    const std::vector<Time> passages = passages_of(frame_->structure);
+    span.breaks.insert(span.breaks.end(), passages.begin(), passages.end());
+    std::sort(span.breaks.begin(), span.breaks.end());
     return {span, [frame = frame_](Time time) { return frame->loads_at(time.value()); }};
   }
 
   double gravity() const override { return frame_->structure.gravity.norm(); }
 
-  bool stands_still() const override { return frame_->duration() == 0.0; }
+  bool stands_still() const override { return !frame_->time(); }
 
   PostureAt postures(const LoadHistory& loads) const override {
     return [this, &loads](Time time, const std::string& why) {

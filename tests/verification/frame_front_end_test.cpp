@@ -177,6 +177,23 @@ TEST_CASE("fatigue counts the cycle between two load situations without partial 
   CHECK(fatigue->check.safety_factor == Approx(71e6 / 1.35 / range).epsilon(1e-6));
 }
 
+TEST_CASE("a load over time bends a frame as it stands at that time", "[frame]") {
+  // Two forces at quarter points, one swinging: M in the middle is (F_1 + F_2(t)) L/8 each.
+  const Verification of = verify(parse(
+      "[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
+      "[loads.steady]\nkind = \"driven\"\nat = \"1.5 m\"\ndirection = \"-90 deg\"\nsize = "
+      "\"8 kN\"\n[loads.swinging]\nkind = \"driven\"\nat = \"4.5 m\"\ndirection = \"-90 deg\"\n"
+      "law = { kind = \"harmonic\", mean = \"4 kN\", amplitude = \"6 kN\", frequency = \"2 Hz\" "
+      "}\n"));
+  CHECK(of.motions.front().period.value() == Approx(0.5));
+  CHECK(of.motions.front().closed);
+  // At s = 4.5 m: F_1 L/16 + 3 F_2 L/16.
+  CHECK(largest_moment(of) == Approx(8e3 * 6.0 / 16.0 + 3.0 * 10e3 * 6.0 / 16.0).epsilon(1e-9));
+  // At the right support: F_1/4 + 3 F_2/4.
+  CHECK(of.motions.front().reactions[1].high[1] == Approx(2e3 + 7.5e3).epsilon(1e-9));
+  CHECK(of.motions.front().reactions[1].low[1] == Approx(2e3 - 1.5e3).epsilon(1e-9));
+}
+
 TEST_CASE("what a frame cannot be is said with what to write", "[frame]") {
   const auto refusal = [](const std::string& text) {
     try {

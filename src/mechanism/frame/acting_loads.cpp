@@ -16,6 +16,12 @@ struct AddAction {
   void operator()(const PointAction& of) const {
     loads.points.push_back({action.name, {of.at, factor * of.force, factor * of.moment}});
   }
+  void operator()(const DrivenAction& of) const {
+    const Eigen::Vector3d load = factor * driver_at(of.size, time).value * of.direction;
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    loads.points.push_back(
+        {action.name, {of.at, of.couple ? none : load, of.couple ? load : none}});
+  }
   void operator()(const LineAction& of) const {
     loads.lines.push_back({of.member, of.from, of.to, factor * of.at_from, factor * of.at_to});
   }

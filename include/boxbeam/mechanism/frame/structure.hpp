@@ -58,6 +58,15 @@ struct PointAction {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
 };
 
+/// A force or a couple on a place of a member whose size follows a function of time, slowly: what
+/// it moves has no inertia.
+struct DrivenAction {
+  Place at;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< world axes
+  bool couple = false;
+  Driver size;  ///< [N, N m]
+};
+
 /// Force per length of a member's axis that varies linearly between two stations, world axes.
 struct LineAction {
   int member = 0;
@@ -102,7 +111,8 @@ struct Wheels {
 
 struct Action {
   std::string name;
-  std::variant<OwnWeight, PointAction, LineAction, HeatAction, Settlement, Wheels> kind;
+  std::variant<OwnWeight, PointAction, DrivenAction, LineAction, HeatAction, Settlement, Wheels>
+      kind;
 };
 
 /// Actions that come and go together.
@@ -121,8 +131,11 @@ struct Structure {
   /// Members, joints and actions in the plane z = 0 of the world, with their z axes in it: motion
   /// out of it is not looked at.
   bool plane = false;
-  Duration duration = {};  ///< not used: wheels take as long as they need
+  Duration duration = {};  ///< of what follows functions of time; wheels take as long as they need
 };
+
+/// The functions of time of the load cases that count, and what follows them.
+std::vector<DriverUse> functions_of(const Structure& structure);
 
 /// The place in the world [m].
 Eigen::Vector3d in_world(const Structure& structure, const Place& at);
