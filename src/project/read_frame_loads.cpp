@@ -238,7 +238,7 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
     switch (kind) {
       case 0: action.kind = read_point_action(table, structure); break;
       case 1:
-        std::visit([&](auto kind) { action.kind = std::move(kind); },
+        std::visit([&](auto of) { action.kind = std::move(of); },
                    read_driven(table, structure, tables));
         break;
       case 2: action.kind = read_line_action(table, structure); break;
