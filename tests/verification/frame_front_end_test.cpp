@@ -60,6 +60,61 @@ TEST_CASE("a cantilever at rest has the factors of the same beam in a mechanism"
   CHECK(still.verdict == moving.verdict);
 }
 
+/// A tapered cantilever of two segments with its weight and a force at its tip, in a kind of case.
+std::string tapered(const std::string& kind, const std::string& held, const std::string& of_beam) {
+  return "[case]\nname = \"tapered\"\nkind = \"" + kind + "\"\n" + section +
+         "[sections.low]\nkind = \"box\"\nwidth = \"150 mm\"\nheight = \"140 mm\"\n"
+         "flange = \"12 mm\"\nweb = \"8 mm\"\n" +
+         held + "[beam]\ndensity = \"7850 kg/m^3\"\n" + of_beam +
+         "[[beam.segments]]\nlength = \"1.5 m\"\nsection = \"box\"\n"
+         "[[beam.segments]]\nlength = \"2.5 m\"\nfrom = \"box\"\nto = \"low\"\n" +
+         demands;
+}
+
+TEST_CASE("a tapered beam at rest, in a mechanism and elastic has the same factors", "[frame]") {
+  const std::string gravity = "gravity = [\"1 m/s^2\", \"-9.81 m/s^2\"]\n";
+  const Verification still = verify(parse_project(
+      "a.toml",
+      tapered("static",
+              "[frame]\n" + gravity + fixed_at_start +
+                  "[loads.tip]\nkind = \"force\"\nat = \"4 m\"\nforce = [\"5 kN\", \"-20 kN\"]\n",
+              "")));
+  const Verification moving = verify(parse_project(
+      "b.toml",
+      tapered(
+          "planar",
+          "[mechanism]\n" + gravity +
+              "[motion]\nduration = \"1 s\"\n[bodies.beam]\npoints = { A = [\"0 m\", \"0 m\"], B = "
+              "[\"4 m\", \"0 m\"] }\nsketch = { at = [\"0 m\", \"0 m\"] }\n"
+              "[joints.root]\nkind = \"rigid\"\nconnect = [\"beam.A\", \"ground\"]\n"
+              "at = [\"0 m\", \"0 m\"]\nangle = \"0 deg\"\n"
+              "[forces.x]\nkind = \"force\"\npoint = \"beam.B\"\ndirection = \"0 deg\"\nsize = \"5 "
+              "kN\"\n"
+              "[forces.y]\nkind = \"force\"\npoint = \"beam.B\"\ndirection = \"-90 deg\"\nsize = "
+              "\"20 kN\"\n",
+          "body = \"beam\"\n")));
+  const Verification elastic = verify(parse_project(
+      "c.toml",
+      tapered("flexible",
+              "[mechanism]\n" + gravity +
+                  "[links.beam]\nkind = \"full\"\norigin = [\"0 m\", \"0 m\"]\nparts = 16\n"
+                  "[joints.root]\nkind = \"general\"\nconnect = [\"beam.start\", \"ground\"]\n"
+                  "stiffness = \"rigid\"\nturning_stiffness = \"rigid\"\n"
+                  "[loads.tip]\non = \"beam.end\"\nforce = [\"5 kN\", \"-20 kN\"]\n",
+              "link = \"beam\"\n")));
+  const CheckResult* at_rest = still.governing(Criterion::yield);
+  REQUIRE(at_rest != nullptr);
+  for (const Verification* other : {&moving, &elastic}) {
+    const CheckResult* yield = other->governing(Criterion::yield);
+    REQUIRE(yield != nullptr);
+    CHECK(yield->check.safety_factor == Approx(at_rest->check.safety_factor).epsilon(1e-9));
+    const CheckResult* weld = other->governing(Criterion::weld);
+    REQUIRE(weld != nullptr);
+    CHECK(weld->check.safety_factor ==
+          Approx(still.governing(Criterion::weld)->check.safety_factor).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("two wheels: largest moment R (L/2 - a/4)^2/L under the first", "[frame]") {
   // Two equal forces P = R/2 at a distance a. Source: Timoshenko, Young, Theory of Structures, 3.7.
   constexpr double L = 6.0, a = 1.2, R = 40e3;
