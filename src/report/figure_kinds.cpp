@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "blocks.hpp"
+#include "front_end_text.hpp"
 #include "function_text.hpp"
 
 namespace boxbeam::report {
@@ -34,7 +35,8 @@ const CriticalInstant* largest_moment_of(const Source& source) {
 std::string mechanism_caption(const Source& source) {
   const double begin = source.verification.pictures.postures.front().time.value();
   const std::string what =
-      fmt::format("The mechanism {} and at the critical instants, with the loads on the beam",
+      fmt::format("The {} {} and at the critical instants, with the loads on the beam",
+                  front_end_text_of(source.project)->word(),
                   source.verification.pictures.elastic
                       ? "unloaded"
                       : "at t = " + (begin == 0.0 ? "0" : text::seconds(begin)));

@@ -29,7 +29,16 @@ class FrontEndText {
   FrontEndText& operator=(const FrontEndText&) = delete;
   virtual ~FrontEndText() = default;
 
+  /// What it is called, and in headings.
+  virtual std::string word() const { return "mechanism"; }
+  virtual std::string heading() const { return "Mechanism"; }
+
   virtual std::string gravity() const = 0;  ///< "(0, -9.81) m/s^2"
+
+  /// Where the loads on the beam come from.
+  virtual std::string source_of_loads() const {
+    return "reactions of the mechanism, distributed weight and inertia";
+  }
 
   /// How it is joined, driven and loaded: the inputs. Drivers are called "driver".
   virtual Entries entries() const = 0;

@@ -5,6 +5,7 @@
 #include "blocks.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
+#include "front_end_text.hpp"
 #include "report_parts.hpp"
 #include "version.hpp"
 
@@ -17,10 +18,9 @@ report::Facts title_facts(const Project& project, const Verification& verificati
   report::Facts facts;
   facts.entries.emplace_back("file", project.path);
   for (const std::string& set : project.overrides) facts.entries.emplace_back("--set", set);
-  facts.entries.emplace_back("loads by",
-                             project.dynamics == Dynamics::rigorous
-                                 ? "reactions of the mechanism, distributed weight and inertia"
-                                 : "the published Newton chain");
+  facts.entries.emplace_back("loads by", project.dynamics == Dynamics::rigorous
+                                             ? report::front_end_text_of(project)->source_of_loads()
+                                             : "the published Newton chain");
   facts.entries.emplace_back("model", to_text(verification.model.chosen.level));
   facts.entries.emplace_back(
       "checks", fmt::format("{}, the worst used {}", verification.checks.size(),

@@ -187,6 +187,13 @@ class FrameText : public FrontEndText {
  public:
   using FrontEndText::FrontEndText;
 
+  std::string word() const override { return "frame"; }
+  std::string heading() const override { return "Frame"; }
+
+  std::string source_of_loads() const override {
+    return "the frame at rest: reactions, loads and distributed weight";
+  }
+
   std::string gravity() const override {
     const Structure& of = frame_of(*project_);
     return components(of.gravity, of.plane) + " m/s^2";

@@ -6,10 +6,11 @@
 namespace boxbeam::report {
 
 Chapter mechanism_chapter(const Source& source) {
-  Chapter chapter{"Mechanism", {}};
+  const std::unique_ptr<const FrontEndText> text = front_end_text_of(source.project);
+  Chapter chapter{text->heading(), {}};
   if (source.level == ReportLevel::summary) return chapter;
   add_pictures(source, FigurePlace::mechanism, chapter.blocks);
-  std::vector<Block> blocks = front_end_text_of(source.project)->blocks(source.verification);
+  std::vector<Block> blocks = text->blocks(source.verification);
   chapter.blocks.insert(chapter.blocks.end(), std::make_move_iterator(blocks.begin()),
                         std::make_move_iterator(blocks.end()));
   return chapter;

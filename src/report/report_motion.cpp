@@ -71,9 +71,9 @@ MovingPicture moving_picture(const Source& source) {
   const auto first = std::find_if(cycles.begin(), cycles.end(), [&](const CycleFigure& cycle) {
     return cycle.situation == governing;
   });
-  std::string caption =
-      fmt::format("The mechanism, the loads on the beam and its cut forces over {}",
-                  cycles.front().repeats ? "one cycle" : "the time looked at");
+  std::string caption = fmt::format("The {}, the loads on the beam and its cut forces over {}",
+                                    front_end_text_of(source.project)->word(),
+                                    cycles.front().repeats ? "one cycle" : "the time looked at");
   if (cycles.size() > 1) {
     caption +=
         fmt::format(" of each situation; it begins with the one that governs, {}", governing);
