@@ -44,6 +44,14 @@ std::vector<double> borders_of(const CutForceDiagram& diagram) {
   return borders;
 }
 
+/// Whether nothing acts on a member between two places of it, weight aside.
+bool stands_free(const MemberLoads& acting, double from, double to) {
+  const bool loaded = std::any_of(
+      acting.loads.points.begin(), acting.loads.points.end(),
+      [&](const PointLoad& load) { return load.s.value() > from && load.s.value() < to; });
+  return !loaded && !acting.line_loaded && acting.heat.isZero(0.0);
+}
+
 const Member& member_of(const Structure& structure, int member) {
   return structure.members[static_cast<std::size_t>(member)];
 }
@@ -102,6 +110,8 @@ std::vector<MemberLoads> Statics::member_loads_of(const ActingLoads& loads) cons
   std::vector<MemberLoads> members(structure_->members.size());
   for (std::size_t m = 0; m < members.size(); ++m)
     members[m].loads.lines = lines_on(static_cast<int>(m), loads);
+  for (const LineAction& line : loads.lines)
+    members[static_cast<std::size_t>(line.member)].line_loaded = true;
   for (const auto& [name, action] : loads.points) {
     const Member& member = member_of(*structure_, action.at.member);
     PointLoad load = point_load(member, action.at, action.force, action.moment, name);
@@ -169,6 +179,7 @@ Equilibrium Statics::solve(const ActingLoads& loads) const {
     const Member& member = member_of(of, piece.member);
     const MemberLoads& acting = result.members[static_cast<std::size_t>(piece.member)];
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
+    if (loads.weight == 0.0 && stands_free(acting, from, to)) continue;
     const Vector6 last = vector_of(acting.cut.at({si<Length>(to), Side::before}));
     const auto cut = [&](double s) -> Vector6 {
       return vector_of(acting.cut.at({si<Length>(s), Side::behind})) - carried_back(last, to - s);

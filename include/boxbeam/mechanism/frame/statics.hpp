@@ -35,6 +35,7 @@ ActingLoads acting_at(const Structure& structure, double time);
 struct MemberLoads {
   BeamLoads loads;  ///< the seam to the verification
   CutForceDiagram cut;
+  bool line_loaded = false;        ///< by more than its weight
   Vector6 heat = Vector6::Zero();  ///< strains, in the order of the cut forces
 };
 
