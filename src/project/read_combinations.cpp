@@ -31,7 +31,7 @@ std::string name_of(const std::string& rule, const std::vector<double>& factors,
   for (std::size_t k = 0; k < factors.size(); ++k) {
     if (factors[k] == 0.0) continue;
     text +=
-        fmt::format("{}{:.4g} {}", text.empty() ? "" : " + ", factors[k], structure.cases[k].name);
+        fmt::format("{}{:.5g} {}", text.empty() ? "" : " + ", factors[k], structure.cases[k].name);
   }
   return fmt::format("{}: {}", rule, text.empty() ? "nothing" : text);
 }

@@ -103,9 +103,9 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
     if (borders_before(bracket[k], station_) == before) continue;
     double low = BracketPoints::between(begin, end, k - 1);
     double high = BracketPoints::between(begin, end, k);
-    constexpr int bisections = 40;
-    for (int i = 0; i < bisections; ++i) {
-      const double half = 0.5 * (low + high);
+    // To the last time before and the first behind: the same from whichever instants it is found,
+    // so that an extremum on one side of it is looked up there.
+    for (double half = 0.5 * (low + high); half > low && half < high; half = 0.5 * (low + high)) {
       (borders_before(loads_->diagram_at(si<Time>(half)), station_) == before ? low : high) = half;
     }
     add(low);
@@ -224,7 +224,8 @@ Extremum StationHistory::extremum_near(std::size_t instant, double sign,
         BracketPoints::point(k > 0 ? k - 1 : 0), BracketPoints::point(std::min(k + 1, last_node)));
     if (found.value <= best.value) continue;
     const double middle = 0.5 * (piece.from + piece.to);
-    best = {middle + 0.5 * (piece.to - piece.from) * found.at, found.value};
+    best = {std::clamp(middle + 0.5 * (piece.to - piece.from) * found.at, piece.from, piece.to),
+            found.value};
     // The search ends within 2^-22 of the bracket: so near an instant, it is the instant.
     const double own = loads_->time_of(instant).value();
     if (std::abs(best.at - own) < 1e-6 * (piece.to - piece.from)) best.at = own;

@@ -51,12 +51,18 @@ TEST_CASE("a cantilever at rest has the factors of the same beam in a mechanism"
   const Verification still = verify(
       parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("4 m") + fixed_at_start +
             "[loads.tip]\nkind = \"force\"\nat = \"4 m\"\nforce = [\"0 kN\", \"-30 kN\"]\n"));
-  REQUIRE(still.checks.size() == moving.checks.size());
-  for (std::size_t i = 0; i < still.checks.size(); ++i) {
-    CHECK(still.checks[i].check.id == moving.checks[i].check.id);
-    CHECK(still.checks[i].check.safety_factor ==
-          Approx(moving.checks[i].check.safety_factor).epsilon(1e-9));
+  // The mechanism has one more place of interest; where both are judged, they are alike.
+  std::size_t alike = 0;
+  for (const CheckResult& at_rest : still.checks) {
+    const auto other =
+        std::find_if(moving.checks.begin(), moving.checks.end(),
+                     [&](const CheckResult& of) { return of.check.id == at_rest.check.id; });
+    if (other == moving.checks.end()) continue;
+    ++alike;
+    CHECK(at_rest.check.safety_factor == Approx(other->check.safety_factor).epsilon(1e-9));
   }
+  CHECK(alike >= 8);
+  CHECK(still.checks.front().check.id == moving.checks.front().check.id);
   CHECK(still.verdict == moving.verdict);
 }
 
@@ -128,7 +134,9 @@ TEST_CASE("two wheels: largest moment R (L/2 - a/4)^2/L under the first", "[fram
   const CheckResult* yield = of.governing(Criterion::yield);
   REQUIRE(yield != nullptr);
   const double W = test::clamped::inertia() / 0.150;
-  CHECK(yield->check.safety_factor == Approx(355e6 * W / expected).epsilon(1e-4));
+  // Von Mises adds a little shear to the bending stress.
+  CHECK(yield->check.safety_factor == Approx(355e6 * W / expected).epsilon(2e-3));
+  CHECK(yield->check.safety_factor <= 355e6 * W / expected);
   // Reactions run from nothing to nearly all.
   const std::vector<SupportReaction>& reactions = of.motions.front().reactions;
   REQUIRE(reactions.size() == 2);
@@ -191,8 +199,8 @@ TEST_CASE("EN 1990 6.10a and 6.10b", "[frame]") {
       combinations_of(parse(beam("6 m") + ends + loads + "[combinations]\nrule = \"6.10a/b\"\n"));
   // a: psi_0 on the leader, too; b: xi gamma_G = 1.1475.
   CHECK(found.count("6.10a: 1.35 weight + 0.9 wind + 0.75 snow") == 1);
-  CHECK(found.count("6.10b: 1.148 weight + 1.5 wind + 0.75 snow") == 1);
-  CHECK(found.count("6.10b: 1.148 weight + 0.9 wind + 1.5 snow") == 1);
+  CHECK(found.count("6.10b: 1.1475 weight + 1.5 wind + 0.75 snow") == 1);
+  CHECK(found.count("6.10b: 1.1475 weight + 0.9 wind + 1.5 snow") == 1);
   // a: 2 x 2 x 2; b: 2 x 5, of which 1.0 G alone is in a already.
   CHECK(found.size() == 8 + 10 - 1);
 }
@@ -226,7 +234,8 @@ TEST_CASE("fatigue counts the cycle between two load situations without partial 
       "[[situations]]\nname = \"lift\"\nbetween = [\"empty\", \"full\"]\ncycles = 2e6\n"
       "[fatigue]\ncategory = 71\nloading = \"constant amplitude\"\ngamma_Mf = 1.35\nrequired = "
       "1.0\n";
-  const CheckResult* fatigue = verify(parse(text)).governing(Criterion::fatigue);
+  const Verification of = verify(parse(text));
+  const CheckResult* fatigue = of.governing(Criterion::fatigue);
   REQUIRE(fatigue != nullptr);
   const double range = 20e3 * 6.0 / 4.0 * 0.150 / test::clamped::inertia();
   CHECK(fatigue->check.safety_factor == Approx(71e6 / 1.35 / range).epsilon(1e-6));
