@@ -74,13 +74,13 @@ constexpr FunctionOf driven_force{wanted::force, "N", "force", "the force does n
 constexpr FunctionOf driven_couple{wanted::moment, "N m", "moment", "the couple does not change"};
 
 /// A force, or a couple, in a direction: of a constant size, or following a function of time.
-std::variant<frame::PointAction, frame::DrivenAction> read_driven(TableReader& table,
+std::variant<frame::PointAction, frame::DrivenAction> read_driven(TableReader& table, bool couple,
                                                                   const Structure& structure,
                                                                   TimeTables& tables) {
   frame::DrivenAction action;
   action.at = read_frame_place(table, structure);
   const LoadAxes axes = read_load_axes(table, structure);
-  action.couple = table.boolean({"couple", "a couple, not a force"}, false);
+  action.couple = couple;
   const frame::Member& member = member_at(structure, action.at.member);
   if (structure.plane && !action.couple) {
     const double angle =
@@ -91,7 +91,9 @@ std::variant<frame::PointAction, frame::DrivenAction> read_driven(TableReader& t
   } else if (structure.plane) {
     action.direction = Vector3d::UnitZ();
   } else {
-    action.direction = table.direction({"direction", "of the force or couple, in its axes"});
+    action.direction = couple
+                           ? table.direction({"axis", "about which the couple turns, in its axes"})
+                           : table.direction({"direction", "of the force, in its axes"});
     if (axes.of_member) action.direction = member.axes * action.direction;
   }
   const bool constant = table.has("size");
@@ -228,8 +230,8 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
         table.text({"case", "the load case; one of its own where not said"}, name);
     const std::size_t before = table.problems().size();
     const std::size_t kind =
-        table.kind({"kind", "of load"},
-                   {"force", "driven", "line", "weight", "temperature", "settlement", "wheels"});
+        table.kind({"kind", "of load"}, {"force", "driven", "driven couple", "line", "weight",
+                                         "temperature", "settlement", "wheels"});
     if (table.problems().size() != before) {
       table.accept_all();
       continue;
@@ -238,13 +240,14 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
     switch (kind) {
       case 0: action.kind = read_point_action(table, structure); break;
       case 1:
+      case 2:
         std::visit([&](auto of) { action.kind = std::move(of); },
-                   read_driven(table, structure, tables));
+                   read_driven(table, kind == 2, structure, tables));
         break;
-      case 2: action.kind = read_line_action(table, structure); break;
-      case 3: break;
-      case 4: action.kind = read_heat(table, structure); break;
-      case 5: action.kind = read_settlement(table, structure); break;
+      case 3: action.kind = read_line_action(table, structure); break;
+      case 4: break;
+      case 5: action.kind = read_heat(table, structure); break;
+      case 6: action.kind = read_settlement(table, structure); break;
       default: action.kind = read_wheels(table, structure);
     }
     if (index_of(structure.joints, name) >= 0) {

@@ -27,8 +27,10 @@ std::string units_of(const DimensionExponents& of) {
   if (of == DimensionExponents{0, 1, 0, 0}) return fmt::format("({}g|t)", prefix);
   if (of == DimensionExponents{0, 0, 1, 0}) return fmt::format("({}s|min|h)", prefix);
   if (of == DimensionExponents{0, 0, 0, 1}) return fmt::format("({}rad|deg)", prefix);
+  if (of == DimensionExponents{0, 0, 0, 0, 1}) return "K";
+  if (of == DimensionExponents{0, 0, 0, 0, -1}) return "(1/|/)K";
   const std::string unit =
-      fmt::format("({}(m|g|s|rad|Hz|N|Pa|bar|J|W)|t|min|h|deg|rpm)(\\^-?[1-9]|²|³)?", prefix);
+      fmt::format("({}(m|g|s|rad|Hz|N|Pa|bar|J|W)|t|min|h|deg|rpm|K)(\\^-?[1-9]|²|³)?", prefix);
   return fmt::format("{}([\\s*·/]+{})*", unit, unit);
 }
 
@@ -171,7 +173,7 @@ class Definitions {
       for (const auto& [other, word] : key.key.required_with)
         wanted_with.push_back(of_wanted_with(key.key.name, other, word));
       if (key.key.name == "*") {
-        schema["additionalProperties"] = value;
+        add(schema, "additionalProperties", std::move(value));
         closed = false;
         continue;
       }
@@ -183,7 +185,7 @@ class Definitions {
         continue;
       }
       auto part = std::find_if(parts.begin(), parts.end(),
-                               [&](const auto& each) { return each.first == key.only; });
+                               [&](const auto& each) { return alike(each.first, key.only); });
       if (part == parts.end())
         part = parts.insert(parts.end(), {key.only, {{"properties", json::object()}}});
       add(part->second["properties"], key.key.name, std::move(value));
@@ -201,6 +203,17 @@ class Definitions {
     for (json& each : wanted_with) schema["allOf"].push_back(std::move(each));
     if (closed) schema[parts.empty() ? "additionalProperties" : "unevaluatedProperties"] = false;
     return schema;
+  }
+
+  /// Whether two keys are known in the same kinds of table, named in whatever order.
+  static bool alike(const std::vector<KeyDescription::Only>& a,
+                    const std::vector<KeyDescription::Only>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& one, const auto& other) {
+                        return one.key == other.key &&
+                               std::is_permutation(one.words.begin(), one.words.end(),
+                                                   other.words.begin(), other.words.end());
+                      });
   }
 
   /// A key that means several things has one of them.
