@@ -65,16 +65,21 @@ class FrameReader : public FrontEndReader {
     return with_parts(root, beam_);
   }
 
-  std::optional<AnyMechanism> read_loads(TableReader& table,
-                                         std::vector<std::string>& what) const override {
-    if (!table.has("loads")) return {};
-    frame::Structure structure = frame_of(*project_);
+  void read_loads(TableReader& table, Situation& situation) const override {
+    if (!table.has("loads")) {
+      table.problem("loads", "which load cases act in the situation is not said",
+                    "write how often each counts: loads = { weight = 1.0, lift = 1.2 }");
+      return;
+    }
+    frame::Structure structure =
+        situation.changed ? std::get<frame::Structure>(*situation.changed) : frame_of(*project_);
     structure.factors = read_case_factors(table, structure);
     for (std::size_t k = 0; k < structure.cases.size(); ++k) {
       if (structure.factors[k] != 0.0)
-        what.push_back(fmt::format("{:.4g} {}", structure.factors[k], structure.cases[k].name));
+        situation.set.push_back(
+            fmt::format("{:.5g} {}", structure.factors[k], structure.cases[k].name));
     }
-    return structure;
+    situation.changed = std::move(structure);
   }
 
   void read_neighbours(TableReader& root) override {

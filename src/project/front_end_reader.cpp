@@ -14,13 +14,10 @@ std::unique_ptr<FrontEndReader> front_end_reader(const Sections& sections, TimeT
       project.mechanism);
 }
 
-std::optional<AnyMechanism> FrontEndReader::read_loads(TableReader& table,
-                                                       std::vector<std::string>&) const {
-  if (table.has_misplaced("loads")) {
-    table.problem("loads", "load cases are known for frames at rest only",
-                  "write what differs as \"set\"");
-  }
-  return {};
+void FrontEndReader::read_loads(TableReader& table, Situation&) const {
+  if (!table.has_misplaced("loads")) return;
+  table.problem("loads", "load cases are known for frames at rest only",
+                "write what differs as \"set\"");
 }
 
 Changeable changeable_of_bodies(const std::string& beam_body) {

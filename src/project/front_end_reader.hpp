@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -37,9 +36,8 @@ class FrontEndReader {
   /// Whether it vibrates of itself, so that it can be started.
   virtual bool vibrates() const { return false; }
 
-  /// "loads" of a situation, and the mechanism with them; nothing where it has no load cases.
-  virtual std::optional<AnyMechanism> read_loads(TableReader&,
-                                                 std::vector<std::string>& what) const;
+  /// "loads" of a situation whose other changes are read, where it has load cases.
+  virtual void read_loads(TableReader& table, Situation& situation) const;
 
   /// Situations that the case does not list.
   virtual std::vector<Situation> read_combinations(TableReader&) const { return {}; }

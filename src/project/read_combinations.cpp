@@ -121,6 +121,11 @@ std::vector<CaseRule> read_case_rules(TableReader& root, const frame::Structure&
       rule.psi_0 = table.any_number({"psi_0", "of its combination value; EN 1990, table A1.1"});
       rule.psi_1 = table.any_number({"psi_1", "of its frequent value"}, rule.psi_0);
       rule.psi_2 = table.any_number({"psi_2", "of its quasi-permanent value"}, rule.psi_1);
+      for (const auto& [key, psi] :
+           {std::pair{"psi_0", rule.psi_0}, {"psi_1", rule.psi_1}, {"psi_2", rule.psi_2}}) {
+        if (psi >= 0.0 && psi <= 1.0) continue;
+        table.problem(key, fmt::format("{} is from 0 to 1", key), "see EN 1990, table A1.1");
+      }
     }
     table.finish();
     const int index = index_of(structure.cases, name);
@@ -245,7 +250,7 @@ void add_sets(TableReader& table, const frame::Structure& structure, Combination
       }
     }
     set.finish();
-    combinations.add(name, choices, true, true);
+    combinations.add(name, choices, true, false);
   }
 }
 
@@ -273,7 +278,12 @@ std::vector<Situation> read_combinations(TableReader& root, const frame::Structu
   add_sets(table, structure, combinations);
   table.finish();
   if (root.problems().size() != before) return {};
-  return combinations.take();
+  std::vector<Situation> found = combinations.take();
+  if (found.empty() && !root.has("situations") && root.problems().size() == before) {
+    table.problem("rule", "no combination and no situation is left to be verified",
+                  "write rule = \"6.10\", [[combinations.sets]] or [[situations]]");
+  }
+  return found;
 }
 
 std::vector<double> read_case_factors(TableReader& table, const frame::Structure& structure) {

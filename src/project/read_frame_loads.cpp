@@ -236,6 +236,11 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
       table.accept_all();
       continue;
     }
+    if (of_case == "weight" && kind != 4 && !table.has("case")) {
+      table.problem(
+          "", "\"weight\" is the load case of the members' own weight",
+          "give the load another name, or write case = \"weight\" where it comes with it");
+    }
     frame::Action action{name, frame::OwnWeight{}};
     switch (kind) {
       case 0: action.kind = read_point_action(table, structure); break;

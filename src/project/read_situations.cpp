@@ -275,9 +275,7 @@ void read_situations(TableReader& root, const Node& tree, const FrontEndReader& 
         set.accept_all();
         situation.changed = changed_mechanism(set, tree, situation, project, front_end);
       }
-      if (auto loaded = front_end.read_loads(table, situation.set)) {
-        situation.changed = std::move(loaded);
-      }
+      front_end.read_loads(table, situation);
     }
     table.finish();
     project.situations.push_back(std::move(situation));

@@ -212,6 +212,20 @@ class FrameText : public FrontEndText {
     return entries;
   }
 
+  void add_remarks(std::vector<std::string>& remarks) const override {
+    const Structure& of = frame_of(*project_);
+    std::string others;
+    for (std::size_t m = 0; m < of.members.size(); ++m) {
+      if (static_cast<int>(m) == project_->beam_body) continue;
+      others += (others.empty() ? "" : ", ") + of.members[m].name;
+    }
+    if (others.empty()) return;
+    remarks.push_back(fmt::format(
+        "of the frame the beam is verified; {} {} elastic and loaded, and nothing is checked in {}",
+        others, of.members.size() > 2 ? "are" : "is", of.members.size() > 2 ? "them" : "it"));
+  }
+  using FrontEndText::add_remarks;
+
   std::vector<Block> blocks(const Verification& verification) const override {
     const Structure& of = frame_of(*project_);
     return {members_table(of), joints_table(of), reactions_table(of, verification.motions)};

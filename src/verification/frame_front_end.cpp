@@ -117,6 +117,13 @@ class LoadedFrame {
     return of;
   }
 
+  /// With every member in so many parts.
+  double critical_factor(double time) const {
+    constexpr int parts = 8;
+    if (!finer_) finer_ = std::make_unique<frame::Statics>(structure, parts);
+    return finer_->critical_factor(finer_->solve(acting_at(structure, time)));
+  }
+
   /// By which heat bends the beam about its y [1/m].
   double heat_curvature() const {
     return standing_.members[static_cast<std::size_t>(member_)].heat[4];
@@ -139,6 +146,7 @@ class LoadedFrame {
  private:
   int member_;
   frame::Statics statics_;
+  mutable std::unique_ptr<const frame::Statics> finer_;  ///< made when first asked for
   frame::Structure lasting_, moving_;
   frame::Equilibrium standing_;
   bool changes_ = false;
@@ -222,6 +230,10 @@ class FrameAtRest : public SolvedMotion {
     return {start[2], -start[4], frame_->heat_curvature()};
   }
 
+  std::optional<double> critical_factor(Time time) const override {
+    return frame_->critical_factor(time.value());
+  }
+
   std::vector<SupportReaction> reactions(const LoadHistory& loads) const override {
     std::vector<SupportReaction> of;
     for (const frame::Joint& joint : frame_->structure.joints) {
@@ -272,7 +284,7 @@ class FrameFrontEnd : public FrontEnd {
     choice.chosen = {ModelLevel::flexible, 0, 0, {}, false};
     choice.tolerance = project_->model.tolerance;
     choice.second_order = estimate_second_order(*project_, run_situations(*project_));
-    choice.reason = "elastic members at rest, exact; " + second_order_text(choice.second_order);
+    choice.reason = "elastic members at rest, exact, by theory of the first order";
     return choice;
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "boxbeam/verification/balance_defect.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
 
 namespace boxbeam {
@@ -138,6 +139,54 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                                percent_text(model.tolerance)),
                    true});
   return gates;
+}
+
+std::vector<Gate> stability_gates_of(const Project& project, const std::deque<SituationRun>& runs) {
+  constexpr std::size_t looked_at = 24;
+  struct Least {
+    double factor = 0.0;
+    Time when;
+    const SituationRun* run = nullptr;
+  };
+  Least least;
+  for (const SituationRun& run : runs) {
+    // Loads of a situation that counts for fatigue or deflection only are smaller than those for
+    // strength, or counted there, too.
+    const double factor = std::max(run.situation->load_factor, 1.0) * project.strength.required;
+    const std::size_t step = std::max<std::size_t>(1, run.loads.instants() / looked_at);
+    for (std::size_t i = 0; i < run.loads.instants(); i += step) {
+      const Time time = run.loads.time_of(i);
+      const std::optional<double> critical = run.motion->critical_factor(time);
+      if (!critical) return {};
+      if (least.run == nullptr || *critical / factor < least.factor)
+        least = {*critical / factor, time, &run};
+      if (run.motion->stands_still()) break;
+    }
+  }
+  constexpr double first_order_from = 10.0, worth_saying = 100.0;
+  if (least.run == nullptr || least.factor >= worth_saying) return {};
+  const std::string& name = least.run->situation->name;
+  const std::string where = name.empty() ? "" : fmt::format(" of situation \"{}\"", name);
+  if (least.factor <= 1.0) {
+    return {{"", "",
+             fmt::format("the frame buckles elastically under its loads{}, at {:.3g} times them: "
+                         "stresses of theory of the first order mean nothing",
+                         where, least.factor),
+             true}};
+  }
+  if (least.factor < first_order_from) {
+    return {{"", "",
+             fmt::format("the frame buckles elastically at {:.3g} times its loads{}, below {}: "
+                         "second order counts (EN 1993-1-1, 5.2.1(3)) and is not in the cut forces",
+                         least.factor, where, first_order_from),
+             true}};
+  }
+  return {
+      {"", "",
+       fmt::format("the frame buckles elastically at {:.3g} times its loads{}, above {}: theory "
+                   "of the first order holds (EN 1993-1-1, 5.2.1(3))",
+                   least.factor, where, first_order_from),
+       false}};
 }
 
 }  // namespace boxbeam

@@ -61,6 +61,9 @@ class SolvedMotion {
   /// What bends and moves the beam beside its cut forces; nothing of rigid bodies.
   virtual BeamShift beam_shift(Time) const { return {}; }
 
+  /// So many times its loads at a time the whole of it buckles; nothing where that is not known.
+  virtual std::optional<double> critical_factor(Time) const { return {}; }
+
   /// What the ground does to it; nothing where that is not asked of its kind.
   virtual std::vector<SupportReaction> reactions(const LoadHistory&) const { return {}; }
 

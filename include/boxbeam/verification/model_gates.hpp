@@ -1,8 +1,10 @@
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
 
@@ -10,5 +12,9 @@ namespace boxbeam {
 /// forces are those of rigid bodies, beside a beam that vibrates; a demanded model that is found or
 /// estimated to miss the tolerance.
 std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& model);
+
+/// The least elastic critical load factor of what carries the beam, where it is known: below 10
+/// theory of the first order does not hold. Source: EN 1993-1-1:2005, 5.2.1(3).
+std::vector<Gate> stability_gates_of(const Project& project, const std::deque<SituationRun>& runs);
 
 }  // namespace boxbeam

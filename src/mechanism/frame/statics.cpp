@@ -23,7 +23,7 @@ constexpr const char* axis_names[] = {"x", "y", "z"};
 
 }  // namespace
 
-Statics::Statics(const Structure& structure) : structure_(&structure) {
+Statics::Statics(const Structure& structure, int parts) : structure_(&structure) {
   for (const Member& member : structure.members) {
     if (!structure.plane) {
       for (const Segment& segment : member.beam.segments) {
@@ -57,6 +57,13 @@ Statics::Statics(const Structure& structure) : structure_(&structure) {
     stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
     stations.front() = 0.0;
     stations.back() = length;
+    const std::vector<double> held = stations;
+    stations = {0.0};
+    for (std::size_t k = 1; k < held.size(); ++k) {
+      for (int part = 1; part < parts; ++part)
+        stations.push_back(held[k - 1] + (held[k] - held[k - 1]) * part / parts);
+      stations.push_back(held[k]);
+    }
     for (std::size_t k = 0; k < stations.size(); ++k) {
       if (k > 0) pieces_.push_back({static_cast<int>(m), nodes_.size() - 1, nodes_.size()});
       nodes_.push_back({static_cast<int>(m), stations[k]});
@@ -89,7 +96,6 @@ std::size_t Statics::node_of(const Place& at) const {
 void Statics::assemble() {
   const Structure& of = *structure_;
   const std::span<const Index> world = world_components(of), cut = cut_components(of);
-  std::vector<Matrix6> flexibilities;
   double softest = 0.0;
   for (const Piece& piece : pieces_) {
     const double from = nodes_[piece.from].s, to = nodes_[piece.to].s;
@@ -99,7 +105,7 @@ void Statics::assemble() {
       F.col(k) = strain_between(piece.member, from, to, {}, unit, Vector6::Zero());
     }
     softest = std::max({softest, F(1, 1), F(2, 2)});
-    flexibilities.push_back(0.5 * (F + F.transpose()));
+    flexibilities_.push_back(0.5 * (F + F.transpose()));
   }
   // Unknowns near one: a force that shifts by the length of the frame.
   force_ = length_ / softest;
@@ -130,7 +136,7 @@ void Statics::assemble() {
       add(row, cut[i], piece.from, at_from);
       add(row, cut[i], piece.to, into);
       for (std::size_t j = 0; j < cut.size(); ++j) {
-        const double value = flexibilities[p](cut[i], cut[j]);
+        const double value = flexibilities_[p](cut[i], cut[j]);
         if (value == 0.0) continue;
         entries.emplace_back(row, row_of_piece(p) + static_cast<Index>(j),
                              -value * force_unit(cut[j]) / shift_unit(cut[i]));

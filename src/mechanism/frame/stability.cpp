@@ -1,0 +1,153 @@
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "rigid_arms.hpp"
+
+namespace boxbeam::frame {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// What an axial force, tension positive, adds to the stiffness of a piece of length h against its
+/// shift across and its turn at both ends, (w, dw/ds) at each.
+Eigen::Matrix4d geometric_stiffness(double force, double h) {
+  Eigen::Matrix4d of;
+  of << 36.0, 3.0 * h, -36.0, 3.0 * h,         //
+      3.0 * h, 4.0 * h * h, -3.0 * h, -h * h,  //
+      -36.0, -3.0 * h, 36.0, -3.0 * h,         //
+      3.0 * h, -h * h, -3.0 * h, 4.0 * h * h;
+  return force / (30.0 * h) * of;
+}
+
+/// The same against the shifts and turns of both ends, axes of the member: z with -theta_y, y with
+/// theta_z.
+Eigen::Matrix<double, 12, 12> geometric_block(double force, double h) {
+  Eigen::Matrix<double, 12, 12> block = Eigen::Matrix<double, 12, 12>::Zero();
+  const Eigen::Matrix4d across = geometric_stiffness(force, h);
+  struct Place {
+    Index at;
+    double sign;
+  };
+  const Place in_z[] = {{2, 1.0}, {4, -1.0}, {8, 1.0}, {10, -1.0}};
+  const Place in_y[] = {{1, 1.0}, {5, 1.0}, {7, 1.0}, {11, 1.0}};
+  for (const auto& places : {in_z, in_y}) {
+    for (Index i = 0; i < 4; ++i) {
+      for (Index j = 0; j < 4; ++j)
+        block(places[i].at, places[j].at) += places[i].sign * places[j].sign * across(i, j);
+    }
+  }
+  return block;
+}
+
+}  // namespace
+
+double Statics::critical_factor(const Equilibrium& of, double most) const {
+  const Structure& structure = *structure_;
+  const std::span<const Index> world = world_components(structure),
+                               cuts = cut_components(structure);
+  const auto count = static_cast<Index>(world.size());
+  const Index size = row_of_node(nodes_.size());
+  const auto unit = [&](Index k) { return k < 3 ? length_ : 1.0; };
+  // Energies by the unit of force times that of length, so that entries are near one.
+  const double energy = force_ * length_;
+  std::vector<Eigen::Triplet<double>> elastic, geometric;
+  const auto add = [&](std::vector<Eigen::Triplet<double>>& to, std::size_t a, std::size_t b,
+                       const Matrix6& block) {
+    for (Index i = 0; i < count; ++i) {
+      for (Index j = 0; j < count; ++j) {
+        const Index row = world[static_cast<std::size_t>(i)],
+                    column = world[static_cast<std::size_t>(j)];
+        const double value = block(row, column) * unit(row) * unit(column) / energy;
+        if (value != 0.0) to.emplace_back(row_of_node(a) + i, row_of_node(b) + j, value);
+      }
+    }
+  };
+  bool compressed = false;
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const Piece& piece = pieces_[p];
+    const double from = nodes_[piece.from].s, h = nodes_[piece.to].s - from;
+    const Matrix6 into =
+        rotation(structure.members[static_cast<std::size_t>(piece.member)].axes).transpose();
+    // Of the components that the frame has: (A_i A_j)^T F^-1 (A_i A_j).
+    Eigen::MatrixXd F(cuts.size(), cuts.size());
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      for (std::size_t j = 0; j < cuts.size(); ++j)
+        F(static_cast<Index>(i), static_cast<Index>(j)) = flexibilities_[p](cuts[i], cuts[j]);
+    }
+    const Eigen::MatrixXd inverse = F.inverse();
+    Matrix6 K = Matrix6::Zero();
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      for (std::size_t j = 0; j < cuts.size(); ++j)
+        K(cuts[i], cuts[j]) = inverse(static_cast<Index>(i), static_cast<Index>(j));
+    }
+    const Matrix6 ends[] = {-carry(Vector3d(h, 0.0, 0.0)) * into, into};
+    const std::size_t nodes[] = {piece.from, piece.to};
+    const CutForces cut =
+        of.members[static_cast<std::size_t>(piece.member)].cut.at({si<Length>(from + 0.5 * h)});
+    const double force = cut.N.value();
+    compressed = compressed || force < 0.0;
+    const Eigen::Matrix<double, 12, 12> axial = geometric_block(force, h);
+    for (Index a = 0; a < 2; ++a) {
+      for (Index b = 0; b < 2; ++b) {
+        add(elastic, nodes[a], nodes[b], ends[a].transpose() * K * ends[b]);
+        add(geometric, nodes[a], nodes[b],
+            into.transpose() * axial.block<6, 6>(6 * a, 6 * b) * into);
+      }
+    }
+  }
+  if (!compressed) return most;
+  for (const Joint& joint : structure.joints) {
+    // Rigid is far stiffer than any piece.
+    constexpr double rigid = 1e7;
+    Matrix6 K = Matrix6::Zero();
+    for (Index k = 0; k < 6; ++k) {
+      const double stiffness = joint.stiffness[static_cast<std::size_t>(k)];
+      const double stiffest = rigid * energy / (unit(k) * unit(k));
+      K(k, k) = std::isinf(stiffness) ? stiffest : std::min(stiffness, stiffest);
+    }
+    const Matrix6 into = rotation(joint.axes).transpose();
+    const auto end_of = [&](const Place& at, double sign) -> Matrix6 {
+      const Matrix3d& axes = structure.members[static_cast<std::size_t>(at.member)].axes;
+      return sign * into * carry(axes * Vector3d(0.0, at.p.y(), at.p.z()));
+    };
+    struct End {
+      const Place* at;
+      Matrix6 motion;
+    };
+    std::vector<End> ends;
+    if (joint.a.member != ground) ends.push_back({&joint.a, end_of(joint.a, -1.0)});
+    if (joint.b.member != ground) ends.push_back({&joint.b, end_of(joint.b, 1.0)});
+    for (const End& a : ends) {
+      for (const End& b : ends)
+        add(elastic, node_of(*a.at), node_of(*b.at), a.motion.transpose() * K * b.motion);
+    }
+  }
+  Sparse stiffness(size, size), stress(size, size);
+  stiffness.setFromTriplets(elastic.begin(), elastic.end());
+  stress.setFromTriplets(geometric.begin(), geometric.end());
+  Eigen::SimplicialLDLT<Sparse> solver;
+  solver.analyzePattern(stiffness + stress);
+  const auto buckles = [&](double factor) {
+    solver.factorize(stiffness + factor * stress);
+    return solver.info() != Eigen::Success || (solver.vectorD().array() <= 0.0).any();
+  };
+  double stable = 0.0, unstable = 1.0;
+  while (!buckles(unstable)) {
+    stable = unstable;
+    if (unstable >= most) return most;
+    unstable *= 2.0;
+  }
+  constexpr double within = 1e-3;
+  while (unstable - stable > within * unstable) {
+    const double half = 0.5 * (stable + unstable);
+    (buckles(half) ? unstable : stable) = half;
+  }
+  return 0.5 * (stable + unstable);
+}
+
+}  // namespace boxbeam::frame
