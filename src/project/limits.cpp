@@ -52,10 +52,10 @@ struct OfDimension {
   const char* unit;
 };
 
-/// Beyond these nothing is meant that moves a welded beam: a length of the Earth, a mass of a
+/// Beyond these nothing is meant that moves a welded beam: a length that no beam has, a mass of a
 /// mountain, a modulus a thousand times that of diamond.
 constexpr OfDimension table_of_ranges[] = {
-    {wanted::length.exponents, 1e-9, 1e6, "m"},
+    {wanted::length.exponents, 1e-9, 1e4, "m"},
     {wanted::mass.exponents, 1e-12, 1e12, "kg"},
     {wanted::time.exponents, 1e-12, 1e9, "s"},
     {wanted::angle.exponents, 1e-12, 1e6, "rad"},

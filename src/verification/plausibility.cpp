@@ -70,6 +70,12 @@ void require_numbers(const std::vector<StationEnvelope>& stations,
   }
 }
 
+void require_numbers(const std::optional<ChainComparison>& chain) {
+  if (!chain) return;
+  if (!is_number(chain->chain_mass.value())) refuse("the mass that the chain yields", "beam");
+  if (!is_number(chain->moment_gap.value())) refuse("the couple left over by the chain", "beam");
+}
+
 void require_moderate_work(std::size_t instants, std::size_t places) {
   // Some ten seconds.
   constexpr double most = 1e6;

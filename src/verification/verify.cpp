@@ -104,6 +104,7 @@ Verification verify(const Project& project, Figures figures) {
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);
   Pictures pictures = pictures_of(project, runs, model.chosen, checks, instants, motions, figures);
   std::optional<ChainComparison> chain = chain_comparison_of(project, runs, instants);
+  require_numbers(chain);
   std::vector<CodeResult> codes = compare_codes(project, checks);
   const Verdict verdict = verdict_of(checks, gates);
   return {.verdict = verdict,

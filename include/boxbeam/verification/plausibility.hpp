@@ -12,6 +12,7 @@ namespace boxbeam {
 /// far apart for the arithmetic. Throws AnalysisError that names the result.
 void require_numbers(const std::vector<StationEnvelope>& stations,
                      const std::vector<CheckResult>& checks, const ModelChoice& model);
+void require_numbers(const std::optional<ChainComparison>& chain);
 
 /// Stops where more would be looked at than can be waited for: the instants of all situations that
 /// run, times the places of the beam where something begins or ends. Throws AnalysisError that
