@@ -184,33 +184,33 @@ std::variant<ParsedQuantity, std::string> parse_quantity(std::string_view text) 
 }
 
 std::string name_of(const DimensionExponents& exponents) {
-  static constexpr WantedDimension named[] = {wanted::length,
-                                              wanted::area,
-                                              wanted::mass,
-                                              wanted::angle,
-                                              wanted::frequency,
-                                              wanted::angular_frequency,
-                                              wanted::velocity,
-                                              wanted::acceleration,
-                                              wanted::force,
-                                              wanted::moment,
-                                              wanted::stiffness,
-                                              wanted::damping,
-                                              wanted::torsional_stiffness,
-                                              wanted::torsional_damping,
-                                              wanted::stress,
-                                              wanted::line_mass,
-                                              wanted::bending_stiffness,
-                                              wanted::density,
-                                              wanted::inertia,
-                                              wanted::time,
-                                              wanted::temperature,
-                                              wanted::temperature_gradient,
-                                              wanted::expansion,
-                                              wanted::pure_number,
-                                              {{3, 0, 0, 0}, "a volume", ""}};
-  for (const WantedDimension& known : named) {
-    if (known.exponents == exponents) return known.name;
+  static constexpr const WantedDimension* named[] = {&wanted::length,
+                                                     &wanted::area,
+                                                     &wanted::mass,
+                                                     &wanted::angle,
+                                                     &wanted::frequency,
+                                                     &wanted::angular_frequency,
+                                                     &wanted::velocity,
+                                                     &wanted::acceleration,
+                                                     &wanted::force,
+                                                     &wanted::moment,
+                                                     &wanted::stiffness,
+                                                     &wanted::damping,
+                                                     &wanted::torsional_stiffness,
+                                                     &wanted::torsional_damping,
+                                                     &wanted::stress,
+                                                     &wanted::line_mass,
+                                                     &wanted::bending_stiffness,
+                                                     &wanted::density,
+                                                     &wanted::inertia,
+                                                     &wanted::time,
+                                                     &wanted::temperature,
+                                                     &wanted::temperature_gradient,
+                                                     &wanted::expansion,
+                                                     &wanted::pure_number,
+                                                     &wanted::volume};
+  for (const WantedDimension* known : named) {
+    if (known->exponents == exponents) return known->name;
   }
   std::string text = "something in";
   const auto add = [&](const char* unit, int exponent) {

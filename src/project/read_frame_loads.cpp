@@ -20,7 +20,7 @@ struct LoadAxes {
   /// In the plane a member's axes are x along it and z to its left.
   Vector3d read(TableReader& table, const Key& key, const WantedDimension& wanted,
                 const frame::Member& member, std::optional<Vector3d> fallback = {}) const {
-    const Vector3d written = vector_of(table, key, wanted, plane, fallback);
+    Vector3d written = vector_of(table, key, wanted, plane, fallback);
     if (!of_member) return written;
     if (plane) return member.axes * Vector3d(written.x(), 0.0, written.y());
     return member.axes * written;

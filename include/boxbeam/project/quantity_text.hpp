@@ -36,6 +36,7 @@ namespace wanted {
 inline constexpr WantedDimension pure_number{{0, 0, 0, 0}, "a number without unit", "\"2.0\""};
 inline constexpr WantedDimension length{{1, 0, 0, 0}, "a length", "\"0.25 m\" or \"250 mm\""};
 inline constexpr WantedDimension area{{2, 0, 0, 0}, "an area", "\"1200 mm^2\""};
+inline constexpr WantedDimension volume{{3, 0, 0, 0}, "a volume", "\"0.5 m^3\""};
 inline constexpr WantedDimension mass{{0, 1, 0, 0}, "a mass", "\"119 kg\" or \"20 t\""};
 inline constexpr WantedDimension time{{0, 0, 1, 0}, "a time", "\"1.071 s\""};
 inline constexpr WantedDimension angle{{0, 0, 0, 1}, "an angle", "\"25 deg\" or \"0.44 rad\""};

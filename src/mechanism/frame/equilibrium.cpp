@@ -61,7 +61,7 @@ const Member& member_of(const Structure& structure, int member) {
 std::vector<LineLoad> Statics::lines_on(int member, const ActingLoads& loads) const {
   const Member& of = member_of(*structure_, member);
   const Vector3d gravity = loads.weight * (of.axes.transpose() * structure_->gravity);
-  const std::vector<LineLoad> weight =
+  std::vector<LineLoad> weight =
       weight_and_inertia(of.beam, masses_[static_cast<std::size_t>(member)], gravity, {});
   const double whole = of.beam.length().value();
   std::vector<double> ends;
