@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boxbeam {
 
@@ -33,7 +34,9 @@ TurningSamples turning_samples_of(const std::vector<double>& values) {
       candidate = i;
     }
   }
-  std::sort(turns.begin(), turns.end());
+  std::sort(turns.begin(), turns.end(), [](const TurningSample& a, const TurningSample& b) {
+    return std::pair(a.index, a.maximum) < std::pair(b.index, b.maximum);
+  });
   turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
   return found;
 }

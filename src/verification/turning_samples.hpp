@@ -11,7 +11,7 @@ struct TurningSample {
   std::size_t index = 0;
   bool maximum = true;
 
-  friend auto operator<=>(const TurningSample&, const TurningSample&) = default;
+  friend bool operator==(const TurningSample&, const TurningSample&) = default;
 };
 
 struct TurningSamples {
