@@ -44,8 +44,9 @@ int read_member(TableReader& table, const Structure& structure) {
   return 0;
 }
 
+/// The member of a place; where that is not known, which has been said, the beam.
 const frame::Member& member_at(const Structure& structure, int member) {
-  return structure.members[static_cast<std::size_t>(member)];
+  return structure.members[static_cast<std::size_t>(std::max(0, member))];
 }
 
 frame::PointAction read_point_action(TableReader& table, const Structure& structure) {
