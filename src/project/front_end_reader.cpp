@@ -14,12 +14,6 @@ std::unique_ptr<FrontEndReader> front_end_reader(const Sections& sections, TimeT
       project.mechanism);
 }
 
-void FrontEndReader::read_loads(TableReader& table, Situation&) const {
-  if (!table.has_misplaced("loads")) return;
-  table.problem("loads", "load cases are known for frames at rest only",
-                "write what differs as \"set\"");
-}
-
 Changeable changeable_of_bodies(const std::string& beam_body) {
   static constexpr std::array parts{"mechanism", "bodies", "joints", "drivers",
                                     "forces",    "loops",  "motion"};

@@ -37,7 +37,7 @@ class FrontEndReader {
   virtual bool vibrates() const { return false; }
 
   /// "loads" of a situation whose other changes are read, where it has load cases.
-  virtual void read_loads(TableReader& table, Situation& situation) const;
+  virtual void read_loads(TableReader&, Situation&) const {}
 
   /// Situations that the case does not list.
   virtual std::vector<Situation> read_combinations(TableReader&) const { return {}; }

@@ -37,6 +37,9 @@ ONLY_THE_PROGRAM = {
     ("fatigue", "cycles"),  # without situations
     ("deflection", "from"), ("deflection", "to"),  # where the supports do not say it
     ("joints", "angle"),  # of a contact that slides on the ground
+    ("members", "to"), ("members", "segments"),  # one of them says how long a member is
+    ("joints", "axis"), ("loads", "axis"),  # of frames in space
+    ("situations", "loads"),  # of frames that run in the situation
 }
 KINDS = ("planar", "spatial", "flexible", "static")
 # What the cases with every key name.
