@@ -36,7 +36,7 @@ void read_frame_joints(TableReader& root, frame::Structure& structure);
 /// [loads], each in its load case.
 void read_frame_loads(TableReader& root, frame::Structure& structure, TimeTables& tables);
 
-/// [actions] and [combinations] of EN 1990, as situations.
+/// [load_cases] and [combinations] of EN 1990, as situations.
 std::vector<Situation> read_combinations(TableReader& root, const frame::Structure& structure);
 
 /// "loads" of a situation: how often each load case counts.

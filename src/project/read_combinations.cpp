@@ -154,10 +154,8 @@ template <class Factor>
 void add_with_leaders(Combinations& combinations, const std::string& rule,
                       const std::vector<CaseRule>& rules, const std::vector<double>& permanent,
                       const Factor& leading, const Factor& beside, bool strength) {
-  bool any = false;
   for (std::size_t leader = 0; leader < rules.size(); ++leader) {
     if (rules[leader].permanent) continue;
-    any = true;
     Choices choices;
     for (std::size_t k = 0; k < rules.size(); ++k) {
       if (rules[k].permanent)
@@ -172,7 +170,7 @@ void add_with_leaders(Combinations& combinations, const std::string& rule,
   Choices alone;
   for (const CaseRule& of : rules)
     alone.push_back(of.permanent ? permanent : std::vector<double>{0.0});
-  if (!any || strength) combinations.add(rule, alone, strength, !strength);
+  combinations.add(rule, alone, strength, !strength);
 }
 
 void add_strength(TableReader& table, const std::vector<CaseRule>& rules,

@@ -268,6 +268,27 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
     }
     structure.cases[static_cast<std::size_t>(index)].actions.push_back(std::move(action));
   }
+  // Each of two loads that move may stand anywhere while the other does: their places together are
+  // not searched.
+  std::string moves;
+  bool wheels_run = false;
+  for (const frame::LoadCase& of : structure.cases) {
+    for (const frame::Action& action : of.actions) {
+      const bool runs = std::holds_alternative<frame::Wheels>(action.kind);
+      if (!runs && !std::holds_alternative<frame::DrivenAction>(action.kind)) continue;
+      if (!moves.empty() && (runs || wheels_run)) {
+        root.problem(
+            "loads",
+            fmt::format("wheels \"{}\" and load \"{}\" change independently of each other, "
+                        "and the worst of both together is not searched",
+                        runs ? action.name : moves, runs ? moves : action.name),
+            "write all wheels as one load, or a case of its own for each");
+        break;
+      }
+      moves = action.name;
+      wheels_run = wheels_run || runs;
+    }
+  }
   // The weight is there unless somebody places it in a case of its own.
   const bool weighed =
       std::any_of(structure.cases.begin(), structure.cases.end(), [](const frame::LoadCase& of) {

@@ -123,6 +123,11 @@ void add_loads(const SituationRun& run, Gathered& cuts) {
     cuts.add(way.low, true);
     cuts.add(way.high, true);
   }
+  // Where loads stand when a history that stays open begins and ends: beyond, none of them comes.
+  if (loads.closed()) return;
+  for (const std::size_t i : {std::size_t{0}, loads.instants() - 1}) {
+    for (const Length& s : borders_of(loads.diagram(i))) cuts.add(s, true);
+  }
 }
 
 /// Which of several laws holds at a place; where two places differ, something jumps between them.

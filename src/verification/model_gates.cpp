@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/front_end.hpp"
@@ -142,26 +143,39 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
 }
 
 std::vector<Gate> stability_gates_of(const Project& project, const std::deque<SituationRun>& runs) {
-  constexpr std::size_t looked_at = 24;
   struct Least {
-    double factor = 0.0;
-    Time when;
+    double factor = std::numeric_limits<double>::infinity();
+    std::size_t instant = 0;
     const SituationRun* run = nullptr;
   };
   Least least;
-  for (const SituationRun& run : runs) {
+  // False where it is not known.
+  const auto look = [&](const SituationRun& run, std::size_t instant) {
+    const std::optional<double> critical = run.motion->critical_factor(run.loads.time_of(instant));
+    if (!critical) return false;
     // Loads of a situation that counts for fatigue or deflection only are smaller than those for
     // strength, or counted there, too.
-    const double factor = std::max(run.situation->load_factor, 1.0) * project.strength.required;
-    const std::size_t step = std::max<std::size_t>(1, run.loads.instants() / looked_at);
-    for (std::size_t i = 0; i < run.loads.instants(); i += step) {
-      const Time time = run.loads.time_of(i);
-      const std::optional<double> critical = run.motion->critical_factor(time);
-      if (!critical) return {};
-      if (least.run == nullptr || *critical / factor < least.factor)
-        least = {*critical / factor, time, &run};
+    const double factor =
+        *critical / (std::max(run.situation->load_factor, 1.0) * project.strength.required);
+    if (factor < least.factor) least = {factor, instant, &run};
+    return true;
+  };
+  // Axial forces follow moving loads in straight lines and shallow curves: every so many instants,
+  // and all about the least of them.
+  constexpr std::size_t looked_at = 24;
+  for (const SituationRun& run : runs) {
+    const std::size_t last = run.loads.instants() - 1,
+                      step = std::max<std::size_t>(1, last / looked_at);
+    for (std::size_t i = 0; i <= last; i += step) {
+      if (!look(run, i)) return {};
       if (run.motion->stands_still()) break;
     }
+    if (run.motion->stands_still()) continue;
+    look(run, last);
+    if (least.run != &run) continue;
+    const std::size_t middle = least.instant;
+    for (std::size_t i = middle - std::min(step, middle); i <= std::min(last, middle + step); ++i)
+      look(run, i);
   }
   constexpr double first_order_from = 10.0, worth_saying = 100.0;
   if (least.run == nullptr || least.factor >= worth_saying) return {};

@@ -224,7 +224,8 @@ StressPoint at_worst_on_stretch(const StationSamples& samples, const StressPoint
     const double low = k == 0 && !along.round() ? 0.0 : part_of(k) - 1.0 / steps;
     const double high = k + 1 == values.size() && !along.round() ? 1.0 : part_of(k) + 1.0 / steps;
     const Extremum found = find_maximum(judge, low, high);
-    if (found.value > worst.value) worst = found;
+    // What is not worse than round-off is not worth a place of its own.
+    if (found.value > worst.value * (1.0 + 1e-9)) worst = found;
   }
   return moved_along(point, worst.at);
 }

@@ -24,7 +24,8 @@ inline const std::vector<std::string>& shipped_paths() {
       "sections/sledge-rig/slender.toml",       "sections/landing-gear/gear.toml",
       "sections/landing-gear/retraction.toml",  "sections/drill-truck/truck.toml",
       "sections/four-bar-rocker/rocker.toml",   "sections/scissor-lift/lift.toml",
-      "sections/slider-crank-press/press.toml", "sections/pump-jack/beam.toml"};
+      "sections/slider-crank-press/press.toml", "sections/pump-jack/beam.toml",
+      "sections/crane-girder/girder.toml",      "sections/jib-crane/jib.toml"};
   return paths;
 }
 

@@ -13,11 +13,11 @@ namespace boxbeam {
 /// shear along y and z, twist and the turns about y and z per length. Symmetric.
 using Flexibility = Eigen::Matrix<double, 6, 6>;
 
-/// Of a section,
+/// Of a section, K the plane of stress by unsymmetric bending about the axis, e the shear centre,
 ///
-///     (epsilon, kappa_y, kappa_z) = K (N, M_y, M_z)/E         of unsymmetric bending about the
-///     axis (gamma_y, gamma_z) = (V_y/(G A_y), V_z/(G A_z)) + (e_z, -e_y) kappa_T kappa_T = (T +
-///     e_z V_y - e_y V_z)/(G I_T)               e the shear centre
+///     (epsilon, kappa_y, kappa_z) = K (N, M_y, M_z)/E
+///     gamma_y = V_y/(G A_y) + e_z kappa_T,  gamma_z = V_z/(G A_z) - e_y kappa_T
+///     kappa_T = (T + e_z V_y - e_y V_z)/(G I_T)
 ///
 /// kappa_y > 0 lengthens +z, kappa_z > 0 shortens +y. Where the torsion constant of a profile is
 /// not known (polygons) it does not twist; `twists` says so. Free warping. SI, moduli in Pa.
