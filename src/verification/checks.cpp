@@ -117,14 +117,13 @@ std::vector<Channel> channels_of(const Project& project,
                                  const std::vector<SituationHistory>& histories,
                                  const StressPoint& point, Criterion criterion) {
   std::vector<Channel> channels;
-  const double nothing = 1e-9 * point.yield_strength.value();
   const auto add = [&](const StressFunction& stress, const Detail& detail,
                        bool compression_reduced) {
     Channel channel;
     channel.turns = turns_of(project, histories, stress.at);
     channel.spectrum = spectrum_of(project, channel.turns, stress.kind, compression_reduced);
     channel.curve = curve_of(detail);
-    if (largest_range_of(channel.spectrum) >= nothing) channels.push_back(std::move(channel));
+    if (largest_range_of(channel.spectrum) >= no_range_at(point)) channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
     add(detail_stress(point, point.detail->stress_factor), point.detail->detail,

@@ -251,9 +251,8 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
 
   Utilisations found;
   constexpr NoDerivation plainly;
-  const double nothing = 1e-9 * point.yield_strength.value();
   const StrengthDemand& strength = project_->strength;
-  if (yield && equivalent >= nothing) {
+  if (yield && equivalent >= 1e-9 * point.yield_strength.value()) {
     const Stress resistance = yield_resistance(plainly, point.yield_strength, strength.gamma_M0);
     found.of(Criterion::yield) = strength.required * equivalent / resistance.value();
   }
@@ -280,7 +279,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                         bool reduced) {
     FatigueChannel channel{cycles_of(*project_, turns, reduced), {}};
-    if (largest_range_of(channel.cycles) < nothing) return;
+    if (largest_range_of(channel.cycles) < no_range_at(point)) return;
     channel.curve = curve_of(detail);
     if (asked(criterion)) {
       found.of(criterion) = required / largest_factor(channel.cycles, channel.curve, demand);
