@@ -123,7 +123,8 @@ std::vector<Channel> channels_of(const Project& project,
     channel.turns = turns_of(project, histories, stress.at);
     channel.spectrum = spectrum_of(project, channel.turns, stress.kind, compression_reduced);
     channel.curve = curve_of(detail);
-    if (largest_range_of(channel.spectrum) >= no_range_at(point)) channels.push_back(std::move(channel));
+    if (largest_range_of(channel.spectrum) >= no_range_at(point))
+      channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
     add(detail_stress(point, point.detail->stress_factor), point.detail->detail,

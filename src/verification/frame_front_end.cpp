@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "boxbeam/core/error.hpp"
@@ -78,6 +79,32 @@ std::vector<Time> passages_of(const frame::Structure& structure) {
   return times;
 }
 
+/// Of the axial forces at instants, tension positive, those that none of the others exceeds in
+/// compression in every piece, a thousandth of what the piece ever bears aside: more compression
+/// anywhere never makes a frame stiffer, so that the least critical factor is among them.
+std::vector<std::vector<double>> most_compressed_of(std::vector<std::vector<double>> all) {
+  std::vector<double> slack(all.front().size());
+  for (const std::vector<double>& forces : all) {
+    for (std::size_t p = 0; p < slack.size(); ++p)
+      slack[p] = std::max(slack[p], 1e-3 * std::abs(forces[p]));
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::accumulate(a.begin(), a.end(), 0.0) < std::accumulate(b.begin(), b.end(), 0.0);
+  });
+  std::vector<std::vector<double>> kept;
+  for (std::vector<double>& forces : all) {
+    const bool exceeded =
+        std::any_of(kept.begin(), kept.end(), [&](const std::vector<double>& other) {
+          for (std::size_t p = 0; p < slack.size(); ++p) {
+            if (other[p] > forces[p] + slack[p]) return false;
+          }
+          return true;
+        });
+    if (!exceeded) kept.push_back(std::move(forces));
+  }
+  return kept;
+}
+
 /// A frame under what stands on it, solved once, and under wheels that move, at every instant.
 class LoadedFrame {
  public:
@@ -117,11 +144,20 @@ class LoadedFrame {
     return of;
   }
 
-  /// With every member in so many parts.
-  double critical_factor(double time) const {
+  /// The least over instants, at most `most`.
+  double critical_factor(const LoadHistory& loads, double most) const {
     constexpr int parts = 8;
-    if (!finer_) finer_ = std::make_unique<frame::Statics>(structure, parts);
-    return finer_->critical_factor(finer_->solve(acting_at(structure, time)));
+    const frame::Statics finer(structure, parts);
+    const std::vector<double> standing = finer.axial_forces(standing_);
+    if (!changes_) return finer.critical_factor(standing, most);
+    std::vector<std::vector<double>> all;
+    for (std::size_t i = 0; i < loads.instants(); ++i) {
+      all.push_back(finer.axial_forces(moving_at(loads.time_of(i).value())));
+      for (std::size_t p = 0; p < standing.size(); ++p) all.back()[p] += standing[p];
+    }
+    for (const std::vector<double>& forces : most_compressed_of(std::move(all)))
+      most = std::min(most, finer.critical_factor(forces, most));
+    return most;
   }
 
   /// By which heat bends the beam about its y [1/m].
@@ -146,7 +182,6 @@ class LoadedFrame {
  private:
   int member_;
   frame::Statics statics_;
-  mutable std::unique_ptr<const frame::Statics> finer_;  ///< made when first asked for
   frame::Structure lasting_, moving_;
   frame::Equilibrium standing_;
   bool changes_ = false;
@@ -230,8 +265,8 @@ class FrameAtRest : public SolvedMotion {
     return {start[2], -start[4], frame_->heat_curvature()};
   }
 
-  std::optional<double> critical_factor(Time time) const override {
-    return frame_->critical_factor(time.value());
+  std::optional<double> critical_factor(const LoadHistory& loads, double most) const override {
+    return frame_->critical_factor(loads, most);
   }
 
   std::vector<SupportReaction> reactions(const LoadHistory& loads) const override {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/front_end.hpp"
@@ -143,63 +142,40 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
 }
 
 std::vector<Gate> stability_gates_of(const Project& project, const std::deque<SituationRun>& runs) {
-  struct Least {
-    double factor = std::numeric_limits<double>::infinity();
-    std::size_t instant = 0;
-    const SituationRun* run = nullptr;
-  };
-  Least least;
-  // False where it is not known.
-  const auto look = [&](const SituationRun& run, std::size_t instant) {
-    const std::optional<double> critical = run.motion->critical_factor(run.loads.time_of(instant));
-    if (!critical) return false;
+  constexpr double first_order_from = 10.0, worth_saying = 100.0;
+  double least = worth_saying;
+  std::string name;
+  for (const SituationRun& run : runs) {
     // Loads of a situation that counts for fatigue or deflection only are smaller than those for
     // strength, or counted there, too.
-    const double factor =
-        *critical / (std::max(run.situation->load_factor, 1.0) * project.strength.required);
-    if (factor < least.factor) least = {factor, instant, &run};
-    return true;
-  };
-  // Axial forces follow moving loads in straight lines and shallow curves: every so many instants,
-  // and all about the least of them.
-  constexpr std::size_t looked_at = 24;
-  for (const SituationRun& run : runs) {
-    const std::size_t last = run.loads.instants() - 1,
-                      step = std::max<std::size_t>(1, last / looked_at);
-    for (std::size_t i = 0; i <= last; i += step) {
-      if (!look(run, i)) return {};
-      if (run.motion->stands_still()) break;
-    }
-    if (run.motion->stands_still()) continue;
-    look(run, last);
-    if (least.run != &run) continue;
-    const std::size_t middle = least.instant;
-    for (std::size_t i = middle - std::min(step, middle); i <= std::min(last, middle + step); ++i)
-      look(run, i);
+    const double factor = std::max(run.situation->load_factor, 1.0) * project.strength.required;
+    const std::optional<double> critical = run.motion->critical_factor(run.loads, least * factor);
+    if (!critical) return {};
+    if (*critical / factor >= least) continue;
+    least = *critical / factor;
+    name = run.situation->name;
   }
-  constexpr double first_order_from = 10.0, worth_saying = 100.0;
-  if (least.run == nullptr || least.factor >= worth_saying) return {};
-  const std::string& name = least.run->situation->name;
+  if (least >= worth_saying) return {};
   const std::string where = name.empty() ? "" : fmt::format(" of situation \"{}\"", name);
-  if (least.factor <= 1.0) {
+  if (least <= 1.0) {
     return {{"", "",
              fmt::format("the frame buckles elastically under its loads{}, at {:.3g} times them: "
                          "stresses of theory of the first order mean nothing",
-                         where, least.factor),
+                         where, least),
              true}};
   }
-  if (least.factor < first_order_from) {
+  if (least < first_order_from) {
     return {{"", "",
              fmt::format("the frame buckles elastically at {:.3g} times its loads{}, below {}: "
                          "second order counts (EN 1993-1-1, 5.2.1(3)) and is not in the cut forces",
-                         least.factor, where, first_order_from),
+                         least, where, first_order_from),
              true}};
   }
   return {
       {"", "",
        fmt::format("the frame buckles elastically at {:.3g} times its loads{}, above {}: theory "
                    "of the first order holds (EN 1993-1-1, 5.2.1(3))",
-                   least.factor, where, first_order_from),
+                   least, where, first_order_from),
        false}};
 }
 

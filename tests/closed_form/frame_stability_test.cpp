@@ -20,7 +20,7 @@ constexpr double EI = 2.1e11 * b * h * h * h / 12.0;
 
 double factor_of(const Structure& of) {
   const Statics statics(of, 8);
-  return statics.critical_factor(statics.solve(acting_at(of, 0.0)), 1e6);
+  return statics.critical_factor(statics.axial_forces(statics.solve(acting_at(of, 0.0))), 1e6);
 }
 
 /// A bar pushed along its axis at its end.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/verify.hpp"
@@ -144,6 +145,16 @@ TEST_CASE("two wheels: largest moment R (L/2 - a/4)^2/L under the first", "[fram
   CHECK(reactions[1].high[1] == Approx(R * (L - 0.5 * a) / L).epsilon(1e-9));
 }
 
+TEST_CASE("the search is as close as it says where wheels stand at the ends of their way",
+          "[frame]") {
+  const Verification of =
+      verify(parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
+                   "[supports.middle]\nkind = \"roller\"\nat = \"2.6 m\"\n"
+                   "[loads.trolley]\nkind = \"wheels\"\nfrom = \"0.9 m\"\nto = \"5.3 m\"\n"
+                   "wheels = [{ force = [\"0 kN\", \"-20 kN\"] }]\n"));
+  CHECK(of.search.tolerance <= 1e-4);
+}
+
 TEST_CASE("wheels that run over the ends load only what is on the beam", "[frame]") {
   const Verification of =
       verify(parse("[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" + beam("6 m") + ends +
@@ -223,6 +234,20 @@ TEST_CASE("deflection has combinations of its own and strength does not see them
   CHECK(yield->check.situation == "6.10: 1.35 weight + 1.5 snow");
 }
 
+TEST_CASE("what all variable actions relieve bends most where none of them acts", "[frame]") {
+  const std::string wind =
+      "[loads.wind]\nkind = \"line\"\nforce_per_length = [\"0 N/m\", \"100 N/m\"]\n"
+      "[load_cases.wind]\nkind = \"variable\"\npsi_0 = 0.6\npsi_1 = 0.2\npsi_2 = 0.0\n";
+  for (const std::string rule : {"characteristic", "frequent", "quasi-permanent"}) {
+    const Verification of = verify(parse(beam("6 m") + ends + wind +
+                                         "[combinations]\nrule = \"6.10\"\ndeflection = \"" + rule +
+                                         "\"\n[deflection]\nlimit = \"10 mm\"\n"));
+    const CheckResult* bent = of.governing(Criterion::deflection);
+    REQUIRE(bent != nullptr);
+    CHECK(bent->check.situation == rule + ": 1 weight");
+  }
+}
+
 TEST_CASE("fatigue counts the cycle between two load situations without partial factors",
           "[frame]") {
   const std::string text =
@@ -258,6 +283,33 @@ TEST_CASE("a load over time bends a frame as it stands at that time", "[frame]")
   CHECK(of.motions.front().reactions[1].low[1] == Approx(2e3 - 1.5e3).epsilon(1e-9));
 }
 
+TEST_CASE("a frame buckles under the worst of all instants", "[frame]") {
+  // A free-standing column under pulses P (1 + 2 cos wt + .. + 2 cos 8wt)/17, P at their peak.
+  // Source of N_cr = pi^2 E I/(4 L^2): Timoshenko, Gere, Theory of Elastic Stability (1961), 2.1.
+  std::string further;
+  for (int k = 2; k <= 8; ++k) {
+    further += (k > 2 ? ", " : "") + std::string("{ amplitude = \"20 kN\", phase = \"90 deg\", ") +
+               "frequency = \"" + std::to_string(k) + " Hz\" }";
+  }
+  const Verification of = verify(parse(
+      "[frame]\ngravity = [\"0 m/s^2\", \"0 m/s^2\"]\n[beam]\nangle = \"90 deg\"\ndensity = "
+      "\"7850 kg/m^3\"\n[[beam.segments]]\nlength = \"10 m\"\nsection = \"box\"\n" +
+      fixed_at_start +
+      "[loads.press]\nkind = \"driven\"\nat = \"10 m\"\ndirection = \"-90 deg\"\n"
+      "law = { kind = \"harmonic\", mean = \"10 kN\", amplitude = \"20 kN\", phase = \"90 deg\", "
+      "frequency = \"1 Hz\", further = [" +
+      further + "] }\n"));
+  const double critical = std::pow(std::numbers::pi / 20.0, 2) * 210e9 * test::clamped::inertia();
+  CHECK(of.verdict == Verdict::not_applicable);
+  double found = 0.0;
+  for (const Gate& gate : of.gates) {
+    const std::string before = "buckles elastically at ";
+    const std::size_t at = gate.finding.find(before);
+    if (at != std::string::npos) found = std::stod(gate.finding.substr(at + before.size()));
+  }
+  CHECK(found == Approx(critical / 170e3).epsilon(3e-3));
+}
+
 TEST_CASE("what a frame cannot be is said with what to write", "[frame]") {
   const auto refusal = [](const std::string& text) {
     try {
@@ -281,6 +333,16 @@ TEST_CASE("what a frame cannot be is said with what to write", "[frame]") {
                      "[loads.a]\nkind = \"force\"\nat = \"1 m\"\nforce = [\"0 N\", \"1 "
                      "N\"]\n[combinations]\nrule = \"6.10\"\n"),
              Contains("how load case \"a\" combines is not said"));
+  const auto wheels = [](const std::string& name) {
+    return "[loads." + name + "]\nkind = \"wheels\"\nwheels = [{ force = [\"0 N\", \"-1 N\"] }]\n";
+  };
+  CHECK_THAT(refusal(beam("6 m") + ends + wheels("crab") + wheels("crane")),
+             Contains("wheels \"crane\" and load \"crab\" change independently"));
+  CHECK_THAT(refusal(beam("6 m") + ends + wheels("crab") +
+                     "[loads.swing]\nkind = \"driven\"\nat = \"3 m\"\ndirection = \"-90 deg\"\n"
+                     "law = { kind = \"harmonic\", mean = \"4 kN\", amplitude = \"6 kN\", "
+                     "frequency = \"2 Hz\" }\n"),
+             Contains("change independently"));
   CHECK_THAT(refusal(beam("6 m") + ends + "[bodies.a]\nmass = \"1 kg\"\n"),
              Contains("not known of frames at rest"));
   CHECK_THAT(

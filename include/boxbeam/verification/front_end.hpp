@@ -61,8 +61,11 @@ class SolvedMotion {
   /// What bends and moves the beam beside its cut forces; nothing of rigid bodies.
   virtual BeamShift beam_shift(Time) const { return {}; }
 
-  /// So many times its loads at a time the whole of it buckles; nothing where that is not known.
-  virtual std::optional<double> critical_factor(Time) const { return {}; }
+  /// At so many times its loads the whole of it buckles, the least of all instants, at most `most`;
+  /// nothing where that is not known.
+  virtual std::optional<double> critical_factor(const LoadHistory&, double /*most*/) const {
+    return {};
+  }
 
   /// What the ground does to it; nothing where that is not asked of its kind.
   virtual std::vector<SupportReaction> reactions(const LoadHistory&) const { return {}; }

@@ -34,13 +34,15 @@ struct AddAction {
   void operator()(const Wheels& of) const {
     const Member& member = structure.members[static_cast<std::size_t>(of.member)];
     const double length = member.beam.length().value();
-    const double first = of.from + of.speed * time;
+    // Beside the places that they start from, run over and end at, never on one: what stands on a
+    // support or another load cannot be told from it, and where it goes on from there, neither.
+    // What reaches the end of the member stands on it.
+    const double beside = 1e-10 * length;
+    const double first = std::min(of.from + of.speed * time, of.to - 2.0 * beside);
     for (const Wheels::Wheel& wheel : of.wheels) {
-      const double s = first - wheel.behind;
-      // What stands on an end is on the member; round-off of the time must not lift it off.
-      const double rounding = 1e-12 * length;
-      if (s < -rounding || s > length + rounding) continue;
-      const Place at{of.member, {std::clamp(s, 0.0, length), of.y, of.z}};
+      const double s = first - wheel.behind + beside;
+      if (s < 0.0 || s > length + 2.0 * beside) continue;
+      const Place at{of.member, {std::min(s, length - beside), of.y, of.z}};
       loads.points.push_back({action.name, {at, factor * wheel.force, Eigen::Vector3d::Zero()}});
     }
   }

@@ -116,7 +116,7 @@ std::vector<MemberLoads> Statics::member_loads_of(const ActingLoads& loads) cons
     const Member& member = member_of(*structure_, action.at.member);
     PointLoad load = point_load(member, action.at, action.force, action.moment, name);
     const Node& node = nodes_[node_of(action.at)];
-    if (std::abs(node.s - action.at.p.x()) < 1e-9 * member.beam.length().value())
+    if (std::abs(node.s - action.at.p.x()) < 1e-11 * member.beam.length().value())
       load.s = si<Length>(node.s);
     members[static_cast<std::size_t>(action.at.member)].loads.points.push_back(load);
   }

@@ -46,7 +46,20 @@ Eigen::Matrix<double, 12, 12> geometric_block(double force, double h) {
 
 }  // namespace
 
-double Statics::critical_factor(const Equilibrium& of, double most) const {
+std::vector<double> Statics::axial_forces(const Equilibrium& of) const {
+  std::vector<double> forces;
+  forces.reserve(pieces_.size());
+  for (const Piece& piece : pieces_) {
+    const double middle = 0.5 * (nodes_[piece.from].s + nodes_[piece.to].s);
+    const CutForceDiagram& cut = of.members[static_cast<std::size_t>(piece.member)].cut;
+    forces.push_back(cut.at({si<Length>(middle)}).N.value());
+  }
+  return forces;
+}
+
+double Statics::critical_factor(const std::vector<double>& axial_forces, double most) const {
+  if (std::none_of(axial_forces.begin(), axial_forces.end(), [](double N) { return N < 0.0; }))
+    return most;
   const Structure& structure = *structure_;
   const std::span<const Index> world = world_components(structure),
                                cuts = cut_components(structure);
@@ -67,10 +80,9 @@ double Statics::critical_factor(const Equilibrium& of, double most) const {
       }
     }
   };
-  bool compressed = false;
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     const Piece& piece = pieces_[p];
-    const double from = nodes_[piece.from].s, h = nodes_[piece.to].s - from;
+    const double h = nodes_[piece.to].s - nodes_[piece.from].s;
     const Matrix6 into =
         rotation(structure.members[static_cast<std::size_t>(piece.member)].axes).transpose();
     // Of the components that the frame has: (A_i A_j)^T F^-1 (A_i A_j).
@@ -87,11 +99,7 @@ double Statics::critical_factor(const Equilibrium& of, double most) const {
     }
     const Matrix6 ends[] = {-carry(Vector3d(h, 0.0, 0.0)) * into, into};
     const std::size_t nodes[] = {piece.from, piece.to};
-    const CutForces cut =
-        of.members[static_cast<std::size_t>(piece.member)].cut.at({si<Length>(from + 0.5 * h)});
-    const double force = cut.N.value();
-    compressed = compressed || force < 0.0;
-    const Eigen::Matrix<double, 12, 12> axial = geometric_block(force, h);
+    const Eigen::Matrix<double, 12, 12> axial = geometric_block(axial_forces[p], h);
     for (Index a = 0; a < 2; ++a) {
       for (Index b = 0; b < 2; ++b) {
         add(elastic, nodes[a], nodes[b], ends[a].transpose() * K * ends[b]);
@@ -100,7 +108,6 @@ double Statics::critical_factor(const Equilibrium& of, double most) const {
       }
     }
   }
-  if (!compressed) return most;
   for (const Joint& joint : structure.joints) {
     // Rigid is far stiffer than any piece.
     constexpr double rigid = 1e7;
@@ -136,11 +143,11 @@ double Statics::critical_factor(const Equilibrium& of, double most) const {
     solver.factorize(stiffness + factor * stress);
     return solver.info() != Eigen::Success || (solver.vectorD().array() <= 0.0).any();
   };
-  double stable = 0.0, unstable = 1.0;
-  while (!buckles(unstable)) {
+  if (!buckles(most)) return most;
+  double stable = 0.0, unstable = std::min(1.0, most);
+  while (unstable < most && !buckles(unstable)) {
     stable = unstable;
-    if (unstable >= most) return most;
-    unstable *= 2.0;
+    unstable = std::min(2.0 * unstable, most);
   }
   constexpr double within = 1e-3;
   while (unstable - stable > within * unstable) {

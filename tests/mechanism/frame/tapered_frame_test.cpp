@@ -199,22 +199,24 @@ TEST_CASE("wheels load the member as long as they are on it", "[frame]") {
   wheels.wheels = {{0.0, {0.0, -P, 0.0}}, {apart, {0.0, -2.0 * P, 0.0}}};
   test::act(of, wheels);
   CHECK(wheels.duration() == Approx(34.0));
+  // They run a ten thousand millionth of the length beside what they stand on.
+  const auto near = [](double value) { return Approx(value).epsilon(1e-9); };
   const Statics statics(of);
   const auto first_support = [&](double front) {
     return statics.solve(acting_at(of, (front - wheels.from) / wheels.speed)).joints[0].y();
   };
   CHECK(first_support(-1.0) == 0.0);
-  CHECK(first_support(0.0) == exactly(P));
-  CHECK(first_support(2.0) == exactly(P * 0.8));
-  CHECK(first_support(apart) == exactly(P * 0.7 + 2.0 * P));
-  CHECK(first_support(7.0) == exactly(P * 0.3 + 2.0 * P * 0.6));
-  CHECK(first_support(11.0) == exactly(2.0 * P * 0.2));
+  CHECK(first_support(0.0) == near(P));
+  CHECK(first_support(2.0) == near(P * 0.8));
+  CHECK(first_support(apart) == near(P * 0.7 + 2.0 * P));
+  CHECK(first_support(7.0) == near(P * 0.3 + 2.0 * P * 0.6));
+  CHECK(first_support(11.0) == near(2.0 * P * 0.2));
   // On the end they still stand on the second support.
   const auto second_support = [&](double front) {
     return statics.solve(acting_at(of, (front - wheels.from) / wheels.speed)).joints[1].y();
   };
-  CHECK(second_support(L) == exactly(P + 2.0 * P * 0.7));
-  CHECK(second_support(L + apart) == exactly(2.0 * P));
+  CHECK(second_support(L) == near(P + 2.0 * P * 0.7));
+  CHECK(second_support(L + apart) == near(2.0 * P));
   CHECK(second_support(L + apart + 0.01) == 0.0);
 }
 

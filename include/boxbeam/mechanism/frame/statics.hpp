@@ -75,12 +75,16 @@ class Statics {
   /// Shift and turn of a member's section at a station, at an end of it beyond; world axes.
   Vector6 motion_at(int member, double s, const Equilibrium& of) const;
 
-  /// So many times the axial forces in all members the frame buckles elastically, sway included, a
-  /// plane frame in its plane; at most `most`, beyond which it is not looked. Members bend as
+  /// In the middle of each piece, tension positive [N]; also of what another `Statics` of the same
+  /// structure has solved.
+  std::vector<double> axial_forces(const Equilibrium& of) const;
+
+  /// At so many times the axial forces in its pieces the frame buckles elastically, sway included,
+  /// a plane frame in its plane; at most `most`, beyond which it is not looked. Members bend as
   /// cubics within their pieces: with eight parts N_cr of a bar fixed at both ends is 0.05 % high.
   /// Torsional buckling is not in it. Source: Przemieniecki, Theory of Matrix Structural Analysis
   /// (1968), 15.2 (geometric stiffness); Sylvester's law of inertia for the count.
-  double critical_factor(const Equilibrium& of, double most = 1e3) const;
+  double critical_factor(const std::vector<double>& axial_forces, double most = 1e3) const;
 
   const Structure& structure() const { return *structure_; }
 
