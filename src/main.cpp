@@ -141,6 +141,9 @@ Entry verify_entry(CLI::App& app) {
   command.add_flag("--no-plots", options->no_plots, "draw no figures");
   command.add_flag("--no-html", options->no_html, "write no report.html");
   command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");
+  command.add_flag("--watch", options->watch,
+                   "verify again whenever the case or a table that it reads changes, and say what "
+                   "changed; Ctrl-C ends it");
   add_json(command, options->json, "results", "the summary");
   command.add_flag("--quiet,-q", options->quiet, "print the verdict only, in one line");
   add_verified_case(command, options->of_case);

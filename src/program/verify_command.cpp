@@ -17,6 +17,8 @@
 #include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
+#include "program/failures.hpp"
+#include "program/file_watch.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
 #include "program/terminal.hpp"
@@ -126,34 +128,73 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
   return "\n" + layout::line(line);
 }
 
+/// A verification with what it wrote.
+struct Run {
+  Project project;
+  Verification verification;
+  std::string folder;
+  Outputs outputs;
+};
+
+Run run_once(const VerifyOptions& options) {
+  Run run{read_case(options.of_case), {}, {}, {}};
+  run.folder = options.out.empty() ? "reports/" + run.project.name : options.out;
+  require_folder(run.folder);
+  require_file_beside(options.json, run.folder);
+  Progress progress(!options.quiet);
+  progress.now("verifying");
+  run.verification = verify(run.project, options.no_plots ? Figures::without : Figures::with);
+  run.outputs = write_outputs(run.project, run.verification, options, run.folder, progress);
+  return run;
+}
+
+void say(const Run& run, const VerifyOptions& options) {
+  if (options.json == "-") {
+    put(run.outputs.results);
+  } else if (options.quiet) {
+    put_text(verdict_line(run.project, run.verification));
+  } else {
+    report::MarkedText text = summary(run.project, run.verification);
+    text += written_line(run.folder, run.outputs);
+    put_text(text);
+  }
+  for (const std::string& trouble : run.outputs.troubles.words) put_error(trouble);
+}
+
+/// Verifies again and again, for as long as it is let.
+[[noreturn]] void verify_on_every_change(const VerifyOptions& options) {
+  std::optional<Run> last;
+  FileWatch watch({options.of_case.file});
+  for (;;) {
+    exit_code_of([&] {
+      Run run = run_once(options);
+      std::vector<std::string> files{options.of_case.file};
+      for (const InputFile& table : run.project.tables) files.push_back(table.resolved);
+      watch.add(files);
+      if (last) {
+        put_text(what_changed(last->verification, run.project, run.verification));
+        for (const std::string& trouble : run.outputs.troubles.words) put_error(trouble);
+      } else {
+        say(run, options);
+        put_text(
+            layout::line("\nVerified again whenever the case or a table changes; Ctrl-C ends it."));
+      }
+      last = std::move(run);
+      return 0;
+    });
+    watch.wait();
+  }
+}
+
 }  // namespace
 
 int run_verify(const VerifyOptions& options) {
   report::clear_up_before_the_end();
-  const Project project = read_case(options.of_case);
-  const std::string folder = options.out.empty() ? "reports/" + project.name : options.out;
-  require_folder(folder);
-  require_file_beside(options.json, folder);
-  Verification verification;
-  Outputs outputs;
-  {
-    Progress progress(!options.quiet);
-    progress.now("verifying");
-    verification = verify(project, options.no_plots ? Figures::without : Figures::with);
-    outputs = write_outputs(project, verification, options, folder, progress);
-  }
-  if (options.json == "-") {
-    put(outputs.results);
-  } else if (options.quiet) {
-    put_text(verdict_line(project, verification));
-  } else {
-    report::MarkedText text = summary(project, verification);
-    text += written_line(folder, outputs);
-    put_text(text);
-  }
-  for (const std::string& trouble : outputs.troubles.words) put_error(trouble);
-  if (!outputs.troubles.words.empty()) return output_failed;
-  return verification.verdict == Verdict::pass ? all_pass : check_fails;
+  if (options.watch) verify_on_every_change(options);
+  const Run run = run_once(options);
+  say(run, options);
+  if (!run.outputs.troubles.words.empty()) return output_failed;
+  return run.verification.verdict == Verdict::pass ? all_pass : check_fails;
 }
 
 }  // namespace boxbeam::program

@@ -15,6 +15,7 @@ struct VerifyOptions {
   bool no_html = false;
   bool no_pdf = false;
   bool quiet = false;
+  bool watch = false;  ///< verifies again whenever a file changes, without end
 };
 
 /// `boxbeam verify`: verifies a case and writes its report. Returns the exit code.

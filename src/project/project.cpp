@@ -20,10 +20,25 @@ AnyMechanism empty_mechanism(std::size_t kind, std::index_sequence<index...>) {
 }
 
 /// [case]; of the project's mechanism it gives the kind.
+CaseHeader read_header(TableReader& table) {
+  CaseHeader header;
+  header.project = table.text({"project", "for which it is verified"}, "");
+  header.client = table.text({"client", "for whom"}, "");
+  header.revision = table.text({"revision", "of the case"}, "");
+  header.standard = table.text(
+      {"standard", "\"EN 1993 with DIN NA\": whose partial factors the case has; it changes none"},
+      "");
+  header.author = table.text({"author", "who prepared it, for the field to sign"}, "");
+  header.checker = table.text({"checker", "who checks it"}, "");
+  header.remarks = table.texts({"remarks", "that stand first among those of the report"}, false);
+  return header;
+}
+
 void read_case(TableReader table, Project& project) {
   project.name = table.text({"name", "of the report's folder, too"});
   project.title = table.text({"title", "of the report; the name where not said"}, "");
   if (project.title.empty()) project.title = project.name;
+  project.header = read_header(table);
   project.assumptions =
       table.texts({"assumptions", "what is taken for granted; it stands in the report"}, false);
   project.dynamics = table.choice({"dynamics", "where the loads on the beam come from"},
@@ -105,6 +120,7 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
 
   const readers::Sections sections =
       readers::read_sections(root.table({"sections", "cross-sections, each by a name"}));
+  readers::read_material(root, project);
   const auto front_end = readers::front_end_reader(sections, tables, project);
   front_end->read(root, document.root);
   readers::read_situations(root, document.root, *front_end, project);

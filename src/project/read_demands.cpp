@@ -10,17 +10,53 @@
 namespace boxbeam::readers {
 namespace {
 
-Material read_material(TableReader table) {
-  std::optional<SteelSource> source;
-  if (table.has("fy_source")) {
-    constexpr SteelSource sources[] = {SteelSource::en_10025_2, SteelSource::en_1993_1_1};
-    source = sources[table.choice(
-        {"fy_source", "table of the yield strength; the lower of both where not said"},
-        {to_text(sources[0]), to_text(sources[1])})];
+Material read_own_material(TableReader& table) {
+  Material own;
+  own.name = table.text({"name", "of a material that is not in the catalogue"});
+  const auto read_step = [](TableReader& of) {
+    ThicknessStep step;
+    step.up_to =
+        si<Length>(of.positive({"up_to", "thickness to which the strengths hold"}, wanted::length));
+    step.yield_strength =
+        si<Stress>(of.positive({"fy", "yield or 0.2 % proof strength"}, wanted::stress));
+    step.tensile_strength =
+        si<Stress>(of.positive({"fu", "tensile strength, its lower end"}, wanted::stress));
+    if (step.tensile_strength < step.yield_strength) {
+      of.problem("fu", "the tensile strength is below the yield strength",
+                 "write the lower end of R_m, and check fy");
+    }
+    return step;
+  };
+  own.steps.push_back(read_step(table));
+  for (TableReader& thicker : table.tables({"thicker", "strengths of thicker plates"})) {
+    const ThicknessStep step = read_step(thicker);
+    if (step.up_to <= own.steps.back().up_to) {
+      thicker.problem("up_to", "each further thickness is above the one before",
+                      "write them in ascending order");
+    }
+    own.steps.push_back(step);
+    thicker.finish();
   }
-  Material material = named_steel(table, {"steel", "\"S355\"; a steel of the catalogue"}, source);
-  table.finish();
-  return material;
+  own.source = table.text({"source", "standard or certificate of the strengths, for the report"});
+  own.beta_w =
+      table.number({"beta_w", "correlation factor of its fillet welds, EN 1993-1-8"}, own.beta_w);
+  if (own.beta_w < 0.8) {
+    table.problem("beta_w", "EN 1993-1-8, table 4.1 begins at 0.8", "write 0.8 to 1.0");
+  }
+  return own;
+}
+
+Material read_catalogue_steel(TableReader& table) {
+  std::string source;
+  if (table.has("fy_source")) {
+    const std::vector<std::string>& all = steel_sources();
+    source = all[table.choice(
+        {"fy_source",
+         "standard of the strengths; the lower of its product's and the design code's where not "
+         "said"},
+        all)];
+  }
+  return named_steel(table, {"steel", "\"S355\", \"S690QL\"; a steel of the catalogue"}, source);
 }
 
 StrengthDemand read_strength(TableReader table) {
@@ -130,22 +166,54 @@ void check_thicknesses(TableReader& root, const Project& project) {
 
 }  // namespace
 
-Material named_steel(TableReader& table, const Key& of, std::optional<SteelSource> source) {
+Material named_steel(TableReader& table, const Key& of, const std::string& source) {
   const std::string_view key = of.name;
   const std::string name = table.text(of);
-  if (const auto steel = source ? find_steel(name, *source) : find_steel(name)) return *steel;
+  const std::vector<std::string> sources = sources_of_steel(name);
+  if (!sources.empty() && !source.empty() &&
+      std::find(sources.begin(), sources.end(), source) == sources.end()) {
+    table.problem("fy_source", fmt::format("{} does not have {}", source, name),
+                  fmt::format("write {}, or leave it out", fmt::join(sources, " or ")));
+    return *find_steel(name);
+  }
+  if (const auto steel = source.empty() ? find_steel(name) : find_steel(name, source))
+    return *steel;
   if (!name.empty()) {
-    const std::string near = nearest_word(name, steel_names());
+    std::vector<std::string> near;
+    for (const std::string& steel : steel_names()) {
+      if (steel.starts_with(name)) near.push_back(fmt::format("\"{}\"", steel));
+    }
+    if (near.empty()) {
+      const std::string nearest = nearest_word(name, steel_names());
+      if (!nearest.empty()) near.push_back(fmt::format("\"{}\"", nearest));
+    }
     table.problem(
         key, fmt::format("there is no steel \"{}\" in the catalogue", name),
-        fmt::format("{}one of {}", near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
+        fmt::format("{}one of {}",
+                    near.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(near, " or ")),
                     fmt::join(steel_names(), ", ")));
   }
   return {};
 }
 
+void read_material(TableReader& root, Project& project) {
+  TableReader table = root.table({"material", "what the beam is made of"});
+  if (!table.says_one_of({{{"steel"}}, {{"fy"}}})) {
+    table.problem("steel", "a material is either a steel of the catalogue or one of your own",
+                  "steel = \"S355\", or name, fy, fu, up_to and source");
+    return;
+  }
+  if (table.has("steel")) {
+    project.material = read_catalogue_steel(table);
+  } else {
+    project.material = read_own_material(table);
+    project.model.youngs_modulus = table.positive({"youngs_modulus", "of the material"},
+                                                  wanted::stress, project.model.youngs_modulus);
+  }
+  table.finish();
+}
+
 void read_demands(TableReader& root, Project& project) {
-  project.material = read_material(root.table({"material", "what the beam is made of"}));
   project.strength = read_strength(root.table({"strength", "what is wanted against yielding"}));
   project.fatigue.asked = root.has("fatigue");
   if (project.fatigue.asked) {

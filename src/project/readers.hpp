@@ -204,6 +204,9 @@ void read_situations(TableReader& root, const Node& tree, const FrontEndReader& 
 
 void read_demands(TableReader& root, Project& project);
 
+/// [material], before the moduli that [model] or a member may say otherwise.
+void read_material(TableReader& root, Project& project);
+
 /// [fatigue] and its details.
 FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam);
 
@@ -221,6 +224,6 @@ DeflectionInput read_deflection(TableReader table, const Project& project);
 void read_welds(TableReader& root, const Sections& sections, Project& project);
 
 /// A steel of the catalogue named by the value of a key.
-Material named_steel(TableReader& table, const Key& key, std::optional<SteelSource> source = {});
+Material named_steel(TableReader& table, const Key& key, const std::string& source = {});
 
 }  // namespace boxbeam::readers

@@ -144,11 +144,13 @@ bool is_short_one(const Document& document) {
 }
 
 /// A verdict is signed for.
-std::string sign_fields(bool is_short) {
-  return fmt::format(
-      "\\need{{70pt}}\\vskip{}\\hbox to\\textwidth{{\\signfield{{prepared}}\\hfil"
-      "\\signfield{{checked}}\\hfil\\signfield{{approved}}}}\n",
-      is_short ? "4pt" : "14pt");
+std::string sign_fields(const Document& document, bool is_short) {
+  const auto field = [](const char* done, const std::string& by) {
+    return fmt::format("\\signfield{{{}}}", by.empty() ? done : done + (": " + running(by)));
+  };
+  return fmt::format("\\need{{70pt}}\\vskip{}\\hbox to\\textwidth{{{}\\hfil{}\\hfil{}}}\n",
+                     is_short ? "4pt" : "14pt", field("prepared", document.prepared_by),
+                     field("checked", document.checked_by), field("approved", ""));
 }
 
 /// What stands on the first page: the verdict and what decides it first.
@@ -173,7 +175,7 @@ std::string title_page(const Document& document) {
   all.entries.insert(all.entries.begin(), document.facts.entries.begin(),
                      document.facts.entries.end());
   out += facts(all);
-  if (is_judged(document)) out += sign_fields(is_short);
+  if (is_judged(document)) out += sign_fields(document, is_short);
   return is_short ? out : out + contents(document.chapters);
 }
 

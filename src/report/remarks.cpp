@@ -323,6 +323,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   for (const std::string& assumption : project.assumptions) {
     all.push_back({Kind::assumed, assumption});
   }
+  for (const std::string& remark : project.header.remarks) all.push_back({Kind::other, remark});
   for (std::string& odd : odd_things(project, verification)) {
     all.push_back({Kind::other, std::move(odd)});
   }

@@ -16,6 +16,15 @@ using namespace report;
 
 report::Facts title_facts(const Project& project, const Verification& verification) {
   report::Facts facts;
+  const CaseHeader& header = project.header;
+  for (const auto& [name, text] : {std::pair{"project", header.project},
+                                   {"client", header.client},
+                                   {"revision", header.revision},
+                                   {"standard", header.standard},
+                                   {"prepared by", header.author},
+                                   {"checked by", header.checker}}) {
+    if (!text.empty()) facts.entries.emplace_back(name, text);
+  }
   facts.entries.emplace_back("file", project.path);
   for (const std::string& set : project.overrides) facts.entries.emplace_back("--set", set);
   facts.entries.emplace_back("loads by", project.dynamics == Dynamics::rigorous
@@ -87,6 +96,8 @@ report::Document report_of(const Project& project, const Verification& verificat
   Document document;
   document.title = project.name;
   document.subtitle = project.title;
+  document.prepared_by = project.header.author;
+  document.checked_by = project.header.checker;
   document.date = report_date();
   document.program = fmt::format("boxbeam {}", version);
   document.input_sha256 = project.sha256;

@@ -72,4 +72,28 @@ report::MarkedText verdict_line(const Project& project, const Verification& veri
   return out;
 }
 
+report::MarkedText what_changed(const Verification& before, const Project& project,
+                                const Verification& now) {
+  const VerdictText verdict = verdict_text_of(project, now);
+  report::MarkedText out = "\n";
+  out += marked(now, verdict, verdict.whole());
+  if (now.verdict != before.verdict) out += fmt::format(" (was {})", to_text(before.verdict));
+  out += "\n";
+  bool any = false;
+  for (const Criterion criterion : criteria) {
+    const CheckResult* was = before.governing(criterion);
+    const CheckResult* is = now.governing(criterion);
+    const auto use = [](const CheckResult* of) {
+      return of == nullptr ? "none" : text::percent(of->check.utilisation());
+    };
+    const auto id = [](const CheckResult* of) { return of == nullptr ? "" : of->check.id; };
+    if (use(was) == use(is) && id(was) == id(is)) continue;
+    any = true;
+    out += fmt::format("  {:16}  {:>7} -> {:>7}  {}{}\n", to_text(criterion), use(was), use(is),
+                       id(is), id(was) == id(is) || was == nullptr ? "" : ", was " + id(was));
+  }
+  if (!any) out += "  every criterion as before\n";
+  return out;
+}
+
 }  // namespace boxbeam

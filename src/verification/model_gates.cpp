@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "boxbeam/strength/plate_slenderness.hpp"
+#include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/balance_defect.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/model_ladder.hpp"
@@ -138,6 +141,62 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                                demanded.found ? "" : "an estimated ", percent_text(error),
                                percent_text(model.tolerance)),
                    true});
+  return gates;
+}
+
+std::vector<Gate> material_gates_of(const Project& project) {
+  const Material& material = project.material;
+  const double E = project.model.youngs_modulus;
+  std::vector<Gate> gates;
+  Stress strongest{};
+  for (const ThicknessStep& step : material.steps)
+    strongest = std::max(strongest, step.yield_strength, std::less<>());
+  constexpr double of_steel = 210e9, near = 0.02;
+  constexpr double least_stainless = 190e9, most_stainless = 225e9;
+  if (E < least_stainless || E > most_stainless) {
+    gates.push_back({"", "",
+                     fmt::format("{} has E = {:.4g} GPa and is no steel: lines of fatigue (EN "
+                                 "1993-1-9, 1.1(2)), limits of slenderness and rules of welds of "
+                                 "EN 1993 are not its own",
+                                 material.name, E * 1e-9),
+                     true});
+  } else if (std::abs(E - of_steel) > near * of_steel) {
+    const auto look_at = [&](const Profile& profile, const std::string& segment) {
+      for (const SlenderPlate& plate : plate_slenderness_of(profile, material)) {
+        const double softer = std::sqrt(E / of_steel);
+        const double limit = std::min(37.0 * epsilon_of(strongest), plate.limit) * softer;
+        if (plate.ratio <= limit) continue;
+        gates.push_back({segment, plate.plate,
+                         fmt::format("c/t = {:.3g} is above 37 epsilon = {:.3g}: with E = {:.4g} "
+                                     "GPa {} is judged as stainless steel, whose class there "
+                                     "(EN 1993-1-4, table 5.2) is not looked at",
+                                     plate.ratio, limit, E * 1e-9, material.name),
+                         true});
+        return;
+      }
+    };
+    for (const Segment& segment : project.beam.segments) {
+      for (const Section* section : {&segment.from, &segment.to}) {
+        look_at(section->outer, segment.name);
+        if (section->inner) look_at(*section->inner, segment.name);
+        if (!gates.empty()) return gates;
+      }
+    }
+  }
+  if (strongest > si<Stress>(700e6)) {
+    gates.push_back({"", "",
+                     fmt::format("EN 1993 ends at S700 (EN 1993-1-12, 1.1): its rules are applied "
+                                 "to {} beyond their range",
+                                 material.name),
+                     false});
+  }
+  if (strongest > si<Stress>(460e6)) {
+    gates.push_back({"", "",
+                     fmt::format("{} is above S460: filler metal of welds at least as strong as "
+                                 "the plates is taken for granted (EN 1993-1-12, 2.8)",
+                                 material.name),
+                     false});
+  }
   return gates;
 }
 

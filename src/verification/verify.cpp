@@ -96,6 +96,7 @@ Verification verify(const Project& project, Figures figures) {
   sort_worst_first(checks);
   std::vector<Gate> gates =
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));
+  append(material_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));

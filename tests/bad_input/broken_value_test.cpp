@@ -115,7 +115,7 @@ TEST_CASE("unknown names are refused with the nearest known one", "[bad_input]")
       replaced("source of strengths of another name", "steel = \"S355\"",
                "steel = \"S355\"\nfy_source = \"EN 10025\"",
                {"\"fy_source\" cannot be \"EN 10025\"", "did you mean \"EN 10025-2\"?",
-                "One of \"EN 10025-2\", \"EN 1993-1-1\""},
+                "One of \"EN 10025-2\", \"EN 10025-3\""},
                "fy_source"),
       replaced("source of strengths that is no text", "steel = \"S355\"",
                "steel = \"S355\"\nfy_source = 10025", {"\"fy_source\" is a text, not"},

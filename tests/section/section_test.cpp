@@ -138,7 +138,7 @@ TEST_CASE("the webs of a box with unlike flanges end at each flange's own inner 
 TEST_CASE("of two plates beside each other the weaker decides, which is the thicker") {
   // S355 by EN 10025-2, table 7: 355 MPa up to 16 mm, 345 MPa up to 40 mm, 335 MPa up to 63 mm.
   const auto yield_at = [](const Section& section, double z) {
-    return yield_strength_of(*find_steel("S355", SteelSource::en_10025_2), wall_at(section, mm(z)))
+    return yield_strength_of(*find_steel("S355", "EN 10025-2"), wall_at(section, mm(z)))
                .value()
                .value() *
            1e-6;

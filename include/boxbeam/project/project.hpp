@@ -246,10 +246,19 @@ struct HandFormula {
   std::string note;
 };
 
+/// What a report says of itself; texts of the user's, "" where not said.
+struct CaseHeader {
+  std::string project, client, revision;
+  std::string standard;         ///< with the national annex whose values the case has
+  std::string author, checker;  ///< names
+  std::vector<std::string> remarks;
+};
+
 /// A case: everything a verification needs, validated. Behind it nothing is checked again.
 struct Project {
   std::string name;
   std::string title;
+  CaseHeader header;
   std::string path;
   std::string text;               ///< of the case file, as it was read; lines end with "\n"
   std::string sha256;             ///< of the case, its overrides and its tables

@@ -103,7 +103,8 @@ struct Document {
   std::string program;       ///< "boxbeam 0.1.0"
   std::string input_sha256;  ///< "": of no single input
   std::string verdict;       ///< "PASS", "FAIL; rod hanger: no force"; "": nothing is judged
-  std::vector<std::string> reasons = {};  ///< of the verdict, where it is "NOT APPLICABLE"
+  std::string prepared_by = {}, checked_by = {};  ///< names of who signs, where known
+  std::vector<std::string> reasons = {};          ///< of the verdict, where it is "NOT APPLICABLE"
   Mark mark = Mark::none;
   Facts facts;      ///< the rest of the title block
   Table governing;  ///< under the verdict: the worst check of every criterion

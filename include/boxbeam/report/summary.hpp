@@ -15,4 +15,9 @@ report::MarkedText summary(const Project& project, const Verification& verificat
 /// "FAIL  sledge-rig: fatigue/4.2/fibre+z, utilisation 165 %".
 report::MarkedText verdict_line(const Project& project, const Verification& verification);
 
+/// What a change of the case did: the verdict, and of every criterion the worst check where its
+/// utilisation shows another number or it stands elsewhere.
+report::MarkedText what_changed(const Verification& before, const Project& project,
+                                const Verification& now);
+
 }  // namespace boxbeam
