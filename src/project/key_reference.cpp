@@ -78,11 +78,14 @@ TableDescription described(const std::string& pattern, const Visits& visits) {
   for (const TableVisit* visit : visits.of) {
     for (const AskedKey& key : visit->keys) {
       // Of a key that was only looked for another visit knows more.
+      const auto is_described = [](const AskedKey& of) {
+        return of.shape != KeyShape::unknown && !of.meaning.empty();
+      };
       const bool known_elsewhere =
-          key.shape == KeyShape::unknown &&
+          !is_described(key) &&
           std::any_of(visits.of.begin(), visits.of.end(), [&](const TableVisit* other) {
             const AskedKey* const of = other->find(key.name);
-            return of != nullptr && of->shape != KeyShape::unknown;
+            return of != nullptr && is_described(*of);
           });
       const auto is_it = [&](const KeyDescription& of) { return same(of.key, key); };
       const auto at = std::find_if(table.keys.begin(), table.keys.end(), is_it);

@@ -198,7 +198,7 @@ Material named_steel(TableReader& table, const Key& of, const std::string& sourc
 
 void read_material(TableReader& root, Project& project) {
   TableReader table = root.table({"material", "what the beam is made of"});
-  if (!table.says_one_of({{{"steel"}}, {{"fy"}}})) {
+  if (!table.says_one_of({{{"steel"}}, {{"name", "fy", "fu", "up_to", "source"}}})) {
     table.problem("steel", "a material is either a steel of the catalogue or one of your own",
                   "steel = \"S355\", or name, fy, fu, up_to and source");
     return;

@@ -24,7 +24,7 @@ struct Gap {
 
 LoadHistory::LoadHistory(const LoadSpan& span, LoadsAt loads_at)
     : span_(span), loads_at_(std::move(loads_at)) {
-  assert(span.instants >= 4);
+  assert(span.instants >= 2);
   add_instants();
   for (Instant& instant : instants_) {
     instant.diagram = diagram_at(instant.time);

@@ -54,10 +54,18 @@ VerdictText verdict_text_of(const Project& project, const Verification& verifica
   } else if (no_range && verification.verdict == Verdict::pass) {
     text.line += " for strength";
   }
-  for (const NotJudged& of : missing) text.line += fmt::format("; {}: {}", of.what, of.reason);
-  if (verification.verdict != Verdict::not_applicable) return text;
-  for (GateText& gate : gate_texts_of(verification)) {
-    if (gate.blocks) text.reasons.push_back(std::move(gate.text));
+  const bool applicable = verification.verdict != Verdict::not_applicable;
+  if (!applicable) {
+    for (GateText& gate : gate_texts_of(verification)) {
+      if (gate.blocks) text.reasons.push_back(std::move(gate.text));
+    }
+  }
+  for (const NotJudged& of : missing) {
+    const std::string said = fmt::format("{}: {}", of.what, of.reason);
+    if (applicable)
+      text.line += "; " + said;
+    else
+      text.reasons.push_back(said);
   }
   return text;
 }

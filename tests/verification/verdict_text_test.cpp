@@ -158,7 +158,8 @@ TEST_CASE("why a verdict is not applicable stands beside it") {
   REQUIRE(said.verification.verdict == Verdict::not_applicable);
   const VerdictText text = verdict_text_of(test::held_bar(true, thin), said.verification);
   CHECK(text.line == "NOT APPLICABLE");
-  REQUIRE(text.reasons.size() == 1);
+  REQUIRE(text.reasons.size() == 2);
+  CHECK(text.reasons[1] == "fatigue: no stress range");
   CHECK(contains(text.reasons[0], "c/t = 71"));
   CHECK(contains(said.terminal.substr(0, said.terminal.find("use [%]")), "c/t = 71"));
   CHECK(contains(said.text.substr(0, said.text.find("use [%]")), "c/t = 71"));

@@ -101,7 +101,11 @@ class Schema:
         jsonschema.Draft202012Validator.check_schema(self.tree)
         self.validator = jsonschema.Draft202012Validator(self.tree)
 
-    def is_valid(self, instance):
+    def is_valid(self, instance, node=None, path=()):
+        """Whether a case is valid; what its table at `path`, described by `node`, is refused for
+        refuses the case, and is looked at first because it is small."""
+        if node is not None and path and not self.fits(node, at(instance, path)):
+            return False
         return self.validator.is_valid(instance)
 
     def fits(self, node, instance):
@@ -139,12 +143,12 @@ class Schema:
         return keys, required, others, " ".join([name, *kinds]), closed
 
     def tables(self, instance, node=None, path=()):
-        """All tables of fixed keys in a case, with their places."""
+        """All tables of fixed keys in a case, with their places and what describes them."""
         node = self.tree if node is None else node
         if isinstance(instance, dict):
             keys, required, others, name, closed = self.of_table(node, instance)
             if closed or not path:
-                yield path, name or ".".join(map(str, path)), set(keys), required
+                yield path, name or ".".join(map(str, path)), set(keys), required, node
             for key, value in instance.items():
                 below = keys.get(key, others)
                 if below is not None:
@@ -228,7 +232,7 @@ def main(program, root):
         reader = Reader(program, folder)
         offences += both_refuse(schema, reader, templates)
         for beside, case in cases:
-            for path, name, keys, required in schema.tables(case):
+            for path, name, keys, required, node in schema.tables(case):
                 table = at(case, path)
                 of_schema.setdefault(name, set()).update(keys)
                 known.setdefault(name, set())
@@ -237,7 +241,7 @@ def main(program, root):
                     looked_at.add(signature)
                     changed = copy.deepcopy(case)
                     at(changed, path)[ALIEN] = "1 m"
-                    if schema.is_valid(changed):
+                    if schema.is_valid(changed, node, path):
                         offences.append(f"{name} at {path}: the schema takes an unknown key")
                     words = known_in(reader.complaints(changed, beside))
                     if words is None:
@@ -251,15 +255,15 @@ def main(program, root):
                     changed = copy.deepcopy(case)
                     del at(changed, path)[key]
                     said = reader.complaints(changed, beside)
-                    valid = schema.is_valid(changed)
-                    if f'has no "{key}"' in said and valid:
+                    if f'has no "{key}"' in said and schema.is_valid(changed, node, path):
                         offences.append(f"{name} at {path}: the schema does without {key}")
                     if key in required and not said:
                         offences.append(f"{name} at {path}: the program does without {key}")
     # What belongs to another kind of case the program knows as well, to refuse it with a reason.
     for name in KINDS:
         known[name] -= {key for other in KINDS for key in of_schema[other]} - of_schema[name]
-    known["links bending"] -= {"mass", "inertia", "centre"}  # refused in the beam's link
+    for name in ("links bending", "links full"):
+        known[name] -= {"mass", "inertia", "centre"}  # refused in the beam's link
     for name, keys in of_schema.items():
         if known[name] != keys:
             offences.append(f"{name or 'the case'}: only the program knows {sorted(known[name] - keys)}, "

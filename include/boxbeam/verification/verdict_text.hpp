@@ -21,7 +21,7 @@ struct VerdictText {
   /// "PASS", "PASS (strength only)" where the case asks for no fatigue, "PASS for strength;
   /// fatigue: no stress range", "FAIL; rod hanger: no force", "NOT APPLICABLE".
   std::string line;
-  std::vector<std::string> reasons;  ///< why it is not applicable
+  std::vector<std::string> reasons;  ///< why it is not applicable, then what was not judged
 
   /// "NOT APPLICABLE: reason; reason".
   std::string whole() const;
