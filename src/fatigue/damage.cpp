@@ -78,13 +78,17 @@ double largest_factor_of(const std::vector<Prepared>& channels, const FatigueDem
 
 }  // namespace
 
-double cycles_to_failure_in(const std::vector<Cycle>& cycles, const Cycle& cycle,
-                            const SnCurve& curve, const FatigueDemand& demand, double factor) {
+std::vector<double> cycles_to_failure_in(const std::vector<Cycle>& cycles, const SnCurve& curve,
+                                         const FatigueDemand& demand, double factor) {
   const double scale = demand.gamma_Ff * demand.gamma_Mf * factor;
   const SnLine line(curve);
   const bool limit_exceeded = scale * largest_range_of(cycles).value() > line.limit();
-  return line.cycles_to_failure(scale * cycle.range.value(),
-                                limit_exceeded ? Loading::spectrum : demand.loading);
+  const Loading loading = limit_exceeded ? Loading::spectrum : demand.loading;
+  std::vector<double> endured;
+  endured.reserve(cycles.size());
+  for (const Cycle& cycle : cycles)
+    endured.push_back(line.cycles_to_failure(scale * cycle.range.value(), loading));
+  return endured;
 }
 
 double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,

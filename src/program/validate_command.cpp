@@ -6,6 +6,7 @@
 #include "boxbeam/project/project.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
+#include "report/front_end_text.hpp"
 #include "report/text_layout.hpp"
 
 namespace boxbeam::program {
@@ -86,6 +87,19 @@ void add_mechanism(Parts& parts, const frame::Structure& structure) {
   parts.add("load cases", listed(names_of(structure.cases)));
 }
 
+void add_mechanism(Parts& parts, const recorded::Loads& loads) {
+  const recorded::Channels& channels = *loads.acting.channels;
+  parts.add("kind", loads.as_cuts ? "loads: cut forces over time, from files"
+                                  : "loads: forces over time, from files");
+  parts.add("time", fmt::format("{:.6g} s to {:.6g} s, {} instants", channels.times.front(),
+                                channels.times.back(), channels.times.size()));
+  std::vector<std::string> names;
+  for (const recorded::ChannelSource& of : loads.sources) {
+    if (std::find(names.begin(), names.end(), of.load) == names.end()) names.push_back(of.load);
+  }
+  parts.add(loads.as_cuts ? "stations" : "loads", listed(names));
+}
+
 std::vector<std::string> situations_of(const Project& project) {
   std::vector<std::string> names;
   for (const Situation& situation : project.situations) {
@@ -101,7 +115,7 @@ std::string text_of(const Project& project) {
   parts.add("case", fmt::format("{}: {}", project.name, project.title));
   std::visit([&](const auto& mechanism) { add_mechanism(parts, mechanism); }, project.mechanism);
   parts.add("loads by", project.dynamics == Dynamics::rigorous
-                            ? "the reactions of the mechanism, weight and inertia"
+                            ? report::front_end_text_of(project)->source_of_loads()
                             : "the published Newton chain");
   parts.add("beam", fmt::format("{:.6g} m, {:.6g} kg", project.beam.length().value(),
                                 mass_properties_of(project.beam).mass.value()));

@@ -249,6 +249,17 @@ void CaseDocument::add_file(const std::string& written, const std::string& resol
   files.push_back({written, resolved, sha256_of(text)});
 }
 
+void CaseDocument::add_large_file(const std::string& written, const std::string& resolved) {
+  if (std::any_of(files.begin(), files.end(),
+                  [&](const InputFile& file) { return file.resolved == resolved; })) {
+    return;
+  }
+  char digest[SHA256_DIGEST_STRING_LENGTH];
+  if (SHA256File(resolved.c_str(), digest) == nullptr)
+    throw InputError(fmt::format("{}: cannot be read", resolved));
+  files.push_back({written, resolved, digest});
+}
+
 std::string CaseDocument::sha256_of_input() const {
   if (files.empty()) return sha256;
   std::string hashes = sha256 + "\n";

@@ -65,6 +65,8 @@ std::unique_ptr<FrontEndReader> reader_for(const flexible::Mechanism&, const Sec
                                            Project&);
 std::unique_ptr<FrontEndReader> reader_for(const frame::Structure&, const Sections&, TimeTables&,
                                            Project&);
+std::unique_ptr<FrontEndReader> reader_for(const recorded::Loads&, const Sections&, TimeTables&,
+                                           Project&);
 
 /// The parts of a mechanism of rigid bodies that a situation may change.
 Changeable changeable_of_bodies(const std::string& beam_body);

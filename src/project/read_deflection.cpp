@@ -109,6 +109,7 @@ std::string text_of(const MeasuredFrom& line) {
 std::optional<SupportedLine> supported_line_of(const Project& project) {
   if (std::holds_alternative<frame::Structure>(project.mechanism))
     return SupportedLine{UnloadedAxis{}, "its supports' motion included"};
+  if (std::holds_alternative<recorded::Loads>(project.mechanism)) return std::nullopt;
   auto line = line_of(supports_of(project, planar_of(project)));
   for (const Situation& situation : project.situations) {
     if (!line) break;

@@ -41,7 +41,8 @@ ElasticForm read_model(TableReader& root, Project& project) {
     input.shear_modulus =
         table.positive({"shear_modulus", "of the beam"}, wanted::stress, input.shear_modulus);
   };
-  if (std::holds_alternative<frame::Structure>(project.mechanism)) {
+  if (std::holds_alternative<frame::Structure>(project.mechanism) ||
+      std::holds_alternative<recorded::Loads>(project.mechanism)) {
     read_moduli();
     table.finish();
     return form;

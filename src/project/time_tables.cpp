@@ -175,15 +175,18 @@ const std::vector<std::string>* TimeTables::lines_of(TableReader& table, std::st
   return &document_->lines.find(resolved)->second;
 }
 
+std::string TimeTables::resolved(const std::string& written) const {
+  return (std::filesystem::path(document_->path).parent_path() / written).string();
+}
+
 std::optional<TimeTable> TimeTables::read(TableReader& table, std::string_view key,
                                           const WantedDimension& wanted, const char* column) {
   const std::string written = table.text({key, "a CSV file, from the folder of the case"});
   if (written.empty()) return std::nullopt;
-  namespace fs = std::filesystem;
-  const std::string resolved = (fs::path(document_->path).parent_path() / written).string();
-  const std::vector<std::string>* lines = lines_of(table, key, written, resolved);
+  const std::string path = resolved(written);
+  const std::vector<std::string>* lines = lines_of(table, key, written, path);
   if (lines == nullptr) return std::nullopt;
-  const std::string_view file = document_->lines.find(resolved)->first;
+  const std::string_view file = document_->lines.find(path)->first;
   return TimeTableParser(table.problems(), file, wanted, column).parse(*lines);
 }
 

@@ -32,6 +32,14 @@ class TimeTables {
   std::optional<TimeTable> read(TableReader& table, std::string_view key,
                                 const WantedDimension& wanted, const char* column);
 
+  /// Path from the working folder of what a case writes from its own.
+  std::string resolved(const std::string& written) const;
+
+  /// Takes a file of signals, which others read, for the hash of the input.
+  void add_signals(const std::string& written) {
+    document_->add_large_file(written, resolved(written));
+  }
+
  private:
   /// The lines of a file, read once; nothing and a problem where it cannot be read.
   const std::vector<std::string>* lines_of(TableReader& table, std::string_view key,

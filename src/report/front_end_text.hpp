@@ -32,6 +32,7 @@ class FrontEndText {
   /// What it is called, and in headings.
   virtual std::string word() const { return "mechanism"; }
   virtual std::string heading() const { return "Mechanism"; }
+  virtual std::string inputs_heading() const { return heading() + " and loads"; }
 
   virtual std::string gravity() const = 0;  ///< "(0, -9.81) m/s^2"
 
@@ -65,6 +66,11 @@ std::unique_ptr<const FrontEndText> text_for(const planar::Mechanism&, const Pro
 std::unique_ptr<const FrontEndText> text_for(const spatial::Mechanism&, const Project& project);
 std::unique_ptr<const FrontEndText> text_for(const flexible::Mechanism&, const Project& project);
 std::unique_ptr<const FrontEndText> text_for(const frame::Structure&, const Project& project);
+std::unique_ptr<const FrontEndText> text_for(const recorded::Loads&, const Project& project);
+
+/// The least and the largest of every support over all situations; `shown`: which of F_x to M_z.
+Table reactions_table(std::string caption, const std::vector<std::size_t>& shown,
+                      const std::vector<MotionSummary>& motions);
 
 /// How long a motion that integrates is looked at.
 void add_duration(const Duration& duration, Entries& entries);

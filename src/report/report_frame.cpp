@@ -136,53 +136,6 @@ Table joints_table(const Structure& structure) {
   return table;
 }
 
-/// The least and the largest of every support over all situations.
-Table reactions_table(const Structure& structure, const std::vector<MotionSummary>& motions) {
-  const std::vector<std::size_t> shown = structure.plane
-                                             ? std::vector<std::size_t>{0, 1, 5}
-                                             : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
-  Table table = table_of(
-      "What the supports do to the frame, least to largest of all situations; "
-      "world axes",
-      {"support"});
-  constexpr std::array<const char*, 6> names{"F_x [kN]",   "F_y [kN]",   "F_z [kN]",
-                                             "M_x [kN m]", "M_y [kN m]", "M_z [kN m]"};
-  for (const std::size_t k : shown)
-    table.header.emplace_back(structure.plane && k == 5 ? "M [kN m]" : names[k]);
-  const std::size_t count = motions.front().reactions.size();
-  double force = 0.0, couple = 0.0;
-  for (const MotionSummary& motion : motions) {
-    for (const SupportReaction& of : motion.reactions) {
-      for (std::size_t k = 0; k < 6; ++k) {
-        double& largest = k < 3 ? force : couple;
-        largest = std::max({largest, std::abs(of.low[k]), std::abs(of.high[k])});
-      }
-    }
-  }
-  for (std::size_t support = 0; support < count; ++support) {
-    SupportReaction all = motions.front().reactions[support];
-    for (const MotionSummary& motion : motions) {
-      const SupportReaction& of = motion.reactions[support];
-      for (std::size_t k = 0; k < 6; ++k) {
-        all.low[k] = std::min(all.low[k], of.low[k]);
-        all.high[k] = std::max(all.high[k], of.high[k]);
-      }
-    }
-    std::vector<Cell> row = row_of(all.name);
-    for (const std::size_t k : shown) {
-      const auto kilo = [&](double x) {
-        const double size = k < 3 ? force : std::max(couple, 1e-9 * force);
-        return plain(std::abs(x) <= 1e-9 * size ? 0.0 : std::stod(text::significant(x / 1e3, 5)));
-      };
-      row.push_back(cell(all.low[k] == all.high[k] || kilo(all.low[k]) == kilo(all.high[k])
-                             ? kilo(all.high[k])
-                             : kilo(all.low[k]) + " to " + kilo(all.high[k])));
-    }
-    add_row(table, std::move(row));
-  }
-  return table;
-}
-
 class FrameText : public FrontEndText {
  public:
   using FrontEndText::FrontEndText;
@@ -228,7 +181,13 @@ class FrameText : public FrontEndText {
 
   std::vector<Block> blocks(const Verification& verification) const override {
     const Structure& of = frame_of(*project_);
-    return {members_table(of), joints_table(of), reactions_table(of, verification.motions)};
+    const std::vector<std::size_t> shown =
+        of.plane ? std::vector<std::size_t>{0, 1, 5} : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
+    Table reactions = reactions_table(
+        "What the supports do to the frame, least to largest of all situations; world axes", shown,
+        verification.motions);
+    if (of.plane) reactions.header.back() = "M [kN m]";
+    return {members_table(of), joints_table(of), std::move(reactions)};
   }
 };
 

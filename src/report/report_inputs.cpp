@@ -171,8 +171,8 @@ Chapter inputs_chapter(const Source& source) {
   add_demands(project, demands);
   return {"Inputs",
           {Subheading{"Beam"}, beam_table(project.beam), Facts{std::move(beam)},
-           Subheading{front_end_text_of(project)->heading() + " and loads"},
-           Facts{std::move(mechanism)}, Subheading{"Demands"}, Facts{std::move(demands)}}};
+           Subheading{front_end_text_of(project)->inputs_heading()}, Facts{std::move(mechanism)},
+           Subheading{"Demands"}, Facts{std::move(demands)}}};
 }
 
 }  // namespace boxbeam::report

@@ -17,9 +17,12 @@ std::string period_text(const Project& project, const MotionSummary& motion) {
   if (motion.stands_still) {
     return "none: the loads stand still" + in_brackets(situation.name);
   }
-  return fmt::format("{}, {} instants solved, extremes refined between them{}",
-                     text::seconds(motion.period.value()), motion.instants,
-                     in_brackets(situation.name));
+  return fmt::format(
+      "{}, {}{}", text::seconds(motion.period.value()),
+      motion.recorded
+          ? fmt::format("{} instants given, linear between them", motion.instants)
+          : fmt::format("{} instants solved, extremes refined between them", motion.instants),
+      in_brackets(situation.name));
 }
 
 /// The functions of time that move the beam.

@@ -86,6 +86,10 @@ bool jumps_at(const LoadHistory& loads, Length s) {
 void add_loads(const SituationRun& run, Gathered& cuts) {
   const LoadHistory& loads = run.loads;
   const std::vector<Length> first = borders_of(loads.diagram(0));
+  if (loads.is_recorded()) {  // whose places never change
+    for (const Length& s : first) cuts.add(s, true);
+    return;
+  }
   bool still = true;
   for (std::size_t i = 1; i < loads.instants() && still; ++i) {
     const std::vector<CutForcePiece>& pieces = loads.diagram(i).pieces;

@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
+#include "boxbeam/verification/drawn_samples.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
 #include "check_sources.hpp"
 
@@ -71,9 +74,10 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
   basis.stress_factor = stress.factor;
   basis.running = index_of(project, *worst.situation);
   const StationHistory& history = worst.history;
-  for (std::size_t i = 0; i < history.samples().size(); ++i) {
+  const auto stress_of = [&](std::size_t i) { return stress.at(history.samples()[i]); };
+  for (const std::size_t i : drawn_samples(history.samples().size(), {stress_of})) {
     basis.times.push_back(history.time_of(i).value());
-    basis.history.push_back(stress.at(history.samples()[i]));
+    basis.history.push_back(stress_of(i));
   }
   if (history.closed()) {
     basis.times.push_back(basis.times.front() + history.period().value());
@@ -97,6 +101,37 @@ double largest_range_of(const std::vector<SpectrumRow>& spectrum) {
   double largest = 0.0;
   for (const SpectrumRow& row : spectrum) largest = std::max(largest, row.cycle.range.value());
   return largest;
+}
+
+/// A spectrum of many sizes in classes: each has the range of its largest cycle, and the life that
+/// all of its cycles together take.
+std::vector<SpectrumRow> in_classes(std::vector<SpectrumRow> spectrum) {
+  constexpr std::size_t most_sizes = 1000, classes = 1000;
+  if (spectrum.size() <= most_sizes) return spectrum;
+  double largest = 0.0;
+  for (const SpectrumRow& row : spectrum) largest = std::max(largest, row.cycle.range.value());
+  std::map<std::tuple<std::string, StressKind, std::size_t>, SpectrumRow> merged;
+  for (const SpectrumRow& row : spectrum) {
+    const double part = std::ceil(row.cycle.range.value() / largest * classes);
+    SpectrumRow& of = merged[{row.situation, row.kind, static_cast<std::size_t>(part)}];
+    const double count = of.cycle.count + row.cycle.count;
+    if (!(count > 0.0)) continue;
+    // Sums of life first, the cycles endured behind the loop.
+    of.situation = row.situation;
+    of.kind = row.kind;
+    of.endured += row.cycle.count / row.endured;
+    of.damage += row.damage;
+    of.cycle.mean += row.cycle.count / count * (row.cycle.mean - of.cycle.mean);
+    of.cycle.range = std::max(of.cycle.range, row.cycle.range);
+    of.cycle.count = count;
+  }
+  std::vector<SpectrumRow> rows;
+  for (auto& [key, row] : merged) {
+    if (!(row.cycle.count > 0.0)) continue;
+    row.endured = row.cycle.count / row.endured;
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 /// A stress of a point, its cycles and what resists them.
@@ -228,13 +263,14 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   const auto spectrum_at = [&](double k) {
     std::vector<SpectrumRow> rows;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-      const auto endured = [&](const Cycle& cycle, double times) {
-        return cycles_to_failure_in(loads[i].cycles, cycle, loads[i].curve, demand, times);
+      const auto endured_at = [&](double times) {
+        return cycles_to_failure_in(loads[i].cycles, loads[i].curve, demand, times);
       };
-      for (SpectrumRow row : channels[i].spectrum) {
-        row.endured = endured(row.cycle, k);
-        row.damage = row.cycle.count / endured(row.cycle, 1.0);
-        rows.push_back(std::move(row));
+      const std::vector<double> endured = endured_at(k), as_it_is = endured_at(1.0);
+      for (std::size_t j = 0; j < endured.size(); ++j) {
+        SpectrumRow& row = rows.emplace_back(channels[i].spectrum[j]);
+        row.endured = endured[j];
+        row.damage = row.cycle.count / as_it_is[j];
       }
     }
     return rows;
@@ -278,7 +314,7 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   basis.cut_at_lowest = in(lowest).history.at(lowest.time);
   basis.cut_at_time = upper ? basis.cut_at_highest : basis.cut_at_lowest;
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
-  basis.spectrum = spectrum_at(factor);
+  basis.spectrum = in_classes(spectrum_at(factor));
   FatigueDemand constant = demand;
   constant.loading = Loading::constant_amplitude;
   basis.constant_amplitude_factor = largest_factor(loads, constant);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+
+#include "boxbeam/verification/drawn_samples.hpp"
 
 namespace boxbeam {
 namespace {
@@ -39,11 +42,10 @@ std::vector<CutForceLine> envelope_lines(const std::deque<SituationRun>& runs) {
   std::vector<CutForceLine> lines{{Time{}, "smallest", stations, {}},
                                   {Time{}, "largest", stations, {}}};
   for (const Station& station : stations) {
-    CutForces low = runs.front().loads.diagram(0).at(station);
+    CutForces low = runs.front().loads.cuts_at(station).front();
     CutForces high = low;
     for (const SituationRun& run : runs) {
-      for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-        const CutForces cut = run.loads.diagram(i).at(station);
+      for (const CutForces& cut : run.loads.cuts_at(station)) {
         low = {std::min(low.N, cut.N), std::min(low.V_y, cut.V_y), std::min(low.V_z, cut.V_z),
                std::min(low.T, cut.T), std::min(low.M_y, cut.M_y), std::min(low.M_z, cut.M_z)};
         high = {std::max(high.N, cut.N), std::max(high.V_y, cut.V_y), std::max(high.V_z, cut.V_z),
@@ -62,9 +64,14 @@ LoadsOverTime loads_over_time(const Project& project, const std::deque<Situation
   for (const SituationRun& run : runs) {
     LoadsOverTime::Line& line = figure.lines.emplace_back();
     line.situation = index_of(project, *run.situation);
-    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+    const std::vector<CutForces> cuts = run.loads.cuts_at(station);
+    std::vector<std::function<double(std::size_t)>> each;
+    for (const cut_force::Index which : {cut_force::N, cut_force::V_y, cut_force::V_z, cut_force::T,
+                                         cut_force::M_y, cut_force::M_z})
+      each.emplace_back([&cuts, which](std::size_t i) { return value_of(cuts[i], which); });
+    for (const std::size_t i : drawn_samples(cuts.size(), each)) {
       line.times.push_back(run.loads.time_of(i));
-      line.values.push_back(run.loads.diagram(i).at(station));
+      line.values.push_back(cuts[i]);
     }
     if (!run.loads.closed()) continue;
     // What repeats is at its end where it began.

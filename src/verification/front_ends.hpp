@@ -11,6 +11,7 @@ std::unique_ptr<const FrontEnd> front_end_for(const planar::Mechanism&, const Pr
 std::unique_ptr<const FrontEnd> front_end_for(const spatial::Mechanism&, const Project& project);
 std::unique_ptr<const FrontEnd> front_end_for(const flexible::Mechanism&, const Project& project);
 std::unique_ptr<const FrontEnd> front_end_for(const frame::Structure&, const Project& project);
+std::unique_ptr<const FrontEnd> front_end_for(const recorded::Loads&, const Project& project);
 
 /// The model of elastic links: the cheapest whose error of the governing stress is within the
 /// tolerance that the case asks for, or the one that it demands.

@@ -28,15 +28,70 @@ LoadHistory::LoadHistory(const LoadSpan& span, LoadsAt loads_at)
   add_instants();
   for (Instant& instant : instants_) {
     instant.diagram = diagram_at(instant.time);
-    for (const CutForcePiece& piece : instant.diagram.pieces) {
-      for (const Side side : {Side::before, Side::behind}) {
-        const Length s = side == Side::behind ? piece.start : piece.end();
-        const CutForces cut = instant.diagram.at({s, side});
-        largest_force_ = std::max(largest_force_, force_in(cut));
-        largest_moment_ = std::max(largest_moment_, moment_in(cut));
-      }
+    look_at(instant.diagram);
+  }
+}
+
+LoadHistory::LoadHistory(recorded::ChannelLoads loads) {
+  const std::vector<double>& times = loads.channels->times;
+  span_ = {si<Time>(times.front()), si<Time>(times.back() - times.front()), times.size() - 1,
+           false};
+  loads_at_ = [loads](Time time) { return recorded::loads_at(loads, time.value()); };
+  recorded_ = Recorded{loads, cut_forces_of(loads.constant), {}};
+  for (const BeamLoads& unit : loads.units) recorded_->units.push_back(cut_forces_of(unit));
+  for (std::size_t i = 0; i < times.size(); ++i) look_at(diagram(i));
+}
+
+void LoadHistory::look_at(const CutForceDiagram& diagram) {
+  for (const CutForcePiece& piece : diagram.pieces) {
+    for (const Side side : {Side::before, Side::behind}) {
+      const Length s = side == Side::behind ? piece.start : piece.end();
+      const CutForces cut = diagram.at({s, side});
+      largest_force_ = std::max(largest_force_, force_in(cut));
+      largest_moment_ = std::max(largest_moment_, moment_in(cut));
     }
   }
+}
+
+CutForceDiagram LoadHistory::diagram(std::size_t instant) const {
+  if (!recorded_) return instants_[instant].diagram;
+  CutForceDiagram diagram = recorded_->constant;
+  const std::vector<std::vector<double>>& values = recorded_->of.channels->values;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    recorded::add(values[k][instant], recorded_->units[k], diagram);
+  return diagram;
+}
+
+CutForceDiagram LoadHistory::diagram_at(Time time) const {
+  if (!recorded_) return cut_forces_of(loads_at_(time));
+  CutForceDiagram diagram = recorded_->constant;
+  const std::vector<double> values = recorded::values_at(*recorded_->of.channels, time.value());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    recorded::add(values[k], recorded_->units[k], diagram);
+  return diagram;
+}
+
+std::vector<CutForces> LoadHistory::cuts_at(const Station& station) const {
+  std::vector<CutForces> cuts;
+  cuts.reserve(instants());
+  if (!recorded_) {
+    for (const Instant& instant : instants_) cuts.push_back(instant.diagram.at(station));
+    return cuts;
+  }
+  cuts.assign(instants(), recorded_->constant.at(station));
+  for (std::size_t k = 0; k < recorded_->units.size(); ++k) {
+    const CutForces of_one = recorded_->units[k].at(station);
+    const std::vector<double>& values = recorded_->of.channels->values[k];
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      cuts[i].N += values[i] * of_one.N;
+      cuts[i].V_y += values[i] * of_one.V_y;
+      cuts[i].V_z += values[i] * of_one.V_z;
+      cuts[i].T += values[i] * of_one.T;
+      cuts[i].M_y += values[i] * of_one.M_y;
+      cuts[i].M_z += values[i] * of_one.M_z;
+    }
+  }
+  return cuts;
 }
 
 Time LoadHistory::even_time(std::size_t k) const {
@@ -107,6 +162,7 @@ void LoadHistory::add_instants() {
 }
 
 LoadHistory::Reach LoadHistory::reach_of(std::size_t instant) const {
+  if (recorded_) return {time_of(instant), time_of(instant)};
   const std::size_t n = instants_.size();
   Reach reach{instants_[instant].time, instants_[instant].time};
   if (!instants_[instant].begins) {

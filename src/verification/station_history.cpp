@@ -28,12 +28,11 @@ std::size_t borders_before(const CutForceDiagram& diagram, const Station& statio
 
 StationHistory::StationHistory(const LoadHistory& loads, const Station& station)
     : loads_(&loads), station_(station) {
-  samples_.reserve(loads.instants());
+  samples_ = loads.cuts_at(station);
   double force = 0.0, moment = 0.0;
-  for (std::size_t i = 0; i < loads.instants(); ++i) {
-    samples_.push_back(loads.diagram(i).at(station));
-    force = std::max(force, force_in(samples_.back()));
-    moment = std::max(moment, moment_in(samples_.back()));
+  for (const CutForces& cut : samples_) {
+    force = std::max(force, force_in(cut));
+    moment = std::max(moment, moment_in(cut));
   }
   // What is small beside the loads of the whole beam is the rounding of their sums.
   constexpr double round_off = 1e-4;
@@ -235,6 +234,7 @@ Extremum StationHistory::extremum_near(std::size_t instant, double sign,
 
 TurningPoint StationHistory::refine(std::size_t instant, bool maximum, const CutForceFunction& f,
                                     double noise) const {
+  if (loads_->is_recorded()) return {time_of(instant), f(samples_[instant]), maximum};
   const double sign = maximum ? 1.0 : -1.0;
   Extremum found = extremum_near(instant, sign, f);
   // Where the loads bend and do not jump, the two instants of a break are one, and the extremum may
@@ -301,6 +301,7 @@ CutForces StationHistory::at(Time time) const {
     if ((nearer && is_in(low + 1)) || !is_in(low)) instant = low + 1;
   }
   if (instants.time_of(instant) == within) return samples_[instant];
+  if (instants.is_recorded()) return instants.diagram_at(within).at(station_);
   const double at = within.value();
   const std::vector<Piece>& pieces = pieces_of(instant);
   for (const Piece& piece : pieces) {

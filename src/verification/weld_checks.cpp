@@ -7,6 +7,7 @@
 
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
+#include "boxbeam/verification/drawn_samples.hpp"
 
 namespace boxbeam {
 namespace {
@@ -126,9 +127,13 @@ std::optional<CheckResult> check_static(const Project& project, const WeldInput&
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
   const double normal = basis.stress_at_time.normal.value();
   basis.highest = basis.lowest = {largest.time, normal, basis.running};
-  for (std::size_t i = 0; i < worst->history.samples().size(); ++i) {
+  const std::vector<CutForces>& samples = worst->history.samples();
+  const auto stress_of = [&](std::size_t i) {
+    return stress_at(point.influence, samples[i]).normal.value();
+  };
+  for (const std::size_t i : drawn_samples(samples.size(), {stress_of})) {
     basis.times.push_back(worst->history.time_of(i).value());
-    basis.history.push_back(stress_at(point.influence, worst->history.samples()[i]).normal.value());
+    basis.history.push_back(stress_of(i));
   }
   // The first condition of equation 4.1, of equal legs the harder one.
   constexpr NoDerivation plainly;

@@ -39,12 +39,16 @@ ONLY_THE_PROGRAM = {
     ("joints", "angle"),  # of a contact that slides on the ground
     ("members", "to"), ("members", "segments"),  # one of them says how long a member is
     ("joints", "axis"), ("loads", "axis"),  # of frames in space
+    ("loads", "direction"),  # with the column of a force in it
     ("situations", "loads"),  # of frames that run in the situation
 }
-KINDS = ("planar", "spatial", "flexible", "static")
 # What the cases with every key name.
-TABLES = {"stroke.csv": "stroke [m]", "angle.csv": "angle [rad]", "force.csv": "force [N]",
-          "couple.csv": "moment [N m]", "line.csv": "line force [N/m]"}
+TABLES = {name: f"time [s], {column}\n0, 0\n1, 0.1\n2, 0\n" for name, column in {
+    "stroke.csv": "stroke [m]", "angle.csv": "angle [rad]", "force.csv": "force [N]",
+    "couple.csv": "moment [N m]", "line.csv": "line force [N/m]"}.items()}
+SIX = "Fx [kN], Fy [kN], Fz [kN], Mx [kN m], My [kN m], Mz [kN m]"
+TABLES["measured.csv"] = SIX + ", pressure [bar]\n0, 0, 0, 0, 0, 0, 0\n1, 1, 1, 1, 1, 1, 1\n"
+TABLES["cuts.csv"] = "time [s], " + SIX + "\n0, 0, 0, 0, 0, 0, 0\n1, 1, 1, 1, 1, 1, 1\n"
 
 
 def toml_of(value):
@@ -82,8 +86,8 @@ class Reader:
         folder = pathlib.Path(self.folder, beside.name)
         if not folder.exists():
             folder.mkdir()
-            for table, column in TABLES.items():
-                (folder / table).write_text(f"time [s], {column}\n0, 0\n1, 0.1\n2, 0\n")
+            for table, text in TABLES.items():
+                (folder / table).write_text(text)
             for table in beside.glob("*.csv"):
                 (folder / table.name).symlink_to(table)
         file = folder / "case.toml"
@@ -228,12 +232,15 @@ def main(program, root):
         cases.append((file.parent, case))
 
     of_schema, known, looked_at, taken_away, offences = {}, {}, set(), set(), []
+    kinds = set()  # what whole cases are called
     with tempfile.TemporaryDirectory(prefix="boxbeam-schema-") as folder:
         reader = Reader(program, folder)
         offences += both_refuse(schema, reader, templates)
         for beside, case in cases:
             for path, name, keys, required, node in schema.tables(case):
                 table = at(case, path)
+                if not path:
+                    kinds.add(name)
                 of_schema.setdefault(name, set()).update(keys)
                 known.setdefault(name, set())
                 signature = (name, *sorted(table))
@@ -260,8 +267,8 @@ def main(program, root):
                     if key in required and not said:
                         offences.append(f"{name} at {path}: the program does without {key}")
     # What belongs to another kind of case the program knows as well, to refuse it with a reason.
-    for name in KINDS:
-        known[name] -= {key for other in KINDS for key in of_schema[other]} - of_schema[name]
+    for name in kinds:
+        known[name] -= {key for other in kinds for key in of_schema[other]} - of_schema[name]
     for name in ("links bending", "links full"):
         known[name] -= {"mass", "inertia", "centre"}  # refused in the beam's link
     for name, keys in of_schema.items():

@@ -31,9 +31,9 @@ struct FatigueChannel {
 double damage_of(const std::vector<Cycle>& cycles, const SnCurve& curve,
                  const FatigueDemand& demand, double factor = 1.0);
 
-/// Cycles to failure of one cycle of a spectrum, all ranges multiplied by `factor`.
-double cycles_to_failure_in(const std::vector<Cycle>& cycles, const Cycle& cycle,
-                            const SnCurve& curve, const FatigueDemand& demand, double factor);
+/// Cycles to failure of each cycle of a spectrum, all ranges multiplied by `factor`.
+std::vector<double> cycles_to_failure_in(const std::vector<Cycle>& cycles, const SnCurve& curve,
+                                         const FatigueDemand& demand, double factor);
 
 /// The largest factor on the loads for which the damage of all channels together is at most 1. It
 /// exists and is finite even where the spectrum does no damage. Infinity only without any cycles.

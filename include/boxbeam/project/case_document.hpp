@@ -61,6 +61,10 @@ struct CaseDocument {
   /// Takes the lines of a further file for messages, and its bytes for the hash.
   void add_file(const std::string& written, const std::string& resolved, const std::string& text);
 
+  /// The same of a file that is not kept, for it may be large: its bytes for the hash, once.
+  /// Throws InputError where it cannot be read.
+  void add_large_file(const std::string& written, const std::string& resolved);
+
   /// Identifies the input with all its files: `sha256` where there are none, else the hash of the
   /// lines of hashes, `sha256` and one per file (sha256sum | cut -c1-64 | sha256sum).
   std::string sha256_of_input() const;

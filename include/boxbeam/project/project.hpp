@@ -14,6 +14,7 @@
 #include "boxbeam/mechanism/frame/structure.hpp"
 #include "boxbeam/mechanism/planar/mechanism.hpp"
 #include "boxbeam/mechanism/planar/newton_chain.hpp"
+#include "boxbeam/mechanism/recorded/loads.hpp"
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/mechanism.hpp"
 #include "boxbeam/project/case_document.hpp"
@@ -25,12 +26,12 @@
 namespace boxbeam {
 
 /// What moves or loads the beam: rigid bodies in the plane or in space, elastic links in a plane,
-/// or a frame at rest.
-using AnyMechanism =
-    std::variant<planar::Mechanism, spatial::Mechanism, flexible::Mechanism, frame::Structure>;
+/// a frame at rest, or loads that others have measured or computed.
+using AnyMechanism = std::variant<planar::Mechanism, spatial::Mechanism, flexible::Mechanism,
+                                  frame::Structure, recorded::Loads>;
 
 /// The words for these kinds in a case, in the same order.
-inline constexpr std::array kind_words{"planar", "spatial", "flexible", "static"};
+inline constexpr std::array kind_words{"planar", "spatial", "flexible", "static", "loads"};
 static_assert(kind_words.size() == std::variant_size_v<AnyMechanism>);
 
 /// The word for the kind of a mechanism.
@@ -319,6 +320,9 @@ inline flexible::Mechanism& flexible_of(Project& project) {
 inline const frame::Structure& frame_of(const Project& project) {
   return std::get<frame::Structure>(project.mechanism);
 }
+inline const recorded::Loads& recorded_of(const Project& project) {
+  return std::get<recorded::Loads>(project.mechanism);
+}
 
 /// The mechanism as it runs in a situation, of whichever kind.
 inline const AnyMechanism& mechanism_in(const Project& project, const Situation& situation) {
@@ -337,6 +341,9 @@ inline const flexible::Mechanism& flexible_in(const Project& project, const Situ
 }
 inline const frame::Structure& frame_in(const Project& project, const Situation& situation) {
   return std::get<frame::Structure>(mechanism_in(project, situation));
+}
+inline const recorded::Loads& recorded_in(const Project& project, const Situation& situation) {
+  return std::get<recorded::Loads>(mechanism_in(project, situation));
 }
 
 /// Where the beam lies in the mechanism of a situation, whose bodies may stand in another order.

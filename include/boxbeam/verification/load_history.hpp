@@ -10,6 +10,7 @@
 
 #include "boxbeam/beam/cut_force_diagram.hpp"
 #include "boxbeam/core/units.hpp"
+#include "boxbeam/mechanism/recorded/channel_loads.hpp"
 #include "boxbeam/numerics/extremum.hpp"
 
 namespace boxbeam {
@@ -30,6 +31,9 @@ struct LoadSpan {
 
 /// The cut forces over one period: at the ends of equal steps and on both sides of every break, and
 /// between neighbours of these at Chebyshev points where an extremum is looked for.
+///
+/// Of recorded loads: at their instants, between which they are linear, so that every extremum of
+/// what is linear or convex in them stands at one. Nothing is solved or kept for each instant.
 class LoadHistory {
  public:
   /// Nodes of one bracket, Chebyshev points of the second kind.
@@ -37,26 +41,37 @@ class LoadHistory {
   using Bracket = std::array<CutForceDiagram, nodes>;
 
   LoadHistory(const LoadSpan& span, LoadsAt loads_at);
+  explicit LoadHistory(recorded::ChannelLoads loads);
 
   const LoadSpan& span() const { return span_; }
+  bool is_recorded() const { return recorded_.has_value(); }
   Time period() const { return span_.period; }
   Time begin() const { return span_.begin; }
   bool closed() const { return span_.closed; }
 
   /// All instants that are looked at, ascending. Between two with a break they are not evenly
   /// spaced, and two stand at every break, one just before it, one just behind.
-  std::size_t instants() const { return instants_.size(); }
-  Time time_of(std::size_t instant) const { return instants_[instant].time; }
-  const CutForceDiagram& diagram(std::size_t instant) const { return instants_[instant].diagram; }
+  std::size_t instants() const {
+    return recorded_ ? recorded_->of.channels->times.size() : instants_.size();
+  }
+  Time time_of(std::size_t instant) const {
+    return recorded_ ? si<Time>(recorded_->of.channels->times[instant]) : instants_[instant].time;
+  }
+  CutForceDiagram diagram(std::size_t instant) const;
+
+  /// The cut forces of a station at all instants.
+  std::vector<CutForces> cuts_at(const Station& station) const;
 
   /// Those at the ends of equal steps (for Fourier series, and to compare two histories), of an
   /// open history with its end; where a break is, the one behind it.
   std::size_t even_instants() const { return even_.size(); }
-  const CutForceDiagram& even_diagram(std::size_t k) const { return diagram(even_[k]); }
+  const CutForceDiagram& even_diagram(std::size_t k) const { return instants_[even_[k]].diagram; }
 
   /// Whether loads may jump or bend between an instant and the one before it; at the begin of an
   /// open history they do.
-  bool begins_piece(std::size_t instant) const { return instants_[instant].begins; }
+  bool begins_piece(std::size_t instant) const {
+    return recorded_ || instants_[instant].begins;
+  }
 
   /// From the instant before to the one behind, as far as nothing jumps or bends: what an extremum
   /// near an instant lies in. Of a history that repeats it may reach beyond its begin or end.
@@ -69,7 +84,7 @@ class LoadHistory {
   const Bracket& bracket(const Reach& reach) const;
 
   /// Exact diagram at a time, solved anew.
-  CutForceDiagram diagram_at(Time time) const { return cut_forces_of(loads_at_(time)); }
+  CutForceDiagram diagram_at(Time time) const;
   BeamLoads loads_at(Time time) const { return loads_at_(time); }
 
   /// Largest force and moment anywhere at the instants, below a part of which all is round-off.
@@ -82,11 +97,18 @@ class LoadHistory {
     CutForceDiagram diagram;
     bool begins = false;
   };
+  struct Recorded {
+    recorded::ChannelLoads of;
+    CutForceDiagram constant;
+    std::vector<CutForceDiagram> units;
+  };
   Time even_time(std::size_t k) const;
   void add_instants();
+  void look_at(const CutForceDiagram& diagram);
 
   LoadSpan span_;
   LoadsAt loads_at_;
+  std::optional<Recorded> recorded_;
   std::vector<Instant> instants_;
   std::vector<std::size_t> even_;
   double largest_force_ = 0.0, largest_moment_ = 0.0;

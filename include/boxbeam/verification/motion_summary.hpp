@@ -18,6 +18,7 @@ struct MotionSummary {
   Time begin;
   Time period;
   bool closed = true;         ///< the motion repeats by itself after its period
+  bool recorded = false;      ///< the loads are given at these instants and linear between them
   bool stands_still = false;  ///< nothing moves, and the loads are always the same
   double imbalance = 0.0;     ///< of force and moment on the beam, relative to the largest load
   /// Nothing for a chain, whose motion is explicit, and for elastic links.

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "boxbeam/beam/beam_loads.hpp"
+#include "boxbeam/beam/cut_force_diagram.hpp"
+
+/// Loads on a beam that others have measured or computed.
+namespace boxbeam::recorded {
+
+/// Values of several channels at common instants, linear between them.
+struct Channels {
+  std::vector<double> times;                ///< [s], strictly ascending, two at least
+  std::vector<std::vector<double>> values;  ///< of each channel, one for each instant
+};
+
+/// Loads on a beam over time: a constant part and, for each channel, loads that do not change times
+/// its value. All of them have the same places and stretches, in the same order.
+///
+/// What is linear in the loads (a cut force, a stress) is therefore linear between instants, and
+/// its turning points stand at instants.
+struct ChannelLoads {
+  std::shared_ptr<const Channels> channels;
+  BeamLoads constant;
+  std::vector<BeamLoads> units;  ///< of each channel for a value of one
+};
+
+/// Adds loads of the same places and stretches, so many times.
+void add(double factor, const BeamLoads& loads, BeamLoads& sum);
+/// The same of their cut forces.
+void add(double factor, const CutForceDiagram& diagram, CutForceDiagram& sum);
+
+/// Index of the last instant not behind a time; the first before all. Below the last index, so that
+/// an instant follows.
+std::size_t instant_before(const Channels& channels, double time);
+
+/// The values of all channels at a time, which lies between the first instant and the last.
+std::vector<double> values_at(const Channels& channels, double time);
+
+/// The loads at a time.
+BeamLoads loads_at(const ChannelLoads& of, double time);
+
+/// The six cut forces N, V_y, V_z, T, M_y, M_z of a section [N, N m].
+using SixForces = std::array<double, 6>;
+
+/// Loads whose cut forces have given values at stations and are linear between them: with Q' = -q
+/// and M' = V - m (signs as in `CutForceDiagram`)
+///
+///     q = -(V_b - V_a)/h,   m = V - (M_b - M_a)/h,
+///
+/// and at both ends of the beam what is cut there. They are in balance. The stations ascend, the
+/// first at the beam's start, the last at its end; the loads have a stretch between each two
+/// neighbours of stations and borders of segments.
+BeamLoads loads_of_cuts(const TaperedBeam& beam, std::span<const double> stations,
+                        std::span<const SixForces> values);
+
+/// What balances loads, acting at one place of the beam, as a clamp there would.
+PointLoad balance_at(Length s, const BeamLoads& loads);
+
+}  // namespace boxbeam::recorded
