@@ -91,6 +91,8 @@ class RecordedMotion : public SolvedMotion {
 
   double gravity() const override { return recorded_->gravity.norm(); }
 
+  bool stands_still() const override { return recorded_->acting.units.empty(); }
+
   PostureAt postures(const LoadHistory& loads) const override {
     return [this, &loads](Time time, const std::string& why) {
       const Matrix3d axes = drawn_axes(*project_);

@@ -33,7 +33,7 @@ std::string uncommented(std::string text, const std::string& first) {
 }  // namespace
 
 TEST_CASE("init: each kind of case runs as it is and passes", "[init]") {
-  for (const std::string kind : {"planar", "spatial", "flexible", "static"}) {
+  for (const std::string kind : {"planar", "spatial", "flexible", "static", "loads"}) {
     INFO(kind);
     const test::TemporaryFolder folder;
     const test::ProgramResult written = test::run_program({"init", kind, "my.toml"}, folder.path());
@@ -45,9 +45,9 @@ TEST_CASE("init: each kind of case runs as it is and passes", "[init]") {
       CHECK(text.find('\n', line) - line <= 100);
     }
     CHECK(test::run_program({"validate", "my.toml"}, folder.path()).exit_code == 0);
-    // A frame at rest has no motion, and says so.
+    // A frame at rest and given loads have no motion, and say so.
     CHECK(test::run_program({"motion", "my.toml"}, folder.path()).exit_code ==
-          (kind == "static" ? 2 : 0));
+          (kind == "static" || kind == "loads" ? 2 : 0));
     const test::ProgramResult verified = test::run_program(
         {"verify", "my.toml", "--no-plots", "--no-pdf", "--json", "-"}, folder.path());
     INFO(verified.err);
@@ -89,6 +89,17 @@ TEST_CASE("init: what its comments offer instead is right as well", "[init]") {
   runs(uncommented(at_rest, "# [loads.snow]\n") +
        "\n[load_cases.snow]\nkind = \"variable\"\npsi_0 = 0.5\n");
   runs(uncommented(at_rest, "# from = [\"0 m\", \"0 m\"]"));
+  folder.write("measured.csv",
+               "time [s], Fload [kN], Fcylinder [kN], V1 [kN], M1 [kN m]\n0, -5, 12.5, -7.5, 0\n"
+               "1, -35, 87.5, -52.5, 0\n");
+  const std::string given = uncommented(template_of("loads"), "# [files.measured]\n");
+  const std::string measured = changed(
+      changed(given, "force = [\"0 kN\", \"0 kN\", \"-35 kN\"]", "columns = { F_z = \"Fload\" }"),
+      "force = [\"0 kN\", \"0 kN\", \"87.5 kN\"]",
+      "columns = { F = \"Fcylinder\" }\ndirection = [0, 0, 1]");
+  runs(measured.substr(0, measured.find("[[situations]]")) +
+       changed(measured.substr(measured.find("[material]")), "category = 71 ",
+               "cycles = 5e4\ncategory = 71 "));
   const std::string flexible = template_of("flexible");
   runs(uncommented(flexible, "# force = "));
   runs(changed(flexible, "{ ratio = 0.01, at = \"25 Hz\" } ", "\"0.3 ms\" "));

@@ -7,6 +7,7 @@ is missing or has another name does not.
 import copy
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -133,7 +134,7 @@ with tempfile.TemporaryDirectory() as folder:
         results = run("verify", relative, "--out", folder, *NO_PICTURES, "--json", "-")
         check("results", results, relative)
         documents = []
-        if 'kind = "static"' in case.read_text(encoding="utf-8"):  # which has no motion
+        if re.search('kind = "(static|loads)"', case.read_text(encoding="utf-8")):  # no motion
             documents.append(("results", results, ("results", "other")))
         else:
             motion = run("motion", relative, "--json", "-")

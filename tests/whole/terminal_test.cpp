@@ -296,7 +296,7 @@ TEST_CASE("completion: bash offers commands, options, values and files", "[termi
   CHECK(offers({"verify", "--dynamics", "rigorous", "b"}) == Words{"b.toml"});
   CHECK(offers({"verify", "--set", ""}).empty());
   CHECK(offers({"compare", "b.toml", ""}) == Words{"c.csv", "deep"});
-  CHECK(offers({"init", ""}) == Words{"flexible", "planar", "spatial", "static"});
+  CHECK(offers({"init", ""}) == Words{"flexible", "loads", "planar", "spatial", "static"});
   CHECK(offers({"schema", "res"}) == Words{"results"});
   const std::string zsh = test::run_program({"completion", "zsh"}).out;
   CHECK(zsh.starts_with("#compdef boxbeam\n"));

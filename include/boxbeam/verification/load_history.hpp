@@ -69,9 +69,7 @@ class LoadHistory {
 
   /// Whether loads may jump or bend between an instant and the one before it; at the begin of an
   /// open history they do.
-  bool begins_piece(std::size_t instant) const {
-    return recorded_ || instants_[instant].begins;
-  }
+  bool begins_piece(std::size_t instant) const { return recorded_ || instants_[instant].begins; }
 
   /// From the instant before to the one behind, as far as nothing jumps or bends: what an extremum
   /// near an instant lies in. Of a history that repeats it may reach beyond its begin or end.
