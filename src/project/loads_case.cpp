@@ -9,7 +9,7 @@ namespace {
 /// The parts of mechanisms and frames, which loads that are given do without.
 void refuse_other_parts(TableReader& root) {
   for (const char* key : {"mechanism", "frame", "bodies", "links", "members", "joints", "supports",
-                          "drivers", "forces", "motion", "load_cases", "combinations"}) {
+                          "drivers", "forces", "load_cases", "combinations"}) {
     if (!root.has_misplaced(key)) continue;
     root.problem(key, fmt::format("\"{}\" is not known of loads that are given", key),
                  "remove it; what holds or moves the beam acts on it as forces in [loads.<name>]");
@@ -27,7 +27,7 @@ class LoadsReader : public FrontEndReader {
     table.finish();
     refuse_other_parts(root);
     if (!root.problems().empty()) {
-      for (const char* key : {"files", "loads", "cut_forces", "balance"}) {
+      for (const char* key : {"files", "loads", "cut_forces", "balance", "motion"}) {
         if (root.has(key) && root.is_table(key)) root.table(key).accept_all();
       }
       return;
@@ -39,7 +39,7 @@ class LoadsReader : public FrontEndReader {
   }
 
   Changeable changeable() const override {
-    static constexpr std::array parts{"files", "loads", "cut_forces", "balance"};
+    static constexpr std::array parts{"files", "loads", "cut_forces", "balance", "motion"};
     return {parts, "files.measured.path", "beam"};
   }
 

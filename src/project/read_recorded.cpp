@@ -39,6 +39,9 @@ constexpr std::array cut_meanings{"column of the normal force, tension positive"
 /// Which of the six leave the plane of x and z.
 constexpr bool leaves_plane(std::size_t k) { return k == 1 || k == 3 || k == 5; }
 
+constexpr WantedDimension angular_acceleration{
+    {0, 0, -2, 1}, "an angular acceleration", "\"0.5 rad/s^2\""};
+
 const WantedDimension& dimension_of(std::size_t k) {
   return k < 3 ? wanted::force : wanted::moment;
 }
@@ -62,19 +65,22 @@ class RecordedLoadsReader {
     if (root_->has("loads")) read_loads();
     if (root_->has("cut_forces")) read_stations();
     read_balance(loads);
-    loads.acting.channels =
-        std::make_shared<const recorded::Channels>(files_.read(*root_, *tables_));
+    forces_ = files_.size();
+    read_motion(loads);
+    recorded::Channels channels = files_.read(*root_, *tables_);
     in_space = in_space_;
+    const recorded::MotionChannels motion = motion_in(channels);
+    channels.values.resize(forces_);
     if (!root_->problems().empty()) {
       loads.acting.constant = {{}, unloaded_lines(*beam_)};
-      loads.acting.units.assign(loads.acting.channels->values.size(), loads.acting.constant);
-      return loads;
+      loads.acting.units.assign(forces_, loads.acting.constant);
+    } else if (loads.as_cuts) {
+      put_together_cuts(channels, loads);
+    } else {
+      put_together_loads(motion, channels, loads);
     }
-    if (loads.as_cuts)
-      put_together_cuts(loads);
-    else
-      put_together_loads(loads);
-    note_sources(loads);
+    if (root_->problems().empty()) note_sources(channels, loads);
+    loads.acting.channels = std::make_shared<const recorded::Channels>(std::move(channels));
     return loads;
   }
 
@@ -305,7 +311,92 @@ class RecordedLoadsReader {
     table.finish();
   }
 
-  void put_together_loads(recorded::Loads& loads) const {
+  /// How the beam moves: by what a sensor at its start reads, or by the path of it.
+  void read_motion(recorded::Loads& loads) {
+    if (!root_->has("motion")) return;
+    TableReader table =
+        root_->table({"motion", "of the beam, whose inertia it adds; without it it is contained"});
+    loads.inertia = true;
+    if (loads.as_cuts) {
+      table.problem("", "cut forces contain the beam's inertia",
+                    "remove [motion]; it belongs to forces at places");
+    }
+    if (!loads.gravity.isZero(0.0)) {
+      table.problem("", "the weight would count twice: it is in the motion",
+                    "remove \"gravity\" from [balance]");
+    }
+    const std::optional<std::size_t> file = files_.file_of(table);
+    TableReader columns = table.table({"columns", "of the file, by what they are"});
+    const double gravity =
+        table.not_negative({"gravity", "downwards, beside a path; what a sensor reads contains it"},
+                           wanted::acceleration, 9.81);
+    table.finish();
+    if (!file) {
+      columns.accept_all();
+      return;
+    }
+    const auto take = [&](const Key& key, const WantedDimension& wanted,
+                          std::optional<std::size_t>& channel) {
+      if (columns.has(key)) channel = files_.channel_of(columns, key, *file, wanted);
+    };
+    const bool path = columns.says_one_of(
+        {{{"x", "z", "angle"}},
+         {{"a_x", "a_y", "a_z", "omega_x", "omega_y", "omega_z", "alpha_x", "alpha_y", "alpha_z"},
+          false}});
+    if (!path) {
+      columns.accept_all();
+      columns.problem("", "the columns of a motion are a path or the readings of a sensor",
+                      "write x, z and angle of the beam's start; or a_x, a_z, omega_y, alpha_y");
+      return;
+    }
+    if (columns.has("x")) {
+      take({"x", "of the beam's start, in the plane of motion"}, wanted::length, path_[0]);
+      take({"z", "likewise, upwards"}, wanted::length, path_[1]);
+      take({"angle", "of the beam, from x towards z"}, wanted::angle, path_[2]);
+      for (const char* key : {"z", "angle"}) {
+        if (!columns.has(key)) columns.text(key);  // says that it is missing
+      }
+      path_gravity_ = gravity;
+    }
+    constexpr std::array a{"a_x", "a_y", "a_z"}, omega{"omega_x", "omega_y", "omega_z"},
+        alpha{"alpha_x", "alpha_y", "alpha_z"};
+    for (std::size_t k = 0; k < 3; ++k) {
+      take({a[k], "acceleration of the beam's start less gravity, as a sensor reads it"},
+           wanted::acceleration, sensor_[k]);
+      take({omega[k], "angular velocity, about the beam's axes"}, wanted::angular_velocity,
+           sensor_[3 + k]);
+      take({alpha[k], "angular acceleration"}, angular_acceleration, sensor_[6 + k]);
+    }
+    in_space_ = in_space_ || sensor_[1] || sensor_[3] || sensor_[5] || sensor_[6] || sensor_[8];
+    columns.finish();
+  }
+
+  recorded::MotionChannels motion_in(const recorded::Channels& channels) {
+    const auto values_of = [&](const std::optional<std::size_t>& channel) {
+      return channel ? channels.values[*channel] : std::vector<double>();
+    };
+    if (path_[0] && path_[1] && path_[2]) {
+      if (channels.times.size() < 3) {
+        if (root_->problems().empty() && root_->problems().recorder == nullptr) {
+          root_->problem("motion", "a path of two instants has no acceleration",
+                         "give three instants at least");
+        }
+        return {};
+      }
+      return recorded::motion_of_path(channels.times, values_of(path_[0]), values_of(path_[1]),
+                                      values_of(path_[2]), path_gravity_);
+    }
+    recorded::MotionChannels motion;
+    for (std::size_t k = 0; k < 3; ++k) {
+      motion.acceleration[k] = values_of(sensor_[k]);
+      motion.omega[k] = values_of(sensor_[3 + k]);
+      motion.alpha[k] = values_of(sensor_[6 + k]);
+    }
+    return motion;
+  }
+
+  void put_together_loads(const recorded::MotionChannels& motion, recorded::Channels& channels,
+                          recorded::Loads& loads) const {
     std::vector<std::string> names;
     for (const Spot& spot : spots_) names.push_back(spot.name);
     if (loads.balance) names.push_back(loads.balance->name);
@@ -318,7 +409,7 @@ class RecordedLoadsReader {
     }
     recorded::ChannelLoads& acting = loads.acting;
     acting.constant = nothing;
-    acting.units.assign(acting.channels->values.size(), nothing);
+    acting.units.assign(channels.values.size(), nothing);
     for (const Term& term : terms_) {
       BeamLoads& of = term.channel ? acting.units[*term.channel] : acting.constant;
       of.points[term.place].force += term.force;
@@ -328,6 +419,7 @@ class RecordedLoadsReader {
       acting.constant.lines =
           weight_and_inertia(*beam_, mass_distribution_of(*beam_), loads.gravity, {});
     }
+    add_inertia(*beam_, motion, channels, acting);
     if (!loads.balance) return;
     loads.balance->point = nothing.points.size();
     const Length s = place_near(places_of(*beam_), si<Length>(loads.balance->s));
@@ -340,11 +432,11 @@ class RecordedLoadsReader {
     for (BeamLoads& unit : acting.units) close(unit);
   }
 
-  void put_together_cuts(recorded::Loads& loads) const {
+  void put_together_cuts(const recorded::Channels& channels, recorded::Loads& loads) const {
     const std::vector<SixForces> none(stations_.size(), SixForces{});
     recorded::ChannelLoads& acting = loads.acting;
     acting.constant = recorded::loads_of_cuts(*beam_, stations_, none);
-    for (std::size_t k = 0; k < acting.channels->values.size(); ++k) {
+    for (std::size_t k = 0; k < channels.values.size(); ++k) {
       std::vector<SixForces> unit = none;
       for (const Term& term : terms_) {
         if (term.channel != k) continue;
@@ -355,7 +447,7 @@ class RecordedLoadsReader {
       }
       acting.units.push_back(recorded::loads_of_cuts(*beam_, stations_, unit));
     }
-    find_shear_defect(loads);
+    find_shear_defect(channels, loads);
   }
 
   /// The given cut force of a station at an instant.
@@ -370,8 +462,7 @@ class RecordedLoadsReader {
     return sum;
   }
 
-  void find_shear_defect(recorded::Loads& loads) const {
-    const recorded::Channels& channels = *loads.acting.channels;
+  void find_shear_defect(const recorded::Channels& channels, recorded::Loads& loads) const {
     for (const auto& [shear, moment, sign] : {std::tuple{2, 4, 1.0}, {1, 5, -1.0}}) {
       const auto V = static_cast<std::size_t>(shear), M = static_cast<std::size_t>(moment);
       double largest = 0.0, worst = 0.0;
@@ -398,14 +489,14 @@ class RecordedLoadsReader {
     }
   }
 
-  void note_sources(recorded::Loads& loads) const {
+  void note_sources(const recorded::Channels& channels, recorded::Loads& loads) const {
     for (const Term& term : terms_) {
       recorded::ChannelSource source;
       source.load = loads.as_cuts ? fmt::format("s = {:.6g} m", stations_[term.place])
                                   : spots_[term.place].name;
       source.what = term.what;
       if (term.channel) {
-        const std::vector<double>& values = loads.acting.channels->values[*term.channel];
+        const std::vector<double>& values = channels.values[*term.channel];
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         source.column = files_.column(*term.channel);
         source.file = files_.path(*term.channel);
@@ -425,6 +516,10 @@ class RecordedLoadsReader {
   std::vector<double> stations_;
   std::vector<std::array<bool, 6>> given_;  ///< which cut forces each station has
   std::vector<Term> terms_;
+  std::size_t forces_ = 0;  ///< channels of forces; behind them those of motion
+  std::array<std::optional<std::size_t>, 3> path_;    ///< x, z, angle
+  std::array<std::optional<std::size_t>, 9> sensor_;  ///< acceleration, omega, alpha
+  double path_gravity_ = 0.0;
   bool in_space_ = false;
 };
 

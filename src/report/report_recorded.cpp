@@ -40,6 +40,7 @@ class RecordedText : public FrontEndText {
 
   std::string gravity() const override {
     const recorded::Loads& of = recorded_of(*project_);
+    if (of.inertia) return "in the given motion";
     if (of.gravity.isZero(0.0)) return "contained in the loads";
     return three(of.gravity) + " m/s^2, beam axes";
   }
@@ -77,7 +78,9 @@ class RecordedText : public FrontEndText {
 
   void add_remarks(std::vector<std::string>& remarks) const override {
     const recorded::Loads& of = recorded_of(*project_);
-    if (of.gravity.isZero(0.0))
+    if (of.inertia)
+      remarks.push_back("the beam's own weight and inertia are added by its given motion");
+    else if (of.gravity.isZero(0.0))
       remarks.push_back("the beam's own weight and inertia are taken to be in the given loads");
     else
       remarks.push_back(

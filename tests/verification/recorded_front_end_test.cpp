@@ -245,8 +245,8 @@ TEST_CASE("what is wrong in a case of given loads is said with what to write", "
                                           "columns = { M_y = \"force\" }\n"
                                           "[[cut_forces]]\nstation = \"1 m\"\n"),
                  "M_y"));
-  CHECK(contains(complaint(folder, file + push + root + "[motion]\nduration = \"1 s\"\n"),
-                 "\"motion\" is not known"));
+  CHECK(contains(complaint(folder, file + push + root + "[drivers.a]\nkind = \"hold\"\n"),
+                 "\"drivers\" is not known"));
 }
 
 TEST_CASE("events are situations with files of their own", "[recorded]") {
@@ -352,6 +352,57 @@ TEST_CASE("cycles of a long record are shown in classes that take the same life"
   CHECK(basis.history.size() <= 4002);
   const auto [low, high] = std::minmax_element(basis.history.begin(), basis.history.end());
   CHECK(*high - *low == Approx(largest).epsilon(1e-9));
+}
+
+TEST_CASE("a beam that swings has the factors of the same beam in a mechanism", "[recorded]") {
+  // An arm of 1 m about its end, 40 deg up and down at 1 Hz, with a force across its tip.
+  const std::string arm =
+      "[case]\nname = \"arm\"\nkind = \"planar\"\n[model]\ndemand = \"rigid\"\n"
+      "[bodies.arm]\npoints = { A = [\"0 m\", \"0 m\"], B = [\"1 m\", \"0 m\"] }\n"
+      "[joints.A]\nkind = \"pin\"\nconnect = [\"arm.A\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n"
+      "[drivers.swing]\nkind = \"harmonic\"\njoint = \"A\"\namplitude = \"40 deg\"\n"
+      "frequency = \"1 Hz\"\n";
+  std::string in_mechanism = text_of("");
+  in_mechanism.replace(0, in_mechanism.find("[sections.box]"), arm);
+  const std::string beam = "[beam]\n";
+  in_mechanism.replace(in_mechanism.find(beam), beam.size(), "[beam]\nbody = \"arm\"\n");
+  const test::TemporaryFolder folder;
+  const Verification moving = verify(read_project(folder.write("arm.toml", in_mechanism)));
+  constexpr double pi = std::numbers::pi;
+  constexpr int steps = 4000;
+  std::string path = "time [s], x [m], z [m], angle [rad]\n";
+  std::string sensor = "time [s], ax [m/s^2], az [m/s^2], wy [rad/s], dwy [rad/s^2]\n";
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps, amplitude = 40.0 * pi / 180.0;
+    const double angle = amplitude * std::sin(2.0 * pi * t);
+    path += fmt::format("{}, 0, 0, {}\n", t, angle);
+    sensor += fmt::format("{}, {}, {}, {}, {}\n", t, 9.81 * std::sin(angle), 9.81 * std::cos(angle),
+                          -2.0 * pi * amplitude * std::cos(2.0 * pi * t),
+                          4.0 * pi * pi * amplitude * std::sin(2.0 * pi * t));
+  }
+  folder.write("path.csv", path);
+  folder.write("sensor.csv", sensor);
+  const auto swinging = [&](const std::string& file_name, const std::string& columns) {
+    return verify(given(folder, "[files.measured]\npath = \"" + file_name +
+                                    "\"\n[motion]\ncolumns = { " + columns +
+                                    " }\n[loads.none]\nstation = \"1 m\"\n"
+                                    "force = [\"0 N\", \"0 N\", \"0 N\"]\n" +
+                                    root));
+  };
+  const Verification by_path = swinging("path.csv", "x = \"x\", z = \"z\", angle = \"angle\"");
+  const Verification by_sensor =
+      swinging("sensor.csv", "a_x = \"ax\", a_z = \"az\", omega_y = \"wy\", alpha_y = \"dwy\"");
+  for (const Criterion criterion :
+       {Criterion::fatigue, Criterion::shear_fatigue, Criterion::yield}) {
+    const CheckResult* truth = moving.governing(criterion);
+    REQUIRE(truth != nullptr);
+    // Instants are 1/4000 of a turn apart: a peak is missed by (pi/4000)^2/2, a path's second
+    // difference by (2 pi/4000)^2/12.
+    CHECK(by_sensor.governing(criterion)->check.utilisation() ==
+          Approx(truth->check.utilisation()).epsilon(2e-6));
+    CHECK(by_path.governing(criterion)->check.utilisation() ==
+          Approx(truth->check.utilisation()).epsilon(2e-5));
+  }
 }
 
 }  // namespace recorded_front_end_test

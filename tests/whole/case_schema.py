@@ -47,7 +47,10 @@ TABLES = {name: f"time [s], {column}\n0, 0\n1, 0.1\n2, 0\n" for name, column in 
     "stroke.csv": "stroke [m]", "angle.csv": "angle [rad]", "force.csv": "force [N]",
     "couple.csv": "moment [N m]", "line.csv": "line force [N/m]"}.items()}
 SIX = "Fx [kN], Fy [kN], Fz [kN], Mx [kN m], My [kN m], Mz [kN m]"
-TABLES["measured.csv"] = SIX + ", pressure [bar]\n0, 0, 0, 0, 0, 0, 0\n1, 1, 1, 1, 1, 1, 1\n"
+SENSOR = ("ax [m/s^2], ay [m/s^2], az [m/s^2], wx [rad/s], wy [rad/s], wz [rad/s], "
+          "dwx [rad/s^2], dwy [rad/s^2], dwz [rad/s^2], x [m], z [m], angle [deg]")
+TABLES["measured.csv"] = f"{SIX}, pressure [bar], {SENSOR}\n" + "".join(
+    ", ".join([str(value)] * 19) + "\n" for value in (0, 1, 3))
 TABLES["cuts.csv"] = "time [s], " + SIX + "\n0, 0, 0, 0, 0, 0, 0\n1, 1, 1, 1, 1, 1, 1\n"
 
 

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <utility>
 
 namespace boxbeam::recorded {
 namespace {
@@ -115,6 +117,80 @@ BeamLoads loads_of_cuts(const TaperedBeam& beam, std::span<const double> station
     }
   }
   return loads;
+}
+
+namespace {
+
+/// Rate and acceleration of a series at its instants, by the parabola through each and its
+/// neighbours; at the ends through the three that are there.
+std::pair<std::vector<double>, std::vector<double>> derivatives_of(
+    const std::vector<double>& times, const std::vector<double>& values) {
+  const std::size_t n = times.size();
+  std::vector<double> first(n), second(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t k = std::clamp<std::size_t>(i, 1, n - 2);
+    const double h = times[k] - times[k - 1], H = times[k + 1] - times[k];
+    const double before = (values[k] - values[k - 1]) / h, behind = (values[k + 1] - values[k]) / H;
+    second[i] = 2.0 * (behind - before) / (h + H);
+    first[i] = (H * before + h * behind) / (h + H) + second[i] * (times[i] - times[k]);
+  }
+  return {std::move(first), std::move(second)};
+}
+
+}  // namespace
+
+MotionChannels motion_of_path(const std::vector<double>& times, const std::vector<double>& x,
+                              const std::vector<double>& z, const std::vector<double>& angle,
+                              double gravity) {
+  assert(times.size() >= 3);
+  const std::vector<double> a_x = derivatives_of(times, x).second;
+  const std::vector<double> a_z = derivatives_of(times, z).second;
+  auto [turning, turned] = derivatives_of(times, angle);
+  MotionChannels motion;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double c = std::cos(angle[i]), s = std::sin(angle[i]), up = a_z[i] + gravity;
+    motion.acceleration[0].push_back(c * a_x[i] + s * up);
+    motion.acceleration[2].push_back(c * up - s * a_x[i]);
+    // The angle grows from x to z, which is about -y.
+    motion.omega[1].push_back(-turning[i]);
+    motion.alpha[1].push_back(-turned[i]);
+  }
+  return motion;
+}
+
+void add_inertia(const TaperedBeam& beam, const MotionChannels& motion, Channels& channels,
+                 ChannelLoads& loads) {
+  const std::vector<SegmentMass> masses = mass_distribution_of(beam);
+  const auto lines_of = [&](const BeamMotion& of) {
+    return weight_and_inertia(beam, masses, Eigen::Vector3d::Zero(), of);
+  };
+  const auto add_channel = [&](std::vector<double> values, std::vector<LineLoad> lines) {
+    BeamLoads& unit = loads.units.emplace_back(loads.constant);
+    for (PointLoad& point : unit.points) point.force = point.moment = Eigen::Vector3d::Zero();
+    unit.lines = std::move(lines);
+    channels.values.push_back(std::move(values));
+  };
+  const auto axis = [](std::size_t k) { return Eigen::Vector3d::Unit(static_cast<int>(k)); };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!motion.acceleration[k].empty())
+      add_channel(motion.acceleration[k], lines_of({.acceleration = axis(k)}));
+    if (!motion.alpha[k].empty()) add_channel(motion.alpha[k], lines_of({.alpha = axis(k)}));
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t k = j; k < 3; ++k) {
+      if (motion.omega[j].empty() || motion.omega[k].empty()) continue;
+      std::vector<double> product;
+      for (std::size_t i = 0; i < channels.times.size(); ++i)
+        product.push_back(motion.omega[j][i] * motion.omega[k][i]);
+      BeamLoads of{{}, lines_of({.omega = axis(j)})};
+      if (j != k) {  // what both do together beyond what each does
+        of.lines = lines_of({.omega = axis(j) + axis(k)});
+        add(-1.0, BeamLoads{{}, lines_of({.omega = axis(j)})}, of);
+        add(-1.0, BeamLoads{{}, lines_of({.omega = axis(k)})}, of);
+      }
+      add_channel(std::move(product), std::move(of.lines));
+    }
+  }
 }
 
 PointLoad balance_at(Length s, const BeamLoads& loads) {

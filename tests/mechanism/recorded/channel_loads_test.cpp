@@ -2,6 +2,8 @@
 
 #include "boxbeam/mechanism/recorded/channel_loads.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "boxbeam/verification/load_history.hpp"
@@ -141,6 +143,60 @@ TEST_CASE("a recorded history has the cut forces of its loads at every time", "[
     const bool is_instant = std::find(channels->times.begin(), channels->times.end(),
                                       turn.time.value()) != channels->times.end();
     CHECK(is_instant);
+  }
+}
+
+TEST_CASE("inertia from channels is that of the motion, in any direction", "[recorded]") {
+  TaperedBeam beam = two_segments();
+  beam.rotary_inertia = true;
+  std::mt19937_64 random(8);
+  recorded::MotionChannels motion;
+  recorded::Channels channels{{0.0, 1.0, 2.0}, {}};
+  for (auto* series : {&motion.acceleration, &motion.omega, &motion.alpha}) {
+    for (std::vector<double>& of : *series) {
+      for (int i = 0; i < 3; ++i) of.push_back(between(random, -5.0, 5.0));
+    }
+  }
+  recorded::ChannelLoads loads;
+  loads.constant = {{}, unloaded_lines(beam)};
+  recorded::add_inertia(beam, motion, channels, loads);
+  const auto three = [](const std::array<std::vector<double>, 3>& of, std::size_t i) {
+    return Eigen::Vector3d(of[0][i], of[1][i], of[2][i]);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    BeamLoads sum = loads.constant;
+    for (std::size_t k = 0; k < loads.units.size(); ++k)
+      recorded::add(channels.values[k][i], loads.units[k], sum);
+    const std::vector<LineLoad> whole = weight_and_inertia(
+        beam, mass_distribution_of(beam), Eigen::Vector3d::Zero(),
+        {three(motion.acceleration, i), three(motion.omega, i), three(motion.alpha, i)});
+    for (std::size_t j = 0; j < whole.size(); ++j) {
+      for (const double x : {0.0, 0.7, 1.2}) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          CHECK(sum.lines[j].force[axis](x) == Approx(whole[j].force[axis](x)).margin(1e-9));
+          CHECK(sum.lines[j].couple[axis](x) == Approx(whole[j].couple[axis](x)).margin(1e-9));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a path of the second degree gives its acceleration exactly", "[recorded]") {
+  const std::vector<double> times{0.0, 0.3, 0.4, 1.0, 1.7};
+  std::vector<double> x, z, angle;
+  for (const double t : times) {
+    x.push_back(1.0 + 2.0 * t - 3.0 * t * t);
+    z.push_back(0.5 * t * t);
+    angle.push_back(0.2 + 0.7 * t);
+  }
+  const recorded::MotionChannels motion = recorded::motion_of_path(times, x, z, angle, 10.0);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    // In the world: (-6, 1 + 10), turned back by the angle.
+    const double c = std::cos(angle[i]), s = std::sin(angle[i]);
+    CHECK(motion.acceleration[0][i] == Approx(-6.0 * c + 11.0 * s));
+    CHECK(motion.acceleration[2][i] == Approx(6.0 * s + 11.0 * c));
+    CHECK(motion.omega[1][i] == Approx(-0.7));
+    CHECK(motion.alpha[1][i] == Approx(0.0).margin(1e-12));
   }
 }
 

@@ -58,6 +58,26 @@ using SixForces = std::array<double, 6>;
 BeamLoads loads_of_cuts(const TaperedBeam& beam, std::span<const double> stations,
                         std::span<const SixForces> values);
 
+/// How a beam moves, at the instants of channels: acceleration of its start less gravity, angular
+/// velocity and acceleration, in beam axes. A series that is empty is zero.
+struct MotionChannels {
+  std::array<std::vector<double>, 3> acceleration;  ///< [m/s^2]
+  std::array<std::vector<double>, 3> omega;         ///< [rad/s]
+  std::array<std::vector<double>, 3> alpha;         ///< [rad/s^2]
+};
+
+/// The same from the path of the beam's start and the turn of its axis in the plane of x and z,
+/// z upwards: a parabola through three neighbouring instants gives rate and acceleration, exact for
+/// a motion of the second degree, else wrong by h^2/12 of its fourth derivative.
+MotionChannels motion_of_path(const std::vector<double>& times, const std::vector<double>& x,
+                              const std::vector<double>& z, const std::vector<double>& angle,
+                              double gravity);
+
+/// Adds the beam's own inertia (and weight, which is in the acceleration): channels for what it is
+/// linear in, which are the acceleration, alpha and the products of omega.
+void add_inertia(const TaperedBeam& beam, const MotionChannels& motion, Channels& channels,
+                 ChannelLoads& loads);
+
 /// What balances loads, acting at one place of the beam, as a clamp there would.
 PointLoad balance_at(Length s, const BeamLoads& loads);
 
