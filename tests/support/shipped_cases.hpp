@@ -25,7 +25,8 @@ inline const std::vector<std::string>& shipped_paths() {
       "sections/landing-gear/retraction.toml",  "sections/drill-truck/truck.toml",
       "sections/four-bar-rocker/rocker.toml",   "sections/scissor-lift/lift.toml",
       "sections/slider-crank-press/press.toml", "sections/pump-jack/beam.toml",
-      "sections/crane-girder/girder.toml",      "sections/jib-crane/jib.toml"};
+      "sections/crane-girder/girder.toml",      "sections/jib-crane/jib.toml",
+      "sections/excavator-boom/boom.toml"};
   return paths;
 }
 

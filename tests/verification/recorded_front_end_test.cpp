@@ -361,7 +361,7 @@ TEST_CASE("a beam that swings has the factors of the same beam in a mechanism", 
       "[bodies.arm]\npoints = { A = [\"0 m\", \"0 m\"], B = [\"1 m\", \"0 m\"] }\n"
       "[joints.A]\nkind = \"pin\"\nconnect = [\"arm.A\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n"
       "[drivers.swing]\nkind = \"harmonic\"\njoint = \"A\"\namplitude = \"40 deg\"\n"
-      "frequency = \"1 Hz\"\n";
+      "frequency = \"1 Hz\"\nmean = \"0 deg\"\n";
   std::string in_mechanism = text_of("");
   in_mechanism.replace(0, in_mechanism.find("[sections.box]"), arm);
   const std::string beam = "[beam]\n";
@@ -402,6 +402,20 @@ TEST_CASE("a beam that swings has the factors of the same beam in a mechanism", 
           Approx(truth->check.utilisation()).epsilon(2e-6));
     CHECK(by_path.governing(criterion)->check.utilisation() ==
           Approx(truth->check.utilisation()).epsilon(2e-5));
+  }
+}
+
+TEST_CASE("the excavator's boom passes alike as a mechanism and under recorded forces",
+          "[recorded]") {
+  // The record is computed by a script of its own, from the balance of moments about the foot.
+  const Verification moving =
+      verify(read_project(test::project_file("sections/excavator-boom/boom.toml")));
+  const Verification record =
+      verify(read_project(test::project_file("sections/excavator-boom/measured.toml")));
+  CHECK(record.verdict == moving.verdict);
+  for (const Criterion criterion : {Criterion::fatigue, Criterion::yield}) {
+    CHECK(record.governing(criterion)->check.utilisation() ==
+          Approx(moving.governing(criterion)->check.utilisation()).epsilon(2e-4));
   }
 }
 
