@@ -32,13 +32,15 @@ LoadHistory::LoadHistory(const LoadSpan& span, LoadsAt loads_at)
   }
 }
 
-LoadHistory::LoadHistory(recorded::ChannelLoads loads) {
-  const std::vector<double>& times = loads.channels->times;
+LoadHistory::LoadHistory(recorded::ChannelLoads loads)
+    : recorded_(Recorded{std::move(loads), {}, {}}) {
+  const recorded::ChannelLoads& of = recorded_->of;
+  const std::vector<double>& times = of.channels->times;
   span_ = {si<Time>(times.front()), si<Time>(times.back() - times.front()), times.size() - 1,
            false};
-  loads_at_ = [loads](Time time) { return recorded::loads_at(loads, time.value()); };
-  recorded_ = Recorded{loads, cut_forces_of(loads.constant), {}};
-  for (const BeamLoads& unit : loads.units) recorded_->units.push_back(cut_forces_of(unit));
+  loads_at_ = [of](Time time) { return recorded::loads_at(of, time.value()); };
+  recorded_->constant = cut_forces_of(of.constant);
+  for (const BeamLoads& unit : of.units) recorded_->units.push_back(cut_forces_of(unit));
   for (std::size_t i = 0; i < times.size(); ++i) look_at(diagram(i));
 }
 
