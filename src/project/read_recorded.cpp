@@ -46,6 +46,14 @@ const WantedDimension& dimension_of(std::size_t k) {
   return k < 3 ? wanted::force : wanted::moment;
 }
 
+double read_factor(TableReader& table) {
+  const double factor =
+      table.any_number({"factor", "on all columns; -1 turns what acts on another body"}, 1.0);
+  if (factor == 0.0)
+    table.problem("factor", "zero times its columns is no load", "remove the load instead");
+  return factor;
+}
+
 class RecordedLoadsReader {
  public:
   RecordedLoadsReader(TableReader& root, const TaperedBeam& beam, TimeTables& tables)
@@ -120,8 +128,7 @@ class RecordedLoadsReader {
   /// Forces whose components are columns.
   void read_columns(TableReader& table) {
     const std::optional<std::size_t> file = files_.file_of(table);
-    const double factor =
-        table.any_number({"factor", "on all columns; -1 turns what acts on another body"}, 1.0);
+    const double factor = read_factor(table);
     TableReader columns = table.table({"columns", "of the file, by what they are; beam axes"});
     if (!file) {
       columns.accept_all();
@@ -203,7 +210,7 @@ class RecordedLoadsReader {
         continue;
       }
       const std::optional<std::size_t> file = files_.file_of(table);
-      const double factor = table.any_number({"factor", "on all columns"}, 1.0);
+      const double factor = read_factor(table);
       TableReader columns =
           table.table({"columns", "of the file, by what they are; none at a free end"});
       if (!file) {

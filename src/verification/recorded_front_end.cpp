@@ -31,10 +31,10 @@ struct OpenBalance {
   }
 };
 
-/// Throws where given forces are not in balance at an instant, by more than the rounding of a file
-/// of six digits.
+/// Throws where given forces are not in balance at an instant: what is left would be cut forces
+/// that depend on the end from which they are summed.
 void require_balance(const recorded::Loads& loads, double length) {
-  constexpr double rounded = 1e-5;
+  constexpr double rounded = 5e-7;
   const recorded::ChannelLoads& of = loads.acting;
   const OpenBalance constant = OpenBalance::of(of.constant);
   std::vector<OpenBalance> units;

@@ -16,15 +16,17 @@ double imbalance_over(const Project& project, double gravity, const LoadHistory&
   const double weight = mass_properties_of(project.beam).mass.value() * gravity;
   // By the largest force of all: a pulsating load leaves nothing but round-off in an instant.
   double largest = weight;
+  const double length = project.beam.length().value();
   double worst = 0.0;
   Time when;
   const std::size_t step = std::max<std::size_t>(1, loads.instants() / 16);
   for (std::size_t i = 0; i < loads.instants(); i += step) {
     const Time time = loads.time_of(i);
     const BeamLoads at = loads.loads_at(time);
-    for (const PointLoad& load : at.points) largest = std::max(largest, load.force.norm());
+    for (const PointLoad& load : at.points)
+      largest = std::max({largest, load.force.norm(), load.moment.norm() / length});
     const Imbalance open = imbalance_of(at);
-    const double left = open.force.norm() + open.moment.norm() / project.beam.length().value();
+    const double left = open.force.norm() + open.moment.norm() / length;
     if (!std::isfinite(left)) {
       throw AnalysisError(
           {"the loads on the beam are no numbers: masses, stiffnesses or times of "
