@@ -33,7 +33,7 @@ struct Loads {
   ChannelLoads acting;
   bool as_cuts = false;                               ///< cut forces are given, not what acts
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< beam axes; zero: contained in the loads
-  bool inertia = false;  ///< the beam's own is added, by its motion
+  bool inertia = false;                               ///< the beam's own is added, by its motion
   std::optional<Balance> balance;
   std::vector<double> held;  ///< places that hold the beam against buckling [m]
   std::vector<ChannelSource> sources;
