@@ -116,6 +116,10 @@ void add_case(CLI::App& command, CaseOptions& options) {
 /// Likewise, of what is verified.
 void add_verified_case(CLI::App& command, CaseOptions& options) {
   add_case(command, options);
+  command
+      .add_option("--beam", options.beam,
+                  "one of several beams (default: verify all, else the first)")
+      ->type_name("NAME");
   add_choice(command, "--dynamics", options.dynamics, {"rigorous", "newton-chain"},
              "where the loads on the beam come from (default: as the case says)");
   add_choice(command, "--model", options.model, {"auto", "rigid", "flexible"},

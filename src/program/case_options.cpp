@@ -1,5 +1,11 @@
 #include "program/case_options.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/front_end.hpp"
 
 namespace boxbeam::program {
@@ -16,16 +22,30 @@ void take_model(const CaseOptions& options, Project& project) {
   front_end_of(project)->require_elastic_model();
 }
 
+void keep_beam(const std::string& name, std::vector<Project>& beams) {
+  std::vector<std::string> names;
+  for (const Project& project : beams) names.push_back(project.beam_name);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    if (beams.size() == 1) throw InputError("the case has one beam only", "leave out --beam");
+    throw InputError(fmt::format("the case has no beam \"{}\"", name),
+                     fmt::format("one of {}", fmt::join(names, ", ")));
+  }
+  std::erase_if(beams, [&](const Project& project) { return project.beam_name != name; });
+}
+
 }  // namespace
 
-Project read_case(const CaseOptions& options) {
+std::vector<Project> read_beams_of(const CaseOptions& options) {
   std::optional<Dynamics> dynamics;
   if (!options.dynamics.empty()) {
     dynamics = options.dynamics == "rigorous" ? Dynamics::rigorous : Dynamics::newton_chain;
   }
-  Project project = read_project(options.file, options.set, dynamics);
-  take_model(options, project);
-  return project;
+  std::vector<Project> beams = read_beams(options.file, options.set, dynamics);
+  if (!options.beam.empty()) keep_beam(options.beam, beams);
+  for (Project& project : beams) take_model(options, project);
+  return beams;
 }
+
+Project read_case(const CaseOptions& options) { return std::move(read_beams_of(options).front()); }
 
 }  // namespace boxbeam::program

@@ -12,12 +12,16 @@ namespace boxbeam::program {
 struct CaseOptions {
   std::string file;
   std::vector<std::string> set;
+  std::string beam;                 ///< of several by its name; "": the first
   std::string dynamics;             ///< "": as the case says
   std::string model;                ///< likewise
   std::optional<double> tolerance;  ///< of the model, likewise
 };
 
-/// The case so changed. Throws InputError with all problems.
+/// The case so changed, for the beam that is asked for. Throws InputError with all problems.
 Project read_case(const CaseOptions& options);
+
+/// The same for all its beams, or the one that is asked for.
+std::vector<Project> read_beams_of(const CaseOptions& options);
 
 }  // namespace boxbeam::program

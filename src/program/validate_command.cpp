@@ -117,6 +117,8 @@ std::string text_of(const Project& project) {
   parts.add("loads by", project.dynamics == Dynamics::rigorous
                             ? report::front_end_text_of(project)->source_of_loads()
                             : "the published Newton chain");
+  parts.add("beams", listed(project.beam_names));
+  if (!project.beam_name.empty()) parts.add("of these", project.beam_name);
   parts.add("beam", fmt::format("{:.6g} m, {:.6g} kg", project.beam.length().value(),
                                 mass_properties_of(project.beam).mass.value()));
   parts.add("segments", listed(names_of(project.beam.segments)));

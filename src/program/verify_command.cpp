@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/html_writer.hpp"
 #include "boxbeam/report/json.hpp"
+#include "boxbeam/report/overview.hpp"
 #include "boxbeam/report/pdf.hpp"
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/report.hpp"
@@ -53,58 +55,104 @@ ReportLevel level_of(const std::string& word) {
   return word == "full" ? ReportLevel::full : ReportLevel::governing;
 }
 
-/// Writes the report in its forms and its figures, each without those that fail.
-void write_report(const Project& project, const Verification& verification,
-                  const VerifyOptions& options, const std::string& folder, Progress& progress,
-                  Outputs& outputs) {
-  const auto write = [&](const char* name, const std::string& content) {
-    write_file(folder + "/" + name, content);
-    outputs.written.emplace_back(name);
-  };
-  std::optional<report::ScratchFolder> twins;  // the figures as PDF
-  if (!options.no_plots) {
-    progress.now("drawing the figures");
-    outputs.troubles.attempt([&] {
-      if (!options.no_pdf) twins.emplace(folder);
-      outputs.figures =
-          draw_figures(project, verification, folder, twins ? twins->path().string() : "");
-    });
+/// The folder of a beam's report below that of the case; that itself where it has one beam only.
+std::string folder_of(const VerifiedBeam& beam) {
+  return beam.project.beam_name.empty() ? "" : beam.project.beam_name + "/";
+}
+
+/// What an earlier run of the same beams may have written.
+std::vector<std::string> files_of_reports(const std::vector<VerifiedBeam>& beams) {
+  std::vector<std::string> files = files_of_reports();
+  const std::vector<std::string> of_one = files;
+  for (const VerifiedBeam& beam : beams) {
+    if (beam.project.beam_name.empty()) continue;
+    for (const std::string& file : of_one) files.push_back(folder_of(beam) + file);
   }
+  return files;
+}
+
+/// A folder with new files, and one with the figures for the PDF.
+struct Folders {
+  std::string files;
+  std::string figures;  ///< "": no PDF is asked for
+};
+
+/// Draws the figures of a beam.
+void draw(const VerifiedBeam& beam, const Folders& folders, Outputs& outputs) {
+  outputs.troubles.attempt([&] {
+    const std::string below = folder_of(beam);
+    const std::string figures = folders.figures.empty() ? "" : folders.figures + "/" + below;
+    if (!below.empty()) fs::create_directories(folders.files + "/" + below);
+    if (!figures.empty()) fs::create_directories(figures);
+    for (const std::string& name :
+         draw_figures(beam.project, beam.verification, folders.files + "/" + below, figures))
+      outputs.figures.push_back(below + name);
+  });
+}
+
+/// Writes a report in its forms into a folder below, each without those that fail.
+void write_report(report::Document document, const std::string& below, const VerifyOptions& options,
+                  const Folders& folders, Progress& progress, Outputs& outputs) {
+  const auto write = [&](const char* name, const std::string& content) {
+    write_file(folders.files + "/" + below + name, content);
+    outputs.written.push_back(below + name);
+  };
   const auto drawn = [&](const std::string& name) {
     const std::vector<std::string>& files = outputs.figures;
-    return std::find(files.begin(), files.end(), name + ".svg") != files.end();
+    return std::find(files.begin(), files.end(), below + name + ".svg") != files.end();
   };
-  const report::Document document =
-      with_pictures(report_of(project, verification, level_of(options.level)), drawn);
+  document = with_pictures(std::move(document), drawn);
   outputs.troubles.attempt([&] { write("report.txt", report::text_of(document)); });
   if (!options.no_html) {
-    const auto picture = [&](const std::string& name) { return svg_in(folder, name); };
+    const auto picture = [&](const std::string& name) {
+      return svg_in(folders.files + "/" + below, name);
+    };
     outputs.troubles.attempt([&] { write("report.html", report::html_of(document, picture)); });
   }
   if (!options.no_pdf) {
     progress.now("setting the PDF");
     outputs.troubles.attempt([&] {
-      report::write_pdf(document, twins ? twins->path().string() : "", folder + "/report.pdf");
-      outputs.written.emplace_back("report.pdf");
+      report::write_pdf(document, folders.figures.empty() ? "" : folders.figures + "/" + below,
+                        folders.files + "/" + below + "report.pdf");
+      outputs.written.push_back(below + "report.pdf");
     });
   }
 }
 
+/// The reports of all beams, and of several one of the case.
+void write_reports(const std::vector<VerifiedBeam>& beams, const VerifyOptions& options,
+                   const std::string& folder, Progress& progress, Outputs& outputs) {
+  std::optional<report::ScratchFolder> twins;  // the figures as they stand in a PDF
+  Folders folders{folder, ""};
+  if (!options.no_plots) {
+    progress.now("drawing the figures");
+    outputs.troubles.attempt([&] {
+      if (!options.no_pdf) twins.emplace(folder);
+    });
+    if (twins) folders.figures = twins->path().string();
+    for (const VerifiedBeam& beam : beams) draw(beam, folders, outputs);
+  }
+  if (beams.size() > 1) write_report(overview_of(beams), "", options, folders, progress, outputs);
+  for (const VerifiedBeam& beam : beams) {
+    write_report(report_of(beam.project, beam.verification, level_of(options.level)),
+                 folder_of(beam), options, folders, progress, outputs);
+  }
+}
+
 /// Writes all that is asked for.
-Outputs write_outputs(const Project& project, const Verification& verification,
-                      const VerifyOptions& options, const std::string& folder, Progress& progress) {
+Outputs write_outputs(const std::vector<VerifiedBeam>& beams, const VerifyOptions& options,
+                      const std::string& folder, Progress& progress) {
   Outputs outputs;
-  outputs.results = results_json(project, verification);
+  outputs.results = results_json(beams);
   outputs.troubles.attempt([&] {
     report::FolderUpdate update(folder);
     const bool possible = outputs.troubles.attempt(
         [&] { write_file(update.path() + "/results.json", outputs.results); });
     if (possible) {
+      write_reports(beams, options, update.path(), progress, outputs);
       outputs.written.emplace_back("results.json");
-      write_report(project, verification, options, update.path(), progress, outputs);
-      std::rotate(outputs.written.begin(), outputs.written.begin() + 1, outputs.written.end());
     }
-    if (publish(update, folder, files_of_reports(), outputs.troubles)) {
+    if (publish(update, folder, files_of_reports(beams), outputs.troubles)) {
       std::error_code ignored;
       fs::remove(fs::path(folder) / "plots", ignored);  // where nothing is in it
     } else {
@@ -130,21 +178,22 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
 
 /// A verification with what it wrote.
 struct Run {
-  Project project;
-  Verification verification;
+  std::vector<VerifiedBeam> beams;
   std::string folder;
   Outputs outputs;
 };
 
 Run run_once(const VerifyOptions& options) {
-  Run run{read_case(options.of_case), {}, {}, {}};
-  run.folder = options.out.empty() ? "reports/" + run.project.name : options.out;
+  std::vector<Project> beams = read_beams_of(options.of_case);
+  if (beams.size() == 1) beams.front().beam_name.clear();  // its report is that of the case
+  Run run;
+  run.folder = options.out.empty() ? "reports/" + beams.front().name : options.out;
   require_folder(run.folder);
   require_file_beside(options.json, run.folder);
   Progress progress(!options.quiet);
   progress.now("verifying");
-  run.verification = verify(run.project, options.no_plots ? Figures::without : Figures::with);
-  run.outputs = write_outputs(run.project, run.verification, options, run.folder, progress);
+  run.beams = verify_beams(std::move(beams), options.no_plots ? Figures::without : Figures::with);
+  run.outputs = write_outputs(run.beams, options, run.folder, progress);
   return run;
 }
 
@@ -152,13 +201,28 @@ void say(const Run& run, const VerifyOptions& options) {
   if (options.json == "-") {
     put(run.outputs.results);
   } else if (options.quiet) {
-    put_text(verdict_line(run.project, run.verification));
+    put_text(verdict_line(run.beams));
   } else {
-    report::MarkedText text = summary(run.project, run.verification);
+    report::MarkedText text = summary(run.beams);
     text += written_line(run.folder, run.outputs);
     put_text(text);
   }
   for (const std::string& trouble : run.outputs.troubles.words) put_error(trouble);
+}
+
+/// Of each beam of a name; where there are others now, all that there is.
+void say_what_changed(const std::vector<VerifiedBeam>& before,
+                      const std::vector<VerifiedBeam>& now) {
+  for (const VerifiedBeam& beam : now) {
+    const auto same = std::find_if(before.begin(), before.end(), [&](const VerifiedBeam& other) {
+      return other.project.beam_name == beam.project.beam_name;
+    });
+    if (!beam.project.beam_name.empty()) put_text(layout::line("Beam " + beam.project.beam_name));
+    if (same == before.end())
+      put_text(summary(beam.project, beam.verification));
+    else
+      put_text(what_changed(same->verification, beam.project, beam.verification));
+  }
 }
 
 /// Verifies again and again, for as long as it is let.
@@ -169,10 +233,11 @@ void say(const Run& run, const VerifyOptions& options) {
     exit_code_of([&] {
       Run run = run_once(options);
       std::vector<std::string> files{options.of_case.file};
-      for (const InputFile& table : run.project.tables) files.push_back(table.resolved);
+      for (const InputFile& table : run.beams.front().project.tables)
+        files.push_back(table.resolved);
       watch.add(files);
       if (last) {
-        put_text(what_changed(last->verification, run.project, run.verification));
+        say_what_changed(last->beams, run.beams);
         for (const std::string& trouble : run.outputs.troubles.words) put_error(trouble);
       } else {
         say(run, options);
@@ -194,7 +259,7 @@ int run_verify(const VerifyOptions& options) {
   const Run run = run_once(options);
   say(run, options);
   if (!run.outputs.troubles.words.empty()) return output_failed;
-  return run.verification.verdict == Verdict::pass ? all_pass : check_fails;
+  return worst_of(run.beams).verification.verdict == Verdict::pass ? all_pass : check_fails;
 }
 
 }  // namespace boxbeam::program

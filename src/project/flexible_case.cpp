@@ -4,6 +4,7 @@
 #include <array>
 
 #include "front_end_reader.hpp"
+#include "several_beams.hpp"
 
 namespace boxbeam::readers {
 namespace {
@@ -65,9 +66,16 @@ class FlexibleReader : public FrontEndReader {
 
   void read(TableReader& root, const Node&) override {
     links_.form = read_model(root, *project_);
-    TableReader beam = root.table({"beam", "the verified beam"});
+    TableReader beam = beam_table(root, *project_);
     read_beam(beam, *links_.sections, *project_);
     links_.beam_link = read_beam_link(root, beam);
+    for (OtherBeam& other : read_other_beams(root, "link", *sections_, *project_)) {
+      if (other.on == links_.beam_link) {
+        beam.problem("link", fmt::format("two beams are the link \"{}\"", other.on),
+                     "a link is one beam; join a second link to it by stiffness = \"rigid\"");
+      }
+      links_.other_beams.emplace_back(std::move(other.on), std::move(other.beam));
+    }
     beam.finish();
     flexible::Mechanism mechanism = read_flexible(root, links_);
     refuse_planar_parts(root, *project_);
@@ -89,7 +97,7 @@ class FlexibleReader : public FrontEndReader {
   bool vibrates() const override { return true; }
 
  private:
-  LinkDefaults links_{sections_, &project_->beam, "", &project_->model, {}};
+  LinkDefaults links_{sections_, &project_->beam, "", {}, &project_->model, {}};
 };
 
 }  // namespace

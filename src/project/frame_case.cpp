@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "frame_reader.hpp"
 #include "front_end_reader.hpp"
+#include "several_beams.hpp"
 
 namespace boxbeam::readers {
 namespace {
@@ -30,12 +32,13 @@ void add_places(Project& project, const frame::Structure& structure) {
                                    [&](const BeamPoint& other) { return other.s == s; });
     if (!known) project.beam.points.push_back({name, s});
   };
-  for (const frame::MemberPoint& point : structure.members.front().points) {
+  const int beam = project.beam_body;
+  for (const frame::MemberPoint& point : structure.members[static_cast<std::size_t>(beam)].points) {
     if (point.name != "start" && point.name != "end") add(point.name, point.p.x());
   }
   for (const frame::Joint& joint : structure.joints) {
     for (const frame::Place* at : {&joint.a, &joint.b}) {
-      if (at->member == 0) add(joint.name, at->p.x());
+      if (at->member == beam) add(joint.name, at->p.x());
     }
   }
 }
@@ -44,26 +47,24 @@ class FrameReader : public FrontEndReader {
  public:
   using FrontEndReader::FrontEndReader;
 
-  void read(TableReader& root, const Node&) override {
+  void read(TableReader& root, const Node& tree) override {
     read_model(root, *project_);
-    frame::Structure structure = structure_of(root);
+    project_->beam_body = static_cast<int>(project_->beam_index);
+    frame::Structure structure = structure_of(root, tree);
     refuse_moving_parts(root);
     refuse_planar_parts(root, *project_, structure.plane);
     project_->in_space = !structure.plane;
-    project_->beam_body = 0;
     if (root.problems().empty()) add_places(*project_, structure);
-    structure.members.front().beam = project_->beam;
+    structure.members[project_->beam_index].beam = project_->beam;
     project_->mechanism = std::move(structure);
   }
 
   Changeable changeable() const override {
     static constexpr std::array parts{"frame", "members", "supports", "joints", "loads", "motion"};
-    return {parts, "loads.lift.force", "beam"};
+    return {parts, "loads.lift.force", beams_[project_->beam_index].name};
   }
 
-  AnyMechanism changed_mechanism(TableReader& root) const override {
-    return with_parts(root, beam_);
-  }
+  AnyMechanism changed_mechanism(TableReader& root) const override { return with_parts(root); }
 
   void read_loads(TableReader& table, Situation& situation) const override {
     if (!table.has("loads")) {
@@ -93,29 +94,50 @@ class FrameReader : public FrontEndReader {
   }
 
  private:
-  /// The frame with the verified beam as its first member.
-  frame::Structure structure_of(TableReader& root) {
+  /// The frame with the verified beam, or all beams of the case, as its first members.
+  frame::Structure structure_of(TableReader& root, const Node& tree) {
     frame::Structure structure;
     read_frame(root, structure);
-    TableReader table = root.table({"beam", "the verified beam"});
-    read_beam(table, *sections_, *project_);
-    frame::Member& beam = structure.members.emplace_back();
-    beam.name = "beam";
-    beam.beam = project_->beam;
-    beam.youngs_modulus = project_->model.youngs_modulus;
-    beam.shear_modulus = project_->model.shear_modulus;
-    read_member_place(table, structure, beam);
-    table.finish();
-    beam_ = beam;
+    const std::size_t count = root.count_of("beam");
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, count); ++i) {
+      TableReader table = beam_table(root, i);
+      frame::Member& beam = structure.members.emplace_back();
+      beam.name = table.text("name", "beam");
+      const bool verified = i == project_->beam_index;
+      if (verified) read_beam(table, *sections_, *project_);
+      beam.beam = verified ? project_->beam : read_tapered_beam(table, *sections_);
+      const ModelInput model = verified ? project_->model : model_of_other(root, tree, i);
+      beam.youngs_modulus = model.youngs_modulus;
+      beam.shear_modulus = model.shear_modulus;
+      read_member_place(table, structure, beam);
+      if (verified)
+        table.finish();
+      else
+        table.accept_all();
+    }
+    beams_ = structure.members;
     return with_rest(root, std::move(structure));
   }
 
+  /// The moduli of another beam, by its material.
+  ModelInput model_of_other(TableReader& root, const Node& tree, std::size_t beam) const {
+    const Node own = case_of_beam(tree, beam);
+    KeyRecorder* const recorder = std::exchange(root.problems().recorder, nullptr);
+    TableReader reader(root.problems(), own, "");
+    Project other;
+    other.mechanism = project_->mechanism;
+    read_material(reader, other);
+    read_model(reader, other);
+    root.problems().recorder = recorder;
+    return other.model;
+  }
+
   /// The same with what a situation changes.
-  frame::Structure with_parts(TableReader& root, const frame::Member& beam) const {
+  frame::Structure with_parts(TableReader& root) const {
     frame::Structure structure;
     read_frame(root, structure);
-    structure.members.push_back(beam);
-    structure.members.front().beam = project_->beam;
+    structure.members = beams_;
+    structure.members[project_->beam_index].beam = project_->beam;
     return with_rest(root, std::move(structure));
   }
 
@@ -132,7 +154,7 @@ class FrameReader : public FrontEndReader {
     return structure;
   }
 
-  frame::Member beam_;
+  std::vector<frame::Member> beams_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "front_end_reader.hpp"
 #include "recorded_reader.hpp"
+#include "several_beams.hpp"
 
 namespace boxbeam::readers {
 namespace {
@@ -22,7 +23,12 @@ class LoadsReader : public FrontEndReader {
 
   void read(TableReader& root, const Node&) override {
     read_model(root, *project_);
-    TableReader table = root.table({"beam", "the verified beam"});
+    if (root.count_of("beam") > 1) {
+      root.problem(
+          "beam", "loads that are given act on one beam",
+          "write a case for each of the beams, or kind = \"static\" where they form a frame");
+    }
+    TableReader table = beam_table(root, *project_);
     read_beam(table, *sections_, *project_);
     table.finish();
     refuse_other_parts(root);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "front_end_reader.hpp"
+#include "several_beams.hpp"
 
 namespace boxbeam::readers {
 namespace {
@@ -69,11 +70,16 @@ class PlanarReader : public FrontEndReader {
 
   void read(TableReader& root, const Node& tree) override {
     read_model(root, *project_);
-    TableReader beam = root.table({"beam", "the verified beam"});
+    TableReader beam = beam_table(root, *project_);
     read_beam(beam, *sections_, *project_);
-    beam_body_ =
-        beam.text({"body", "the body that is the beam; its mass comes from the sections"}, "");
-    MechanismDraft draft = read_mechanism(root, beam_body_, *tables_);
+    const Key body{"body", "the body that is the beam; its mass comes from the sections"};
+    beam_body_ = beam.text(body, "");
+    others_ = read_other_beams(root, body, *sections_, *project_);
+    if (!beam_body_.empty() && index_by_body(beam_body_) < others_.size()) {
+      beam.problem("body", fmt::format("two beams are the body \"{}\"", beam_body_),
+                   "a body is one beam; join a second body to it by kind = \"rigid\"");
+    }
+    MechanismDraft draft = read_mechanism(root, names_of_beams(beam_body_, others_), *tables_);
     if (!beam_body_.empty() || !root.has("beam")) {
       // A missing table or unknown name has been noted; any body stands in, so that reading goes
       // on.
@@ -81,7 +87,7 @@ class PlanarReader : public FrontEndReader {
     }
     beam.finish();
     if (root.problems().empty()) {
-      project_->mechanism = place_at_centres(std::move(draft), project_->beam, project_->beam_body);
+      project_->mechanism = placed(std::move(draft), project_->beam_body);
       add_points_of_body(tree, root.problems(), *project_);
     } else {
       project_->mechanism = std::move(draft.mechanism);
@@ -102,9 +108,9 @@ class PlanarReader : public FrontEndReader {
   Changeable changeable() const override { return changeable_of_bodies(beam_body_); }
 
   AnyMechanism changed_mechanism(TableReader& root) const override {
-    MechanismDraft draft = read_mechanism(root, beam_body_, *tables_);
+    MechanismDraft draft = read_mechanism(root, names_of_beams(beam_body_, others_), *tables_);
     if (!root.problems().empty()) return project_->mechanism;
-    return place_at_centres(std::move(draft), project_->beam, project_->beam_body);
+    return placed(std::move(draft), project_->beam_body);
   }
 
   void read_neighbours(TableReader& root) override {
@@ -112,7 +118,24 @@ class PlanarReader : public FrontEndReader {
   }
 
  private:
+  std::size_t index_by_body(const std::string& name) const {
+    return static_cast<std::size_t>(
+        std::find_if(others_.begin(), others_.end(),
+                     [&](const OtherBeam& other) { return other.on == name; }) -
+        others_.begin());
+  }
+
+  planar::Mechanism placed(MechanismDraft draft, int beam_body) const {
+    give_mass(draft, project_->beam, beam_body);
+    for (const OtherBeam& other : others_) {
+      const int body = body_index(draft.mechanism, other.on);
+      if (body >= 0) give_mass(draft, other.beam, body);
+    }
+    return place_at_centres(std::move(draft));
+  }
+
   std::string beam_body_;
+  std::vector<OtherBeam> others_;
 };
 
 }  // namespace

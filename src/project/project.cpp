@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "boxbeam/project/key_reference.hpp"
 #include "front_end_reader.hpp"
 #include "readers.hpp"
+#include "several_beams.hpp"
 
 namespace boxbeam {
 namespace {
@@ -49,11 +51,7 @@ void read_case(TableReader table, Project& project) {
   project.mechanism =
       empty_mechanism(kind, std::make_index_sequence<std::variant_size_v<AnyMechanism>>());
   table.finish();
-  const bool plain = project.name.find_first_not_of(
-                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
-                         std::string::npos &&
-                     !project.name.starts_with('.') && project.name.size() <= 80;
-  if (!plain) {
+  if (!readers::is_plain_name(project.name)) {
     table.problem("name", "the name of a case is also the name of its report folder",
                   "use letters, digits, \"-\" and \"_\"");
   }
@@ -101,20 +99,22 @@ void check_dynamics(TableReader& root, const Project& project) {
   }
 }
 
-Project read(CaseDocument document, const std::vector<std::string>& overrides,
-             std::optional<Dynamics> dynamics, KeyRecorder* recorder = nullptr) {
-  ProblemList problems(document);
-  problems.recorder = recorder;
-  TimeTables tables(document);
+/// The case as it is for one of its beams; notes problems. `root` stays as long as the project.
+Project read_for_beam(const CaseDocument& document, const Node& tree, std::size_t beam,
+                      const std::vector<std::string>& overrides, std::optional<Dynamics> dynamics,
+                      ProblemList& problems, TimeTables& tables) {
   Project project;
   project.path = document.path;
   project.overrides = overrides;
-  if (document.root.members.empty()) {
-    problems.add({document.lines.begin()->first, 1, 1}, "the case is empty",
-                 "boxbeam init planar my.toml writes a commented case that runs as it is");
-    problems.raise();
+  project.beam_index = beam;
+  TableReader root(problems, tree, "");
+  if (root.count_of("beam") > 1) {
+    for (const Node& each : tree.find("beam")->items) {
+      const Node* const name = each.find("name");
+      project.beam_names.push_back(name != nullptr ? name->text : "");
+    }
+    project.beam_name = project.beam_names[beam];
   }
-  TableReader root(problems, document.root, "");
   read_case(root.table({"case", "the case itself"}), project);
   if (dynamics) project.dynamics = *dynamics;
 
@@ -122,8 +122,8 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
       readers::read_sections(root.table({"sections", "cross-sections, each by a name"}));
   readers::read_material(root, project);
   const auto front_end = readers::front_end_reader(sections, tables, project);
-  front_end->read(root, document.root);
-  readers::read_situations(root, document.root, *front_end, project);
+  front_end->read(root, tree);
+  readers::read_situations(root, tree, *front_end, project);
   readers::read_demands(root, project);
   front_end->read_neighbours(root);
   readers::read_welds(root, sections, project);
@@ -131,14 +131,53 @@ Project read(CaseDocument document, const std::vector<std::string>& overrides,
   check_rounding(root, project);
   check_dynamics(root, project);
   root.finish();
-  problems.raise();
-  for (const std::string& line : document.lines.at(document.path)) project.text += line + "\n";
-  project.sha256 = document.sha256_of_input();
-  project.tables = document.files;
+  if (beam > 0) {  // of the mechanism, not of a beam
+    project.pins.clear();
+    project.rods.clear();
+    project.equivalent_mass.reset();
+    project.hand_formulas.clear();
+  }
   return project;
 }
 
+std::vector<Project> read(CaseDocument document, const std::vector<std::string>& overrides,
+                          std::optional<Dynamics> dynamics, KeyRecorder* recorder = nullptr) {
+  ProblemList problems(document);
+  problems.recorder = recorder;
+  TimeTables tables(document);
+  if (document.root.members.empty()) {
+    problems.add({document.lines.begin()->first, 1, 1}, "the case is empty",
+                 "boxbeam init planar my.toml writes a commented case that runs as it is");
+    problems.raise();
+  }
+  readers::check_beams(problems, document.root);
+  const Node* const beams = document.root.find("beam");
+  const bool several = beams != nullptr && beams->kind == Node::Kind::array;
+  const std::size_t count = several ? std::max<std::size_t>(1, beams->items.size()) : 1;
+  // What is read looks at its tree.
+  std::deque<Node> trees;
+  std::vector<Project> projects;
+  for (std::size_t beam = 0; beam < count; ++beam) {
+    const Node& tree = trees.emplace_back(readers::case_of_beam(document.root, beam));
+    projects.push_back(read_for_beam(document, tree, beam, overrides, dynamics, problems, tables));
+  }
+  problems.raise();
+  for (Project& project : projects) {
+    for (const std::string& line : document.lines.at(document.path)) project.text += line + "\n";
+    project.sha256 = document.sha256_of_input();
+    project.tables = document.files;
+  }
+  return projects;
+}
+
 }  // namespace
+
+bool readers::is_plain_name(const std::string& name) {
+  return name.find_first_not_of(
+             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
+             std::string::npos &&
+         !name.starts_with('.') && name.size() <= 80;
+}
 
 SnCurve curve_of(const Detail& detail) { return scaled(detail.curve, detail.size_factor); }
 
@@ -178,14 +217,19 @@ const char* to_text(Dynamics dynamics) {
   return dynamics == Dynamics::rigorous ? "rigorous" : "newton-chain";
 }
 
+std::vector<Project> read_beams(const std::string& path, const std::vector<std::string>& overrides,
+                                std::optional<Dynamics> dynamics) {
+  return read(read_document(path, overrides), overrides, dynamics);
+}
+
 Project read_project(const std::string& path, const std::vector<std::string>& overrides,
                      std::optional<Dynamics> dynamics) {
-  return read(read_document(path, overrides), overrides, dynamics);
+  return std::move(read_beams(path, overrides, dynamics).front());
 }
 
 Project parse_project(const std::string& path, const std::string& text,
                       const std::vector<std::string>& overrides, std::optional<Dynamics> dynamics) {
-  return read(parse_document(path, text, overrides), overrides, dynamics);
+  return std::move(read(parse_document(path, text, overrides), overrides, dynamics).front());
 }
 
 void record_keys(const std::string& path, const std::string& text, KeyRecorder& recorder) {

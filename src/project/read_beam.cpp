@@ -247,8 +247,8 @@ void check_bending_widths(TableReader& table, const Project& project) {
 
 }  // namespace
 
-void read_beam(TableReader& table, const Sections& sections, Project& project) {
-  TaperedBeam& beam = project.beam;
+TaperedBeam read_tapered_beam(TableReader& table, const Sections& sections) {
+  TaperedBeam beam;
   beam.density = si<Density>(table.positive({"density", "of its material"}, wanted::density));
   beam.rotary_inertia =
       table.boolean({"rotary_inertia", "the sections' own rotary inertia counts"}, false);
@@ -261,6 +261,12 @@ void read_beam(TableReader& table, const Sections& sections, Project& project) {
   if (table.has("segments") && beam.segments.empty()) {
     table.problem("segments", "the beam has no segment", "write at least one [[beam.segments]]");
   }
+  return beam;
+}
+
+void read_beam(TableReader& table, const Sections& sections, Project& project) {
+  TaperedBeam& beam = project.beam;
+  beam = read_tapered_beam(table, sections);
   TableReader places = table.table({"places", "stations of interest, each by a name"}, false);
   for (const Node::Member& member : places.members("along the beam")) {
     beam.points.push_back({member.key, station_of(places, member.key, beam)});

@@ -74,12 +74,16 @@ Body read_body(const std::string& name, TableReader& table, bool is_beam, Eigen:
 
 }  // namespace
 
-void read_bodies(TableReader& root, const std::string& beam_body, MechanismDraft& draft) {
+void read_bodies(TableReader& root, const std::vector<std::string>& beam_bodies,
+                 MechanismDraft& draft) {
   TableReader bodies = root.table({"bodies", "rigid bodies"});
+  const std::string& beam_body = beam_bodies.front();
   const bool beam_known = root.has("beam") && (beam_body.empty() || bodies.is_there(beam_body));
   for (auto& [name, table] : bodies.named_tables()) {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    const bool is_beam = name == beam_body || (!beam_known && !table.is_there("mass"));
+    const bool is_beam =
+        std::find(beam_bodies.begin(), beam_bodies.end(), name) != beam_bodies.end() ||
+        (!beam_known && !table.is_there("mass"));
     draft.mechanism.bodies.push_back(read_body(name, table, is_beam, centre));
     draft.centres.push_back(centre);
   }

@@ -323,7 +323,8 @@ void read_joint_drivers(TableReader& root, Mechanism& mechanism, TimeTables& tab
 
 }  // namespace
 
-Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables& tables) {
+Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
+                     TimeTables& tables) {
   Mechanism mechanism;
   TableReader general = root.table({"mechanism", "general"});
   mechanism.gravity =
@@ -332,7 +333,8 @@ Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables
   mechanism.duration = read_duration(root);
   for (auto& [name, table] :
        root.table({"bodies", "rigid bodies; one joint carries each"}).named_tables()) {
-    mechanism.bodies.push_back(read_body(name, table, name == beam_body));
+    mechanism.bodies.push_back(read_body(
+        name, table, std::find(beam_bodies.begin(), beam_bodies.end(), name) != beam_bodies.end()));
   }
   const std::size_t before = root.problems().size();
   const std::vector<JointDraft> drafts = read_joints_of(root, mechanism);

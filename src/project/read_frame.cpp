@@ -167,8 +167,8 @@ void read_members(TableReader& root, const FrameDefaults& defaults, frame::Struc
         start = member.beam.segments.back().end();
       }
     }
-    if (name == structure.members.front().name) {
-      table.problem("", fmt::format("\"{}\" is the name of the verified beam", name),
+    if (index_of(structure.members, name) >= 0) {
+      table.problem("", fmt::format("\"{}\" is the name of a verified beam", name),
                     "give the member another name");
     }
     if (!member.beam.segments.empty()) read_member_place(table, structure, member);

@@ -17,7 +17,7 @@ constexpr double rigid = std::numeric_limits<double>::infinity();
 constexpr const char* rigid_word = "rigid";
 
 /// What a support or joint of a kind holds, along and about its axes.
-struct Held {
+struct HeldThere {
   const char* word;
   std::array<double, 6> stiffness;
 };

@@ -140,13 +140,22 @@ void read_section_profile(LinkDraft& draft, const LinkDefaults& defaults) {
   draft.length = start.value();
 }
 
+/// The beam that a link is, nullptr where it is none.
+const TaperedBeam* beam_of(const std::string& link, const LinkDefaults& defaults) {
+  if (link == defaults.beam_link) return defaults.beam;
+  for (const auto& [name, beam] : defaults.other_beams) {
+    if (name == link) return &beam;
+  }
+  return nullptr;
+}
+
 /// What a link is along its length, by one of the ways to write it.
 void read_profile(LinkDraft& draft, const LinkDefaults& defaults) {
   TableReader& table = draft.table;
   const auto ways_in = [&](std::initializer_list<const char*> keys) {
     return std::count_if(keys.begin(), keys.end(), [&](const char* key) { return table.has(key); });
   };
-  if (draft.link.name == defaults.beam_link) {
+  if (const TaperedBeam* const beam = beam_of(draft.link.name, defaults)) {
     for (const char* key : {"section", "sections", "segments", "EA", "GA", "EI", "mass_per_length",
                             "extra_mass", "density", "youngs_modulus", "shear_modulus",
                             "rotary_inertia", "mass", "inertia", "centre"}) {
@@ -158,7 +167,7 @@ void read_profile(LinkDraft& draft, const LinkDefaults& defaults) {
                     "remove this line");
       table.accept_all();
     }
-    draft.profile = *defaults.beam;
+    draft.profile = *beam;
     draft.youngs_modulus = defaults.model->youngs_modulus;
     draft.shear_modulus = defaults.model->shear_modulus;
     const bool none = draft.profile.segments.empty();

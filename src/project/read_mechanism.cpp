@@ -148,7 +148,8 @@ void check_name(TableReader& table, const std::string& name, const char* what,
       fmt::format("give the {} another name", what));
 }
 
-MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, TimeTables& tables) {
+MechanismDraft read_mechanism(TableReader& root, const std::vector<std::string>& beam_bodies,
+                              TimeTables& tables) {
   MechanismDraft draft;
   Mechanism& mechanism = draft.mechanism;
   TableReader general = root.table({"mechanism", "general"});
@@ -156,7 +157,7 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
   general.finish();
   mechanism.duration = read_duration(root);
 
-  read_bodies(root, beam_body, draft);
+  read_bodies(root, beam_bodies, draft);
   read_joints(root, mechanism);
   read_drivers(root, mechanism, tables);
   read_forces(root, mechanism, tables);
@@ -170,15 +171,17 @@ MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, T
   return draft;
 }
 
-Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam, int beam_body) {
+void give_mass(MechanismDraft& draft, const TaperedBeam& beam, int body) {
+  if (body == planar::ground) return;
+  const auto index = static_cast<std::size_t>(body);
+  const MassProperties properties = mass_properties_of(beam);
+  draft.mechanism.bodies[index].mass = properties.mass.value();
+  draft.mechanism.bodies[index].inertia = properties.inertia.value();
+  draft.centres[index] = {properties.centre.value(), 0.0};
+}
+
+Mechanism place_at_centres(MechanismDraft draft) {
   Mechanism& mechanism = draft.mechanism;
-  if (beam_body != planar::ground) {
-    const auto index = static_cast<std::size_t>(beam_body);
-    const MassProperties properties = mass_properties_of(beam);
-    mechanism.bodies[index].mass = properties.mass.value();
-    mechanism.bodies[index].inertia = properties.inertia.value();
-    draft.centres[index] = {properties.centre.value(), 0.0};
-  }
   for_each_attachment(mechanism, [&](Attachment& attachment) {
     if (attachment.body != planar::ground) {
       attachment.p -= draft.centres[static_cast<std::size_t>(attachment.body)];

@@ -30,6 +30,12 @@ Section named_section(TableReader& table, const Key& key, const Sections& sectio
 /// One of [[segments]]; `number` names it where it has no name.
 Segment read_segment(TableReader table, std::size_t number, Length start, const Sections& sections);
 
+/// Whether a name may be that of a folder.
+bool is_plain_name(const std::string& name);
+
+/// Density and segments of a beam.
+TaperedBeam read_tapered_beam(TableReader& table, const Sections& sections);
+
 /// Segments, holes and places of [beam]; fills the project's beam and hole cases.
 void read_beam(TableReader& table, const Sections& sections, Project& project);
 
@@ -40,18 +46,24 @@ struct MechanismDraft {
   std::vector<Eigen::Vector2d> centres;  ///< of mass, in the axes in which the points are written
 };
 
-/// Bodies, joints, drivers, forces, loops and the time to look at. `tables` takes the files of
-/// numbers that drivers and forces follow.
-MechanismDraft read_mechanism(TableReader& root, const std::string& beam_body, TimeTables& tables);
+/// Bodies, joints, drivers, forces, loops and the time to look at. `beam_bodies`: the bodies that
+/// are beams, that of the verified one first. `tables` takes the files of numbers that drivers and
+/// forces follow.
+MechanismDraft read_mechanism(TableReader& root, const std::vector<std::string>& beam_bodies,
+                              TimeTables& tables);
 
-/// Gives the beam body the beam's mass properties and moves every body's axes to its centre.
-planar::Mechanism place_at_centres(MechanismDraft draft, const TaperedBeam& beam, int beam_body);
+/// Gives the body of a beam the beam's mass properties.
+void give_mass(MechanismDraft& draft, const TaperedBeam& beam, int body);
+
+/// Moves every body's axes to its centre.
+planar::Mechanism place_at_centres(MechanismDraft draft);
 
 /// Notes keys of mass on the beam's body: its mass properties come from its sections.
 void refuse_mass(TableReader& table);
 
 /// [bodies]; where [beam] is missing or misspells its body, the body without a mass is meant.
-void read_bodies(TableReader& root, const std::string& beam_body, MechanismDraft& draft);
+void read_bodies(TableReader& root, const std::vector<std::string>& beam_bodies,
+                 MechanismDraft& draft);
 
 /// [joints], [drivers] and [forces]: each is added to the mechanism.
 void read_joints(TableReader& root, planar::Mechanism& mechanism);
@@ -89,8 +101,9 @@ void check_functions(TableReader& root, const std::vector<DriverUse>& functions,
 /// The constant "size" of a force, or its function of time "law".
 Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables);
 
-/// A mechanism in space as written; its beam has no mass before `place_beam`.
-spatial::Mechanism read_chain(TableReader& root, const std::string& beam_body, TimeTables& tables);
+/// A mechanism in space as written; its beams have no mass before `place_beam`.
+spatial::Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
+                              TimeTables& tables);
 
 /// [forces] on the bodies of a mechanism in space.
 void read_chain_loads(TableReader& root, spatial::Mechanism& mechanism, TimeTables& tables);
@@ -122,6 +135,7 @@ struct LinkDefaults {
   const Sections* sections = nullptr;
   const TaperedBeam* beam = nullptr;
   std::string beam_link;
+  std::vector<std::pair<std::string, TaperedBeam>> other_beams = {};  ///< by their links
   const ModelInput* model = nullptr;
   ElasticForm form;
 };

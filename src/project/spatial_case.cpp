@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "front_end_reader.hpp"
+#include "several_beams.hpp"
 
 namespace boxbeam::readers {
 namespace {
@@ -40,11 +43,12 @@ class SpatialReader : public FrontEndReader {
   void read(TableReader& root, const Node&) override {
     read_model(root, *project_);
     project_->in_space = true;
-    TableReader beam = root.table({"beam", "the verified beam"});
+    TableReader beam = beam_table(root, *project_);
     read_beam(beam, *sections_, *project_);
-    beam_body_ =
-        beam.text({"body", "the body that is the beam; its mass comes from the sections"}, "");
-    spatial::Mechanism mechanism = read_chain(root, beam_body_, *tables_);
+    const Key body{"body", "the body that is the beam; its mass comes from the sections"};
+    beam_body_ = beam.text(body, "");
+    others_ = read_other_beams(root, body, *sections_, *project_);
+    spatial::Mechanism mechanism = read_chain(root, names_of_beams(beam_body_, others_), *tables_);
     project_->beam_body = std::max(0, body_of(beam, "body", mechanism));
     if (root.problems().empty()) {
       project_->placement = read_placement(beam, mechanism, project_->beam_body);
@@ -54,6 +58,7 @@ class SpatialReader : public FrontEndReader {
     beam.finish();
     refuse_planar_parts(root, *project_);
     if (root.problems().empty()) {
+      place_others(root, mechanism);
       place_beam(root, project_->beam, project_->placement, mechanism);
       project_->hand_formulas = read_hand_formulas(root, mechanism);
     } else {
@@ -66,16 +71,36 @@ class SpatialReader : public FrontEndReader {
   Changeable changeable() const override { return changeable_of_bodies(beam_body_); }
 
   AnyMechanism changed_mechanism(TableReader& root) const override {
-    spatial::Mechanism mechanism = read_chain(root, beam_body_, *tables_);
+    spatial::Mechanism mechanism = read_chain(root, names_of_beams(beam_body_, others_), *tables_);
     if (!root.problems().empty()) return project_->mechanism;
     spatial::BeamPlacement placement = project_->placement;
     placement.body = body_index(mechanism, beam_body_);
+    place_others(root, mechanism);
     place_beam(root, project_->beam, placement, mechanism);
     return mechanism;
   }
 
  private:
+  /// Gives the other beams' bodies their mass.
+  void place_others(TableReader& root, spatial::Mechanism& mechanism) const {
+    std::size_t next = 0;
+    for (const OtherBeam& other : others_) {
+      if (next == project_->beam_index) ++next;
+      TableReader table = root.one_of_tables("beam", next++);
+      const int body = body_index(mechanism, other.on);
+      if (other.on == beam_body_) {
+        table.problem("body", fmt::format("two beams are the body \"{}\"", beam_body_),
+                      "a body is one beam; join a second body to it by kind = \"fixed\"");
+      }
+      if (body < 0 || !root.problems().empty()) continue;
+      const spatial::BeamPlacement placement = read_placement(table, mechanism, body);
+      if (root.problems().empty())
+        give_mass(mechanism.bodies[static_cast<std::size_t>(body)], placement, other.beam);
+    }
+  }
+
   std::string beam_body_;
+  std::vector<OtherBeam> others_;
 };
 
 }  // namespace

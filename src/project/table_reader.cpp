@@ -186,6 +186,28 @@ std::vector<TableReader> TableReader::tables(const Key& of, bool required) {
   return result;
 }
 
+std::size_t TableReader::count_of(std::string_view key) const {
+  return is_list(key) ? table_->find(key)->items.size() : 1;
+}
+
+TableReader TableReader::one_of_tables(const Key& of, std::size_t index) {
+  const std::string_view key = of.name;
+  if (recording()) note(of, KeyShape::table_or_tables, {.required = true});
+  const std::string name = name_below(key);
+  const Node* node = take_or_say(key, true, fmt::format("write [{}] and its keys below", name));
+  const bool list = node != nullptr && node->kind == Node::Kind::array;
+  if (list) node = index < node->items.size() ? &node->items[index] : nullptr;
+  TableReader reader(*problems_, node != nullptr ? *node : empty_table(),
+                     list ? fmt::format("{}.{}", name, index) : name, pattern_below(key));
+  if (node == nullptr) reader.absent_ = true;
+  return reader;
+}
+
+void TableReader::accept_as_in_case(const Key& key) {
+  if (recording()) note(key, KeyShape::as_in_case, {});
+  asked_.emplace_back(key.name);
+}
+
 std::vector<std::pair<std::string, TableReader>> TableReader::named_tables(
     std::string_view meaning) {
   own_names_ = true;

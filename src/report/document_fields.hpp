@@ -10,7 +10,9 @@
 /// The fields of the documents in JSON.
 namespace boxbeam::report {
 
-void put_results(Fields& to, const Project& project, const Verification& verification);
+/// `beams`: all of a case, where it has several.
+void put_results(Fields& to, const Project& project, const Verification& verification,
+                 const std::vector<VerifiedBeam>* beams = nullptr);
 void put_motion(Fields& to, const AnyMotionResult& motion);
 void put_motion(Fields& to, const MotionResult& motion);
 void put_motion(Fields& to, const ChainMotionResult& motion);

@@ -1,5 +1,8 @@
 #include "boxbeam/report/json.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "beam_json.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
@@ -9,6 +12,32 @@
 
 namespace boxbeam::report {
 namespace {
+
+/// A check, of several beams with the one that it is of.
+struct CheckOfBeam {
+  CheckOfBeam() = default;
+  CheckOfBeam(const CheckResult& of, std::string name) : result(&of), beam(std::move(name)) {}
+
+  static const CheckResult& none() {
+    static const CheckResult check{};
+    return check;
+  }
+  const CheckResult* result = &none();
+  std::string beam;
+};
+
+/// All checks of all beams, worst first.
+std::vector<CheckOfBeam> checks_of(const std::vector<VerifiedBeam>& beams) {
+  std::vector<CheckOfBeam> all;
+  for (const VerifiedBeam& beam : beams) {
+    for (const CheckResult& result : beam.verification.checks)
+      all.emplace_back(result, beam.project.beam_name);
+  }
+  std::stable_sort(all.begin(), all.end(), [](const CheckOfBeam& a, const CheckOfBeam& b) {
+    return a.result->check.utilisation() > b.result->check.utilisation();
+  });
+  return all;
+}
 
 void put_check(Fields& to, const CheckResult& result) {
   const Check& check = result.check;
@@ -140,9 +169,35 @@ void put_instant(Fields& to, const Project& project, const CriticalInstant& inst
   to.number_in("value", units.value(instant.quantity(), "1"), "quantity", instant.value, units);
 }
 
+/// What is found of one of several beams.
+void put_beam_of_several(Fields& to, const VerifiedBeam& beam) {
+  const Verification& of = beam.verification;
+  to.text("name", beam.project.beam_name);
+  to.word("verdict", to_text(of.verdict), {"pass", "fail", "not applicable"});
+  to.text("verdict_text", [&] { return verdict_text_of(beam.project, of).whole(); });
+  to.object("model", [&](Fields& model) { put_model(model, of.model); });
+  if (to.is_describing()) {
+    const Project project;
+    put_beam(to, project, of);
+  } else {
+    put_beam(to, beam.project, of);
+  }
+  to.object("governing", [&](Fields& governing) {
+    for (const Criterion criterion : {Criterion::yield, Criterion::fatigue})
+      governing.object_or_null(to_text(criterion),
+                               to.is_describing() ? nullptr : of.governing(criterion), put_check);
+  });
+  to.texts("remarks", [&] {
+    std::vector<std::string> texts;
+    for (const Remark& remark : remarks_of(beam.project, of)) texts.push_back(remark.whole());
+    return texts;
+  });
+}
+
 }  // namespace
 
-void put_results(Fields& to, const Project& project, const Verification& verification) {
+void put_results(Fields& to, const Project& project, const Verification& verification,
+                 const std::vector<VerifiedBeam>* beams) {
   to.constant("schema", "boxbeam.results/1");
   to.text("case", project.name);
   to.text({"version", "of the program"}, version);
@@ -151,8 +206,20 @@ void put_results(Fields& to, const Project& project, const Verification& verific
   to.object("model", [&](Fields& of) { put_model(of, verification.model); });
   to.list("critical_instants", "{quantity}@{time}", verification.critical_instants,
           [&](Fields& of, const CriticalInstant& instant) { put_instant(of, project, instant); });
-  to.object("beam", [&](Fields& of) { put_beam(of, project, verification); });
-  to.list({"checks", "worst utilisation first"}, "{id}", verification.checks, put_check);
+  to.object({"beam", "of several the one that decides"},
+            [&](Fields& of) { put_beam(of, project, verification); });
+  const auto checks = [&] {
+    if (beams != nullptr) return checks_of(*beams);
+    std::vector<CheckOfBeam> all;
+    for (const CheckResult& result : verification.checks) all.emplace_back(result, "");
+    return all;
+  };
+  to.list({"checks", "worst utilisation first"}, "{id}", checks,
+          [&](Fields& of, const CheckOfBeam& check) {
+            put_check(of, *check.result);
+            if (!of.is_describing() && beams == nullptr) return;
+            of.optional().text({"beam", "of which it is, where there are several"}, check.beam);
+          });
   to.object("governing", [&](Fields& of) {
     for (const Criterion criterion : {Criterion::yield, Criterion::fatigue})
       of.object_or_null(to_text(criterion), verification.governing(criterion), put_check);
@@ -190,6 +257,13 @@ void put_results(Fields& to, const Project& project, const Verification& verific
                "by how much a criterion's largest utilisation may exceed the one found, relative"},
               "1", search.tolerance);
   });
+  if (!to.is_describing() && beams == nullptr) return;
+  static const std::vector<VerifiedBeam> none;
+  to.optional().list(
+      {"beams",
+       "each of several, in the order of the case; all else here is of the one that decides"},
+      "{name}", beams != nullptr ? *beams : none,
+      [](Fields& of, const VerifiedBeam& beam) { put_beam_of_several(of, beam); });
 }
 
 }  // namespace boxbeam::report
@@ -200,6 +274,15 @@ std::string results_json(const Project& project, const Verification& verificatio
   Json document = Json::object();
   report::Fields fields(document);
   report::put_results(fields, project, verification);
+  return document.dump(2) + "\n";
+}
+
+std::string results_json(const std::vector<VerifiedBeam>& beams) {
+  const VerifiedBeam& worst = worst_of(beams);
+  if (beams.size() == 1) return results_json(worst.project, worst.verification);
+  Json document = Json::object();
+  report::Fields fields(document);
+  report::put_results(fields, worst.project, worst.verification, &beams);
   return document.dump(2) + "\n";
 }
 

@@ -138,9 +138,11 @@ json value_of(const AskedKey& key, const Refer& refer) {
     case KeyShape::text: return text(key.fallback.empty() && key.required);
     case KeyShape::texts: return list_of(text(true));
     case KeyShape::choice: return {{"enum", key.words}};
+    case KeyShape::as_in_case: return {{"type", {"object", "array"}}};
     case KeyShape::unknown:
     case KeyShape::table:
-    case KeyShape::tables: break;
+    case KeyShape::tables:
+    case KeyShape::table_or_tables: break;
   }
   return json::object();
 }
@@ -236,6 +238,9 @@ class Definitions {
       value = of_table(reference, below, below);
     else if (key.shape == KeyShape::tables)
       value = list_of(of_table(reference, below + "[]", below));
+    else if (key.shape == KeyShape::table_or_tables)
+      value =
+          one_of({of_table(reference, below, below), list_of(of_table(reference, below, below))});
     else
       value = value_of(
           key, [this](const json& schema, const std::string& name) { return refer(schema, name); });

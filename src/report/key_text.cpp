@@ -49,6 +49,8 @@ std::string value_text(const AskedKey& key) {
     case KeyShape::choice: return quoted(key.words);
     case KeyShape::table: return "a table";
     case KeyShape::tables: return "tables";
+    case KeyShape::table_or_tables: return "a table, or tables";
+    case KeyShape::as_in_case: return "as in the case";
     case KeyShape::unknown: return "";
   }
   return "";

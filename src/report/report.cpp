@@ -95,7 +95,9 @@ report::Document report_of(const Project& project, const Verification& verificat
   const Source source{project, verification, level};
   Document document;
   document.title = project.name;
-  document.subtitle = project.title;
+  document.subtitle = project.beam_name.empty()
+                          ? project.title
+                          : fmt::format("{}: beam {}", project.title, project.beam_name);
   document.prepared_by = project.header.author;
   document.checked_by = project.header.checker;
   document.date = report_date();

@@ -169,7 +169,10 @@ class FrameText : public FrontEndText {
     const Structure& of = frame_of(*project_);
     std::string others;
     for (std::size_t m = 0; m < of.members.size(); ++m) {
-      if (static_cast<int>(m) == project_->beam_body) continue;
+      const std::vector<std::string>& beams = project_->beam_names;
+      if (static_cast<int>(m) == project_->beam_body ||
+          std::find(beams.begin(), beams.end(), of.members[m].name) != beams.end())
+        continue;
       others += (others.empty() ? "" : ", ") + of.members[m].name;
     }
     if (others.empty()) return;

@@ -55,7 +55,8 @@ report::MarkedText summary(const Project& project, const Verification& verificat
       report::with_results(report::governing_table({project, verification, ReportLevel::summary}));
   const VerdictText verdict = verdict_text_of(project, verification);
   report::MarkedText out = marked(verification, verdict, verdict.line);
-  out += fmt::format("  {}\n", visible(project.title));
+  out += fmt::format(
+      "  {}\n", visible(project.beam_name.empty() ? project.title : "beam " + project.beam_name));
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
   out += layout::entry("model", verification.model.reason) + "\n";
   out += report::table_text(governing, layout::width());

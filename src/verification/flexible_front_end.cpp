@@ -115,12 +115,14 @@ class FlexibleFrontEnd : public FrontEnd {
  public:
   using FrontEnd::FrontEnd;
 
-  std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
-                                            const ElasticModel& model) const override {
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel& model,
+                                            const SharedMotions&) const override {
     return std::make_unique<VibratingLinks>(*project_, situation, model);
   }
 
-  std::optional<ModelChoice> own_model() const override { return choose_for_links(*project_); }
+  std::optional<ModelChoice> own_model(const SharedMotions&) const override {
+    return choose_for_links(*project_);
+  }
 
   std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {
     return "the vibration of elastic links is in their loads";

@@ -108,8 +108,7 @@ std::vector<std::vector<double>> most_compressed_of(std::vector<std::vector<doub
 /// A frame under what stands on it, solved once, and under wheels that move, at every instant.
 class LoadedFrame {
  public:
-  LoadedFrame(const Project& project, const Situation& situation)
-      : structure(frame_in(project, situation)), member_(project.beam_body), statics_(structure) {
+  explicit LoadedFrame(const frame::Structure& of) : structure(of), statics_(structure) {
     const std::vector<DriverUse> functions = functions_of(structure);
     if (!functions.empty()) time_ = time_span_of(functions, structure.duration);
     changes_ = !functions.empty();
@@ -129,17 +128,17 @@ class LoadedFrame {
     return statics_.solve(acting_at(moving_, time));
   }
 
-  BeamLoads loads_at(double time) const {
-    const auto member = static_cast<std::size_t>(member_);
+  BeamLoads loads_at(int beam, double time) const {
+    const auto member = static_cast<std::size_t>(beam);
     if (!changes_) return standing_.members[member].loads;
     return sum_of(standing_.members[member].loads, moving_at(time).members[member].loads);
   }
 
-  /// Shift and turn of the beam's start, in its axes.
-  frame::Vector6 start_at(double time) const {
-    frame::Vector6 of = statics_.motion_at(member_, 0.0, standing_);
-    if (changes_) of += statics_.motion_at(member_, 0.0, moving_at(time));
-    const Eigen::Matrix3d& axes = structure.members[static_cast<std::size_t>(member_)].axes;
+  /// Shift and turn of a beam's start, in its axes.
+  frame::Vector6 start_at(int beam, double time) const {
+    frame::Vector6 of = statics_.motion_at(beam, 0.0, standing_);
+    if (changes_) of += statics_.motion_at(beam, 0.0, moving_at(time));
+    const Eigen::Matrix3d& axes = structure.members[static_cast<std::size_t>(beam)].axes;
     of << axes.transpose() * of.head<3>().eval(), axes.transpose() * of.tail<3>().eval();
     return of;
   }
@@ -160,9 +159,9 @@ class LoadedFrame {
     return most;
   }
 
-  /// By which heat bends the beam about its y [1/m].
-  double heat_curvature() const {
-    return standing_.members[static_cast<std::size_t>(member_)].heat[4];
+  /// By which heat bends a beam about its y [1/m].
+  double heat_curvature(int beam) const {
+    return standing_.members[static_cast<std::size_t>(beam)].heat[4];
   }
 
   /// What a support or joint does to what it holds, world axes.
@@ -180,7 +179,6 @@ class LoadedFrame {
   const frame::Structure& structure;
 
  private:
-  int member_;
   frame::Statics statics_;
   frame::Structure lasting_, moving_;
   frame::Equilibrium standing_;
@@ -227,14 +225,18 @@ std::vector<BeamLoadRow> rows_of(const Project& project, const frame::Structure&
 
 class FrameAtRest : public SolvedMotion {
  public:
-  FrameAtRest(const Project& project, const Situation& situation)
-      : project_(&project), frame_(std::make_shared<const LoadedFrame>(project, situation)) {}
+  FrameAtRest(const Project& project, const Situation& situation, const SharedMotions& shared)
+      : project_(&project), frame_(shared.once<LoadedFrame>(index_of(project, situation), [&] {
+          return LoadedFrame(frame_in(project, situation));
+        })) {}
 
   LoadHistory loads() const override {
     if (stands_still()) {
       // Loads that are always the same are looked at for a second, at a few instants.
       const LoadSpan span{Time{}, si<Time>(1.0), 2, true};
-      return {span, [frame = frame_](Time) { return frame->loads_at(0.0); }};
+      return {span, [frame = frame_, beam = project_->beam_body](Time) {
+                return frame->loads_at(beam, 0.0);
+              }};
     }
     constexpr std::size_t instants = 256;
     const TimeSpan of = *frame_->time();
@@ -243,7 +245,9 @@ class FrameAtRest : public SolvedMotion {
     const std::vector<Time> passages = passages_of(frame_->structure);
     span.breaks.insert(span.breaks.end(), passages.begin(), passages.end());
     std::sort(span.breaks.begin(), span.breaks.end());
-    return {span, [frame = frame_](Time time) { return frame->loads_at(time.value()); }};
+    return {span, [frame = frame_, beam = project_->beam_body](Time time) {
+              return frame->loads_at(beam, time.value());
+            }};
   }
 
   double gravity() const override { return frame_->structure.gravity.norm(); }
@@ -261,8 +265,8 @@ class FrameAtRest : public SolvedMotion {
   std::vector<DriverLine> driver_lines(const LoadHistory&) const override { return {}; }
 
   BeamShift beam_shift(Time time) const override {
-    const frame::Vector6 start = frame_->start_at(time.value());
-    return {start[2], -start[4], frame_->heat_curvature()};
+    const frame::Vector6 start = frame_->start_at(project_->beam_body, time.value());
+    return {start[2], -start[4], frame_->heat_curvature(project_->beam_body)};
   }
 
   std::optional<double> critical_factor(const LoadHistory& loads, double most) const override {
@@ -309,16 +313,16 @@ class FrameFrontEnd : public FrontEnd {
  public:
   using FrontEnd::FrontEnd;
 
-  std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
-                                            const ElasticModel&) const override {
-    return std::make_unique<FrameAtRest>(*project_, situation);
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel&,
+                                            const SharedMotions& shared) const override {
+    return std::make_unique<FrameAtRest>(*project_, situation, shared);
   }
 
-  std::optional<ModelChoice> own_model() const override {
+  std::optional<ModelChoice> own_model(const SharedMotions& shared) const override {
     ModelChoice choice;
     choice.chosen = {ModelLevel::flexible, 0, 0, {}, false};
     choice.tolerance = project_->model.tolerance;
-    choice.second_order = estimate_second_order(*project_, run_situations(*project_));
+    choice.second_order = estimate_second_order(*project_, run_situations(*project_, {}, shared));
     choice.reason = "elastic members at rest, exact, by theory of the first order";
     return choice;
   }

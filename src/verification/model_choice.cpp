@@ -65,10 +65,10 @@ ElasticModel better_than(const ElasticModel& model) {
 }
 
 /// Largest difference of a model from the better one.
-double error_found(const Project& project, const ElasticModel& model) {
+double error_found(const Project& project, const ElasticModel& model, const SharedMotions& shared) {
   const ElasticModel better = better_than(model);
-  const std::deque<SituationRun> by_model = run_situations(project, model);
-  const std::deque<SituationRun> by_better = run_situations(project, better);
+  const std::deque<SituationRun> by_model = run_situations(project, model, shared);
+  const std::deque<SituationRun> by_better = run_situations(project, better, shared);
   const std::vector<ComparedPlace> places = compared_places_of(project.beam);
   double found = 0.0;
   for (std::size_t i = 0; i < by_model.size(); ++i) {
@@ -142,7 +142,7 @@ std::string tabled_forces_in(const Project& project) {
 
 /// Climbs from rigid bodies to bent ones and to ever more modes.
 ModelChoice choose_by_estimate(const Project& project, const std::deque<SituationRun>& rigid,
-                               const std::string& obstacle) {
+                               const std::string& obstacle, const SharedMotions& shared) {
   ModelChoice choice;
   choice.bends_rigid_motion = true;
   choice.tolerance = project.model.tolerance;
@@ -181,7 +181,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
   std::string found;
   if (enough && by_rigid.error > verified_above * choice.tolerance &&
       project.model.demand == ModelDemand::automatic) {
-    const double against_mode = error_found(project, {}) + estimate.left_out;
+    const double against_mode = error_found(project, {}, shared) + estimate.left_out;
     choice.weighed.back().found = against_mode;
     found = fmt::format(", found {} against one mode in every posture", percent_text(against_mode));
     enough = against_mode <= choice.tolerance;
@@ -200,7 +200,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
     by_bending.basis = "vibration left out";
     if (by_bending.error <= choice.tolerance) {
       if (by_bending.error > verified_above * choice.tolerance) {
-        by_bending.found = error_found(project, bent) + estimate.left_out;
+        by_bending.found = error_found(project, bent, shared) + estimate.left_out;
       }
       if (by_bending.found.value_or(0.0) <= choice.tolerance) {
         choice.chosen = bent;
@@ -228,7 +228,7 @@ ModelChoice choose_by_estimate(const Project& project, const std::deque<Situatio
         fmt::format("modes left out, and {} that the beam's rotation couples with its vibration",
                     percent_text(estimate.left_out));
     if (by_modes.error > choice.tolerance) continue;
-    by_modes.found = error_found(project, by_modes.model) + estimate.left_out;
+    by_modes.found = error_found(project, by_modes.model, shared) + estimate.left_out;
     if (*by_modes.found > choice.tolerance) continue;
     choice.chosen = by_modes.model;
     choice.counts_second_order = true;
@@ -280,7 +280,7 @@ namespace {
 /// Rigid bodies for loads that were measured; else what the estimate says, and where it says that
 /// the beam vibrates under loads from a table, that they may have been measured.
 ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationRun>& rigid,
-                             const std::string& obstacle) {
+                             const std::string& obstacle, const SharedMotions& shared) {
   if (project.model.measured_loads && project.model.demand != ModelDemand::flexible) {
     ModelChoice choice;
     choice.bends_rigid_motion = true;
@@ -289,7 +289,7 @@ ModelChoice choose_for_rigid(const Project& project, const std::deque<SituationR
     choose_unvibrated(project, "the loads are measured, they contain the vibration", choice, "");
     return choice;
   }
-  ModelChoice choice = choose_by_estimate(project, rigid, obstacle);
+  ModelChoice choice = choose_by_estimate(project, rigid, obstacle, shared);
   if (choice.chosen.level == ModelLevel::rigid) return choice;
   const std::string tabled = tabled_forces_in(project);
   if (!tabled.empty()) {
@@ -334,27 +334,28 @@ void weigh_balance(const Project& project, const std::deque<SituationRun>& rigid
 
 }  // namespace
 
-ModelledRuns run_by_chosen_model(const Project& project) {
+ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& shared) {
   const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
-  if (std::optional<ModelChoice> own = front_end->own_model()) {
-    std::deque<SituationRun> runs = run_situations(project, own->chosen);
+  if (std::optional<ModelChoice> own = front_end->own_model(shared)) {
+    std::deque<SituationRun> runs = run_situations(project, own->chosen, shared);
     own->second_order = estimate_second_order(project, runs);
     return {std::move(*own), std::move(runs)};
   }
-  std::deque<SituationRun> rigid = run_situations(project);
+  std::deque<SituationRun> rigid = run_situations(project, {}, shared);
   const std::string obstacle = front_end->obstacle_to_vibration(rigid);
-  ModelChoice model = choose_for_rigid(project, rigid, obstacle);
+  ModelChoice model = choose_for_rigid(project, rigid, obstacle, shared);
   if (model.chosen.level == ModelLevel::rigid) return {std::move(model), std::move(rigid)};
-  std::deque<SituationRun> runs = run_situations(project, model.chosen);
+  std::deque<SituationRun> runs = run_situations(project, model.chosen, shared);
   if (obstacle.empty()) weigh_balance(project, rigid, runs, model);
   return {std::move(model), std::move(runs)};
 }
 
 ModelChoice choose_model(const Project& project) {
   const std::unique_ptr<const FrontEnd> front_end = front_end_of(project);
-  if (std::optional<ModelChoice> own = front_end->own_model()) return std::move(*own);
-  const std::deque<SituationRun> rigid = run_situations(project);
-  return choose_for_rigid(project, rigid, front_end->obstacle_to_vibration(rigid));
+  const SharedMotions shared;
+  if (std::optional<ModelChoice> own = front_end->own_model(shared)) return std::move(*own);
+  const std::deque<SituationRun> rigid = run_situations(project, {}, shared);
+  return choose_for_rigid(project, rigid, front_end->obstacle_to_vibration(rigid), shared);
 }
 
 }  // namespace boxbeam

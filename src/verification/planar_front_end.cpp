@@ -88,9 +88,15 @@ std::vector<double> places_of_loads(const BeamLoads& loads) {
 }
 
 class PlanarMotion : public SolvedMotion {
+  std::shared_ptr<const planar::Motion> solved_;
+
  public:
-  PlanarMotion(const Project& project, const Situation& situation, const ElasticModel& model)
-      : motion(planar::solve_motion(planar_in(project, situation))),
+  PlanarMotion(const Project& project, const Situation& situation, const ElasticModel& model,
+               const SharedMotions& shared)
+      : solved_(shared.once<planar::Motion>(
+            index_of(project, situation),
+            [&] { return planar::solve_motion(planar_in(project, situation)); })),
+        motion(*solved_),
         project_(&project),
         mechanism_(&planar_in(project, situation)),
         model_(model) {
@@ -146,7 +152,7 @@ class PlanarMotion : public SolvedMotion {
 
   std::optional<ClosureSummary> closure() const override { return closure_of(*mechanism_, motion); }
 
-  const planar::Motion motion;
+  const planar::Motion& motion;
 
  private:
   const Project* project_;
@@ -158,9 +164,9 @@ class PlanarFrontEnd : public FrontEnd {
  public:
   using FrontEnd::FrontEnd;
 
-  std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
-                                            const ElasticModel& model) const override {
-    return std::make_unique<PlanarMotion>(*project_, situation, model);
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel& model,
+                                            const SharedMotions& shared) const override {
+    return std::make_unique<PlanarMotion>(*project_, situation, model, shared);
   }
 
   std::string obstacle_to_vibration(const std::deque<SituationRun>& rigid) const override {

@@ -158,15 +158,15 @@ class RecordedFrontEnd : public FrontEnd {
  public:
   using FrontEnd::FrontEnd;
 
-  std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
-                                            const ElasticModel&) const override {
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel&,
+                                            const SharedMotions&) const override {
     return std::make_unique<RecordedMotion>(*project_, situation);
   }
 
-  std::optional<ModelChoice> own_model() const override {
+  std::optional<ModelChoice> own_model(const SharedMotions& shared) const override {
     ModelChoice choice;
     choice.tolerance = project_->model.tolerance;
-    choice.second_order = estimate_second_order(*project_, run_situations(*project_));
+    choice.second_order = estimate_second_order(*project_, run_situations(*project_, {}, shared));
     choice.reason = "the loads are given: what moves and vibrates is in them";
     return choice;
   }

@@ -50,22 +50,24 @@ double imbalance_over(const Project& project, double gravity, const LoadHistory&
 
 }  // namespace
 
-SituationRun::SituationRun(const Project& project, const Situation& of, const ElasticModel& model)
+SituationRun::SituationRun(const Project& project, const Situation& of, const ElasticModel& model,
+                           const SharedMotions& shared)
     : situation(&of),
-      motion(front_end_of(project)->solve(of, model)),
+      motion(front_end_of(project)->solve(of, model, shared)),
       loads(motion->loads()),
       imbalance(imbalance_over(project, motion->gravity(), loads)) {}
 
 SituationRun::~SituationRun() = default;
 
-std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model) {
+std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model,
+                                        const SharedMotions& shared) {
   std::deque<SituationRun> runs;
   const std::size_t places = places_of(project.beam).size();
   std::size_t instants = 0;
   for (const Situation& situation : project.situations) {
     if (!situation.runs()) continue;
     try {
-      runs.emplace_back(project, situation, model);
+      runs.emplace_back(project, situation, model, shared);
       // What is given need not be solved.
       constexpr std::size_t given_for_solved = 20;
       const LoadHistory& loads = runs.back().loads;

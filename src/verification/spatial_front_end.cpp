@@ -125,10 +125,13 @@ std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadH
 
 class SpatialMotion : public SolvedMotion {
  public:
-  SpatialMotion(const Project& project, const spatial::Mechanism& mechanism)
-      : project_(&project), chain_(std::make_shared<const spatial::Chain>(mechanism)) {
-    motion_ = spatial::motion_of(*chain_);
-  }
+  SpatialMotion(const Project& project, const Situation& situation, const SharedMotions& shared)
+      : project_(&project),
+        chain_(shared.once<spatial::Chain>(
+            index_of(project, situation),
+            [&] { return spatial::Chain(spatial_in(project, situation)); })),
+        motion_(*shared.once<spatial::Motion>(index_of(project, situation),
+                                              [&] { return spatial::motion_of(*chain_); })) {}
 
   LoadHistory loads() const override {
     const spatial::Mechanism& mechanism = chain_->mechanism();
@@ -176,9 +179,9 @@ class SpatialFrontEnd : public FrontEnd {
  public:
   using FrontEnd::FrontEnd;
 
-  std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
-                                            const ElasticModel&) const override {
-    return std::make_unique<SpatialMotion>(*project_, spatial_in(*project_, situation));
+  std::unique_ptr<const SolvedMotion> solve(const Situation& situation, const ElasticModel&,
+                                            const SharedMotions& shared) const override {
+    return std::make_unique<SpatialMotion>(*project_, situation, shared);
   }
 
   std::string obstacle_to_vibration(const std::deque<SituationRun>&) const override {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/deflection.hpp"
 #include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/plausibility.hpp"
@@ -83,8 +85,8 @@ const char* to_text(Verdict verdict) {
   return "";
 }
 
-Verification verify(const Project& project, Figures figures) {
-  auto [model, runs] = run_by_chosen_model(project);
+Verification verify(const Project& project, Figures figures, const SharedMotions& shared) {
+  auto [model, runs] = run_by_chosen_model(project, shared);
   const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   const auto [stations, search] = search_stations(project, runs, zones);
   BeamChecks beam = check_beam(project, runs, zones, stations, model);
@@ -125,6 +127,44 @@ Verification verify(const Project& project, Figures figures) {
           .tapers = taper_slopes_of(project.beam),
           .published_concentrations = published_concentrations_of(project),
           .pictures = std::move(pictures)};
+}
+
+std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams, Figures figures) {
+  const SharedMotions shared;
+  std::vector<VerifiedBeam> verified;
+  // Motions and loads look at the cases, which stay where they are.
+  verified.reserve(beams.size());
+  for (Project& project : beams) verified.push_back({std::move(project), {}});
+  for (VerifiedBeam& beam : verified) {
+    try {
+      beam.verification = verify(beam.project, figures, shared);
+    } catch (const AnalysisError& error) {
+      if (beam.project.beam_name.empty()) throw;
+      AnalysisFailure failure = error.failure();
+      failure.details.push_back("beam  " + beam.project.beam_name);
+      throw AnalysisError(std::move(failure));
+    }
+  }
+  return verified;
+}
+
+const VerifiedBeam& worst_of(const std::vector<VerifiedBeam>& beams) {
+  const auto rank = [](const VerifiedBeam& beam) {
+    constexpr auto severity = [](Verdict verdict) {
+      switch (verdict) {
+        case Verdict::fail: return 2;
+        case Verdict::not_applicable: return 1;
+        case Verdict::pass: break;
+      }
+      return 0;
+    };
+    const std::vector<CheckResult>& checks = beam.verification.checks;
+    return std::pair(severity(beam.verification.verdict),
+                     checks.empty() ? 0.0 : checks.front().check.utilisation());
+  };
+  return *std::max_element(
+      beams.begin(), beams.end(),
+      [&](const VerifiedBeam& a, const VerifiedBeam& b) { return rank(a) < rank(b); });
 }
 
 }  // namespace boxbeam

@@ -163,6 +163,8 @@ class Schema:
         elif isinstance(instance, list):
             while "$ref" in node:
                 node = self.tree["$defs"][node["$ref"].rsplit("/", 1)[1]]
+            for each in node.get("oneOf", ()):
+                node = each if "items" in each else node
             for index, value in enumerate(instance):
                 if "items" in node and isinstance(node["items"], dict):
                     yield from self.tables(value, node["items"], (*path, index))

@@ -51,6 +51,8 @@ enum class KeyShape {
   choice,
   table,
   tables,
+  table_or_tables,  ///< one, or any number of them
+  as_in_case,       ///< what stands under this key in the case itself, or a part of it
 };
 
 /// A key as it was asked for.

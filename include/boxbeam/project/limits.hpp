@@ -23,6 +23,9 @@ std::span<const Count> counts();
 /// The limit of a list or table by its whole key, "bodies.crank.points".
 std::size_t most_entries(std::string_view key);
 
+/// Beams of a case.
+inline constexpr std::size_t most_beams = 50;
+
 /// Rows of a table of numbers that a driver or a force follows, at most.
 inline constexpr std::size_t most_rows = 50'000;
 /// Instants of recorded loads, at most.

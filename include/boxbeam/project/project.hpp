@@ -267,10 +267,13 @@ struct Project {
   std::vector<std::string> assumptions;
   std::vector<std::string> overrides;
 
-  AnyMechanism mechanism;             ///< as the case writes it, before any situation
-  bool in_space = false;              ///< all six cut forces count; in the plane N, V_z and M_y
-  std::vector<Situation> situations;  ///< at least one; the first runs
-  TaperedBeam beam;                   ///< whose marks are the places of the holes
+  AnyMechanism mechanism;               ///< as the case writes it, before any situation
+  bool in_space = false;                ///< all six cut forces count; in the plane N, V_z and M_y
+  std::vector<Situation> situations;    ///< at least one; the first runs
+  std::string beam_name;                ///< "" where the case has only one
+  std::size_t beam_index = 0;           ///< among the beams of the case
+  std::vector<std::string> beam_names;  ///< of all beams; none where the case has only one
+  TaperedBeam beam;                     ///< whose marks are the places of the holes
   std::vector<BeamHole> holes;
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
@@ -355,8 +358,14 @@ const Duration& duration_of(const Project& project);
 /// Cycles of the situation that runs most often in the wanted life.
 double most_cycles_of(const Project& project);
 
-/// Reads a case file. `overrides` are "key.path=value"; `dynamics` replaces the case's choice.
-/// Throws InputError with all problems.
+/// Reads a case file for each of its beams, in its order: they have all in common but the beam and
+/// what is said of it alone. Pins, rods and the mass that is felt stand with the first.
+std::vector<Project> read_beams(const std::string& path,
+                                const std::vector<std::string>& overrides = {},
+                                std::optional<Dynamics> dynamics = {});
+
+/// Reads a case file, of several beams for the first. `overrides` are "key.path=value"; `dynamics`
+/// replaces the case's choice. Throws InputError with all problems.
 Project read_project(const std::string& path, const std::vector<std::string>& overrides = {},
                      std::optional<Dynamics> dynamics = {});
 

@@ -105,6 +105,12 @@ class TableReader {
   TableReader table(const Key& key, bool required = true);
   /// The tables of an array of tables, [[key]].
   std::vector<TableReader> tables(const Key& key, bool required = false);
+  /// How many tables stand under a key that may be one, [key], or several, [[key]].
+  std::size_t count_of(std::string_view key) const;
+  /// One of them, by its index; the only one where it is one.
+  TableReader one_of_tables(const Key& key, std::size_t index);
+  /// Notes a key whose tables are described where the case itself has them.
+  void accept_as_in_case(const Key& key);
   /// All members as named tables, for tables whose keys are the user's own names.
   std::vector<std::pair<std::string, TableReader>> named_tables(std::string_view meaning = {});
   /// The members as they stand, for keys of the user's own names whose values are no tables.

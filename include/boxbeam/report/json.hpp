@@ -13,6 +13,10 @@ namespace boxbeam {
 /// is says its schema, schema_of("results").
 std::string results_json(const Project& project, const Verification& verification);
 
+/// The same of every beam of a case: that of the beam that decides, with the checks of all and
+/// "beams", what was found of each. Of one beam as above.
+std::string results_json(const std::vector<VerifiedBeam>& beams);
+
 /// The motion document, "boxbeam.motion/1", of its kind: planar; spatial with vectors of three in
 /// the axes that "axes" names and hand formulas in world axes; flexible with "frequencies",
 /// "static", "harmonic" (phasors as [re, im] of e^(i omega t), of which the imaginary part counts)

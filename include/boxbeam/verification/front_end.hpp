@@ -83,13 +83,14 @@ class FrontEnd {
   FrontEnd& operator=(const FrontEnd&) = delete;
   virtual ~FrontEnd() = default;
 
-  /// Solves a situation by a model. Throws AnalysisError where a step cannot be done or loads on
-  /// the beam are not determined.
+  /// Solves a situation by a model; what is the same for every beam of the case once. Throws
+  /// AnalysisError where a step cannot be done or loads on the beam are not determined.
   virtual std::unique_ptr<const SolvedMotion> solve(const Situation& situation,
-                                                    const ElasticModel& model) const = 0;
+                                                    const ElasticModel& model,
+                                                    const SharedMotions& shared) const = 0;
 
   /// The model of what is elastic itself; nothing of rigid bodies, whose beam may bend.
-  virtual std::optional<ModelChoice> own_model() const { return {}; }
+  virtual std::optional<ModelChoice> own_model(const SharedMotions&) const { return {}; }
 
   /// Why the vibration of the beam is not estimated; "" where it is, in the plane.
   virtual std::string obstacle_to_vibration(const std::deque<SituationRun>& rigid) const = 0;

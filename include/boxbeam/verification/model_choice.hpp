@@ -8,6 +8,7 @@
 #include "boxbeam/mechanism/flexible/mechanism.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/second_order_estimate.hpp"
+#include "boxbeam/verification/shared_motions.hpp"
 
 namespace boxbeam {
 
@@ -78,6 +79,6 @@ struct ModelledRuns {
   ModelChoice model;
   std::deque<SituationRun> runs;
 };
-ModelledRuns run_by_chosen_model(const Project& project);
+ModelledRuns run_by_chosen_model(const Project& project, const SharedMotions& shared = {});
 
 }  // namespace boxbeam

@@ -6,6 +6,7 @@
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/load_history.hpp"
 #include "boxbeam/verification/model_choice.hpp"
+#include "boxbeam/verification/shared_motions.hpp"
 
 namespace boxbeam::planar {
 struct Motion;
@@ -20,7 +21,8 @@ class SolvedMotion;
 struct SituationRun {
   /// Solves the motion. Throws AnalysisError where a step cannot be done, loads on the beam are not
   /// determined or not in balance, or a joint slides off the beam.
-  SituationRun(const Project& project, const Situation& situation, const ElasticModel& model);
+  SituationRun(const Project& project, const Situation& situation, const ElasticModel& model,
+               const SharedMotions& shared);
   SituationRun(const SituationRun&) = delete;
   SituationRun& operator=(const SituationRun&) = delete;
   ~SituationRun();
@@ -32,7 +34,8 @@ struct SituationRun {
 };
 
 /// All situations of a case that run, in its order; changes between situations do not.
-std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model = {});
+std::deque<SituationRun> run_situations(const Project& project, const ElasticModel& model = {},
+                                        const SharedMotions& shared = {});
 
 /// A highest or lowest value over time and situations.
 struct Extreme {

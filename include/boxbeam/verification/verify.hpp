@@ -10,6 +10,7 @@
 #include "boxbeam/verification/code_comparison.hpp"
 #include "boxbeam/verification/neighbours.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/shared_motions.hpp"
 #include "boxbeam/verification/verified_stations.hpp"
 
 namespace boxbeam {
@@ -47,6 +48,22 @@ struct Verification {
 
 /// Verifies a case: mechanism -> motion -> loads on the beam -> cut forces -> stress -> fatigue ->
 /// checks. Throws AnalysisError where a step cannot be done.
-Verification verify(const Project& project, Figures figures = Figures::without);
+Verification verify(const Project& project, Figures figures = Figures::without,
+                    const SharedMotions& shared = {});
+
+/// A beam of a case and what was found of it.
+struct VerifiedBeam {
+  Project project;
+  Verification verification;
+};
+
+/// Verifies each beam of a case; what moves or holds them all is solved once. Throws AnalysisError
+/// with the name of the beam.
+std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams,
+                                       Figures figures = Figures::without);
+
+/// The beam that decides the verdict of the case: one that fails before one that is not judged
+/// before one that passes, of these the most used. Precondition: there is one.
+const VerifiedBeam& worst_of(const std::vector<VerifiedBeam>& beams);
 
 }  // namespace boxbeam
