@@ -24,11 +24,11 @@ void add_whole_records(const Verification& verification, std::vector<std::string
       whole.instants);
   if (whole.counted > 0) {
     remark += fmt::format(
-        "; the cycles of {} stresses are counted over all instants, those of other places "
-        "estimated "
-        "from these. Where an estimate was counted then it was off by {:.2g} % at most, and all "
-        "places within {:.2g} % of the largest of their criterion were. The largest range of a "
-        "counted stress exceeds the one at the instants of strength by {:.2g} % at most",
+        "; the cycles of {} stresses are counted over all instants, those of other places are "
+        "estimated from these. In the last search the estimates of what was counted then, places "
+        "least like others among them, were off by {:.2g} % at most, and all places within {:.2g} "
+        "% of the largest of their criterion were counted. The largest range counted exceeds the "
+        "one at the instants of strength by {:.2g} % at most",
         whole.counted, 100.0 * whole.estimate_error, 100.0 * whole.margin,
         100.0 * whole.extreme_error);
   }

@@ -98,7 +98,7 @@ bool is_fatigue(Criterion criterion) {
 }
 
 /// Counts over all instants what is estimated near the largest of its criterion, until all of that
-/// is counted.
+/// is counted. How near follows from how far estimates were off.
 void count_near_largest(const Project& project, const std::deque<SituationRun>& runs,
                         WholeLife& whole, std::vector<CheckResult>& checks) {
   constexpr std::size_t most_at_once = 8;
@@ -124,28 +124,23 @@ void count_near_largest(const Project& project, const std::deque<SituationRun>& 
     });
     return found;
   };
-  for (;;) {
-    std::vector<CheckResult*> chosen;
-    std::vector<WholePlace> places;
-    for (CheckResult* const result : uses_above(1.0 - summary.margin)) {
-      const std::vector<WholePlace> own = whole_places_of(
-          histories_at(runs, result->check.station), result->basis->point, result->check.criterion);
-      const bool known = std::all_of(
-          own.begin(), own.end(), [&](const WholePlace& place) { return whole.is_counted(place); });
-      if (known) continue;
-      chosen.push_back(result);
-      places.insert(places.end(), own.begin(), own.end());
-      if (chosen.size() == most_at_once) break;
-    }
-    if (chosen.empty()) return;
+  const auto places_of = [&](const CheckResult& result) {
+    return whole_places_of(histories_at(runs, result.check.station), result.basis->point,
+                           result.check.criterion);
+  };
+  const auto again = [&](CheckResult& result) {
+    auto counted = check_fatigue(project, histories_at(runs, result.check.station),
+                                 result.basis->point, result.check.criterion);
+    if (counted) result = std::move(*counted);
+  };
+  const auto count = [&](const std::vector<CheckResult*>& chosen) {
     std::vector<double> before;
-    for (const CheckResult* result : chosen) before.push_back(result->check.utilisation());
+    std::vector<WholePlace> places;
+    for (const CheckResult* result : chosen) {
+      before.push_back(result->check.utilisation());
+      for (WholePlace& place : places_of(*result)) places.push_back(std::move(place));
+    }
     whole.count(places);
-    const auto again = [&](CheckResult& result) {
-      auto counted = check_fatigue(project, histories_at(runs, result.check.station),
-                                   result.basis->point, result.check.criterion);
-      if (counted) result = std::move(*counted);
-    };
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       again(*chosen[i]);
       const double apart = std::abs(before[i] / chosen[i]->check.utilisation() - 1.0);
@@ -156,6 +151,40 @@ void count_near_largest(const Project& project, const std::deque<SituationRun>& 
     for (CheckResult* const result : uses_above(1.0 - 2.0 * summary.margin)) {
       if (std::find(chosen.begin(), chosen.end(), result) == chosen.end()) again(*result);
     }
+  };
+
+  // First those that are least like what has been counted: they show how good estimates are.
+  constexpr double much_used = 0.5;
+  constexpr std::size_t most_unlike = 4;
+  std::vector<CheckResult*> known;
+  std::vector<WholePlace> theirs;
+  for (CheckResult* const result : uses_above(much_used)) {
+    if (result->check.criterion == Criterion::combined_fatigue) continue;
+    known.push_back(result);
+    theirs.push_back(places_of(*result).front());
+  }
+  const std::vector<WholePlace> unlike =
+      whole.unlike(theirs, std::vector<double>(theirs.size(), 1.0), most_unlike);
+  std::vector<CheckResult*> tried;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const bool is_chosen = std::any_of(unlike.begin(), unlike.end(), [&](const WholePlace& of) {
+      return of.factors == theirs[i].factors;
+    });
+    if (is_chosen) tried.push_back(known[i]);
+  }
+  count(tried);
+  for (;;) {
+    std::vector<CheckResult*> chosen;
+    for (CheckResult* const result : uses_above(1.0 - summary.margin)) {
+      const std::vector<WholePlace> own = places_of(*result);
+      const bool all_counted = std::all_of(
+          own.begin(), own.end(), [&](const WholePlace& place) { return whole.is_counted(place); });
+      if (all_counted) continue;
+      chosen.push_back(result);
+      if (chosen.size() == most_at_once) break;
+    }
+    if (chosen.empty()) return;
+    count(chosen);
   }
 }
 

@@ -95,6 +95,7 @@ Verification verify(const Project& project, Figures figures) {
       VerifiedStations again = search_stations(project, runs, zones);
       stations = std::move(again.stations);
       search = again.search;
+      beam = {};  // both at a time are many
       beam = check_beam(project, runs, zones, stations, model);
     }
     search.whole = whole->summary;
