@@ -101,7 +101,7 @@ bool is_fatigue(Criterion criterion) {
 /// is counted. How near follows from how far estimates were off.
 void count_near_largest(const Project& project, const std::deque<SituationRun>& runs,
                         WholeLife& whole, std::vector<CheckResult>& checks) {
-  constexpr std::size_t most_at_once = 8;
+  constexpr std::size_t most_at_once = 16;
   constexpr double near = 0.03, largest_margin = 0.3;
   WholeSummary& summary = whole.summary;
   summary.estimate_error = 0.0;
