@@ -91,8 +91,10 @@ void add_mechanism(Parts& parts, const recorded::Loads& loads) {
   const recorded::Channels& channels = *loads.acting.channels;
   parts.add("kind", loads.as_cuts ? "loads: cut forces over time, from files"
                                   : "loads: forces over time, from files");
-  parts.add("time", fmt::format("{:.6g} s to {:.6g} s, {} instants", channels.times.front(),
-                                channels.times.back(), channels.times.size()));
+  parts.add("time",
+            fmt::format("{:.6g} s to {:.6g} s, {} instants", channels.times.front(),
+                        channels.times.back(),
+                        channels.record ? channels.record->instants() : channels.times.size()));
   std::vector<std::string> names;
   for (const recorded::ChannelSource& of : loads.sources) {
     if (std::find(names.begin(), names.end(), of.load) == names.end()) names.push_back(of.load);

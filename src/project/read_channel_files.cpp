@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <utility>
 
 #include "boxbeam/project/limits.hpp"
@@ -24,6 +25,47 @@ recorded::Channels nothing(std::size_t channels) {
 
 bool same(const std::optional<WantedDimension>& a, const std::optional<WantedDimension>& b) {
   return a.has_value() == b.has_value() && (!a || a->exponents == b->exponents);
+}
+
+/// Whether all have the same instants.
+bool of_one_time(const std::vector<SignalTable>& all) {
+  const SignalTime& one = all.front().time;
+  return std::all_of(all.begin(), all.end(), [&](const SignalTable& table) {
+    const SignalTime& other = table.time;
+    return other.count == one.count && other.instants == one.instants &&
+           (!one.instants.empty() || (other.start == one.start && other.step == one.step));
+  });
+}
+
+/// Of a long record instants evenly taken, its ends, and those at which a channel is largest or
+/// smallest.
+recorded::Channels some_instants_of(recorded::Record of) {
+  constexpr std::size_t evenly = 1000;
+  const auto record = std::make_shared<const recorded::Record>(std::move(of));
+  const std::size_t n = record->instants();
+  std::vector<std::size_t> instants{n - 1};
+  for (std::size_t i = 0; i < evenly; ++i) instants.push_back(i * (n - 1) / evenly);
+  for (std::size_t k = 0; k < record->channels(); ++k) {
+    std::size_t low = 0, high = 0;
+    double lowest = record->value(k, 0), highest = lowest;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double value = record->value(k, i);
+      if (value < lowest) {
+        lowest = value;
+        low = i;
+      }
+      if (value > highest) {
+        highest = value;
+        high = i;
+      }
+    }
+    instants.push_back(low);
+    instants.push_back(high);
+  }
+  recorded::Channels channels = recorded::at_instants(record, std::move(instants));
+  channels.outer =
+      std::make_shared<const recorded::OuterInstants>(recorded::outer_instants_of(*record));
+  return channels;
 }
 
 }  // namespace
@@ -108,7 +150,11 @@ recorded::Channels ChannelFiles::read(TableReader& root, TimeTables& tables) con
       continue;
     }
     const SignalHead head = list_signals(files_[f].source);
-    tables.add_signals(files_[f].written);
+    const bool compact = head.rows.value_or(0) > limits::most_samples;
+    // The hash of a large file takes as long as reading it: beside that.
+    std::future<void> hashed = std::async(compact ? std::launch::async : std::launch::deferred,
+                                          [&, f] { tables.add_signals(files_[f].written); });
+    if (!compact) hashed.get();
     // The unit that the case gives is for columns to which the file gives none that is known.
     for (WantedSignal& of : signals) {
       const std::optional<double> scale = std::exchange(of.scale, std::nullopt);
@@ -120,14 +166,15 @@ recorded::Channels ChannelFiles::read(TableReader& root, TimeTables& tables) con
       table.problem(of_file[trouble.wanted]->key, trouble.message, trouble.hint);
     }
     if (!chosen.troubles.empty()) continue;
-    if (head.rows.value_or(0) > limits::most_samples) {
+    if (head.rows.value_or(0) > limits::most_recorded) {
       root.problem("files",
                    fmt::format("{} has {} rows, {} can be verified", files_[f].written, *head.rows,
-                               limits::most_samples),
+                               limits::most_recorded),
                    "give the part that matters, or fewer samples a second");
       continue;
     }
-    all.back() = read_signal_file(files_[f].source, signals);
+    all.back() = read_signal_file(files_[f].source, signals, compact);
+    if (compact) hashed.get();
     if (all.back().time.count < 2) {
       TableReader table = files_[f].table;
       table.problem("path", fmt::format("{} has one instant only", files_[f].written),
@@ -152,10 +199,10 @@ recorded::Channels ChannelFiles::on_one_time(TableReader& root,
     to = std::min(to, last(of));
     samples += of.time.count;
   }
-  if (!(from < to) || samples > limits::most_samples) {
+  if (!(from < to) || samples > limits::most_recorded) {
     root.problem("files",
                  from < to ? fmt::format("the files have {} instants in all, {} can be verified",
-                                         samples, limits::most_samples)
+                                         samples, limits::most_recorded)
                            : fmt::format("the files have no time in common: one of them begins at "
                                          "{:.6g} s, one ends at {:.6g} s",
                                          from, to),
@@ -163,6 +210,7 @@ recorded::Channels ChannelFiles::on_one_time(TableReader& root,
                            : "shift the time of one of them");
     return nothing(wanted_.size());
   }
+  if (samples > limits::most_samples && of_one_time(all)) return long_channels(std::move(all));
   channels.times.reserve(samples);
   for (const SignalTable& of : all) {
     for (std::size_t i = 0; i < of.time.count; ++i) {
@@ -184,9 +232,12 @@ recorded::Channels ChannelFiles::on_one_time(TableReader& root,
     }
     if (column > 0) ++table;
   }
+  const bool is_long = channels.times.size() > limits::most_samples;
+  std::vector<recorded::RecordColumn> long_columns;
+  std::vector<double> values;
   for (const auto& [of, index] : columns) {
     const SignalColumn& column = of->columns[index];
-    std::vector<double>& values = channels.values.emplace_back();
+    values.clear();
     values.reserve(channels.times.size());
     std::size_t at = 0;
     for (const double time : channels.times) {
@@ -195,8 +246,39 @@ recorded::Channels ChannelFiles::on_one_time(TableReader& root,
       const double part = std::clamp((time - a) / (b - a), 0.0, 1.0);
       values.push_back(std::lerp(column[at], column[at + 1], part));
     }
+    if (!is_long) {
+      channels.values.push_back(values);
+      continue;
+    }
+    SignalColumn compact(true, true);
+    compact.append(values);
+    const double offset = compact.offset();
+    long_columns.push_back({compact.release(), offset});
   }
-  return channels;
+  if (!is_long) return channels;
+  return some_instants_of(
+      recorded::Record(0.0, 0.0, std::move(channels.times), std::move(long_columns)));
+}
+
+recorded::Channels ChannelFiles::long_channels(std::vector<SignalTable> all) const {
+  std::vector<recorded::RecordColumn> columns;
+  std::size_t table = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> of(wanted_.size());
+  for (std::size_t f = 0; f < files_.size(); ++f) {
+    std::size_t column = 0;
+    for (std::size_t w = 0; w < wanted_.size(); ++w) {
+      if (wanted_[w].file == f) of[w] = {table, column++};
+    }
+    if (column > 0) ++table;
+  }
+  for (const auto& [in, index] : of) {
+    SignalColumn& column = all[in].columns[index];
+    const double offset = column.offset();
+    columns.push_back({column.release(), offset});
+  }
+  SignalTime& time = all.front().time;
+  return some_instants_of(
+      recorded::Record(time.start, time.step, std::move(time.instants), std::move(columns)));
 }
 
 }  // namespace boxbeam::readers

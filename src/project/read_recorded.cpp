@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "boxbeam/project/limits.hpp"
 #include "recorded_reader.hpp"
 
 namespace boxbeam::readers {
@@ -77,6 +78,13 @@ class RecordedLoadsReader {
     read_motion(loads);
     recorded::Channels channels = files_.read(*root_, *tables_);
     in_space = in_space_;
+    if (channels.record && files_.size() > forces_) {
+      root_->problem("motion",
+                     fmt::format("the beam moves, and its files have {} instants; {} can be "
+                                 "verified of a beam that moves",
+                                 channels.record->instants(), limits::most_samples),
+                     "give the part that matters, or fewer samples a second");
+    }
     const recorded::MotionChannels motion = motion_in(channels);
     channels.values.resize(forces_);
     if (!root_->problems().empty()) {

@@ -53,6 +53,8 @@ class ChannelFiles {
     std::string key;
   };
   recorded::Channels on_one_time(TableReader& root, std::vector<SignalTable> of) const;
+  /// Of files that have the same instants, more than are looked at one by one.
+  recorded::Channels long_channels(std::vector<SignalTable> of) const;
 
   std::vector<File> files_;
   std::vector<Wanted> wanted_;

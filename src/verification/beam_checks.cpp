@@ -1,6 +1,7 @@
 #include "boxbeam/verification/beam_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "boxbeam/core/error.hpp"
@@ -91,6 +92,102 @@ std::vector<CheckResult> check_station(const Project& project,
   return std::move(checks.results);
 }
 
+bool is_fatigue(Criterion criterion) {
+  return criterion == Criterion::fatigue || criterion == Criterion::shear_fatigue ||
+         criterion == Criterion::combined_fatigue;
+}
+
+/// Counts over all instants what is estimated near the largest of its criterion, until all of that
+/// is counted. How near follows from how far estimates were off.
+void count_near_largest(const Project& project, const std::deque<SituationRun>& runs,
+                        WholeLife& whole, std::vector<CheckResult>& checks) {
+  constexpr std::size_t most_at_once = 16;
+  constexpr double near = 0.03, largest_margin = 0.3;
+  WholeSummary& summary = whole.summary;
+  summary.estimate_error = 0.0;
+  summary.margin = near;
+  const auto uses_above = [&](double share) {
+    Utilisations largest;
+    for (const CheckResult& result : checks) {
+      double& of = largest.of(result.check.criterion);
+      of = std::max(of, result.check.utilisation());
+    }
+    std::vector<CheckResult*> found;
+    for (CheckResult& result : checks) {
+      const double least = share * largest.of(result.check.criterion);
+      if (is_fatigue(result.check.criterion) && result.check.utilisation() >= least)
+        found.push_back(&result);
+    }
+    std::stable_sort(found.begin(), found.end(), [&](const CheckResult* a, const CheckResult* b) {
+      return a->check.utilisation() / largest.of(a->check.criterion) >
+             b->check.utilisation() / largest.of(b->check.criterion);
+    });
+    return found;
+  };
+  const auto places_of = [&](const CheckResult& result) {
+    return whole_places_of(histories_at(runs, result.check.station), result.basis->point,
+                           result.check.criterion);
+  };
+  const auto again = [&](CheckResult& result) {
+    auto counted = check_fatigue(project, histories_at(runs, result.check.station),
+                                 result.basis->point, result.check.criterion);
+    if (counted) result = std::move(*counted);
+  };
+  const auto count = [&](const std::vector<CheckResult*>& chosen) {
+    std::vector<double> before;
+    std::vector<WholePlace> places;
+    for (const CheckResult* result : chosen) {
+      before.push_back(result->check.utilisation());
+      for (WholePlace& place : places_of(*result)) places.push_back(std::move(place));
+    }
+    whole.count(places);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      again(*chosen[i]);
+      const double apart = std::abs(before[i] / chosen[i]->check.utilisation() - 1.0);
+      summary.estimate_error = std::max(summary.estimate_error, apart);
+    }
+    summary.margin = std::clamp(2.0 * summary.estimate_error, near, largest_margin);
+    // The others by what is known now.
+    for (CheckResult* const result : uses_above(1.0 - 2.0 * summary.margin)) {
+      if (std::find(chosen.begin(), chosen.end(), result) == chosen.end()) again(*result);
+    }
+  };
+
+  // First those that are least like what has been counted: they show how good estimates are.
+  constexpr double much_used = 0.5;
+  constexpr std::size_t most_unlike = 4;
+  std::vector<CheckResult*> known;
+  std::vector<WholePlace> theirs;
+  for (CheckResult* const result : uses_above(much_used)) {
+    if (result->check.criterion == Criterion::combined_fatigue) continue;
+    known.push_back(result);
+    theirs.push_back(places_of(*result).front());
+  }
+  const std::vector<WholePlace> unlike =
+      whole.unlike(theirs, std::vector<double>(theirs.size(), 1.0), most_unlike);
+  std::vector<CheckResult*> tried;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const bool is_chosen = std::any_of(unlike.begin(), unlike.end(), [&](const WholePlace& of) {
+      return of.factors == theirs[i].factors;
+    });
+    if (is_chosen) tried.push_back(known[i]);
+  }
+  count(tried);
+  for (;;) {
+    std::vector<CheckResult*> chosen;
+    for (CheckResult* const result : uses_above(1.0 - summary.margin)) {
+      const std::vector<WholePlace> own = places_of(*result);
+      const bool all_counted = std::all_of(
+          own.begin(), own.end(), [&](const WholePlace& place) { return whole.is_counted(place); });
+      if (all_counted) continue;
+      chosen.push_back(result);
+      if (chosen.size() == most_at_once) break;
+    }
+    if (chosen.empty()) return;
+    count(chosen);
+  }
+}
+
 void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
   std::move(more.begin(), more.end(), std::back_inserter(checks));
 }
@@ -124,6 +221,8 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
         {"nothing to verify: no point of the beam is ever stressed", "beam", {}, {}, {}});
   }
   append(check_welds(project, runs), beam.checks);
+  if (WholeLife* const whole = whole_life_of(runs); whole != nullptr && project.fatigue.asked)
+    count_near_largest(project, runs, *whole, beam.checks);
   gates.look_at(beam.checks);
   beam.gates = gates.gates();
   return beam;

@@ -87,10 +87,10 @@ CheckResult start(Criterion criterion, const Project& project, const StressPoint
 }
 
 /// All cycles of the wanted life of one stress.
-std::vector<SpectrumRow> spectrum_of(const Project& project, const Turns& turns, StressKind kind,
-                                     bool compression_reduced) {
+std::vector<SpectrumRow> spectrum_of(const Project& project,
+                                     const std::vector<SituationCycles>& life, StressKind kind) {
   std::vector<SpectrumRow> spectrum;
-  for (const SituationCycles& of : life_cycles_of(project, turns, compression_reduced)) {
+  for (const SituationCycles& of : life) {
     for (const Cycle& cycle : of.cycles)
       spectrum.push_back({project.situations[of.situation].name, kind, cycle});
   }
@@ -147,6 +147,14 @@ struct Channel {
   }
 };
 
+WholePlace whole_place_of(const WholeLife& whole, const std::vector<SituationHistory>& histories,
+                          const StressPoint& point, StressKind kind) {
+  const bool direct = kind == StressKind::direct;
+  return whole.place_of(
+      unit_cuts_of(histories), direct ? point.influence.normal : point.influence.shear,
+      direct ? point.detail->stress_factor : 1.0, direct && point.compression_reduced);
+}
+
 /// The channels that a criterion looks at; none of them where its stress does not change.
 std::vector<Channel> channels_of(const Project& project,
                                  const std::vector<SituationHistory>& histories,
@@ -156,8 +164,13 @@ std::vector<Channel> channels_of(const Project& project,
                        bool compression_reduced) {
     Channel channel;
     channel.turns = turns_of(project, histories, stress.at);
-    channel.spectrum = spectrum_of(project, channel.turns, stress.kind, compression_reduced);
     channel.curve = curve_of(detail);
+    const WholeLife* const whole = whole_life_of(histories);
+    const std::vector<SituationCycles> life =
+        whole == nullptr ? life_cycles_of(project, channel.turns, compression_reduced)
+                         : whole->cycles_of(whole_place_of(*whole, histories, point, stress.kind),
+                                            channel.curve);
+    channel.spectrum = spectrum_of(project, life, stress.kind);
     if (largest_range_of(channel.spectrum) >= no_range_at(point))
       channels.push_back(std::move(channel));
   };
@@ -319,6 +332,17 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   constant.loading = Loading::constant_amplitude;
   basis.constant_amplitude_factor = largest_factor(loads, constant);
   return result;
+}
+
+std::vector<WholePlace> whole_places_of(const std::vector<SituationHistory>& histories,
+                                        const StressPoint& point, Criterion criterion) {
+  const WholeLife& whole = *whole_life_of(histories);
+  std::vector<WholePlace> places;
+  if (point.detail != nullptr && criterion != Criterion::shear_fatigue)
+    places.push_back(whole_place_of(whole, histories, point, StressKind::direct));
+  if (point.shear_detail != nullptr && criterion != Criterion::fatigue)
+    places.push_back(whole_place_of(whole, histories, point, StressKind::shear));
+  return places;
 }
 
 std::optional<CheckResult> check_range(const Project& project,

@@ -73,6 +73,12 @@ CutForceDiagram LoadHistory::diagram_at(Time time) const {
   return diagram;
 }
 
+std::vector<CutForces> LoadHistory::unit_cuts_at(const Station& station) const {
+  std::vector<CutForces> cuts{recorded_->constant.at(station)};
+  for (const CutForceDiagram& unit : recorded_->units) cuts.push_back(unit.at(station));
+  return cuts;
+}
+
 std::vector<CutForces> LoadHistory::cuts_at(const Station& station) const {
   std::vector<CutForces> cuts;
   cuts.reserve(instants());

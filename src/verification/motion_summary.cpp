@@ -10,7 +10,7 @@ MotionSummary summary_of(const Project& project, const SituationRun& run) {
   summary.situation = index_of(project, *run.situation);
   // Of a history that stays open, its end is an instant of its own.
   summary.recorded = run.loads.is_recorded();
-  summary.instants = summary.recorded ? run.loads.instants()
+  summary.instants = summary.recorded ? run.loads.recorded_instants()
                                       : run.loads.even_instants() - (run.loads.closed() ? 0 : 1);
   summary.begin = run.loads.begin();
   summary.period = run.loads.period();

@@ -7,6 +7,7 @@
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "front_ends.hpp"
+#include "working_instants.hpp"
 
 namespace boxbeam {
 namespace {
@@ -86,7 +87,9 @@ class RecordedMotion : public SolvedMotion {
 
   LoadHistory loads() const override {
     require_balance(*recorded_, project_->beam.length().value());
-    return LoadHistory(recorded_->acting);
+    recorded::ChannelLoads loads = recorded_->acting;
+    if (loads.channels->record) loads.channels = working_instants(*project_, loads);
+    return LoadHistory(std::move(loads));
   }
 
   double gravity() const override { return recorded_->gravity.norm(); }
@@ -117,7 +120,7 @@ class RecordedMotion : public SolvedMotion {
   std::vector<SupportReaction> reactions(const LoadHistory& loads) const override {
     if (!recorded_->balance) return {};
     const std::size_t point = recorded_->balance->point;
-    const recorded::ChannelLoads& of = recorded_->acting;
+    const recorded::ChannelLoads& of = loads.recorded_loads();
     SupportReaction reaction{recorded_->balance->name, {}, {}};
     for (std::size_t i = 0; i < loads.instants(); ++i) {
       PointLoad sum = of.constant.points[point];

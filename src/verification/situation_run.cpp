@@ -6,6 +6,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/plausibility.hpp"
+#include "boxbeam/verification/whole_life.hpp"
 
 namespace boxbeam {
 namespace {
@@ -79,6 +80,13 @@ std::deque<SituationRun> run_situations(const Project& project, const ElasticMod
       failure.details.push_back("situation  " + situation.name);
       throw AnalysisError(std::move(failure));
     }
+  }
+  const bool is_long = std::any_of(runs.begin(), runs.end(), [](const SituationRun& run) {
+    return run.loads.is_recorded() && run.loads.recorded_channels()->record != nullptr;
+  });
+  if (is_long) {
+    const auto whole = std::make_shared<WholeLife>(project, runs);
+    for (SituationRun& run : runs) run.loads.count_by(whole);
   }
   return runs;
 }

@@ -12,6 +12,7 @@
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
+#include "boxbeam/verification/whole_life.hpp"
 #include "turning_samples.hpp"
 
 namespace boxbeam {
@@ -141,7 +142,8 @@ bool contains(std::initializer_list<Criterion> criteria, Criterion criterion) {
 
 StationSamples::StationSamples(const Project& project,
                                const std::vector<SituationHistory>& histories)
-    : project_(&project) {
+    : project_(&project), whole_(whole_life_of(histories)) {
+  if (whole_ != nullptr) unit_cuts_ = unit_cuts_of(histories);
   std::array<bool, cut_force::count> acts{};
   const auto each = [](const CutForces& cut) {
     return std::array<double, cut_force::count>{cut.N.value(), cut.V_y.value(), cut.V_z.value(),
@@ -274,8 +276,29 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
     }
     found.of(Criterion::stress_range) = demand.gamma_Ff * largest / limit.value();
   }
-  std::vector<FatigueChannel> channels;
   const double required = project_->fatigue.required;
+  if (whole_ != nullptr) {
+    std::vector<std::pair<WholePlace, SnCurve>> together;
+    const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
+                          const std::array<double, cut_force::count>& of, double factor,
+                          bool reduced) {
+      if (largest_range_of(*project_, turns) < no_range_at(point)) return;
+      together.emplace_back(whole_->place_of(unit_cuts_, of, factor, reduced), curve_of(detail));
+      if (asked(criterion))
+        found.of(criterion) = required / whole_->factor_of({&together.back(), 1});
+    };
+    if (direct && (asked(Criterion::fatigue) || combined)) {
+      look(Criterion::fatigue, direct_turns, point.detail->detail, influence.normal, stress_factor,
+           point.compression_reduced);
+    }
+    if (along && (asked(Criterion::shear_fatigue) || combined)) {
+      look(Criterion::shear_fatigue, shear_turns, *point.shear_detail, influence.shear, 1.0, false);
+    }
+    if (combined && together.size() == 2)
+      found.of(Criterion::combined_fatigue) = required / whole_->factor_of(together);
+    return found;
+  }
+  std::vector<FatigueChannel> channels;
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                         bool reduced) {
     FatigueChannel channel{cycles_of(*project_, turns, reduced), {}};

@@ -8,6 +8,7 @@
 
 #include "boxbeam/numerics/largest_on_pieces.hpp"
 #include "boxbeam/verification/beam_cuts.hpp"
+#include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
@@ -260,6 +261,38 @@ std::vector<Station> stations_of(const BeamCut& cut, const TaperedBeam& beam) {
   return stations;
 }
 
+/// Counts over all instants of long records what is strong at the cuts of the beam, from which the
+/// search estimates all else.
+void count_at_cuts(const Project& project, const std::deque<SituationRun>& runs,
+                   const std::vector<BendingZone>& zones, const std::vector<BeamCut>& cuts,
+                   WholeLife& whole) {
+  struct Kind {
+    std::vector<WholePlace> places;
+    std::vector<double> strengths;
+  };
+  Kind direct, shear;
+  for (const BeamCut& cut : cuts) {
+    for (const Station& station : stations_of(cut, project.beam)) {
+      const std::vector<SituationHistory> histories = histories_at(runs, station);
+      for (const StressPoint& of : stress_points_at(project, zones, station)) {
+        const StressPoint point = of.stretch ? moved_along(of, 0.5) : of;
+        if (point.detail != nullptr) {
+          direct.places.push_back(whole_places_of(histories, point, Criterion::fatigue).front());
+          direct.strengths.push_back(curve_of(point.detail->detail).reference.value());
+        }
+        if (point.shear_detail == nullptr) continue;
+        shear.places.push_back(whole_places_of(histories, point, Criterion::shear_fatigue).front());
+        shear.strengths.push_back(curve_of(*point.shear_detail).reference.value());
+      }
+    }
+  }
+  constexpr std::size_t most = 8;
+  std::vector<WholePlace> chosen = whole.unlike(direct.places, direct.strengths, most);
+  for (WholePlace& place : whole.unlike(shear.places, shear.strengths, most))
+    chosen.push_back(std::move(place));
+  whole.count(chosen);
+}
+
 }  // namespace
 
 VerifiedStations search_stations(const Project& project, const std::deque<SituationRun>& runs,
@@ -274,6 +307,8 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
     }
     return verified;
   }
+  if (WholeLife* const whole = whole_life_of(runs); whole != nullptr && project.fatigue.asked)
+    count_at_cuts(project, runs, zones, cuts, *whole);
   AlongBeam along(project, runs, zones);
   PieceSearch search;
   search.known.resize(AlongBeam::groups);

@@ -28,7 +28,9 @@ inline constexpr std::size_t most_beams = 50;
 
 /// Rows of a table of numbers that a driver or a force follows, at most.
 inline constexpr std::size_t most_rows = 50'000;
-/// Instants of recorded loads, at most.
+/// Instants of recorded loads, at most; and of those that are looked at one by one, or belong to a
+/// beam that moves under them.
+inline constexpr std::size_t most_recorded = 20'000'000;
 inline constexpr std::size_t most_samples = 300'000;
 /// Parts of an elastic link, and of all links of a case, at most.
 inline constexpr int most_parts = 2'000;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -144,19 +145,26 @@ SignalHead list_signals(const SignalSource& source);
 SignalSummary read_signals(const SignalSource& source, const std::vector<WantedSignal>& wanted,
                            const SignalSink& sink);
 
-/// The values of a channel, in the precision of the file.
+/// The values of a channel, in the precision of the file, or in single precision about its first.
 class SignalColumn {
  public:
-  explicit SignalColumn(bool single);
+  using Values = std::variant<std::vector<float>, std::vector<double>>;
+
+  explicit SignalColumn(bool single, bool about_first = false);
 
   void append(std::span<const double> values);
   void reserve(std::size_t rows);
   std::size_t size() const;
   double operator[](std::size_t row) const;
   bool is_single() const { return std::holds_alternative<std::vector<float>>(values_); }
+  /// What is to be added to each of the values that `release` gives away.
+  double offset() const { return offset_; }
+  Values release() { return std::move(values_); }
 
  private:
-  std::variant<std::vector<float>, std::vector<double>> values_;
+  Values values_;
+  bool about_first_;
+  double offset_ = 0.0;
 };
 
 /// Instants, as equal steps where they are.
@@ -181,8 +189,9 @@ struct SignalTable {
   std::vector<SignalColumn> columns;  ///< SI where a dimension was wanted, else the file's units
 };
 
-/// The same kept as a table, one column for each wanted channel.
+/// The same kept as a table, one column for each wanted channel. `compact`: 4 bytes a value also of
+/// what a float does not hold, about the first value: to 6e-8 of the largest distance from it.
 SignalTable read_signal_file(const SignalSource& source,
-                             const std::vector<WantedSignal>& wanted = {});
+                             const std::vector<WantedSignal>& wanted = {}, bool compact = false);
 
 }  // namespace boxbeam

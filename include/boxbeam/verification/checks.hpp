@@ -7,6 +7,7 @@
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/stress_points.hpp"
+#include "boxbeam/verification/whole_life.hpp"
 
 namespace boxbeam {
 
@@ -87,6 +88,10 @@ std::optional<CheckResult> check_yield(const Project& project,
 std::optional<CheckResult> check_fatigue(const Project& project,
                                          const std::vector<SituationHistory>& histories,
                                          const StressPoint& point, Criterion criterion);
+
+/// Of long records the stresses of that check, as they are to be counted.
+std::vector<WholePlace> whole_places_of(const std::vector<SituationHistory>& histories,
+                                        const StressPoint& point, Criterion criterion);
 
 /// The largest stress range of a point against 1.5 f_y, direct, or 1.5 f_y/sqrt(3), shear.
 /// Source: EN 1993-1-9:2005, 8(1), equation 8.1.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "boxbeam/numerics/extremum.hpp"
 
 namespace boxbeam {
+
+class WholeLife;
 
 /// The loads on the beam at any time of a period, whatever gives them.
 using LoadsAt = std::function<BeamLoads(Time)>;
@@ -58,6 +61,23 @@ class LoadHistory {
     return recorded_ ? si<Time>(recorded_->of.channels->times[instant]) : instants_[instant].time;
   }
   CutForceDiagram diagram(std::size_t instant) const;
+
+  /// Recorded loads only: their channels, and those of a long record behind them.
+  const recorded::ChannelLoads& recorded_loads() const { return recorded_->of; }
+  std::shared_ptr<const recorded::Channels> recorded_channels() const {
+    return recorded_->of.channels;
+  }
+  /// Instants of the files, of which a long record has only some here.
+  std::size_t recorded_instants() const {
+    const recorded::Channels& of = *recorded_->of.channels;
+    return of.record ? of.record->instants() : of.times.size();
+  }
+  /// The cut forces of a station that do not change, then those of each channel for a value of one.
+  std::vector<CutForces> unit_cuts_at(const Station& station) const;
+
+  /// What counts the cycles of long records of this case; nothing where every instant is here.
+  const std::shared_ptr<WholeLife>& whole() const { return whole_; }
+  void count_by(std::shared_ptr<WholeLife> whole) { whole_ = std::move(whole); }
 
   /// The cut forces of a station at all instants.
   std::vector<CutForces> cuts_at(const Station& station) const;
@@ -107,6 +127,7 @@ class LoadHistory {
   LoadSpan span_;
   LoadsAt loads_at_;
   std::optional<Recorded> recorded_;
+  std::shared_ptr<WholeLife> whole_;
   std::vector<Instant> instants_;
   std::vector<std::size_t> even_;
   double largest_force_ = 0.0, largest_moment_ = 0.0;
@@ -129,6 +150,7 @@ class StationHistory {
   StationHistory(const LoadHistory& loads, const Station& station);
 
   const Station& station() const { return station_; }
+  const LoadHistory& loads() const { return *loads_; }
   Time period() const { return loads_->period(); }
   bool closed() const { return loads_->closed(); }
   Time time_of(std::size_t instant) const { return loads_->time_of(instant); }

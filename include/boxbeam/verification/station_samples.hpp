@@ -11,6 +11,8 @@
 
 namespace boxbeam {
 
+class WholeLife;
+
 /// Utilisation by criterion; 0 where it does not look at a place.
 class Utilisations {
  public:
@@ -42,7 +44,8 @@ struct SampledInstants {
 /// counting, their curves and partial factors, load factors. Only the extremes over time are not
 /// solved for but those of the parabola through each extreme instant and its neighbours, so that a
 /// place costs little; what lies between instants belongs to the loads and hardly changes from one
-/// place to the next. Places that come near the largest are then checked exactly.
+/// place to the next. Places that come near the largest are then checked exactly. Of long records
+/// the fatigue is as far as it has been counted, and estimated from that.
 class StationSamples {
  public:
   StationSamples(const Project& project, const std::vector<SituationHistory>& histories);
@@ -74,7 +77,9 @@ class StationSamples {
 
   const Project* project_;
   std::vector<Run> runs_;
-  std::vector<std::size_t> acting_;  ///< the cut forces that are not always zero
+  std::vector<std::size_t> acting_;                ///< the cut forces that are not always zero
+  const WholeLife* whole_ = nullptr;               ///< of long records, which judges their fatigue
+  std::vector<std::vector<CutForces>> unit_cuts_;  ///< then, of each run
 };
 
 }  // namespace boxbeam

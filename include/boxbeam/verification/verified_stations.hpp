@@ -6,6 +6,7 @@
 
 #include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/situation_run.hpp"
+#include "boxbeam/verification/whole_life.hpp"
 
 namespace boxbeam {
 
@@ -15,6 +16,7 @@ struct SearchSummary {
   std::size_t pieces = 0;       ///< between the cuts of the beam
   /// By how much the largest utilisation of a criterion may exceed what was found, relative.
   double tolerance = 0.0;
+  WholeSummary whole = {};  ///< of long records
 };
 
 /// The stations to verify, and how they were found.

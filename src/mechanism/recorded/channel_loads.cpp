@@ -65,6 +65,19 @@ void add(double factor, const CutForceDiagram& diagram, CutForceDiagram& sum) {
   }
 }
 
+Channels at_instants(std::shared_ptr<const Record> record, std::vector<std::size_t> instants) {
+  std::sort(instants.begin(), instants.end());
+  instants.erase(std::unique(instants.begin(), instants.end()), instants.end());
+  Channels channels;
+  for (const std::size_t i : instants) channels.times.push_back(record->time_of(i));
+  for (std::size_t k = 0; k < record->channels(); ++k) {
+    std::vector<double>& values = channels.values.emplace_back();
+    for (const std::size_t i : instants) values.push_back(record->value(k, i));
+  }
+  channels.record = std::move(record);
+  return channels;
+}
+
 std::size_t instant_before(const Channels& channels, double time) {
   const std::vector<double>& times = channels.times;
   const auto behind = std::upper_bound(times.begin() + 1, times.end() - 1, time);

@@ -136,15 +136,21 @@ SignalSummary read_signals(const SignalSource& source, const std::vector<WantedS
   return block.summary();
 }
 
-SignalColumn::SignalColumn(bool single) {
+SignalColumn::SignalColumn(bool single, bool about_first) : about_first_(about_first) {
   if (!single) values_.emplace<std::vector<double>>();
 }
 
 void SignalColumn::append(std::span<const double> values) {
+  if (values.empty()) return;
+  if (about_first_ && size() == 0) offset_ = values.front();
   std::visit(
       [&](auto& own) {
         using Number = typename std::decay_t<decltype(own)>::value_type;
-        for (const double value : values) own.push_back(static_cast<Number>(value));
+        const std::size_t before = own.size();
+        own.resize(before + values.size());
+        Number* const to = own.data() + before;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          to[i] = static_cast<Number>(values[i] - offset_);
       },
       values_);
 }
@@ -158,10 +164,12 @@ std::size_t SignalColumn::size() const {
 }
 
 double SignalColumn::operator[](std::size_t row) const {
-  return std::visit([&](const auto& own) { return static_cast<double>(own[row]); }, values_);
+  return std::visit([&](const auto& own) { return offset_ + static_cast<double>(own[row]); },
+                    values_);
 }
 
-SignalTable read_signal_file(const SignalSource& source, const std::vector<WantedSignal>& wanted) {
+SignalTable read_signal_file(const SignalSource& source, const std::vector<WantedSignal>& wanted,
+                             bool compact) {
   const OpenedAndChosen opened = open_and_choose(source, wanted);
   const SignalHead& head = opened.reader->head();
   SignalTable table;
@@ -170,7 +178,8 @@ SignalTable read_signal_file(const SignalSource& source, const std::vector<Wante
   for (const std::size_t column : opened.chosen.columns) {
     table.names.push_back(head.channels[column].name);
     table.units.push_back(head.channels[column].unit);
-    table.columns.emplace_back(head.channels[column].single_precision);
+    const bool single = head.channels[column].single_precision;
+    table.columns.emplace_back(single || compact, compact && !single);
     // The head's count has been compared with the size of the file.
     if (head.rows) table.columns.back().reserve(static_cast<std::size_t>(*head.rows));
   }

@@ -8,6 +8,7 @@
 
 #include "boxbeam/beam/beam_loads.hpp"
 #include "boxbeam/beam/cut_force_diagram.hpp"
+#include "boxbeam/mechanism/recorded/record.hpp"
 
 /// Loads on a beam that others have measured or computed.
 namespace boxbeam::recorded {
@@ -16,7 +17,14 @@ namespace boxbeam::recorded {
 struct Channels {
   std::vector<double> times;                ///< [s], strictly ascending, two at least
   std::vector<std::vector<double>> values;  ///< of each channel, one for each instant
+  /// The history of which these are some instants, the first and the last among them; none where
+  /// they are all.
+  std::shared_ptr<const Record> record = {};
+  std::shared_ptr<const OuterInstants> outer = {};  ///< of it
 };
+
+/// A long record by some of its instants, in any order, also more than once.
+Channels at_instants(std::shared_ptr<const Record> record, std::vector<std::size_t> instants);
 
 /// Loads on a beam over time: a constant part and, for each channel, loads that do not change times
 /// its value. All of them have the same places and stretches, in the same order.
