@@ -19,7 +19,7 @@ CYCLE = 12.0          # [s]
 # Boxes b x h with flanges 12 and webs 10 mm: width is constant, the height is linear between stations.
 STATIONS = [(0.0, 0.34), (2.1, 0.46), (5.2, 0.24)]
 WIDTH, FLANGE, WEB = 0.26, 0.012, 0.010
-# The boom's angle [deg] and the stick's force on its tip, world axes [kN]: half cosines between.
+# The boom's angle [deg] and the stick's force on its tip, world axes [kN]: cycloidal steps between.
 ANGLE = [(0.0, 0.0), (3.0, 0.0), (6.0, 45.0), (9.0, 45.0), (12.0, 0.0)]
 FORCE_X = [(0.0, 0.0), (1.0, 0.0), (1.5, -22.0), (2.5, -22.0), (3.0, 0.0), (12.0, 0.0)]
 FORCE_Z = [(0.0, -16.0), (1.0, -16.0), (1.5, -40.0), (2.5, -40.0), (3.0, -34.0), (7.5, -34.0),
@@ -43,13 +43,14 @@ def moments_of_mass():
     return sums
 
 
-def cosine_between(points, t):
-    """Value and first two derivatives of half cosines between points."""
+def smooth_between(points, t):
+    """Value and first two derivatives of cycloidal steps between points, without jumps."""
     for (ta, a), (tb, b) in zip(points, points[1:]):
         if ta <= t <= tb:
-            w, u = math.pi / (tb - ta), math.pi * (t - ta) / (tb - ta)
-            d = 0.5 * (b - a)
-            return a + d * (1.0 - math.cos(u)), d * w * math.sin(u), d * w * w * math.cos(u)
+            w, x = 2.0 * math.pi / (tb - ta), (t - ta) / (tb - ta)
+            d, u = b - a, 2.0 * math.pi * (t - ta) / (tb - ta)
+            return (a + d * (x - math.sin(u) / (2.0 * math.pi)),
+                    d / (tb - ta) * (1.0 - math.cos(u)), d / (tb - ta) * w * math.sin(u))
     raise ValueError(t)
 
 
@@ -72,7 +73,7 @@ def cylinder_length(angle):
 
 def readings(t):
     """Forces of cylinder and stick in the boom's axes [N], and the boom's angle [rad]."""
-    angle, _, acceleration = (math.radians(v) for v in cosine_between(ANGLE, t))
+    angle, _, acceleration = (math.radians(v) for v in smooth_between(ANGLE, t))
     _, first, second = moments_of_mass()
     tip = tuple(1e3 * linear_between(of, t) for of in (FORCE_X, FORCE_Z))
     lug = turned(LUG, angle)
@@ -97,7 +98,7 @@ def main(folder):
     folder = pathlib.Path(folder)
     steps = 48
     write(folder / "cylinder-length.csv", ["time [s]", "length [m]"],
-          [[f"{CYCLE * i / steps:g}", f"{cylinder_length(math.radians(cosine_between(ANGLE, CYCLE * i / steps)[0])):.9f}"]
+          [[f"{CYCLE * i / steps:g}", f"{cylinder_length(math.radians(smooth_between(ANGLE, CYCLE * i / steps)[0])):.9f}"]
            for i in range(steps + 1)])
     for name, points in (("stick-x", FORCE_X), ("stick-z", FORCE_Z)):
         write(folder / f"{name}.csv", ["time [s]", "force [kN]"], points)
