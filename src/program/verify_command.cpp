@@ -17,6 +17,7 @@
 #include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
+#include "program/export_files.hpp"
 #include "program/failures.hpp"
 #include "program/file_watch.hpp"
 #include "program/outputs.hpp"
@@ -134,17 +135,24 @@ struct Run {
   Verification verification;
   std::string folder;
   Outputs outputs;
+  Exported exported;  ///< for other programs, where that is asked for
 };
 
 Run run_once(const VerifyOptions& options) {
-  Run run{read_case(options.of_case), {}, {}, {}};
+  Run run{read_case(options.of_case), {}, {}, {}, {}};
   run.folder = options.out.empty() ? "reports/" + run.project.name : options.out;
   require_folder(run.folder);
   require_file_beside(options.json, run.folder);
+  if (!options.export_to.empty()) require_folder(options.export_to);
   Progress progress(!options.quiet);
   progress.now("verifying");
   run.verification = verify(run.project, options.no_plots ? Figures::without : Figures::with);
   run.outputs = write_outputs(run.project, run.verification, options, run.folder, progress);
+  if (!options.export_to.empty()) {
+    progress.now("writing the export");
+    run.outputs.troubles.attempt(
+        [&] { run.exported = export_files(run.project, run.verification, options.export_to); });
+  }
   return run;
 }
 
@@ -156,6 +164,11 @@ void say(const Run& run, const VerifyOptions& options) {
   } else {
     report::MarkedText text = summary(run.project, run.verification);
     text += written_line(run.folder, run.outputs);
+    if (!run.exported.written.empty()) {
+      text += layout::line(fmt::format("Exported to {}: {}", options.export_to,
+                                       fmt::join(run.exported.written, ", ")));
+    }
+    for (const std::string& words : run.exported.said) text += layout::line("  " + words);
     put_text(text);
   }
   for (const std::string& trouble : run.outputs.troubles.words) put_error(trouble);
