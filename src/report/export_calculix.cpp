@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <set>
 
 #include "boxbeam/report/export.hpp"
 #include "csv_cells.hpp"
@@ -33,7 +34,10 @@ std::string shells_inp(const ShellModel& model, const Project& project, const st
   }
   std::string text = fmt::format(
       "** {}\n** m, N, Pa; x along the beam, y to the left, z upwards. Run: ccx beam\n"
-      "** The loads are in balance: the reactions of what is held are zero.\n",
+      "** The loads are in balance: the reactions of what is held are zero.\n"
+      "** Stresses are printed in the axes of each shell: along the beam, then around the "
+      "profile,\n"
+      "** to the left at the bottom and up in the left web.\n",
       one_line);
   for (const std::string& words : model.simplified) text += fmt::format("** {}\n", words);
   text += "*NODE, NSET=NALL\n";
@@ -74,7 +78,9 @@ std::string shells_inp(const ShellModel& model, const Project& project, const st
   for (const HeldFreedom& held : model.held)
     text += fmt::format("{}, {}, {}\n", held.node + 1, held.direction + 1, held.direction + 1);
   text += "*NSET, NSET=HELD\n";
-  put_numbers(text, model.held, [](const HeldFreedom& held) { return held.node + 1; });
+  std::set<std::size_t> held_nodes;
+  for (const HeldFreedom& held : model.held) held_nodes.insert(held.node);
+  put_numbers(text, held_nodes, [](std::size_t node) { return node + 1; });
   text += "*STEP\n*STATIC\n*CLOAD\n";
   for (const NodalForce& of : model.forces) {
     for (int k = 0; k < 3; ++k) {
@@ -90,14 +96,16 @@ std::string shells_inp(const ShellModel& model, const Project& project, const st
 
 std::string shells_csv(const ShellModel& model) {
   std::string text =
-      "element,set,part,s [m],y [m],z [m],thickness [m],normal stress [Pa],shear stress [Pa]\n";
+      "element,set,part,s [m],y [m],z [m],thickness [m],normal stress [Pa],shear stress [Pa],"
+      "shear stress in the section [Pa]\n";
   for (std::size_t e = 0; e < model.elements.size(); ++e) {
     const ShellElement& of = model.elements[e];
     const ShellSet& set = model.sets[of.set];
     text += report::csv_row(
         {fmt::format("{}", e + 1), set.name, part_names[static_cast<std::size_t>(of.part)],
          csv_cell(of.centre.s.value()), csv_cell(of.y), csv_cell(of.z), csv_cell(set.thickness),
-         csv_cell(of.stress.normal.value()), csv_cell(of.stress.shear.value())});
+         csv_cell(of.stress.normal.value()), csv_cell(of.stress.shear.value()),
+         csv_cell(of.shear_in_section.value())});
   }
   return text;
 }

@@ -204,6 +204,8 @@ class ShellBuilder {
       const CutForces cut = diagram_->at(centre);
       for (std::size_t k = 0; k < profiles.size(); ++k) {
         const Ring between = new_ring(halfway[k], middle.value(), true);
+        if (!first_between_) first_between_ = between;
+        if (k == 0) last_between_ = between;
         section.rings.push_back(new_ring(profiles[k], s, false));
         add_elements(before[k], between, section.rings.back(), steps.segment, centre, stress, cut);
       }
@@ -246,6 +248,12 @@ class ShellBuilder {
         element.z = at.y();
         element.part = lines.closed ? static_cast<int>(lines.plates[plate].part) + 1 : 8;
         element.stress = stress.near(lines.plates[plate].part, lines.inner, at.x(), at.y(), cut);
+        const Vector2d along = lines.at(end) - lines.at(p);
+        const Vector2d moved = b.lines.at(half) - a.lines.at(half);
+        const double step = (model_.nodes[b.nodes[half]] - model_.nodes[a.nodes[half]]).x();
+        const bool upright = std::abs(along.y()) > std::abs(along.x());
+        element.shear_in_section =
+            element.stress.shear + (upright ? moved.y() : moved.x()) / step * element.stress.normal;
         model_.elements.push_back(element);
       }
     }
@@ -361,9 +369,9 @@ class ShellBuilder {
     }
   }
 
+  /// Six freedoms of nodes that no load acts on, so that what they bear is their reaction.
   void hold() {
-    const Ring& first = sections_.front().rings.front();
-    const Ring& last = sections_.back().rings.front();
+    const Ring &first = *first_between_, &last = *last_between_;
     for (const int direction : {0, 1, 2}) model_.held.push_back({first.nodes[0], direction});
     for (const int direction : {1, 2}) model_.held.push_back({last.nodes[0], direction});
     model_.held.push_back({first.nodes[positions], first.lines.closed ? 2 : 1});
@@ -398,6 +406,7 @@ class ShellBuilder {
   ShellModel model_;
   std::vector<LoadedSection> sections_;
   std::map<std::string, std::size_t> set_index_;
+  std::optional<Ring> first_between_, last_between_;  ///< halfway along the first and last elements
 };
 
 }  // namespace

@@ -31,7 +31,8 @@ def table(path):
         except ValueError:
             return text
     with open(path, newline="", encoding="utf-8") as file:
-        return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+        return [{key: text if key == "side" else value(text) for key, text in row.items()}
+                for row in csv.DictReader(file)]
 
 
 class Grid:

@@ -154,14 +154,19 @@ def check_grid(export):
         ring[0] += middle[0] * t * length
         if grid.cell_data["part"][k] in (3, 4):
             ring[1] += middle[1] * t * length
+            # From the end of a web to the mid-line of the flange the flow goes on.
+            for node in (a, b):
+                if abs(abs(grid.points[node][2]) - 0.25) < 1e-9:
+                    ring[1] += grid.point_data["shear_stress_Pa"][node] * t * 0.025
     shear = {}
     for node in axis:
         shear.setdefault(round(grid.points[node][0], 9), []).append(grid.point_data["V_z_N"][node])
     most = max(abs(v) for of in shear.values() for v in of)
     for s, (force, transverse) in rings.items():
         check(min(abs(force - n) for n, _ in cut[s]) <= 1e-3 * most, f"N of the plates at {s}")
-        # The part of V that crosses the flanges' own thickness is I_own/I, below 1 %; trapezia.
-        check(min(abs(transverse - v) for v in shear[s]) <= 0.02 * most, f"V of the webs at {s}")
+        # The part of V that crosses the flanges' own thickness, I_own/I, is 0.2 %; the flow grows a little on.
+        apart = min(abs(transverse - v) for v in shear[s]) / most
+        check(apart <= 0.01, f"V of the webs at {s} is {apart:.2g} apart")
     print(f"  beam.vtk: {len(grid.cells) - 1} quads, {compared} places beside Navier's stress")
 
 

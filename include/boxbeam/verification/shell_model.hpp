@@ -16,8 +16,11 @@ struct ShellElement {
   std::size_t set = 0;
   Station centre;
   double y = 0.0, z = 0.0;  ///< of its centre [m]
-  PointStress stress;       ///< ours there: along x, and along the wall in its section
-  int part = 0;             ///< index in part_names
+  PointStress stress;       ///< ours there: along x, and the shear flow over the thickness
+  /// Ours as it acts in the section, along y or z: in a taper the flow passes along the plate's own
+  /// lines, inclined to x, on which the normal stress has a part: tau + sigma dz/dx.
+  Stress shear_in_section;
+  int part = 0;  ///< index in part_names
 };
 
 /// Elements of one thickness: a plate in a segment, or in one step of it where it varies.
