@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "boxbeam/verification/front_end.hpp"
 
@@ -14,6 +15,10 @@ namespace {
 constexpr double chord_tolerance = 1e-5;
 /// Parts of a stretch, or of a step of time, at most.
 constexpr int most_parts = 100;
+/// Stations within stretches and instants of a situation, beyond which chords may be coarser: every
+/// station is verified at every instant.
+constexpr int most_stations = 120;
+constexpr std::size_t most_instants = 4000;
 /// Instants of a situation at which stations are chosen and errors measured, about.
 constexpr std::size_t looked_at = 200;
 
@@ -165,9 +170,14 @@ class Sampling {
     const std::vector<Length> all = places();
     std::vector<Station>& stations = samples.stations;
     stations.push_back({Length{}, Side::behind});
+    std::vector<int> wanted;
+    for (std::size_t i = 1; i < all.size(); ++i)
+      wanted.push_back(parts_for(larger(chord_error(all[i - 1], all[i]))));
+    const int sum = std::accumulate(wanted.begin(), wanted.end(), 0);
+    const double coarser = std::max(1.0, static_cast<double>(sum) / most_stations);
     for (std::size_t i = 1; i < all.size(); ++i) {
       const Length from = all[i - 1], to = all[i];
-      const int parts = parts_for(larger(chord_error(from, to)));
+      const int parts = static_cast<int>(std::ceil(wanted[i - 1] / coarser));
       Length last = from;
       for (int k = 1; k <= parts; ++k) {
         const Length s = k == parts ? to : from + (to - from) * (static_cast<double>(k) / parts);
@@ -297,7 +307,8 @@ class Sampling {
       for (std::size_t j = 0; j < stations.size(); ++j)
         error = std::max(error, larger(scale_.of(at[j], between(from.cuts[j], to.cuts[j], part))));
     }
-    const int parts = parts_for(error);
+    const auto most = static_cast<int>(most_instants / run.loads.instants());
+    const int parts = std::min(parts_for(error), std::max(most, 1));
     std::vector<double> times;
     for (int k = 1; k < parts; ++k) times.push_back(from.time + step * k / parts);
     for (const double time : extremes)

@@ -28,6 +28,7 @@ TaperedBeam plain_beam() {
 
 const std::string given =
     "[case]\nname = \"given\"\nkind = \"loads\"\n[material]\nsteel = \"S355\"\n[strength]\n"
+    "shear_lag = false\n"
     "required = 1.0\n[sections.box]\nkind = \"box\"\nwidth = \"100 mm\"\nheight = \"200 mm\"\n"
     "flange = \"10 mm\"\nweb = \"10 mm\"\n[beam]\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\n"
     "length = \"2 m\"\nsection = \"box\"\n[files.cuts]\npath = \"cuts.csv\"\n";

@@ -34,8 +34,9 @@ struct LoadSamples {
 
 /// Samples the runs of a verification. Stations are all that it looked at, the places where loads
 /// begin, end or act, and between them as many as keep the chord within 1e-5 of the largest force
-/// and moment; instants likewise are those of the loads, those in which a cut force or the stress
-/// of a check has its extreme, and the turning points of the stresses that govern.
+/// and moment, or about 120; instants likewise, about 4000 at most, are those of the loads, those
+/// in which a cut force or the stress of a check has its extreme, and the turning points of the
+/// stresses that govern.
 LoadSamples sample_loads(const Project& project, const std::deque<SituationRun>& runs,
                          const Verification& verification);
 
