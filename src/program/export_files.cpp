@@ -61,7 +61,7 @@ class Exporter {
     if (const auto shown = governing_loads(*project_, runs, *verification_)) {
       write_shapes(*shown);
     } else {
-      say("beam.vtk and beam.inp are not written: no check rests on cut forces");
+      leave_out("beam.vtk and beam.inp are not written: no check rests on cut forces");
     }
     update_.publish(earlier_files(*project_, folder_));
     return std::move(exported_);
@@ -69,6 +69,7 @@ class Exporter {
 
  private:
   void say(std::string words) { exported_.said.push_back(std::move(words)); }
+  void leave_out(std::string words) { exported_.left_out.push_back(std::move(words)); }
 
   void write(const std::string& name, const std::string& content) {
     write_file(update_.path() + "/" + name, content);
@@ -79,8 +80,8 @@ class Exporter {
     std::size_t every = 1;
     write("cut-forces.csv", cut_forces_csv(*verification_, runs, every));
     if (every > 1) {
-      say(fmt::format("cut-forces.csv has one instant of {}: a spreadsheet holds {} rows", every,
-                      spreadsheet_rows));
+      leave_out(fmt::format("cut-forces.csv has one instant of {}: a spreadsheet holds {} rows",
+                            every, spreadsheet_rows));
     }
     write("utilisation.csv", utilisation_csv(*verification_));
     write("checks.csv", checks_csv(*verification_));
@@ -90,10 +91,10 @@ class Exporter {
   void write_loads(const std::deque<SituationRun>& runs) {
     const std::vector<std::string> obstacles = obstacles_to_given_loads(*project_);
     if (!obstacles.empty())
-      return say(fmt::format("loads.toml is not written: {}", fmt::join(obstacles, "; ")));
+      return leave_out(fmt::format("loads.toml is not written: {}", fmt::join(obstacles, "; ")));
     const LoadSamples samples = sample_loads(*project_, runs, *verification_);
     if (samples.slides) {
-      return say(
+      return leave_out(
           "loads.toml is not written: a load slides along the beam, and no stations can follow it");
     }
     const std::vector<ExportedFile> files = given_loads_files(*project_, samples);
@@ -105,7 +106,7 @@ class Exporter {
       return;
     }
     for (const ExportedFile& file : files) fs::remove(update_.path() + "/" + file.name);
-    say("loads.toml is not written: " + trouble);
+    leave_out("loads.toml is not written: " + trouble);
   }
 
   /// Verifies the case of loads as it stands there, and says how well it agrees. Returns why it is
@@ -142,9 +143,9 @@ class Exporter {
     const PlateField field = plate_field_of(*project_, diagram);
     write("beam.vtk", plates_vtk(field, title));
     if (!field.left_out.empty())
-      say(fmt::format("plates not in beam.vtk: {}", fmt::join(field.left_out, ", ")));
+      leave_out(fmt::format("plates not in beam.vtk: {}", fmt::join(field.left_out, ", ")));
     const std::string obstacle = obstacle_to_shells(*project_);
-    if (!obstacle.empty()) return say("beam.inp not exported: " + obstacle);
+    if (!obstacle.empty()) return leave_out("beam.inp not exported: " + obstacle);
     const ShellModel model = shell_model_of(*project_, loads, diagram);
     write("beam.inp", shells_inp(model, *project_, title));
     write("beam-elements.csv", shells_csv(model));

@@ -169,7 +169,11 @@ void say(const Run& run, const VerifyOptions& options) {
                                        fmt::join(run.exported.written, ", ")));
     }
     for (const std::string& words : run.exported.said) text += layout::line("  " + words);
+    for (const std::string& words : run.exported.left_out) text += layout::line("  " + words);
     put_text(text);
+  }
+  if (options.json == "-" || options.quiet) {
+    for (const std::string& words : run.exported.left_out) put_error(words);
   }
   for (const std::string& trouble : run.outputs.troubles.words) put_error(trouble);
 }

@@ -32,16 +32,20 @@ std::string plates_vtk(const PlateField& field, const std::string& title) {
   for (const PlateNode& node : field.nodes)
     text += fmt::format("{} {} {}\n", node.place.x(), node.place.y(), node.place.z());
   for (const AxisNode& node : field.axis) text += fmt::format("{} 0 0\n", node.station.s.value());
-  const std::size_t quads = field.quads.size();
-  text += fmt::format("CELLS {} {}\n", quads + 1, 5 * quads + axis + 1);
+  // The axis as lines one behind the other, which more readers know than a single one of many
+  // points.
+  std::vector<std::size_t> lines;
+  for (std::size_t i = 1; i < axis; ++i) {
+    if (field.axis[i].station.s != field.axis[i - 1].station.s) lines.push_back(plates + i - 1);
+  }
+  const std::size_t quads = field.quads.size(), cells = quads + lines.size();
+  text += fmt::format("CELLS {} {}\n", cells, 5 * quads + 3 * lines.size());
   for (const PlateQuad& quad : field.quads)
     text += fmt::format("4 {}\n", fmt::join(quad.nodes, " "));
-  text += fmt::format("{}", axis);
-  for (std::size_t i = 0; i < axis; ++i) text += fmt::format(" {}", plates + i);
-  constexpr const char *quad_type = "9\n", *line_type = "4\n";
-  text += fmt::format("\nCELL_TYPES {}\n", quads + 1);
-  for (std::size_t i = 0; i < quads; ++i) text += quad_type;
-  text += line_type;
+  for (const std::size_t first : lines) text += fmt::format("2 {} {}\n", first, first + 1);
+  constexpr const char *quad_type = "9\n", *line_type = "3\n";
+  text += fmt::format("CELL_TYPES {}\n", cells);
+  for (std::size_t i = 0; i < cells; ++i) text += i < quads ? quad_type : line_type;
 
   text += fmt::format("POINT_DATA {}\n", plates + axis);
   const auto stress = [&](const char* name, const auto& of) {
@@ -60,9 +64,9 @@ std::string plates_vtk(const PlateField& field, const std::string& title) {
                  : csv_cell(value_of(field.axis[i - plates].cut, static_cast<cut_force::Index>(k)));
     });
   }
-  text += fmt::format("CELL_DATA {}\n", quads + 1);
+  text += fmt::format("CELL_DATA {}\n", cells);
   const auto of_cell = [&](const char* name, const char* type, const auto& of) {
-    put_scalars(text, name, type, quads + 1, [&](std::size_t i) {
+    put_scalars(text, name, type, cells, [&](std::size_t i) {
       return i < quads ? fmt::format("{}", of(field.quads[i])) : std::string("0");
     });
   };

@@ -1,6 +1,6 @@
 """What `boxbeam verify --export` writes of the sledge rig, read by a reader of its own: the tables beside
-results.json and closed forms, the case of loads verified again, the plates in beam.vtk beside Navier's stress of
-the cut forces that stand in the same file.
+results.json and closed forms, the case of loads verified again (of two more cases, too), the plates in beam.vtk
+beside Navier's stress of the cut forces that stand in the same file.
 
 Usage: export.py PROGRAM ROOT
 """
@@ -72,7 +72,7 @@ def check_tables(export, results):
         check(row["height [m]"] == height and row["left web [m]"] == 0.05, "sizes")
 
 
-def check_loads(program, export, said, results):
+def check_loads(program, export, said, results, limit):
     stated = re.search(r"governing safety factors within (\S+) \(relative\); between its stations and instants "
                        r"forces within (\S+) and moments within (\S+) of the largest", said)
     check(stated is not None, f"nothing is said of loads.toml: {said[-600:]}")
@@ -80,7 +80,7 @@ def check_loads(program, export, said, results):
         return
     code, text, error = run(program, "verify", export / "loads.toml", "--out", export / "again", "--no-plots",
                             "--no-pdf", "--no-html", "--json", "-")
-    check(code == 1, f"exit code {code}\n{error}")
+    check(code == (0 if results["verdict"] == "pass" else 1), f"exit code {code}\n{error}")
     again = json.loads(text)
     check(again["verdict"] == results["verdict"], f"another verdict: {again['verdict']}")
     largest, judged = 0.0, 0
@@ -95,8 +95,8 @@ def check_loads(program, export, said, results):
         largest = max(largest, apart)
         print(f"  {criterion}: {mine['safety_factor']:.9g} by the mechanism, {other['safety_factor']:.9g} by its "
               f"cut forces, apart by {apart:.2g}; {mine['id']}, {other['id']}")
-    check(judged >= 4, "fewer than four criteria")
-    check(largest <= 1e-6, f"a governing factor is {largest:.2g} apart")
+    check(judged >= 3, "fewer than three criteria")
+    check(largest <= limit, f"a governing factor is {largest:.2g} apart")
     # It says two digits.
     check(largest <= 1.06 * float(stated.group(1)) + 1e-15, f"{largest} where {stated.group(1)} is stated")
     for of in stated.groups()[1:]:
@@ -105,9 +105,13 @@ def check_loads(program, export, said, results):
 
 def check_grid(export):
     grid = Grid(export / "beam.vtk")
-    check(grid.types[-1] == 4 and set(grid.types[:-1]) == {9}, "kinds of cells")
-    check(all(len(cell) == 4 for cell in grid.cells[:-1]), "quads of four")
-    axis = grid.cells[-1]
+    quads = [cell for cell, kind in zip(grid.cells, grid.types) if kind == 9]
+    lines = grid.cells[len(quads):]
+    check(grid.types == [9] * len(quads) + [3] * len(lines), "kinds of cells")
+    check(all(len(cell) == 4 for cell in quads) and all(len(cell) == 2 for cell in lines), "sizes of cells")
+    axis = sorted({node for line in lines for node in line})
+    length = sum(math.dist(grid.points[a], grid.points[b]) for a, b in lines)
+    near(length, 6.2, 1e-12, "the length of the axis")
     plates = min(axis)
     along = sorted({round(grid.points[node][0], 9) for node in axis})
     check(along[0] == 0.0 and along[-1] == 6.2, f"the axis goes from {along[0]} to {along[-1]}")
@@ -132,7 +136,7 @@ def check_grid(export):
         compared += 1
     check(compared > 1000, f"only {compared} places")
     # Plates stand where they are, with their thickness.
-    for k, cell in enumerate(grid.cells[:-1]):
+    for k, cell in enumerate(quads):
         part, segment = grid.cell_data["part"][k], grid.cell_data["segment"][k]
         if segment not in (1, 2, 3, 4):
             continue
@@ -143,7 +147,7 @@ def check_grid(export):
             check(abs(place) < 1e-9, f"part {part} at {(s, y, z)}")
     # The shear flow of both webs is V_z less what the inclined flanges carry; in S1 these are straight.
     rings = {}
-    for k, cell in enumerate(grid.cells[:-1]):
+    for k, cell in enumerate(quads):
         if grid.cell_data["segment"][k] != 1:
             continue
         a, b = cell[0], cell[3]
@@ -167,7 +171,7 @@ def check_grid(export):
         # The part of V that crosses the flanges' own thickness, I_own/I, is 0.2 %; the flow grows a little on.
         apart = min(abs(transverse - v) for v in shear[s]) / most
         check(apart <= 0.01, f"V of the webs at {s} is {apart:.2g} apart")
-    print(f"  beam.vtk: {len(grid.cells) - 1} quads, {compared} places beside Navier's stress")
+    print(f"  beam.vtk: {len(quads)} quads, {compared} places beside Navier's stress")
 
 
 def main():
@@ -181,13 +185,23 @@ def main():
                            "loads-1.csv", "loads.toml", "sections.csv", "utilisation.csv"])
         check(names == expected, f"the folder holds {names}")
         check_tables(export, results)
-        check_loads(program, export, said, results)
+        check_loads(program, export, said, results, 1e-6)
         check_grid(export)
+        # In space with three situations; and where a factor is found between the stations.
+        for case, limit in (("landing-gear/retraction.toml", 1e-6), ("four-bar-rocker/rocker.toml", 1e-4)):
+            _, other_said, other = verify(program, root / "sections" / case, folder)
+            check_loads(program, export, other_said, other, limit)
+            check(export.joinpath("loads-3.csv").exists() == (limit == 1e-6), f"tables of loads of {case}")
         # What cannot be carried over is said, and what an earlier export left of it is gone.
         code, said, _ = verify(program, root / "sections/sledge-rig/rig-detailed.toml", folder)
         check("loads.toml is not written: pin" in said, f"nothing is said of the pin: {said[-800:]}")
         check(not (export / "loads.toml").exists() and not (export / "loads-1.csv").exists(), "a stale loads.toml")
         check((export / "checks.csv").exists(), "checks.csv is missing")
+        file = pathlib.Path(folder) / "file"
+        file.write_text("")
+        code, _, error = run(program, "verify", root / "sections/sledge-rig/rig.toml", "--out",
+                             pathlib.Path(folder) / "none", "--export", file)
+        check(code == 4 and "file" in error, f"a file for a folder: exit code {code}, {error}")
     for words in failures[:30]:
         print("FAILED", words)
     print(f"{len(failures)} failures")
