@@ -142,6 +142,11 @@ Entry verify_entry(CLI::App& app) {
   add_choice(
       command, "--level", options->level, {"summary", "governing", "full"},
       "how much the report says (default: governing, all that the governing checks rest on)");
+  command
+      .add_option("--export", options->export_to,
+                  "also write tables, a case of loads, beam.vtk and beam.inp (CalculiX) for other "
+                  "programs into this folder")
+      ->type_name("DIR");
   command.add_flag("--no-plots", options->no_plots, "draw no figures");
   command.add_flag("--no-html", options->no_html, "write no report.html");
   command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");

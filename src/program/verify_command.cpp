@@ -19,6 +19,7 @@
 #include "boxbeam/verification/verdict_text.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "program/exit_code.hpp"
+#include "program/export_files.hpp"
 #include "program/failures.hpp"
 #include "program/file_watch.hpp"
 #include "program/outputs.hpp"
@@ -181,7 +182,23 @@ struct Run {
   std::vector<VerifiedBeam> beams;
   std::string folder;
   Outputs outputs;
+  Exported exported;  ///< for other programs, where that is asked for
 };
+
+/// Exports each beam, of several into a folder of its name.
+void export_beams(const std::string& folder, Progress& progress, Run& run) {
+  progress.now("writing the export");
+  for (const VerifiedBeam& beam : run.beams) {
+    const std::string below = folder_of(beam);
+    run.outputs.troubles.attempt([&] {
+      const Exported of = export_files(beam.project, beam.verification,
+                                       below.empty() ? folder : folder + "/" + below);
+      for (const std::string& name : of.written) run.exported.written.push_back(below + name);
+      for (const std::string& words : of.said) run.exported.said.push_back(words);
+      for (const std::string& words : of.left_out) run.exported.left_out.push_back(words);
+    });
+  }
+}
 
 Run run_once(const VerifyOptions& options) {
   std::vector<Project> beams = read_beams_of(options.of_case);
@@ -190,10 +207,12 @@ Run run_once(const VerifyOptions& options) {
   run.folder = options.out.empty() ? "reports/" + beams.front().name : options.out;
   require_folder(run.folder);
   require_file_beside(options.json, run.folder);
+  if (!options.export_to.empty()) require_folder(options.export_to);
   Progress progress(!options.quiet);
   progress.now("verifying");
   run.beams = verify_beams(std::move(beams), options.no_plots ? Figures::without : Figures::with);
   run.outputs = write_outputs(run.beams, options, run.folder, progress);
+  if (!options.export_to.empty()) export_beams(options.export_to, progress, run);
   return run;
 }
 
@@ -205,7 +224,16 @@ void say(const Run& run, const VerifyOptions& options) {
   } else {
     report::MarkedText text = summary(run.beams);
     text += written_line(run.folder, run.outputs);
+    if (!run.exported.written.empty()) {
+      text += layout::line(fmt::format("Exported to {}: {}", options.export_to,
+                                       fmt::join(run.exported.written, ", ")));
+    }
+    for (const std::string& words : run.exported.said) text += layout::line("  " + words);
+    for (const std::string& words : run.exported.left_out) text += layout::line("  " + words);
     put_text(text);
+  }
+  if (options.json == "-" || options.quiet) {
+    for (const std::string& words : run.exported.left_out) put_error(words);
   }
   for (const std::string& trouble : run.outputs.troubles.words) put_error(trouble);
 }

@@ -11,6 +11,7 @@ struct VerifyOptions {
   std::string out;
   std::string json;
   std::string level = "governing";
+  std::string export_to;  ///< folder for files of other programs; "": none
   bool no_plots = false;
   bool no_html = false;
   bool no_pdf = false;

@@ -205,11 +205,16 @@ class RecordedLoadsReader {
 
   void read_stations() {
     for (TableReader& table :
-         root_->tables({"cut_forces", "at stations along the beam, linear between them"})) {
+         root_->tables({"cut_forces",
+                        "at stations along the beam, linear between them; one that stands twice "
+                        "has those before and behind a jump"})) {
       const double s = station_of(table, {"station", "station"}, *beam_).value();
-      if (!stations_.empty() && !(s > stations_.back())) {
+      const bool twice = !stations_.empty() && s == stations_.back();
+      const bool thrice = twice && stations_.size() > 1 && s == stations_[stations_.size() - 2];
+      if (!stations_.empty() && (thrice || !(s >= stations_.back()))) {
         table.problem("station", "the stations of cut forces ascend along the beam",
-                      "write them in order, each once");
+                      "write them in order, each once, or twice where the cut forces jump: before "
+                      "it and behind");
       }
       stations_.push_back(s);
       given_.emplace_back();
@@ -256,6 +261,11 @@ class RecordedLoadsReader {
                                        "beam goes from 0 to {:.6g} m",
                                        stations_.front(), stations_.back(), length),
                      "give a station at both ends of the beam; one without columns is a free end");
+      return;
+    }
+    if (stations_[1] == stations_.front() || stations_[stations_.size() - 2] == stations_.back()) {
+      root_->problem("cut_forces", "an end of the beam stands twice in the stations",
+                     "give what is cut just within the beam; outside it nothing is cut");
       return;
     }
     stations_.front() = 0.0;
@@ -484,6 +494,7 @@ class RecordedLoadsReader {
       std::size_t station = 0, when = 0;
       for (std::size_t j = 0; j + 1 < stations_.size(); ++j) {
         const double h = stations_[j + 1] - stations_[j];
+        if (h == 0.0) continue;  // a jump
         for (std::size_t i = 0; i < channels.times.size(); ++i) {
           const double a = given_at(channels, j, V, i), b = given_at(channels, j + 1, V, i);
           const double slope =

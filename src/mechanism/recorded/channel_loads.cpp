@@ -35,6 +35,12 @@ SixForces between(const SixForces& a, const SixForces& b, double part) {
   return of;
 }
 
+/// What acts where cut forces jump: those before are in `load`, less those behind.
+void add_jump(PointLoad& load, const SixForces& behind) {
+  load.force -= Eigen::Vector3d(behind[0], behind[1], behind[2]);
+  load.moment -= Eigen::Vector3d(behind[3], behind[4], behind[5]);
+}
+
 }  // namespace
 
 void add(double factor, const BeamLoads& loads, BeamLoads& sum) {
@@ -114,6 +120,11 @@ BeamLoads loads_of_cuts(const TaperedBeam& beam, std::span<const double> station
   };
   add_end(0.0, -1.0, values.front());
   add_end(beam.length().value(), 1.0, values.back());
+  for (std::size_t j = 1; j < stations.size(); ++j) {
+    if (stations[j] != stations[j - 1]) continue;
+    add_end(stations[j], 1.0, values[j - 1]);
+    add_jump(loads.points.back(), values[j]);
+  }
   std::size_t next = 1;
   for (const Segment& segment : beam.segments) {
     double from = segment.start.value();

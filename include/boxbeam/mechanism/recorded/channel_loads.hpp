@@ -61,8 +61,9 @@ using SixForces = std::array<double, 6>;
 ///     q = -(V_b - V_a)/h,   m = V - (M_b - M_a)/h,
 ///
 /// and at both ends of the beam what is cut there. They are in balance. The stations ascend, the
-/// first at the beam's start, the last at its end; the loads have a stretch between each two
-/// neighbours of stations and borders of segments.
+/// first at the beam's start, the last at its end; one between them that stands twice has what is
+/// cut before and behind it, where the loads have a point load. Else they have a stretch between
+/// each two neighbours of stations and borders of segments.
 BeamLoads loads_of_cuts(const TaperedBeam& beam, std::span<const double> stations,
                         std::span<const SixForces> values);
 

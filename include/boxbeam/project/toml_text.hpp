@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "boxbeam/project/case_document.hpp"
+
+namespace boxbeam {
+
+/// A tree as the text of a TOML file that reads back as the same tree: the values of a table first,
+/// then its tables and lists of tables under headings of their own. Comments and the way in which
+/// numbers were written are not kept; a date stands as text. Source: TOML 1.0.
+std::string toml_text(const Node& root);
+
+}  // namespace boxbeam
