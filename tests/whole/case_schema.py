@@ -89,10 +89,11 @@ class Reader:
         folder = pathlib.Path(self.folder, beside.name)
         if not folder.exists():
             folder.mkdir()
-            for table, text in TABLES.items():
-                (folder / table).write_text(text)
-            for table in beside.glob("*.csv"):
+            for table in [*beside.glob("*.csv"), *beside.glob("*.out*")]:
                 (folder / table.name).symlink_to(table)
+            for table, text in TABLES.items():
+                if not (folder / table).exists():
+                    (folder / table).write_text(text)
         file = folder / "case.toml"
         file.write_text("".join(f"{key} = {toml_of(value)}\n" for key, value in case.items()),
                         encoding="utf-8")
