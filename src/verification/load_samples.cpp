@@ -176,7 +176,7 @@ class Sampling {
     const int sum = std::accumulate(wanted.begin(), wanted.end(), 0);
     const double coarser = std::max(1.0, static_cast<double>(sum) / most_stations);
     for (std::size_t i = 1; i < all.size(); ++i) {
-      const Length from = all[i - 1], to = all[i];
+      const Length &from = all[i - 1], &to = all[i];
       const int parts = static_cast<int>(std::ceil(wanted[i - 1] / coarser));
       Length last = from;
       for (int k = 1; k <= parts; ++k) {

@@ -416,10 +416,9 @@ std::string obstacle_to_shells(const Project& project) {
     const auto words = [&](const Profile& profile) -> std::string {
       constexpr std::array names{"box",   "rectangular tube", "round tube",
                                  "plate", "polygon",          "thin-walled path"};
-      const std::string name = names[profile.index()];
       if (std::holds_alternative<Plate>(profile))
         return project.in_space ? "plate in space" : "flat plate";
-      return name;
+      return names[profile.index()];
     };
     const auto unknown = [&](const Profile& profile) {
       const std::optional<MidLines> lines = mid_lines_of(profile);
