@@ -143,7 +143,8 @@ Run run_once(const VerifyOptions& options) {
   require_file_beside(options.json, run.folder);
   Progress progress(!options.quiet);
   progress.now("verifying");
-  run.verification = verify(run.project, options.no_plots ? Figures::without : Figures::with);
+  run.verification =
+      verify(run.project, options.no_plots ? Figures::without : Figures::with, Advice::with);
   run.outputs = write_outputs(run.project, run.verification, options, run.folder, progress);
   return run;
 }

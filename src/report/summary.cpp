@@ -7,6 +7,7 @@
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/report/verdict_sentence.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "plain_text.hpp"
 #include "report_parts.hpp"
@@ -57,6 +58,7 @@ report::MarkedText summary(const Project& project, const Verification& verificat
   report::MarkedText out = marked(verification, verdict, verdict.line);
   out += fmt::format("  {}\n", visible(project.title));
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
+  out += layout::entry("in short", verdict_sentence_of(project, verification)) + "\n";
   out += layout::entry("model", verification.model.reason) + "\n";
   out += report::table_text(governing, layout::width());
   out += "\nRemarks:\n" + remarks_summary(project, verification);

@@ -83,8 +83,15 @@ const char* to_text(Verdict verdict) {
   return "";
 }
 
-Verification verify(const Project& project, Figures figures) {
+Verification verify(const Project& project, Figures figures, Advice advice) {
   auto [model, runs] = run_by_chosen_model(project);
+  Verification verification = judge(project, runs, std::move(model), figures);
+  if (advice == Advice::with) verification.remedies = remedies_of(project, runs, verification);
+  return verification;
+}
+
+Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
+                   Figures figures) {
   const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   const auto [stations, search] = search_stations(project, runs, zones);
   BeamChecks beam = check_beam(project, runs, zones, stations, model);
@@ -124,7 +131,8 @@ Verification verify(const Project& project, Figures figures) {
           .beam_mass = mass_properties_of(project.beam),
           .tapers = taper_slopes_of(project.beam),
           .published_concentrations = published_concentrations_of(project),
-          .pictures = std::move(pictures)};
+          .pictures = std::move(pictures),
+          .remedies = {}};
 }
 
 }  // namespace boxbeam

@@ -10,6 +10,7 @@
 #include "boxbeam/verification/code_comparison.hpp"
 #include "boxbeam/verification/neighbours.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/remedies.hpp"
 #include "boxbeam/verification/verified_stations.hpp"
 
 namespace boxbeam {
@@ -38,6 +39,7 @@ struct Verification {
   std::vector<TaperSlope> tapers;
   std::vector<PublishedConcentration> published_concentrations;
   Pictures pictures;
+  Remedies remedies;  ///< where they are wanted and the case fails
 
   /// The check with the highest utilisation of a criterion, or nullptr.
   const CheckResult* governing(Criterion criterion) const {
@@ -45,8 +47,17 @@ struct Verification {
   }
 };
 
+/// Whether a verification that fails says what would make it pass, for which it verifies again.
+enum class Advice { without, with };
+
 /// Verifies a case: mechanism -> motion -> loads on the beam -> cut forces -> stress -> fatigue ->
 /// checks. Throws AnalysisError where a step cannot be done.
-Verification verify(const Project& project, Figures figures = Figures::without);
+Verification verify(const Project& project, Figures figures = Figures::without,
+                    Advice advice = Advice::without);
+
+/// The same from the cut forces on: the loads are those of situations that have run. These are the
+/// project's own.
+Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
+                   Figures figures = Figures::without);
 
 }  // namespace boxbeam
