@@ -35,8 +35,9 @@ Table largest_cut_forces(const Source& source) {
 
 std::vector<Block> opening_blocks(const Source& source) {
   std::vector<Block> blocks;
-  // A summary has its figures behind it.
-  if (source.level != ReportLevel::summary) add_pictures(source, FigurePlace::opening, blocks);
+  // A summary is two pages, with figures of its own.
+  if (source.level == ReportLevel::summary) return blocks;
+  add_pictures(source, FigurePlace::opening, blocks);
   Table forces = largest_cut_forces(source);
   if (!forces.rows.empty()) blocks.emplace_back(std::move(forces));
   return blocks;

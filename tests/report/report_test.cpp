@@ -248,7 +248,7 @@ TEST_CASE("the first page says in one sentence what governs and lists the larges
     for (const Block& block : document.opening) {
       const auto* table = std::get_if<Table>(&block);
       if (table == nullptr) continue;
-      for (const std::vector<Cell>& row : table->rows) {
+      for (const auto& row : table->rows) {
         CHECK_FALSE(listed.contains(row[0].text));
         listed[row[0].text] = *row[1].value;
       }

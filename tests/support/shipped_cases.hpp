@@ -26,7 +26,7 @@ inline const std::vector<std::string>& shipped_paths() {
       "sections/four-bar-rocker/rocker.toml",   "sections/scissor-lift/lift.toml",
       "sections/slider-crank-press/press.toml", "sections/pump-jack/beam.toml",
       "sections/crane-girder/girder.toml",      "sections/jib-crane/jib.toml",
-      "sections/excavator-boom/boom.toml",      "sections/blade-root-adapter/adapter.toml"};
+      "sections/excavator-boom/boom.toml"};
   return paths;
 }
 
