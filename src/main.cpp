@@ -355,7 +355,12 @@ Entry init_entry(CLI::App& app) {
                   "where to, which must not be there yet (default: KIND.toml); - for standard "
                   "output")
       ->type_name("FILE.toml");
-  return {&command, {"boxbeam init planar my.toml"}, [options] { return run_init(*options); }};
+  command.add_flag("--schema", options->schema,
+                   "write the schema beside it, boxbeam-case.schema.json, by which editors of TOML "
+                   "(Even Better TOML, taplo) complete and explain its keys");
+  return {&command, {"boxbeam init planar my.toml", "boxbeam init static --schema"}, [options] {
+            return run_init(*options);
+          }};
 }
 
 Entry validate_entry(CLI::App& app) {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/case_schema.hpp"
 #include "boxbeam/report/files.hpp"
 #include "program/exit_code.hpp"
 #include "program/terminal.hpp"
@@ -25,6 +26,9 @@ const char* template_of(const std::string& kind) {
       ->text;
 }
 
+/// The file that the first line of every template names for editors.
+constexpr const char* schema_file = "boxbeam-case.schema.json";
+
 }  // namespace
 
 bool is_case_file(const std::string& word) { return word.ends_with(".toml"); }
@@ -36,10 +40,15 @@ int run_init(const InitOptions& given) {
       throw InputError(fmt::format("two files: {} and {}", given.kind, given.file),
                        "name the kind first: boxbeam init planar FILE.toml");
     }
-    options = {"planar", given.kind};
+    options.kind = "planar";
+    options.file = given.kind;
   }
   const char* const text = template_of(options.kind);
   if (options.file == "-") {
+    if (options.schema) {
+      throw InputError("the schema is written beside a case that is a file",
+                       "name a file, or write it alone: boxbeam schema case");
+    }
     put(text);
     return all_pass;
   }
@@ -53,9 +62,14 @@ int run_init(const InitOptions& given) {
   if (!folder.empty() && !fs::is_directory(folder, error)) {
     throw OutputError(fmt::format("there is no folder {} to write the case to", folder.string()));
   }
+  std::string written = fmt::format("Written: {}, a case that runs as it is", file);
+  if (options.schema) {
+    const std::string schema = (folder / schema_file).string();
+    write_file(schema, schema_of("case"));
+    written += fmt::format(", and {}, by which editors of TOML know its keys", schema);
+  }
   write_file(file, text);
-  put_text(fmt::format("Written: {}, a case that runs as it is. Next:\n\n  boxbeam verify {}\n",
-                       file, shell_word(file)));
+  put_text(fmt::format("{}. Next:\n\n  boxbeam verify {}\n", written, shell_word(file)));
   return all_pass;
 }
 

@@ -7,13 +7,14 @@ namespace boxbeam::program {
 struct InitOptions {
   std::string kind = "planar";  ///< or the file, of a planar case
   std::string file;             ///< "": KIND.toml; "-": standard output
+  bool schema = false;          ///< whether the schema that it names is written beside it
 };
 
 /// Whether a word names a case file: it ends in ".toml".
 bool is_case_file(const std::string& word);
 
-/// `boxbeam init`: writes a commented case that runs as it is. Never overwrites. Returns the exit
-/// code.
+/// `boxbeam init`: writes a commented case that runs as it is. Never overwrites a case; a schema
+/// beside it is the program's own and is brought up to date. Returns the exit code.
 int run_init(const InitOptions& options);
 
 }  // namespace boxbeam::program

@@ -210,7 +210,8 @@ Run run_once(const VerifyOptions& options) {
   if (!options.export_to.empty()) require_folder(options.export_to);
   Progress progress(!options.quiet);
   progress.now("verifying");
-  run.beams = verify_beams(std::move(beams), options.no_plots ? Figures::without : Figures::with);
+  run.beams = verify_beams(std::move(beams), options.no_plots ? Figures::without : Figures::with,
+                           Advice::with);
   run.outputs = write_outputs(run.beams, options, run.folder, progress);
   if (!options.export_to.empty()) export_beams(options.export_to, progress, run);
   return run;

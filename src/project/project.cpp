@@ -227,9 +227,15 @@ Project read_project(const std::string& path, const std::vector<std::string>& ov
   return std::move(read_beams(path, overrides, dynamics).front());
 }
 
+std::vector<Project> parse_beams(const std::string& path, const std::string& text,
+                                 const std::vector<std::string>& overrides,
+                                 std::optional<Dynamics> dynamics) {
+  return read(parse_document(path, text, overrides), overrides, dynamics);
+}
+
 Project parse_project(const std::string& path, const std::string& text,
                       const std::vector<std::string>& overrides, std::optional<Dynamics> dynamics) {
-  return std::move(read(parse_document(path, text, overrides), overrides, dynamics).front());
+  return std::move(parse_beams(path, text, overrides, dynamics).front());
 }
 
 void record_keys(const std::string& path, const std::string& text, KeyRecorder& recorder) {

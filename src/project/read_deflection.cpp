@@ -16,12 +16,12 @@ struct Support {
 };
 
 /// What a joint does to the beam where it holds it.
-struct Held {
+struct HoldOnBeam {
   bool place = false;  ///< it keeps the beam's place, across the axis at least
   bool angle = false;
 };
 
-Held held_by(const planar::Joint& joint) {
+HoldOnBeam held_by(const planar::Joint& joint) {
   const planar::Hold hold = planar::holds_of(joint).first;
   return {hold != planar::Hold::angle, hold == planar::Hold::angle || hold == planar::Hold::clamp};
 }
@@ -44,13 +44,13 @@ std::vector<Support> supports_of(const Project& project, const planar::Mechanism
   const Length centre = mass_properties_of(project.beam).centre;
   const std::vector<Length> places = places_of(project.beam);
   struct Place : Support {
-    Held hold;
+    HoldOnBeam hold;
   };
   std::vector<Place> found;
   for (const planar::Joint& joint : mechanism.joints) {
     const auto point = point_on_beam(joint, project.beam_body);
     if (!point) continue;
-    const Held hold = held_by(joint);
+    const HoldOnBeam hold = held_by(joint);
     const Length s = place_near(places, centre + si<Length>(point->p.x()));
     const auto same =
         std::find_if(found.begin(), found.end(), [&](const Place& at) { return at.s == s; });

@@ -150,10 +150,12 @@ void read_joint(TableReader& table, const std::string& name, frame::Structure& s
                   "move a member or a point so that they meet; \"from\" and \"to\" take "
                   "\"member.point\", too");
   }
-  // Where it is within round-off: a joint that acts at two places is in no balance.
+  // A joint that acts at two places is in no balance; but what is round-off beside the place that
+  // was written would take its forces off that station, at which they let the cut forces jump.
   if (table.problems().size() == before) {
     const frame::Member& b = structure.members[static_cast<std::size_t>(joint.b.member)];
-    joint.b.p = b.axes.transpose() * (in_world(structure, joint.a) - b.start);
+    const Vector3d meeting = b.axes.transpose() * (in_world(structure, joint.a) - b.start);
+    if ((meeting - joint.b.p).norm() > 1e-12 * size) joint.b.p = meeting;
   }
   switch (kind) {
     case 0: joint.stiffness.fill(rigid); break;

@@ -32,6 +32,20 @@ const CriticalInstant* largest_moment_of(const Source& source) {
   return largest;
 }
 
+std::string sketch_caption(const Source& source) {
+  const Check& check = worst_check(source);
+  return fmt::format(
+      "The {} with the loads on the beam at the critical instant next to that of the governing "
+      "check, t = {}{}.",
+      front_end_text_of(source.project)->word(), text::seconds(check.time.value()),
+      check.on_beam ? "; a circle marks its place" : "");
+}
+
+std::string use_caption(const Source& source) {
+  return fmt::format("The largest utilisation at each station, by the criteria used most: {}.",
+                     use_text(worst_check(source)));
+}
+
 std::string mechanism_caption(const Source& source) {
   const double begin = source.verification.pictures.postures.front().time.value();
   const std::string what =
@@ -235,6 +249,10 @@ std::string sudden_start_caption(const Source& source) {
                      largest_force(source.verification.pictures.elastic->after_start));
 }
 
+bool has_posture(const Project&, const Verification& verification) {
+  return verification.pictures.postures.size() > 1;
+}
+
 bool in_plane(const Project& project, const Verification&) { return !project.in_space; }
 
 bool in_three_dimensions(const Project& project, const Verification&) { return project.in_space; }
@@ -285,6 +303,9 @@ bool vibrates(const Project&, const Verification& verification) {
 }
 
 constexpr FigureKind kinds[] = {
+    {"sketch", FigurePlace::opening, false, has_posture, sketch_caption, nullptr, plot::sketch},
+    {"use", FigurePlace::opening, false, is_checked_along, use_caption, nullptr,
+     plot::use_along_beam},
     {"mechanism", FigurePlace::mechanism, true, in_plane, mechanism_caption, nullptr,
      plot::mechanism},
     {"mechanism", FigurePlace::mechanism, true, in_three_dimensions, mechanism_caption, nullptr,

@@ -103,6 +103,7 @@ class Writer {
     }
     out_ += "</header>\n";
     if (is_judged()) verdict();
+    opening();
     Facts block = document_.facts;
     if (!document_.input_sha256.empty())
       block.entries.emplace_back("input sha256", document_.input_sha256);
@@ -118,8 +119,18 @@ class Writer {
         "<section class=\"verdict {}\" aria-labelledby=\"verdict\">\n"
         "<h2 id=\"verdict\"><span>Verdict</span> <strong>{}</strong></h2>\n",
         style_of(document_.mark), escaped(document_.verdict));
+    if (!document_.sentence.empty())
+      out_ += fmt::format("<p class=\"sentence\">{}</p>\n", escaped(document_.sentence));
     if (!document_.reasons.empty()) write(Bullets{document_.reasons});
     if (!document_.governing.rows.empty()) write(document_.governing, true);
+    out_ += "</section>\n";
+  }
+
+  void opening() {
+    if (document_.opening.empty()) return;
+    out_ += "<section class=\"opening\" aria-label=\"At a glance\">\n";
+    for (const Block& block : document_.opening)
+      std::visit([&](const auto& one) { write(one); }, block);
     out_ += "</section>\n";
   }
 

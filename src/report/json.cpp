@@ -116,6 +116,18 @@ void put_code(Fields& to, const CodeResult& code) {
   to.text({"missing", "why there is no factor"}, code.missing);
 }
 
+void put_remedy(Fields& to, const Remedy& remedy) {
+  to.word({"what", "is changed"}, to_text(remedy.what),
+          {"detail category", "flange thickness", "web thickness", "wall thickness", "steel"});
+  to.text({"name", "\"category 112\", \"58 mm flanges\", \"S460N\""}, remedy.name);
+  to.number_in({"value", "category, thickness (the largest that is changed), yield strength"},
+               unit_of(remedy.what), "unit", remedy.value);
+  to.text("unit", unit_of(remedy.what));
+  to.number({"utilisation", "the largest of the whole case with it"}, "1", remedy.utilisation);
+  to.texts({"set", "keys of the case that make the change, as --set takes them; of plates"},
+           remedy.set);
+}
+
 /// The curve of the governing fatigue check, and what the check found on it.
 void put_sn(Fields& to, const Project& project, const Verification& verification) {
   const CheckResult* const governing =
@@ -243,6 +255,10 @@ void put_results(Fields& to, const Project& project, const Verification& verific
            "the verdict with what it leaves out and why it is not applicable: \"PASS for strength; "
            "fatigue: no stress range\""},
           [&] { return verdict_text_of(project, verification).whole(); });
+  to.list({"remedies",
+           "where the case fails: single changes with each of which it passes, found by verifying "
+           "again"},
+          "{what}", verification.remedies.found, put_remedy);
   to.list({"not_judged", "what the case asks for and no check judges"}, "{what}",
           verification.not_judged, [](Fields& of, const NotJudged& what) {
             of.text({"what", "fatigue, deflection, a pin or a rod"}, what.what);

@@ -153,8 +153,47 @@ std::string sign_fields(const Document& document, bool is_short) {
                      field("checked", document.checked_by), field("approved", ""));
 }
 
+/// Two pictures beside each other, where the next two blocks are some; else "".
+std::string pair_of_pictures(const std::vector<Block>& blocks, std::size_t i) {
+  if (i + 1 >= blocks.size()) return "";
+  const auto* left = std::get_if<Picture>(&blocks[i]);
+  const auto* right = std::get_if<Picture>(&blocks[i + 1]);
+  if (left == nullptr || right == nullptr) return "";
+  return fmt::format("\\figurepair{{{}}}{{{}}}{{{}}}{{{}}}\n", left->name, running(left->caption),
+                     right->name, running(right->caption));
+}
+
+using HasPicture = std::function<bool(const std::string& name)>;
+
+/// What a chapter has for paper.
+std::vector<Block> printed(const std::vector<Block>& blocks, const HasPicture& has_picture) {
+  std::vector<Block> kept;
+  for (const Block& each : blocks) {
+    const auto* picture = std::get_if<Picture>(&each);
+    const bool left_out = picture != nullptr ? !has_picture(picture->name)
+                                             : std::holds_alternative<MovingPicture>(each);
+    if (!left_out) kept.push_back(each);
+  }
+  return kept;
+}
+
+/// What stands under the verdict, pictures abreast.
+std::string opening(const Document& document, const HasPicture& has_picture) {
+  const std::vector<Block> blocks = printed(document.opening, has_picture);
+  std::string out;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (const std::string pair = pair_of_pictures(blocks, i); !pair.empty()) {
+      out += pair;
+      ++i;
+    } else {
+      out += std::visit([](const auto& each) { return block(each); }, blocks[i]);
+    }
+  }
+  return out;
+}
+
 /// What stands on the first page: the verdict and what decides it first.
-std::string title_page(const Document& document) {
+std::string title_page(const Document& document, const HasPicture& has_picture) {
   const bool is_short = is_short_one(document);
   std::string out = is_short ? "\\shorttrue\n" : "";
   out += fmt::format("{{\\raggedright\\sffamily\\bfseries\\huge\\hskip0pt {}\\par}}\n",
@@ -164,11 +203,14 @@ std::string title_page(const Document& document) {
   if (is_judged(document)) {
     out += fmt::format("\\verdict{{{}}}{{{}}}\n", colour_of(document.mark),
                        latex_breakable(document.verdict, 20));
+    if (!document.sentence.empty())
+      out += fmt::format("{{\\raggedright {}\\par}}\n", running(document.sentence));
     for (const std::string& reason : document.reasons) {
       out += fmt::format("\\bulletitem{{{}}}\n", running(reason));
     }
     out += latex_table(document.governing);
   }
+  out += opening(document, has_picture);
   Facts all{{{"program", document.program}, {"date", document.date}}};
   if (!document.input_sha256.empty())
     all.entries.emplace_back("input sha256", document.input_sha256);
@@ -237,31 +279,8 @@ std::string room_for(const Needed& needed) {
                      needed.height, needed.instead);
 }
 
-/// Two pictures beside each other, where the next two blocks are some; else "".
-std::string pair_of_pictures(const std::vector<Block>& blocks, std::size_t i) {
-  if (i + 1 >= blocks.size()) return "";
-  const auto* left = std::get_if<Picture>(&blocks[i]);
-  const auto* right = std::get_if<Picture>(&blocks[i + 1]);
-  if (left == nullptr || right == nullptr) return "";
-  return fmt::format("\\figurepair{{{}}}{{{}}}{{{}}}{{{}}}\n", left->name, running(left->caption),
-                     right->name, running(right->caption));
-}
-
-/// What a chapter has for paper.
-std::vector<Block> printed(const std::vector<Block>& blocks,
-                           const std::function<bool(const std::string&)>& has_picture) {
-  std::vector<Block> kept;
-  for (const Block& each : blocks) {
-    const auto* picture = std::get_if<Picture>(&each);
-    const bool left_out = picture != nullptr ? !has_picture(picture->name)
-                                             : std::holds_alternative<MovingPicture>(each);
-    if (!left_out) kept.push_back(each);
-  }
-  return kept;
-}
-
 std::string latex_chapter(std::size_t number, const Chapter& chapter, bool abreast,
-                          const std::function<bool(const std::string&)>& has_picture) {
+                          const HasPicture& has_picture) {
   constexpr double heading = 46;
   constexpr double pair_height = 270;
   const std::vector<Block> blocks = printed(chapter.blocks, has_picture);
@@ -302,7 +321,7 @@ std::string latex_of(const Document& document,
                      const std::function<bool(const std::string& name)>& has_picture) {
   std::string out = latex_preamble;
   out += head_and_foot(document);
-  out += "\\begin{document}\n\\pagestyle{report}\n" + title_page(document);
+  out += "\\begin{document}\n\\pagestyle{report}\n" + title_page(document, has_picture);
   for (std::size_t i = 0; i < document.chapters.size(); ++i)
     out += latex_chapter(i + 1, document.chapters[i], is_short_one(document), has_picture);
   return out + "\\end{document}\n";

@@ -75,6 +75,8 @@ std::string quoted(const std::string& text);
 std::string time_label(Time time, const std::string& situation = "");
 
 // The figures, each in a file of its own.
+Drawing sketch(const Project& project, const Verification& verification);
+Drawing use_along_beam(const Project& project, const Verification& verification);
 Drawing mechanism(const Project& project, const Verification& verification);
 Drawing mechanism_in_space(const Project& project, const Verification& verification);
 Drawing section(const Project& project, const Verification& verification);

@@ -4,6 +4,7 @@
 
 #include "blocks.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/report/verdict_sentence.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "front_end_text.hpp"
 #include "report_parts.hpp"
@@ -106,9 +107,11 @@ report::Document report_of(const Project& project, const Verification& verificat
   VerdictText verdict = verdict_text_of(project, verification);
   document.verdict = std::move(verdict.line);
   document.reasons = std::move(verdict.reasons);
+  document.sentence = verdict_sentence_of(project, verification);
   document.mark = mark_of(verification.verdict);
   document.facts = title_facts(project, verification);
   document.governing = governing_table(source);
+  document.opening = opening_blocks(source);
   for (const auto chapter_of :
        {remarks_chapter, model_chapter, inputs_chapter, mechanism_chapter, motion_chapter,
         loads_chapter, cut_force_chapter, section_chapter, stress_chapter, sheets_chapter,
@@ -126,6 +129,7 @@ report::Document with_pictures(report::Document document,
     const auto* picture = std::get_if<Picture>(&block);
     return picture != nullptr && !drawn(picture->name);
   };
+  std::erase_if(document.opening, missing);
   for (Chapter& chapter : document.chapters) std::erase_if(chapter.blocks, missing);
   std::erase_if(document.chapters, [](const Chapter& chapter) { return chapter.blocks.empty(); });
   return document;

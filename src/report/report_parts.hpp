@@ -20,6 +20,11 @@ struct Source {
   ReportLevel level;
 };
 
+// report_opening.cpp
+/// What stands under the verdict: the governing instant, the utilisation along the beam and the
+/// largest cut forces.
+std::vector<Block> opening_blocks(const Source& source);
+
 // report_inputs.cpp
 Chapter inputs_chapter(const Source& source);
 // report_mechanism.cpp
@@ -52,6 +57,7 @@ std::string place_of(const Check& check);
 
 /// Where in a report a figure stands.
 enum class FigurePlace {
+  opening,
   mechanism,
   motion,
   vibration,

@@ -7,6 +7,7 @@
 #include "boxbeam/core/code_points.hpp"
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/report/verdict_sentence.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "plain_text.hpp"
 #include "report_parts.hpp"
@@ -58,6 +59,7 @@ report::MarkedText summary(const Project& project, const Verification& verificat
   out += fmt::format(
       "  {}\n", visible(project.beam_name.empty() ? project.title : "beam " + project.beam_name));
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
+  out += layout::entry("in short", verdict_sentence_of(project, verification)) + "\n";
   out += layout::entry("model", verification.model.reason) + "\n";
   out += report::table_text(governing, layout::width());
   out += "\nRemarks:\n" + remarks_summary(project, verification);

@@ -101,17 +101,22 @@ std::string text_of(const Document& document, std::size_t width) {
     out += hanging("VERDICT: ", "         ", document.verdict, width);
     for (const std::string& reason : document.reasons)
       out += hanging("  - ", "    ", reason, width);
+    if (!document.sentence.empty()) out += "\n" + hanging("  ", "  ", document.sentence, width);
     out += "\n";
   }
   if (!document.verdict.empty() && !document.governing.rows.empty()) {
     out += table_text(with_results(document.governing), width).text + "\n";
+  }
+  std::size_t figures = 0;
+  for (const Block& block : document.opening) {
+    const std::string text = std::visit(BlockText{width, &figures}, block);
+    if (!text.empty()) out += text + "\n";
   }
   Facts facts = document.facts;
   if (!document.input_sha256.empty())
     facts.entries.emplace_back("input sha256", document.input_sha256);
   out += facts_text(facts, width);
   std::size_t number = 0;
-  std::size_t figures = 0;
   for (const Chapter& chapter : document.chapters) {
     out += "\n" + heading(fmt::format("{} {}", ++number, chapter.title), '-');
     bool directly = true;  // below a heading

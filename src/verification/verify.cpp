@@ -85,8 +85,16 @@ const char* to_text(Verdict verdict) {
   return "";
 }
 
-Verification verify(const Project& project, Figures figures, const SharedMotions& shared) {
+Verification verify(const Project& project, Figures figures, Advice advice,
+                    const SharedMotions& shared) {
   auto [model, runs] = run_by_chosen_model(project, shared);
+  Verification verification = judge(project, runs, std::move(model), figures);
+  if (advice == Advice::with) verification.remedies = remedies_of(project, runs, verification);
+  return verification;
+}
+
+Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
+                   Figures figures) {
   const std::vector<BendingZone> zones = bending_zones_of(project, runs);
   auto [stations, search] = search_stations(project, runs, zones);
   BeamChecks beam = check_beam(project, runs, zones, stations, model);
@@ -139,10 +147,11 @@ Verification verify(const Project& project, Figures figures, const SharedMotions
           .beam_mass = mass_properties_of(project.beam),
           .tapers = taper_slopes_of(project.beam),
           .published_concentrations = published_concentrations_of(project),
-          .pictures = std::move(pictures)};
+          .pictures = std::move(pictures),
+          .remedies = {}};
 }
 
-std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams, Figures figures) {
+std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams, Figures figures, Advice advice) {
   const SharedMotions shared;
   std::vector<VerifiedBeam> verified;
   // Motions and loads look at the cases, which stay where they are.
@@ -150,7 +159,7 @@ std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams, Figures figur
   for (Project& project : beams) verified.push_back({std::move(project), {}});
   for (VerifiedBeam& beam : verified) {
     try {
-      beam.verification = verify(beam.project, figures, shared);
+      beam.verification = verify(beam.project, figures, advice, shared);
     } catch (const AnalysisError& error) {
       if (beam.project.beam_name.empty()) throw;
       AnalysisFailure failure = error.failure();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/report/format.hpp"
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
@@ -51,6 +52,9 @@ std::vector<std::string> titles_of(const Document& document) {
 
 template <class Kind, class Visit>
 void for_each(const Document& document, Visit visit) {
+  for (const Block& block : document.opening) {
+    if (const Kind* of = std::get_if<Kind>(&block)) visit(*of);
+  }
   for (const Chapter& chapter : document.chapters) {
     for (const Block& block : chapter.blocks) {
       if (const Kind* of = std::get_if<Kind>(&block)) visit(*of);
@@ -218,6 +222,47 @@ TEST_CASE("a report shows the figures that are drawn and no others, each once", 
     }
     CHECK(pictures_of(summary).count("mechanism") == 1);
     CHECK(pictures_of(summary).count("cut-forces") == 1);
+  }
+}
+
+TEST_CASE("the first page says in one sentence what governs and lists the largest cut forces",
+          "[report]") {
+  for (const test::ShippedCase& of : test::shipped_cases()) {
+    INFO(of.path);
+    const Document document = report_of(of.project, of.verification, ReportLevel::governing);
+    const Check& worst = of.verification.checks.front().check;
+    INFO(document.sentence);
+    CHECK(document.sentence.starts_with(of.verification.verdict == Verdict::pass ? "passes"
+                                        : of.verification.verdict == Verdict::fail
+                                            ? "fails in "
+                                            : "not applicable: "));
+    CHECK(document.sentence.find(text::percent(worst.utilisation()) + " used") !=
+          std::string::npos);
+    if (!worst.situation.empty())
+      CHECK(document.sentence.find("under \"" + worst.situation + "\"") != std::string::npos);
+    const std::string text = text_of(document);
+    CHECK(text.find("Largest cut forces") < text.find("1 Assumptions"));
+
+    // No station has a larger one, and each is there once.
+    std::map<std::string, double> listed;
+    for (const Block& block : document.opening) {
+      const auto* table = std::get_if<Table>(&block);
+      if (table == nullptr) continue;
+      for (const auto& row : table->rows) {
+        CHECK_FALSE(listed.contains(row[0].text));
+        listed[row[0].text] = *row[1].value;
+      }
+    }
+    for (const CutForceName& name : cut_forces_looked_at(of.project)) {
+      double largest = 0.0;
+      for (const StationEnvelope& station : of.verification.stations) {
+        const Envelope& envelope = station.of[name.which];
+        largest = std::max(
+            {largest, std::abs(envelope.smallest.value), std::abs(envelope.largest.value)});
+      }
+      if (listed.contains(name.name)) CHECK(std::abs(listed.at(name.name)) == Approx(largest));
+    }
+    CHECK_FALSE(listed.empty());
   }
 }
 

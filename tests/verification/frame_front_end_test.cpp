@@ -47,6 +47,35 @@ double largest_moment(const Verification& of) {
   return largest;
 }
 
+TEST_CASE("forces of a joint act at the place that is written, whatever the beam's angle",
+          "[frame]") {
+  // The axes of an inclined beam turn 1.106897187059307 m in the world into its neighbour.
+  const Verification verification = verify(
+      parse("[beam]\ndensity = \"7850 kg/m^3\"\nangle = \"-0.3829 rad\"\n"
+            "points = { prop = [\"1.106897187059307 m\", \"0 m\"] }\n"
+            "[[beam.segments]]\nlength = \"4 m\"\nsection = \"box\"\n" +
+            fixed_at_start +
+            "[members.leg]\nfrom = [\"0.7 m\", \"-3.1 m\"]\nto = \"beam.prop\"\nsection = \"box\"\n"
+            "[supports.foot]\nkind = \"fixed\"\nat = \"leg.start\"\n"
+            "[joints.top]\nkind = \"rigid\"\nconnect = [\"leg.end\", \"beam.prop\"]\n"
+            "[loads.tip]\nkind = \"force\"\nat = \"4 m\"\nforce = [\"7 kN\", \"-30 kN\"]\n"));
+  const BeamLoadRow* top = nullptr;
+  for (const BeamLoadRow& row : verification.pictures.loads) {
+    if (row.name == "top") top = &row;
+  }
+  REQUIRE(top != nullptr);
+  CHECK(top->s.value() == 1.106897187059307);
+  // The jump from one side of the station to the other is the joint's force, by equilibrium.
+  std::map<Side, double> N;
+  for (const StationEnvelope& station : verification.stations) {
+    if (station.station.s.value() == 1.106897187059307)
+      N[station.station.side] = station.of[cut_force::N].largest.value;
+  }
+  REQUIRE(N.contains(Side::before));
+  REQUIRE(N.contains(Side::behind));
+  CHECK(N[Side::before] - N[Side::behind] == Approx(top->force.x()).epsilon(1e-9));
+}
+
 TEST_CASE("a cantilever at rest has the factors of the same beam in a mechanism", "[frame]") {
   const Verification moving = verify(test::clamped_beam(test::clamped::steady, ""));
   const Verification still = verify(

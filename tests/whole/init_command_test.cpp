@@ -125,6 +125,27 @@ TEST_CASE("init: nothing is overwritten, and standard output takes a case as wel
   CHECK_FALSE(fs::exists(missing));
 }
 
+TEST_CASE("init: the schema that the first line names stands beside the case where wanted",
+          "[init]") {
+  const test::TemporaryFolder folder;
+  const std::string link = "#:schema ./";
+  for (const std::string kind : {"planar", "spatial", "flexible", "static", "loads"}) {
+    INFO(kind);
+    REQUIRE(test::run_program({"init", kind, "--schema"}, folder.path()).exit_code == 0);
+    // Editors read the directive in the first line, and its path from the folder of the case.
+    const std::string text = test::read_file(folder.path() / (kind + ".toml"));
+    REQUIRE(text.starts_with(link));
+    const std::string name = text.substr(link.size(), text.find('\n') - link.size());
+    const fs::path named = folder.path() / name;
+    REQUIRE(fs::exists(named));
+    CHECK(test::read_file(named) == test::run_program({"schema", "case"}).out);
+    fs::remove(named);
+  }
+  REQUIRE(test::run_program({"init", "static", "alone.toml"}, folder.path()).exit_code == 0);
+  CHECK_FALSE(fs::exists(folder.path() / "boxbeam-case.schema.json"));
+  CHECK(test::run_program({"init", "static", "-", "--schema"}, folder.path()).exit_code == 2);
+}
+
 TEST_CASE("init: a file alone is that of a planar case", "[init]") {
   const test::TemporaryFolder folder;
   CHECK(test::run_program({"init", "my.toml"}, folder.path()).exit_code == 0);

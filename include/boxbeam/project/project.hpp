@@ -369,7 +369,12 @@ std::vector<Project> read_beams(const std::string& path,
 Project read_project(const std::string& path, const std::vector<std::string>& overrides = {},
                      std::optional<Dynamics> dynamics = {});
 
-/// The same from text, under a name for messages.
+/// All beams of a case from text, under a name for messages.
+std::vector<Project> parse_beams(const std::string& path, const std::string& text,
+                                 const std::vector<std::string>& overrides = {},
+                                 std::optional<Dynamics> dynamics = {});
+
+/// Of several beams the first.
 Project parse_project(const std::string& path, const std::string& text,
                       const std::vector<std::string>& overrides = {},
                       std::optional<Dynamics> dynamics = {});

@@ -97,17 +97,19 @@ struct Chapter {
 };
 
 struct Document {
-  std::string title;         ///< name of the case
-  std::string subtitle;      ///< its title
-  std::string date;          ///< "2026-11-21"
-  std::string program;       ///< "boxbeam 0.1.0"
-  std::string input_sha256;  ///< "": of no single input
-  std::string verdict;       ///< "PASS", "FAIL; rod hanger: no force"; "": nothing is judged
+  std::string title;          ///< name of the case
+  std::string subtitle;       ///< its title
+  std::string date;           ///< "2026-11-21"
+  std::string program;        ///< "boxbeam 0.1.0"
+  std::string input_sha256;   ///< "": of no single input
+  std::string verdict;        ///< "PASS", "FAIL; rod hanger: no force"; "": nothing is judged
+  std::string sentence = {};  ///< the verdict in one sentence that can stand alone
   std::string prepared_by = {}, checked_by = {};  ///< names of who signs, where known
   std::vector<std::string> reasons = {};          ///< of the verdict, where it is "NOT APPLICABLE"
   Mark mark = Mark::none;
-  Facts facts;      ///< the rest of the title block
-  Table governing;  ///< under the verdict: the worst check of every criterion
+  Facts facts;                      ///< the rest of the title block
+  Table governing;                  ///< under the verdict: the worst check of every criterion
+  std::vector<Block> opening = {};  ///< on the first page behind it: tables and pictures
   std::vector<Chapter> chapters;
 };
 

@@ -10,6 +10,7 @@
 #include "boxbeam/verification/code_comparison.hpp"
 #include "boxbeam/verification/neighbours.hpp"
 #include "boxbeam/verification/pictures.hpp"
+#include "boxbeam/verification/remedies.hpp"
 #include "boxbeam/verification/shared_motions.hpp"
 #include "boxbeam/verification/verified_stations.hpp"
 
@@ -39,6 +40,7 @@ struct Verification {
   std::vector<TaperSlope> tapers;
   std::vector<PublishedConcentration> published_concentrations;
   Pictures pictures;
+  Remedies remedies;  ///< where they are wanted and the case fails
 
   /// The check with the highest utilisation of a criterion, or nullptr.
   const CheckResult* governing(Criterion criterion) const {
@@ -46,10 +48,18 @@ struct Verification {
   }
 };
 
+/// Whether a verification that fails says what would make it pass, for which it verifies again.
+enum class Advice { without, with };
+
 /// Verifies a case: mechanism -> motion -> loads on the beam -> cut forces -> stress -> fatigue ->
 /// checks. Throws AnalysisError where a step cannot be done.
 Verification verify(const Project& project, Figures figures = Figures::without,
-                    const SharedMotions& shared = {});
+                    Advice advice = Advice::without, const SharedMotions& shared = {});
+
+/// The same from the cut forces on: the loads are those of situations that have run. These are the
+/// project's own.
+Verification judge(const Project& project, const std::deque<SituationRun>& runs, ModelChoice model,
+                   Figures figures = Figures::without);
 
 /// A beam of a case and what was found of it.
 struct VerifiedBeam {
@@ -60,7 +70,8 @@ struct VerifiedBeam {
 /// Verifies each beam of a case; what moves or holds them all is solved once. Throws AnalysisError
 /// with the name of the beam.
 std::vector<VerifiedBeam> verify_beams(std::vector<Project> beams,
-                                       Figures figures = Figures::without);
+                                       Figures figures = Figures::without,
+                                       Advice advice = Advice::without);
 
 /// The beam that decides the verdict of the case: one that fails before one that is not judged
 /// before one that passes, of these the most used. Precondition: there is one.
