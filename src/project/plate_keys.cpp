@@ -49,6 +49,7 @@ std::vector<PlateKey> plate_keys_of(const Project& project, std::size_t segment,
   const Node* sections = document.root.find("sections");
   const Node* beam = document.root.find("beam");
   if (sections == nullptr || beam == nullptr) return {};
+  if (beam->kind == Node::Kind::array) beam = &beam->items[project.beam_index];
   const Node* segments = beam->find("segments");
   if (segments == nullptr || segment >= segments->items.size()) return {};
   const Node& written = segments->items[segment];

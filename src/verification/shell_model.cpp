@@ -16,9 +16,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// Elements across a plate.
-constexpr std::size_t across = 4;
+constexpr std::size_t columns_across = 4;
 /// Positions on a plate's mid-line: ends and middles of its elements.
-constexpr std::size_t positions = 2 * across;
+constexpr std::size_t positions = 2 * columns_across;
 /// The length of an element along the beam, of the section's height.
 constexpr double part_of_height = 0.2;
 
@@ -235,7 +235,7 @@ class ShellBuilder {
     const MidLines& lines = middle.lines;
     for (std::size_t plate = 0; plate < lines.plates.size(); ++plate) {
       const std::size_t set = set_of(segment, lines, plate);
-      for (std::size_t j = 0; j < across; ++j) {
+      for (std::size_t j = 0; j < columns_across; ++j) {
         const std::size_t p = plate * positions + 2 * j;
         const std::size_t half = lines.next(p, 1), end = lines.next(p, 2);
         ShellElement element;
@@ -353,9 +353,9 @@ class ShellBuilder {
                          std::map<std::size_t, NodeShare>& shares) {
     const MidLines& lines = ring.lines;
     const PlateLine& of = lines.plates[plate];
-    const Vector2d edge = (lines.corners[of.to] - lines.corners[of.from]) / across;
+    const Vector2d edge = (lines.corners[of.to] - lines.corners[of.from]) / columns_across;
     const bool upright = std::abs(edge.y()) > std::abs(edge.x());
-    for (std::size_t j = 0; j < across; ++j) {
+    for (std::size_t j = 0; j < columns_across; ++j) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t p = lines.next(plate * positions + 2 * j, k);
         const double sixths = k == 1 ? 4.0 / 6.0 : 1.0 / 6.0;
