@@ -190,9 +190,9 @@ void export_beams(const std::string& folder, Progress& progress, Run& run) {
   progress.now("writing the export");
   for (const VerifiedBeam& beam : run.beams) {
     const std::string below = folder_of(beam);
+    const std::string into = below.empty() ? folder : fmt::format("{}/{}", folder, below);
     run.outputs.troubles.attempt([&] {
-      const Exported of = export_files(beam.project, beam.verification,
-                                       below.empty() ? folder : folder + "/" + below);
+      const Exported of = export_files(beam.project, beam.verification, into);
       for (const std::string& name : of.written) run.exported.written.push_back(below + name);
       for (const std::string& words : of.said) run.exported.said.push_back(words);
       for (const std::string& words : of.left_out) run.exported.left_out.push_back(words);

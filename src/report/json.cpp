@@ -255,10 +255,6 @@ void put_results(Fields& to, const Project& project, const Verification& verific
            "the verdict with what it leaves out and why it is not applicable: \"PASS for strength; "
            "fatigue: no stress range\""},
           [&] { return verdict_text_of(project, verification).whole(); });
-  to.list({"remedies",
-           "where the case fails: single changes with each of which it passes, found by verifying "
-           "again"},
-          "{what}", verification.remedies.found, put_remedy);
   to.list({"not_judged", "what the case asks for and no check judges"}, "{what}",
           verification.not_judged, [](Fields& of, const NotJudged& what) {
             of.text({"what", "fatigue, deflection, a pin or a rod"}, what.what);
@@ -273,6 +269,10 @@ void put_results(Fields& to, const Project& project, const Verification& verific
                "by how much a criterion's largest utilisation may exceed the one found, relative"},
               "1", search.tolerance);
   });
+  to.list({"remedies",
+           "where the case fails: single changes with each of which it passes, found by verifying "
+           "again"},
+          "{what}", verification.remedies.found, put_remedy);
   if (!to.is_describing() && beams == nullptr) return;
   static const std::vector<VerifiedBeam> none;
   to.optional().list(

@@ -53,7 +53,7 @@ TEST_CASE("Drill truck: the boom's cut forces are those of its free bodies",
           "[drill_truck][boom][whole]") {
   const Project project = read_project(truck);
   const SituationRun run(project, project.situations.front(),
-                         {ModelLevel::flexible, 0, 0, {}, false});
+                         {ModelLevel::flexible, 0, 0, {}, false}, {});
   CHECK(run.imbalance < 1e-11);
   for (const double part : {0.0, 0.13, 0.5, 0.77}) {
     const Time time = part * run.loads.period();
@@ -76,7 +76,7 @@ TEST_CASE("Drill truck: what acts on the boom follows from moments about its hin
           "[drill_truck][boom][whole]") {
   const Project project = read_project(truck, {"loads.drill.amplitude_force=[\"0 N\", \"0 N\"]",
                                                "loads.drill.amplitude_moment=\"0 N m\""});
-  const SituationRun run(project, project.situations.front(), {});
+  const SituationRun run(project, project.situations.front(), {}, {});
   const BeamLoads loads = run.loads.loads_at(Time{});
   double moment = 0.0;
   double across = 0.0;
@@ -95,7 +95,7 @@ TEST_CASE("Drill truck: the range of stress is twice the size of its complex amp
           "[drill_truck][boom][whole]") {
   const Project project = read_project(truck);
   const SituationRun run(project, project.situations.front(),
-                         {ModelLevel::flexible, 0, 0, {}, false});
+                         {ModelLevel::flexible, 0, 0, {}, false}, {});
   const FlexibleMotion& motion = flexible_motion_of(run);
   const flexible::BeamResponse response = flexible::beam_response_of(
       *motion.structure, project.beam_body, project.beam, motion.response, motion.inertial);
@@ -122,7 +122,7 @@ TEST_CASE("Drill truck: models of the boom differ by what they leave out, and al
           "[drill_truck][boom][whole]") {
   const Project project = read_project(truck);
   const auto moment_range = [&](const ElasticModel& model) {
-    const SituationRun run(project, project.situations.front(), model);
+    const SituationRun run(project, project.situations.front(), model, {});
     CHECK(run.imbalance < 1e-10);
     const StationHistory history(run.loads, {si<Length>(1.5), Side::before});
     const auto M = [](const CutForces& cut) { return cut.M_y.value(); };

@@ -17,7 +17,7 @@ constexpr ElasticModel all_elements{ModelLevel::flexible, 0, 0, {}, false};
 TEST_CASE("Figures of elastic links agree with the joint forces of statics and vibration",
           "[flexible][elastic_figures]") {
   const Project project = read_project(test::project_file("sections/drill-truck/truck.toml"));
-  const SituationRun run(project, project.situations.front(), all_elements);
+  const SituationRun run(project, project.situations.front(), all_elements, {});
   const ElasticFigures figures = elastic_figures_of(project, run, all_elements);
   for (std::size_t j = 0; j < figures.motion.joints.size(); ++j) {
     const JointVibration& joint = figures.motion.joints[j];
@@ -42,7 +42,7 @@ TEST_CASE("Frequencies of links do not depend on how few of them the model count
           "[flexible][elastic_figures]") {
   const Project project = read_project(test::project_file("sections/drill-truck/truck.toml"));
   const auto figures_by = [&](const ElasticModel& model) {
-    const SituationRun run(project, project.situations.front(), model);
+    const SituationRun run(project, project.situations.front(), model, {});
     return elastic_figures_of(project, run, model).motion;
   };
   const FlexibleMotionResult own = flexible_motion_of(project);

@@ -163,7 +163,7 @@ TEST_CASE("a situation that hangs bodies up otherwise verifies the same beam") {
   const std::string yaw = "joints.yaw.connect=[\"leg.B\", \"aircraft.A\"]";
   const std::string hinge = "joints.hinge.connect=[\"climb.A\", \"leg.B\"]";
   const auto landing_of = [](const Project& project) {
-    const SituationRun run(project, project.situations[2], {});
+    const SituationRun run(project, project.situations[2], {}, {});
     return run.loads.diagram_at(si<Time>(0.07)).at({0.4 * metre, Side::both});
   };
   const Project whole = read_project(file, {yaw, hinge});

@@ -100,7 +100,8 @@ TEST_CASE("results.json: keys in their order, two records at every jump") {
                                                       "sn",
                                                       "verdict_text",
                                                       "not_judged",
-                                                      "search"});
+                                                      "search",
+                                                      "remedies"});
   CHECK(keys_of(document["checks"][0]) ==
         std::vector<std::string>{"id", "criterion", "point", "station", "side", "situation", "time",
                                  "acting", "resisting", "safety_factor", "required", "utilisation",
