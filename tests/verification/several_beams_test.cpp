@@ -368,7 +368,8 @@ TEST_CASE("The reports of several beams stand in folders of their names, one of 
   }
   CHECK(!std::filesystem::exists(std::filesystem::path(out) / "arm/results.json"));
   const test::ProgramResult only =
-      test::run_program({"verify", file, "--beam", "rod", "--no-pdf", "--no-plots", "--json", "-"});
+      test::run_program({"verify", file, "--beam", "rod", "--no-pdf", "--no-plots", "--json", "-",
+                         "--out", out + "/rod-alone"});
   CHECK(only.exit_code == 0);
   CHECK(nlohmann::json::parse(only.out)["beam"]["length"] == 2.0);
   const test::ProgramResult none = test::run_program({"verify", file, "--beam", "leg"});
