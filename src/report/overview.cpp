@@ -48,10 +48,12 @@ Chapter chapter_of(const VerifiedBeam& beam) {
                             beam.verification.checks.size(), beam.project.beam_name)});
   chapter.blocks.emplace_back(
       governing_table({beam.project, beam.verification, ReportLevel::summary}));
-  for (const char* figure : {"mechanism", "utilisation"}) {
-    chapter.blocks.emplace_back(
-        Picture{fmt::format("{}/{}", beam.project.beam_name, figure),
-                fmt::format("{} of beam {}", figure, beam.project.beam_name)});
+  std::vector<Block> pictures;
+  add_deciding_pictures({beam.project, beam.verification, ReportLevel::summary}, pictures);
+  for (Block& block : pictures) {
+    if (auto* picture = std::get_if<Picture>(&block))
+      picture->name = fmt::format("{}/{}", beam.project.beam_name, picture->name);
+    chapter.blocks.push_back(std::move(block));
   }
   Bullets remarks;
   for (const Remark& remark : remarks_of(beam.project, beam.verification)) {

@@ -86,6 +86,8 @@ void write_pdf(const Document& document, const std::string& figures, const std::
       std::error_code error;
       if (!fs::is_regular_file(figure, error)) continue;
       const fs::path from = fs::absolute(figure, error);
+      // Of one of several beams it stands in a folder.
+      if (!error) fs::create_directories((scratch.path() / name).parent_path(), error);
       if (!error) fs::create_symlink(from, scratch.path() / (name + extension), error);
       if (!error || error == std::errc::file_exists) return true;  // a picture may be shown twice
     }
