@@ -86,17 +86,19 @@ std::string remedies_text(const Remedies& remedies) {
 std::string verdict_sentence_of(const Project& project, const Verification& verification) {
   const CheckResult& worst = governing_of(verification);
   const VerdictText verdict = verdict_text_of(project, verification);
+  const std::string beam =
+      project.beam_name.empty() ? "" : fmt::format("beam {} ", project.beam_name);
   switch (verification.verdict) {
     case Verdict::fail:
-      return fmt::format("fails in {}{}{}", use_of(worst), other_failures(verification),
+      return fmt::format("{}fails in {}{}{}", beam, use_of(worst), other_failures(verification),
                          remedies_text(verification.remedies));
     case Verdict::not_applicable:
-      return fmt::format("not applicable: {}; of what is judged most used is {}",
+      return fmt::format("{}not applicable: {}; of what is judged most used is {}", beam,
                          fmt::join(verdict.reasons, "; "), use_of(worst));
     case Verdict::pass: break;
   }
   // "PASS for strength; fatigue: no stress range"
-  return fmt::format("passes{}; most used is {}", verdict.line.substr(verdict.word.size()),
+  return fmt::format("{}passes{}; most used is {}", beam, verdict.line.substr(verdict.word.size()),
                      use_of(worst));
 }
 
