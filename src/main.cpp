@@ -345,10 +345,10 @@ Entry init_entry(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("init", "write a commented case that runs as it is, to begin from");
   command
-      .add_option(
-          "KIND", options->kind,
-          "rigid bodies in a plane (default), rigid bodies in space, elastic links, or a frame at "
-          "rest; may be left out before a FILE.toml")
+      .add_option("KIND", options->kind,
+                  "rigid bodies in a plane (default), rigid bodies in space, elastic links, a beam "
+                  "or frame at "
+                  "rest on supports, or given loads; may be left out before a FILE.toml")
       ->check(kind_or_file());
   command
       .add_option("FILE", options->file,

@@ -167,20 +167,49 @@ class FrameText : public FrontEndText {
 
   void add_remarks(std::vector<std::string>& remarks) const override {
     const Structure& of = frame_of(*project_);
+    add_left_out_weight(remarks);
+    const Situation& first = project_->situations.front();
+    if (project_->situations.size() == 1 && first.name.empty()) {
+      remarks.emplace_back(
+          "the case names neither combinations nor situations: all load cases act together, each "
+          "with the factor 1.0");
+    }
     std::string others;
+    std::size_t count = 0;
     for (std::size_t m = 0; m < of.members.size(); ++m) {
       const std::vector<std::string>& beams = project_->beam_names;
       if (static_cast<int>(m) == project_->beam_body ||
           std::find(beams.begin(), beams.end(), of.members[m].name) != beams.end())
         continue;
       others += (others.empty() ? "" : ", ") + of.members[m].name;
+      ++count;
     }
     if (others.empty()) return;
     remarks.push_back(fmt::format(
         "of the frame the beam is verified; {} {} elastic and loaded, and nothing is checked in {}",
-        others, of.members.size() > 2 ? "are" : "is", of.members.size() > 2 ? "them" : "it"));
+        others, count > 1 ? "are" : "is", count > 1 ? "them" : "it"));
   }
   using FrontEndText::add_remarks;
+
+  /// Names the situations in which the frame has no weight of its own.
+  void add_left_out_weight(std::vector<std::string>& remarks) const {
+    std::vector<std::string> without;
+    for (const Situation& situation : project_->situations) {
+      if (!situation.runs()) continue;
+      const Structure& of = frame_in(*project_, situation);
+      for (std::size_t k = 0; k < of.cases.size(); ++k) {
+        const std::vector<frame::Action>& actions = of.cases[k].actions;
+        const bool weight = std::any_of(actions.begin(), actions.end(), [](const auto& action) {
+          return std::holds_alternative<frame::OwnWeight>(action.kind);
+        });
+        if (weight && of.factors[k] == 0.0) without.push_back(situation.name);
+      }
+    }
+    if (without.empty()) return;
+    remarks.push_back(fmt::format(
+        "the frame's own weight is left out of situation {}: no load case in its \"loads\" has it",
+        fmt::join(without, ", ")));
+  }
 
   std::vector<Block> blocks(const Verification& verification) const override {
     const Structure& of = frame_of(*project_);

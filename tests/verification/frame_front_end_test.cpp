@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/clamped_beam.hpp"
@@ -382,5 +383,31 @@ TEST_CASE("what a frame cannot be is said with what to write", "[frame]") {
 }
 
 }  // namespace
+
+TEST_CASE("a situation without the weight, and load cases that no one combines, are said",
+          "[frame]") {
+  const auto remarks = [](const std::string& situations) {
+    const Project project =
+        parse(beam("2 m") + fixed_at_start +
+              "[loads.tip]\nkind = \"force\"\nat = \"2 m\"\nforce = [\"0 kN\", \"-1 kN\"]\n" +
+              situations);
+    std::string all;
+    for (const Remark& remark : remarks_of(project, verify(project))) all += remark.text + "\n";
+    return all;
+  };
+  const auto contains = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string left_out =
+      remarks("[[situations]]\nname = \"loaded\"\nloads = { tip = 1.0 }\n");
+  CHECK(contains(left_out, "own weight is left out of situation loaded"));
+  CHECK(!contains(left_out, "all load cases act together"));
+  const std::string counted =
+      remarks("[[situations]]\nname = \"loaded\"\nloads = { tip = 1.0, weight = 1.0 }\n");
+  CHECK(!contains(counted, "left out"));
+  const std::string together = remarks("");
+  CHECK(!contains(together, "left out"));
+  CHECK(contains(together, "all load cases act together, each with the factor 1.0"));
+}
 
 }  // namespace frame_front_end_test
