@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "boxbeam/project/key_reference.hpp"
+#include "boxbeam/project/limits.hpp"
 #include "front_end_reader.hpp"
 #include "readers.hpp"
 #include "several_beams.hpp"
@@ -153,7 +154,9 @@ std::vector<Project> read(CaseDocument document, const std::vector<std::string>&
   readers::check_beams(problems, document.root);
   const Node* const beams = document.root.find("beam");
   const bool several = beams != nullptr && beams->kind == Node::Kind::array;
-  const std::size_t count = several ? std::max<std::size_t>(1, beams->items.size()) : 1;
+  // Of too many, which is said, the first are read.
+  const std::size_t count =
+      several ? std::clamp<std::size_t>(beams->items.size(), 1, limits::most_beams) : 1;
   // What is read looks at its tree.
   std::deque<Node> trees;
   std::vector<Project> projects;

@@ -209,7 +209,8 @@ frame::Place read_frame_place(TableReader& table, const frame::Structure& struct
                      std::isalpha(static_cast<unsigned char>(written->text.front())) != 0;
   if (named) return frame_point(table, "at", table.text(at), structure);
   if (table.has("on")) {
-    const std::string name = table.text({"on", "the member; the verified beam where not said"});
+    const std::string name =
+        table.text({"on", "the member; the beam where not said, of several the first"});
     place.member = index_of(structure.members, name);
     if (place.member < 0) {
       table.problem("on", fmt::format("there is no member \"{}\"", name),

@@ -36,7 +36,8 @@ LoadAxes read_load_axes(TableReader& table, const Structure& structure) {
 
 int read_member(TableReader& table, const Structure& structure) {
   if (!table.has("on")) return 0;
-  const std::string name = table.text({"on", "the member; the verified beam where not said"});
+  const std::string name =
+      table.text({"on", "the member; the beam where not said, of several the first"});
   const int member = index_of(structure.members, name);
   if (member >= 0 || name.empty()) return std::max(0, member);
   table.problem("on", fmt::format("there is no member \"{}\"", name),

@@ -349,6 +349,12 @@ TEST_CASE("What is wrong with several beams is said") {
                             "category = 80\n"),
                  "which of the 2 beams \"fatigue.details\" is on"));
   CHECK(contains(complaints(common("loads") + arm + rod), "loads that are given act on one beam"));
+  std::string many;
+  for (int i = 0; i < 1000; ++i) {
+    std::string another = rod;
+    many += another.replace(another.find("\"rod\""), 5, fmt::format("\"rod{}\"", i));
+  }
+  CHECK(contains(complaints(kinked_pair("", "", many)), "1000 beams are too many | at most 50"));
   std::string folder = rod;
   folder.replace(folder.find("\"rod\""), 5, "\"../x\"");
   CHECK(contains(complaints(kinked_pair("", "", arm + folder)), "name of its report folder"));
