@@ -128,6 +128,7 @@ std::string text_of(const Project& project) {
   for (const BeamHole& hole : project.holes) holes.push_back(hole.hole.name);
   parts.add("holes", listed(holes));
   parts.add("steel", project.material.name);
+  for (const PartMaterial& part : project.part_materials) parts.add("steel", part.material.name);
   parts.add("fatigue", project.fatigue.asked ? project.fatigue.beam.detail.name
                                              : "not asked for: strength only");
   std::vector<std::string> details;

@@ -124,6 +124,7 @@ Project read_for_beam(const CaseDocument& document, const Node& tree, std::size_
   readers::read_material(root, project);
   const auto front_end = readers::front_end_reader(sections, tables, project);
   front_end->read(root, tree);
+  readers::read_part_materials(root, project);
   readers::read_situations(root, tree, *front_end, project);
   readers::read_demands(root, project);
   front_end->read_neighbours(root);

@@ -23,9 +23,14 @@ Stress strength_at(TableReader& table, std::string_view key, const Material& mat
   return {};
 }
 
-/// The steel under a key, or that of the beam.
+/// The steel under a key, or that of the beam where it is of one.
 Material steel_of(TableReader& table, const Key& key, const Project& project) {
-  return table.has(key) ? named_steel(table, key) : project.material;
+  if (table.has(key)) return named_steel(table, key);
+  if (!project.part_materials.empty()) {
+    table.problem(key.name, "the beam is of several materials: which of them this is, is not said",
+                  fmt::format("write {} = \"{}\"", key.name, project.material.name));
+  }
+  return project.material;
 }
 
 PinInput read_pin(TableReader table, const Project& project) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "boxbeam/project/detail_catalogue.hpp"
+#include "boxbeam/project/plate_material.hpp"
 #include "readers.hpp"
 
 namespace boxbeam::readers {
@@ -70,11 +71,12 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
   }
   if (table.problems().empty()) {
     weld.thickness = thickest_at(project.beam, weld.s);
-    if (!yield_strength_of(project.material, weld.thickness) ||
-        !tensile_strength_of(project.material, weld.thickness)) {
+    const Material& weakest =
+        *weakest_to_weld(plates_around(project, weld.s, weld.thickness)).material;
+    if (!tensile_strength_of(weakest, weld.thickness)) {
       table.problem("station",
                     fmt::format("{} has no strength for the {:.6g} mm of the parts joined here",
-                                project.material.name, weld.thickness.value() * 1e3),
+                                weakest.name, weld.thickness.value() * 1e3),
                     "choose another steel");
     }
     if (!holes_at(project, weld.s).empty()) {

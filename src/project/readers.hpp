@@ -221,6 +221,13 @@ void read_demands(TableReader& root, Project& project);
 /// [material], before the moduli that [model] or a member may say otherwise.
 void read_material(TableReader& root, Project& project);
 
+/// [[part_materials]] of the beam, which is read; refuses plates thicker than the tables of their
+/// materials go.
+void read_part_materials(TableReader& root, Project& project);
+
+/// What to write instead of plates thicker than a material's table goes.
+std::string thickest_hint(const Material& material);
+
 /// [fatigue] and its details.
 FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam);
 

@@ -19,12 +19,14 @@ struct OwnPart {
   const char* of_case;
 };
 constexpr std::array own_parts{
-    OwnPart{"material", "material"}, OwnPart{"strength", "strength"},
-    OwnPart{"fatigue", "fatigue"},   OwnPart{"section_points", "points"},
-    OwnPart{"welds", "welds"},       OwnPart{"deflection", "deflection"}};
+    OwnPart{"material", "material"}, OwnPart{"part_materials", "part_materials"},
+    OwnPart{"strength", "strength"}, OwnPart{"fatigue", "fatigue"},
+    OwnPart{"section_points", "points"}, OwnPart{"welds", "welds"},
+    OwnPart{"deflection", "deflection"}};
 
 /// What lies at stations of a beam.
-constexpr std::array along_a_beam{"points", "welds", "deflection", "given_stresses"};
+constexpr std::array along_a_beam{"points", "welds", "deflection", "given_stresses",
+                                  "part_materials"};
 
 const std::vector<Node>* beams_of(const Node& root) {
   const Node* const beams = root.find("beam");

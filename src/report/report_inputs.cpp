@@ -134,10 +134,30 @@ void add_fatigue(const Project& project, Entries& entries) {
   }
 }
 
+/// "S460 (EN 10025-3) of top flange, bottom flange in segments 2, 3".
+std::string part_text(const Project& project, const PartMaterial& part) {
+  std::vector<std::string> plates, segments;
+  for (std::size_t kind = 0; kind < plate_kinds; ++kind) {
+    if (part.plates[kind]) plates.push_back(plate_kind_names()[kind]);
+  }
+  for (std::size_t i = 0; i < part.segments.size(); ++i) {
+    if (part.segments[i]) segments.push_back(project.beam.segments[i].name);
+  }
+  const bool whole = plates.size() == plate_kinds;
+  const bool everywhere = segments.size() == part.segments.size();
+  return fmt::format("{} ({}), {}{}", part.material.name, part.material.source,
+                     whole ? "all plates" : fmt::format("{}", fmt::join(plates, ", ")),
+                     everywhere ? ""
+                                : fmt::format(" of segment{} {}", segments.size() > 1 ? "s" : "",
+                                              fmt::join(segments, ", ")));
+}
+
 void add_demands(const Project& project, Entries& entries) {
   const FatigueInput& fatigue = project.fatigue;
   entries.emplace_back("steel",
                        fmt::format("{} ({})", project.material.name, project.material.source));
+  for (const PartMaterial& part : project.part_materials)
+    entries.emplace_back("steel", part_text(project, part));
   entries.emplace_back("strength", fmt::format("gamma_M0 = {}, required factor {}",
                                                text::factor(project.strength.gamma_M0),
                                                text::factor(project.strength.required)));

@@ -41,14 +41,14 @@ Traced loaded(Derivation& steps, const Project& project, const CheckBasis& basis
                        : Traced(steps.known("gamma_F", factor, {ValueKind::factor}) * stress);
 }
 
-std::string plate_text(const Project& project, Length plate) {
-  return fmt::format("{}, plate {}", project.material.name, text::mm(plate.value()));
+std::string plate_text(const PlateOf& plate) {
+  return fmt::format("{}, plate {}", plate.material->name, text::mm(plate.thickness.value()));
 }
 
 /// f_y/(gamma_M0 acting) from the yield strength of the plate on.
 void derive_yield_factor(Derivation& steps, const Project& project, Stress yield_strength,
-                         Length plate, const Traced& acting) {
-  const Traced f_y = steps.given("f_y", yield_strength, plate_text(project, plate));
+                         const PlateOf& plate, const Traced& acting) {
+  const Traced f_y = steps.given("f_y", yield_strength, plate_text(plate));
   steps.define("factor", yield_resistance(steps, f_y, project.strength.gamma_M0) / acting);
 }
 
@@ -67,7 +67,7 @@ Steps yield_steps(const Project& project, const Check& check, const CheckBasis& 
   const bool factored = acting.value() != alone.value();
   const Traced sigma_v =
       of.define("sigma_v", acting, factored ? "gamma_F: load factor of the situation" : "");
-  derive_yield_factor(of, project, point.yield_strength, point.plate, sigma_v);
+  derive_yield_factor(of, project, point.yield_strength, point.first_to_yield, sigma_v);
   append(steps, steps_of(of));
   return steps;
 }
@@ -142,7 +142,7 @@ Steps stress_range_steps(const Project& project, const CheckBasis& basis) {
   const Extremes extremes = derive_extremes(of, project, basis);
   const Traced range = derive_range(of, basis, extremes);
   const Traced f_y =
-      of.given("f_y", basis.point.yield_strength, plate_text(project, basis.point.plate));
+      of.given("f_y", basis.point.yield_strength, plate_text(basis.point.first_to_yield));
   const Traced limit = of.define("limit", range_limit(of, f_y, basis.kind));
   const Traced gamma_Ff =
       of.known("gamma_Ff", project.fatigue.demand.gamma_Ff, {ValueKind::factor});
@@ -155,7 +155,7 @@ Steps throat_steps(const Project& project, const Check& check, const CheckBasis&
   Derivation of;
   derive_shear_section(of, project, basis.point);
   const Traced tau = derive_shear_stress(of, "tau_par", project, basis.point, basis.cut_at_time);
-  of.given("f_u", basis.weld.tensile_strength, plate_text(project, basis.point.plate));
+  of.given("f_u", basis.weld.tensile_strength, plate_text(basis.point.joined));
   const Traced limit = weld_shear_strength(of, basis.weld);
   of.define("factor", limit / loaded(of, project, basis, abs(tau)));
   append(steps, steps_of(of));
@@ -181,7 +181,7 @@ Steps weld_line_steps(const Project& project, const Check& check, const CheckBas
         "profile",
         std::holds_alternative<RoundTube>(point.section.outer) ? "round" : "rectangular");
   });
-  of.given("f_u", basis.weld.tensile_strength, plate_text(project, point.plate));
+  of.given("f_u", basis.weld.tensile_strength, plate_text(point.joined));
   const Traced limit = weld_strength(of, basis.weld);
   of.define("factor", limit / loaded(of, project, basis, sigma_v));
   append(steps, steps_of(of));
@@ -191,7 +191,9 @@ Steps weld_line_steps(const Project& project, const Check& check, const CheckBas
 Steps given_yield_steps(const Project& project, const GivenBasis& basis) {
   Derivation of;
   const Traced sigma = of.given("sigma", basis.stress.peak, "given, largest");
-  derive_yield_factor(of, project, basis.strength, basis.stress.thickness, sigma);
+  const PlateOf plate =
+      first_to_yield(plates_around(project, basis.stress.s, basis.stress.thickness));
+  derive_yield_factor(of, project, basis.strength, plate, sigma);
   return steps_of(of);
 }
 

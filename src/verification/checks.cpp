@@ -253,7 +253,7 @@ std::optional<CheckResult> check_yield(const Project& project,
   check.resisting = yield_resistance(plainly, point.yield_strength, project.strength.gamma_M0);
   check.safety_factor = check.resisting / check.acting;
   check.required = project.strength.required;
-  check.source = yield_source(project.material);
+  check.source = yield_source(*point.first_to_yield.material);
   CheckBasis& basis = *result.basis;
   basis.cut_at_time = basis.cut_at_highest = basis.cut_at_lowest = worst->history.at(largest.time);
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
@@ -398,13 +398,14 @@ std::optional<CheckResult> check_throat(const Project& project,
     worst = &at;
     largest = in;
   }
-  const auto tensile = tensile_strength_of(project.material, point.plate);
+  const Material& joined = *point.joined.material;
+  const auto tensile = tensile_strength_of(joined, point.joined.thickness);
   if (!tensile || largest.value < 1e-9 * tensile->value()) return std::nullopt;
   CheckResult result = start(Criterion::weld, project, point, *worst, shear_stress(point));
   Check& check = result.check;
   check.time = largest.time;
   check.acting = si<Stress>(largest.value);
-  const WeldStrength strength{*tensile, project.material.beta_w, project.strength.gamma_M2};
+  const WeldStrength strength{*tensile, joined.beta_w, project.strength.gamma_M2};
   check.resisting = weld_shear_strength(strength);
   check.safety_factor = check.resisting / check.acting;
   check.required = project.strength.required;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/plate_slenderness.hpp"
@@ -25,13 +26,15 @@ struct Web {
   std::string name;
   SectionPlace low, high;  ///< ends of its clear width, on its mid-line
   Length thickness;
+  PlateKind kind = PlateKind::wall;
   bool flange = false;
 
   Length depth() const { return flange ? high.y - low.y : high.z - low.z; }
 };
 
-Web upright(const std::string& name, double y, Length low, Length high, Length thickness) {
-  return {name, {si<Length>(y), low}, {si<Length>(y), high}, thickness};
+Web upright(const std::string& name, double y, Length low, Length high, Length thickness,
+            PlateKind kind) {
+  return {name, {si<Length>(y), low}, {si<Length>(y), high}, thickness, kind};
 }
 
 /// One web where both are stressed alike, which they are in a section that mirrors itself.
@@ -41,15 +44,15 @@ std::vector<Web> webs_of(const Profile& profile, bool alike) {
   if (const auto* box = std::get_if<Box>(&profile)) {
     const double left = (0.5 * box->width - 0.5 * box->left_web).value();
     const double right = (0.5 * box->right_web - 0.5 * box->width).value();
-    if (alike) return {upright("web", left, low, high, box->left_web)};
-    return {upright("left web", left, low, high, box->left_web),
-            upright("right web", right, low, high, box->right_web)};
+    if (alike) return {upright("web", left, low, high, box->left_web, PlateKind::left_web)};
+    return {upright("left web", left, low, high, box->left_web, PlateKind::left_web),
+            upright("right web", right, low, high, box->right_web, PlateKind::right_web)};
   }
   if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
     const double left = 0.5 * (tube->width - tube->wall).value();
-    if (alike) return {upright("web", left, low, high, tube->wall)};
-    return {upright("left web", left, low, high, tube->wall),
-            upright("right web", -left, low, high, tube->wall)};
+    if (alike) return {upright("web", left, low, high, tube->wall, PlateKind::wall)};
+    return {upright("left web", left, low, high, tube->wall, PlateKind::wall),
+            upright("right web", -left, low, high, tube->wall, PlateKind::wall)};
   }
   return {};
 }
@@ -58,8 +61,10 @@ std::vector<Web> webs_of(const Profile& profile, bool alike) {
 /// V_y.
 std::vector<Web> plates_of(const Profile& profile) {
   Box box;
-  if (const auto* of = std::get_if<Box>(&profile))
-    box = *of;
+  const bool built = std::holds_alternative<Box>(profile);
+  const auto kind = [&](PlateKind of) { return built ? of : PlateKind::wall; };
+  if (built)
+    box = std::get<Box>(profile);
   else if (const auto* tube = std::get_if<RectangularTube>(&profile))
     box = symmetric_box(tube->width, tube->height, tube->wall, tube->wall);
   else
@@ -70,10 +75,16 @@ std::vector<Web> plates_of(const Profile& profile) {
   const Length bottom = 0.5 * (box.bottom_flange - box.height);
   const double left_middle = 0.5 * (box.width - box.left_web).value();
   const double right_middle = 0.5 * (box.right_web - box.width).value();
-  return {upright("left web", left_middle, low, high, box.left_web),
-          upright("right web", right_middle, low, high, box.right_web),
-          {"top flange", {right, top}, {left, top}, box.top_flange, true},
-          {"bottom flange", {right, bottom}, {left, bottom}, box.bottom_flange, true}};
+  return {
+      upright("left web", left_middle, low, high, box.left_web, kind(PlateKind::left_web)),
+      upright("right web", right_middle, low, high, box.right_web, kind(PlateKind::right_web)),
+      {"top flange", {right, top}, {left, top}, box.top_flange, kind(PlateKind::top_flange), true},
+      {"bottom flange",
+       {right, bottom},
+       {left, bottom},
+       box.bottom_flange,
+       kind(PlateKind::bottom_flange),
+       true}};
 }
 
 /// The stress over a web that comes nearest to its limit of class 3.
@@ -197,19 +208,21 @@ std::vector<Gate> PlateGates::gates() const {
   return gates;
 }
 
-void PlateGates::look_at_class(const std::string& segment, const Profile& profile, bool alike,
-                               const AreaSums& sums,
+void PlateGates::look_at_class(const std::string& segment, const Profile& profile,
+                               const PlateMaterials& materials, bool alike, const AreaSums& sums,
                                const std::vector<SituationHistory>& histories) {
   const Project& project = *project_;
   const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
-  for (const SlenderPlate& plate : slender_plates_of(profile, project.material)) {
+  for (const SlenderPlate& plate : slender_plates_of(profile, materials)) {
     add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
         plate.ratio / plate.limit);
   }
   for (const Web& web : webs) {
-    const auto yield = yield_strength_of(project.material, web.thickness);
+    const auto yield = yield_strength_of(materials.of(web.kind), web.thickness);
     if (!yield) continue;
-    const Class3Limit class_3(project.strength, *yield, member_buckles_);
+    const Class3Limit class_3(
+        project.strength, *class_yield_of(profile, materials, web.kind, web.thickness),
+        member_buckles_);
     const auto at = [&](const SectionPlace& end) {
       return normal_influence(sums, end.y.value(), end.z.value());
     };
@@ -285,9 +298,12 @@ double class_3_use_at(const Project& project, const Station& station,
   const bool alike = is_symmetric_about_z(section);
   std::optional<AreaSums> sums;
   double largest = 0.0;
-  const auto look_at = [&](const Profile& profile) {
+  const std::size_t segment = segment_at(project.beam, station);
+  const PlateMaterials outer = materials_of(project, segment);
+  const PlateMaterials inner(outer.of(PlateKind::inner));
+  const auto look_at = [&](const Profile& profile, const PlateMaterials& materials) {
     for (const Web& web : project.in_space ? plates_of(profile) : webs_of(profile, alike)) {
-      const auto yield = yield_strength_of(project.material, web.thickness);
+      const auto yield = class_yield_of(profile, materials, web.kind, web.thickness);
       if (web.flange || !yield) continue;
       const double ratio = web.depth() / web.thickness;
       if (ratio <= internal_part_limits(1.0, 1.0, epsilon_of(*yield)).class_3) continue;
@@ -301,19 +317,23 @@ double class_3_use_at(const Project& project, const Station& station,
       if (worst.limit > 0.0) largest = std::max(largest, ratio / worst.limit);
     }
   };
-  look_at(section.outer);
-  if (section.inner) look_at(*section.inner);
+  look_at(section.outer, outer);
+  if (section.inner) look_at(*section.inner, inner);
   return largest;
 }
 
 void PlateGates::look_at(const Station& station, const std::vector<SituationHistory>& histories) {
   const Section section = judged_section_at(*project_, station);
   const TaperedBeam& beam = project_->beam;
-  const std::string& segment = beam.segments[segment_at(beam, station)].name;
+  const std::size_t index = segment_at(beam, station);
+  const std::string& segment = beam.segments[index].name;
+  const PlateMaterials materials = materials_of(*project_, index);
   const AreaSums sums = sums_of(outline_of(section, {}));
   const bool alike = is_symmetric_about_z(section);
-  look_at_class(segment, section.outer, alike, sums, histories);
-  if (section.inner) look_at_class(segment, *section.inner, alike, sums, histories);
+  look_at_class(segment, section.outer, materials, alike, sums, histories);
+  if (section.inner) {
+    look_at_class(segment, *section.inner, materials.of(PlateKind::inner), alike, sums, histories);
+  }
   const ShearLags lags = shear_lags_at(*zones_, section, station);
   look_at_shear_lag(segment, "flange", lags.flanges);
   look_at_shear_lag(segment, "web as flange of M_z", lags.webs);

@@ -36,11 +36,13 @@ std::vector<CheckResult> check_given_stresses(const Project& project) {
       check.source = source;
       results.push_back(std::move(result));
     };
-    const Stress yield = yield_strength_of(project.material, given.thickness).value();
+    const Material& material =
+        *first_to_yield(plates_around(project, given.s, given.thickness)).material;
+    const Stress yield = yield_strength_of(material, given.thickness).value();
     constexpr NoDerivation plainly;
     add(Criterion::yield, given.peak, yield,
         yield_resistance(plainly, yield, project.strength.gamma_M0), project.strength.required,
-        yield_source(project.material));
+        yield_source(material));
     if (!given.opposite || !project.fatigue.asked) continue;
     const FatigueInput& fatigue = project.fatigue;
     const ResistingDetail resisting =

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "boxbeam/project/plate_detail.hpp"
+#include "boxbeam/project/plate_material.hpp"
 
 namespace boxbeam {
 
 std::vector<Length> thickness_limits_of(const Project& project) {
   std::vector<Length> limits;
-  for (const ThicknessStep& step : project.material.steps) limits.push_back(step.up_to);
+  for (const Material* material : materials_of(project)) {
+    for (const ThicknessStep& step : material->steps) limits.push_back(step.up_to);
+  }
   const auto add = [&](const BeamDetail& detail) {
     const std::vector<Length> of = thickness_limits_of(detail.detail);
     limits.insert(limits.end(), of.begin(), of.end());

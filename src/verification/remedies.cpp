@@ -227,10 +227,11 @@ class Search {
   }
 
   void look_at_steels() {
-    if (!find_steel(project_.material.name)) return;
     const StressPoint& point = governing_.basis->point;
+    const Material& now = *point.first_to_yield.material;
+    if (!find_steel(now.name)) return;
     const auto strength = [&](const Material& steel) {
-      return yield_strength_of(steel, point.plate)->value();
+      return yield_strength_of(steel, point.first_to_yield.thickness)->value();
     };
     std::vector<Material> stronger;
     for (const std::string& name : steel_names()) {
@@ -243,13 +244,20 @@ class Search {
     });
     Project copy = project_;
     const auto passing = first_passing(stronger.size(), [&](std::size_t i) {
-      copy.material = stronger[i];
+      // Of several materials the one that governs.
+      if (project_.material.name == now.name) copy.material = stronger[i];
+      for (std::size_t k = 0; k < project_.part_materials.size(); ++k) {
+        if (project_.part_materials[k].material.name == now.name)
+          copy.part_materials[k].material = stronger[i];
+      }
       return judged(copy);
     });
     if (passing) {
       const Material& steel = stronger[passing->candidate];
+      const std::string in_place =
+          project_.part_materials.empty() ? "" : " in place of " + now.name;
       remedies_.found.push_back(
-          {Remedy::What::steel, steel.name, strength(steel), passing->utilisation});
+          {Remedy::What::steel, steel.name + in_place, strength(steel), passing->utilisation});
     } else if (!stronger.empty()) {
       remedies_.in_vain.push_back("a steel up to " + stronger.back().name);
     }

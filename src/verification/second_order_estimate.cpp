@@ -228,7 +228,8 @@ class Estimating {
       const Section section = section_at(project.beam, place.station);
       const Length half = 0.5 * height_of(section.outer);
       const Length wall = std::max(wall_at(section.outer, half), wall_at(section.outer, -half));
-      const auto yield = yield_strength_of(project.material, wall);
+      const PlateOf first = first_to_yield(plates_around(project, place.station.s, wall));
+      const auto yield = yield_strength_of(*first.material, wall);
       yield_.push_back(yield ? yield->value() : unbounded);
     }
     result_.whole = true;

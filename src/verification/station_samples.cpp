@@ -258,10 +258,11 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
     const Stress resistance = yield_resistance(plainly, point.yield_strength, strength.gamma_M0);
     found.of(Criterion::yield) = strength.required * equivalent / resistance.value();
   }
+  const PlateOf& joined = point.joined;
   const auto tensile =
-      weld ? tensile_strength_of(project_->material, point.plate) : std::optional<Stress>{};
+      weld ? tensile_strength_of(*joined.material, joined.thickness) : std::optional<Stress>{};
   if (tensile) {
-    const WeldStrength of{*tensile, project_->material.beta_w, strength.gamma_M2};
+    const WeldStrength of{*tensile, joined.material->beta_w, strength.gamma_M2};
     found.of(Criterion::weld) = strength.required * throat / weld_shear_strength(of).value();
   }
   const FatigueDemand& demand = project_->fatigue.demand;

@@ -62,6 +62,7 @@ class StressPoints {
       : project_(&project),
         station_(station),
         details_(project.fatigue, station),
+        materials_(materials_of(project, segment_at(project.beam, station))),
         taper_(taper_at(project.beam, station)),
         set_(project.in_space ? PointSet::in_space : PointSet::in_plane),
         field_(stress_field_of(judged_section_at(project, station), holes_at(project, station.s),
@@ -92,6 +93,8 @@ class StressPoints {
       on_throat.influence.normal = {};
       on_throat.shear_detail = if_asked(fatigue.throat);
       on_throat.on_throat = true;
+      on_throat.joined =
+          weakest_to_weld(plates_at(materials_, field_.section, throat.y, throat.z));
       on_throat.yield = false;
     }
     add_stretches();
@@ -118,6 +121,10 @@ class StressPoints {
       resist(point);
       point.shear_detail = if_asked(project_->fatigue.shear);
       point.stretch = StressStretch{field, stretch, only_end};
+      // Its ends, where it touches other plates, are points of their own.
+      if (project_->part_materials.empty()) continue;
+      const SectionPoint middle = point_on_stretch(field_, stretch, 0.5);
+      set_yield(point, first_to_yield(plates_at(materials_, field_.section, middle.y, middle.z)));
     }
   }
 
@@ -282,13 +289,22 @@ class StressPoints {
     point.web_lag = lags_.webs;
     point.influence = influence_in(point, place);
     point.plate = place.plate;
-    point.yield_strength = yield_strength_of(project_->material, point.plate).value();
+    if (project_->part_materials.empty())
+      set_yield(point, {&project_->material, point.plate});
+    else
+      set_yield(point, first_to_yield(plates_at(materials_, field_.section, place.y, place.z)));
     return points.emplace_back(std::move(point));
+  }
+
+  static void set_yield(StressPoint& point, const PlateOf& plate) {
+    point.first_to_yield = plate;
+    point.yield_strength = yield_strength_of(*plate.material, plate.thickness).value();
   }
 
   const Project* project_;
   Station station_;
   DetailsAtStation details_;
+  PlateMaterials materials_;
   Taper taper_;
   PointSet set_;
   StressField field_;

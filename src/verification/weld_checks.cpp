@@ -33,6 +33,9 @@ std::vector<StressPoint> points_of(const Project& project, const WeldInput& weld
   const Section section = weld_line_of(weld);
   const StressField field = stress_field_of(section, {}, {});
   const SectionProperties properties = properties_of(section);
+  const std::vector<PlateOf> around = plates_around(project, weld.s, weld.thickness);
+  const PlateOf yielding = first_to_yield(around), joined = weakest_to_weld(around);
+  const Stress yield = yield_strength_of(*yielding.material, yielding.thickness).value();
   std::vector<StressPoint> points;
   for (const WallStretch& stretch : wall_stretches_of(field)) {
     const int steps = stretch.round ? on_round : on_side;
@@ -52,7 +55,9 @@ std::vector<StressPoint> points_of(const Project& project, const WeldInput& weld
       point.prismatic = point.influence;
       point.torsion = place.torsion;
       point.plate = weld.thickness;
-      point.yield_strength = yield_strength_of(project.material, weld.thickness).value();
+      point.first_to_yield = yielding;
+      point.yield_strength = yield;
+      point.joined = joined;
       point.detail = &weld.root;
       point.shear_detail = &weld.shear;
       point.yield = false;
@@ -109,7 +114,7 @@ std::optional<CheckResult> check_static(const Project& project, const WeldInput&
     worst = &at;
     largest = in;
   }
-  const auto tensile = tensile_strength_of(project.material, weld.thickness);
+  const auto tensile = tensile_strength_of(*point.joined.material, point.joined.thickness);
   if (!tensile || worst == nullptr || largest.value < 1e-9 * tensile->value()) return std::nullopt;
   CheckResult result;
   Check& check = result.check;
@@ -137,7 +142,7 @@ std::optional<CheckResult> check_static(const Project& project, const WeldInput&
   }
   // The first condition of equation 4.1, of equal legs the harder one.
   constexpr NoDerivation plainly;
-  basis.weld = {*tensile, project.material.beta_w, project.strength.gamma_M2};
+  basis.weld = {*tensile, point.joined.material->beta_w, project.strength.gamma_M2};
   check.resisting = weld_strength(plainly, basis.weld);
   check.safety_factor = check.resisting / check.acting;
   check.required = weld.required;

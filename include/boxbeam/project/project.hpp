@@ -18,6 +18,7 @@
 #include "boxbeam/mechanism/spatial/beam_loads.hpp"
 #include "boxbeam/mechanism/spatial/mechanism.hpp"
 #include "boxbeam/project/case_document.hpp"
+#include "boxbeam/section/plate_kind.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
 #include "boxbeam/strength/material.hpp"
@@ -255,6 +256,13 @@ struct CaseHeader {
   std::vector<std::string> remarks;
 };
 
+/// What some plates of a beam are made of.
+struct PartMaterial {
+  Material material;
+  std::vector<bool> segments;  ///< which
+  std::array<bool, plate_kinds> plates{};
+};
+
 /// A case: everything a verification needs, validated. Behind it nothing is checked again.
 struct Project {
   std::string name;
@@ -283,7 +291,8 @@ struct Project {
   std::optional<planar::NewtonChain> chain;
   std::optional<EquivalentMassDemand> equivalent_mass;
 
-  Material material;
+  Material material;                        ///< of all plates that are not of another
+  std::vector<PartMaterial> part_materials;  ///< of some plates; the last one that has a plate counts
   StrengthDemand strength;
   FatigueInput fatigue;
   std::vector<NamedPoint> points;

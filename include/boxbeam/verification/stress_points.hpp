@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/section/section_points.hpp"
 #include "boxbeam/section/section_properties.hpp"
@@ -44,8 +45,10 @@ struct StressPoint {
   StressInfluence influence;  ///< shear by equilibrium in the taper
   StressInfluence prismatic;  ///< shear by V S/(I b), for comparison
   std::optional<WallTorsion> torsion;  ///< of the wall that it lies in
-  Length plate;                        ///< thickness that decides the yield strength
-  Stress yield_strength;
+  Length plate;                        ///< thickness that decides the detail's strength
+  PlateOf first_to_yield;              ///< of the plates there
+  Stress yield_strength;               ///< of it
+  PlateOf joined;                      ///< of a weld: the weaker part joined
   std::optional<EdgeConcentration> concentration;
   std::vector<HoleEdge> edges;  ///< of a hole: the places among which the worst is to be found
   std::optional<StressStretch> stretch;  ///< of a wall: the places along it
