@@ -10,9 +10,9 @@ packages=(g++ cmake ninja-build pkg-config libeigen3-dev libboost-dev libboost-i
   libboost-filesystem-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev libmuparser-dev
   libgnuplot-iostream-dev libspectra-dev gnuplot-nox
   texlive-latex-base texlive-latex-recommended lmodern)
-# Of the tests: validation against schemas, reading PDF, building Debian packages, finite elements.
+# Of the tests: validation against schemas, reading PDF, building Debian packages, finite elements, NetCDF.
 test_packages=(catch2 librapidcheck-dev libbenchmark-dev python3 python3-jsonschema poppler-utils dpkg-dev file
-  calculix-ccx)
+  calculix-ccx libnetcdf19)
 
 # Installs those of the named packages that are missing. Quick when none is.
 install_missing() {

@@ -158,7 +158,8 @@ std::string given_loads_case(const Project& project, const GivenLoads& loads) {
     put(root, "beam", Node(beams->items[project.beam_index]));
   Node of;
   put(of, "case", case_of(project, root));
-  for (const char* name : {"sections", "material", "part_materials", "strength", "fatigue", "points", "welds"}) {
+  for (const char* name :
+       {"sections", "material", "part_materials", "strength", "fatigue", "points", "welds"}) {
     if (const Node* table = root.find(name)) put(of, name, *table);
   }
   keep(root, "beam", {"density", "rotary_inertia", "segments", "places", "holes"}, of);

@@ -7,9 +7,9 @@ namespace {
 
 template <class Strength>
 PlateOf weakest_by(const std::vector<PlateOf>& plates, const Strength& strength) {
-  return *std::min_element(
-      plates.begin(), plates.end(),
-      [&](const PlateOf& a, const PlateOf& b) { return strength(a) < strength(b); });
+  return *std::min_element(plates.begin(), plates.end(), [&](const PlateOf& a, const PlateOf& b) {
+    return strength(a) < strength(b);
+  });
 }
 
 }  // namespace

@@ -88,9 +88,10 @@ std::vector<bool> read_segments(TableReader& table, const std::vector<Segment>& 
 
 std::array<bool, plate_kinds> read_plates(TableReader& table, const PartMaterial& part,
                                           const std::vector<Segment>& segments) {
-  const Key of{"plates",
-               "those it holds for: \"top flange\", \"bottom flange\", \"left web\", \"right web\", "
-               "\"stiffeners\", \"inner profile\", \"walls\" of tubes; all where not said"};
+  const Key of{
+      "plates",
+      "those it holds for: \"top flange\", \"bottom flange\", \"left web\", \"right web\", "
+      "\"stiffeners\", \"inner profile\", \"walls\" of tubes; all where not said"};
   std::array<bool, plate_kinds> listed{};
   if (!table.has(of.name)) {
     listed.fill(true);
@@ -128,10 +129,11 @@ void check_thicknesses(TableReader& root, const Project& project) {
       for (const PlateAt& plate : plates_of(*section)) {
         const Material& material = materials.of(plate.kind);
         if (yield_strength_of(material, plate.thickness)) continue;
-        root.problem("beam",
-                     fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
-                                 material.name, plate.thickness.value() * 1e3, segments[i].name),
-                     thickest_hint(material));
+        root.problem(
+            "beam",
+            fmt::format("{} has no yield strength for the plate of {:.6g} mm in segment {}",
+                        material.name, plate.thickness.value() * 1e3, segments[i].name),
+            thickest_hint(material));
         return;
       }
     }

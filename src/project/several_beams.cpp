@@ -19,8 +19,8 @@ struct OwnPart {
   const char* of_case;
 };
 constexpr std::array own_parts{
-    OwnPart{"material", "material"}, OwnPart{"part_materials", "part_materials"},
-    OwnPart{"strength", "strength"}, OwnPart{"fatigue", "fatigue"},
+    OwnPart{"material", "material"},     OwnPart{"part_materials", "part_materials"},
+    OwnPart{"strength", "strength"},     OwnPart{"fatigue", "fatigue"},
     OwnPart{"section_points", "points"}, OwnPart{"welds", "welds"},
     OwnPart{"deflection", "deflection"}};
 

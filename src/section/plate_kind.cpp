@@ -62,8 +62,9 @@ std::vector<PlacedPlate> placed_plates_of(const Section& section) {
 }  // namespace
 
 const std::vector<std::string>& plate_kind_names() {
-  static const std::vector<std::string> names{"top flange", "bottom flange", "left web", "right web",
-                                              "stiffeners", "inner profile", "walls"};
+  static const std::vector<std::string> names{"top flange", "bottom flange", "left web",
+                                              "right web",  "stiffeners",    "inner profile",
+                                              "walls"};
   return names;
 }
 

@@ -131,7 +131,8 @@ std::optional<Stress> class_yield_of(const Profile& profile, const PlateMaterial
   return yield;
 }
 
-std::vector<SlenderPlate> plate_slenderness_of(const Profile& profile, const PlateMaterials& materials) {
+std::vector<SlenderPlate> plate_slenderness_of(const Profile& profile,
+                                               const PlateMaterials& materials) {
   std::vector<SlenderPlate> plates;
   for (const Panel& panel :
        std::visit([&](const auto& shape) { return panels_of(shape, materials); }, profile)) {
@@ -143,7 +144,8 @@ std::vector<SlenderPlate> plate_slenderness_of(const Profile& profile, const Pla
   return plates;
 }
 
-std::vector<SlenderPlate> slender_plates_of(const Profile& profile, const PlateMaterials& materials) {
+std::vector<SlenderPlate> slender_plates_of(const Profile& profile,
+                                            const PlateMaterials& materials) {
   std::vector<SlenderPlate> plates = plate_slenderness_of(profile, materials);
   std::erase_if(plates, [](const SlenderPlate& plate) { return plate.ratio <= plate.limit; });
   return plates;

@@ -205,8 +205,8 @@ std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<Situa
   cuts.add(Length{}, true);
   for (std::size_t i = 0; i < beam.segments.size(); ++i) {
     const bool last = i + 1 == beam.segments.size();
-    const bool jumps =
-        last || kinks_behind(beam, i) || !(materials_of(project, i) == materials_of(project, i + 1));
+    const bool jumps = last || kinks_behind(beam, i) ||
+                       !(materials_of(project, i) == materials_of(project, i + 1));
     cuts.add(beam.segments[i].end(), jumps);
   }
   for (const BeamHole& hole : project.holes) {

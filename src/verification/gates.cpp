@@ -220,9 +220,9 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
   for (const Web& web : webs) {
     const auto yield = yield_strength_of(materials.of(web.kind), web.thickness);
     if (!yield) continue;
-    const Class3Limit class_3(
-        project.strength, *class_yield_of(profile, materials, web.kind, web.thickness),
-        member_buckles_);
+    const Class3Limit class_3(project.strength,
+                              *class_yield_of(profile, materials, web.kind, web.thickness),
+                              member_buckles_);
     const auto at = [&](const SectionPlace& end) {
       return normal_influence(sums, end.y.value(), end.z.value());
     };

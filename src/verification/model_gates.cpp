@@ -153,8 +153,7 @@ std::string too_hybrid(const Project& project) {
   if (project.part_materials.empty()) return "";
   for (std::size_t i = 0; i < project.beam.segments.size(); ++i) {
     const PlateMaterials materials = materials_of(project, i);
-    for (const Section* section :
-         {&project.beam.segments[i].from, &project.beam.segments[i].to}) {
+    for (const Section* section : {&project.beam.segments[i].from, &project.beam.segments[i].to}) {
       double flange = 0.0, web = std::numeric_limits<double>::infinity();
       for (const PlateAt& plate : plates_of(*section)) {
         const auto yield = yield_strength_of(materials.of(plate.kind), plate.thickness);
@@ -182,10 +181,9 @@ std::vector<Gate> material_gates_of(const Project& project) {
       strongest = std::max(strongest, step.yield_strength, std::less<>());
     return strongest;
   };
-  const Material& material =
-      **std::max_element(materials.begin(), materials.end(), [&](const Material* a, const Material* b) {
-        return strongest_of(*a) < strongest_of(*b);
-      });
+  const Material& material = **std::max_element(
+      materials.begin(), materials.end(),
+      [&](const Material* a, const Material* b) { return strongest_of(*a) < strongest_of(*b); });
   const Stress strongest = strongest_of(material);
   constexpr double of_steel = 210e9, near = 0.02;
   constexpr double least_stainless = 190e9, most_stainless = 225e9;
@@ -223,10 +221,11 @@ std::vector<Gate> material_gates_of(const Project& project) {
     }
   }
   if (const std::string hybrid = too_hybrid(project); !hybrid.empty())
-    gates.push_back({hybrid, "",
-                     "a flange has more than twice the yield strength of a web: the rules of hybrid "
-                     "beams end there (EN 1993-1-5, 4.3(6))",
-                     true});
+    gates.push_back(
+        {hybrid, "",
+         "a flange has more than twice the yield strength of a web: the rules of hybrid "
+         "beams end there (EN 1993-1-5, 4.3(6))",
+         true});
   if (strongest > si<Stress>(700e6)) {
     gates.push_back({"", "",
                      fmt::format("EN 1993 ends at S700 (EN 1993-1-12, 1.1): its rules are applied "

@@ -93,8 +93,7 @@ class StressPoints {
       on_throat.influence.normal = {};
       on_throat.shear_detail = if_asked(fatigue.throat);
       on_throat.on_throat = true;
-      on_throat.joined =
-          weakest_to_weld(plates_at(materials_, field_.section, throat.y, throat.z));
+      on_throat.joined = weakest_to_weld(plates_at(materials_, field_.section, throat.y, throat.z));
       on_throat.yield = false;
     }
     add_stretches();

@@ -1,5 +1,5 @@
-// Beams of several materials. What is expected is M z/I by hand, each plate with the strength of its
-// own steel, or what a case of one steel says.
+// Beams of several materials. What is expected is M z/I by hand, each plate with the strength of
+// its own steel, or what a case of one steel says.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,8 @@ width = "150 mm"
 height = "300 mm"
 flange = "12 mm"
 web = "8 mm"
-)" + more + R"(
+)" + more +
+         R"(
 [beam]
 density = "7850 kg/m^3"
 from = ["0 m", "0 m"]
@@ -97,15 +98,14 @@ std::string message_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("part materials: each plate resists with the yield strength of its own steel") {
-  const auto hybrid = verified(
-      cantilever(s235 + part("S355", "plates = [\"top flange\", \"bottom flange\"]")));
+  const auto hybrid =
+      verified(cantilever(s235 + part("S355", "plates = [\"top flange\", \"bottom flange\"]")));
   CHECK(factor_at(hybrid, 0.0, Side::behind, "fibre +z") ==
         Approx(355e6 / bending_at(0.0, 0.15)).epsilon(1e-9));
   // The web ends at the flange, where its own steel is stressed as much; its shear is q/t.
   const double q = 20e3 / I * 0.5 * 0.15 * 0.012 * 0.144;
   const double at_web = std::hypot(bending_at(0.0, 0.138), std::sqrt(3.0) * q / 0.008);
-  CHECK(factor_at(hybrid, 0.0, Side::behind, "web end +z") ==
-        Approx(235e6 / at_web).epsilon(1e-3));
+  CHECK(factor_at(hybrid, 0.0, Side::behind, "web end +z") == Approx(235e6 / at_web).epsilon(1e-3));
   // One flange alone.
   const auto top = verified(cantilever(s235 + part("S355", "plates = [\"top flange\"]")));
   CHECK(factor_at(top, 0.0, Side::behind, "fibre +z") ==
@@ -119,9 +119,8 @@ TEST_CASE("part materials: where the steel of the segments changes both sides ar
   for (const auto& [segment, weak_side] :
        {std::pair{"b", Side::behind}, std::pair{"a", Side::before}}) {
     INFO(segment);
-    const std::string materials =
-        "[material]\nsteel = \"S690Q\"\n" +
-        part("S235", fmt::format("segments = [\"{}\"]", segment));
+    const std::string materials = "[material]\nsteel = \"S690Q\"\n" +
+                                  part("S235", fmt::format("segments = [\"{}\"]", segment));
     const auto of = verified(cantilever(materials));
     const Side other = weak_side == Side::before ? Side::behind : Side::before;
     CHECK(factor_at(of, 2.0, weak_side, "fibre +z") ==
@@ -146,7 +145,8 @@ TEST_CASE("part materials: of all plates of all segments they are the beam's mat
   CHECK(least_factor(last) == Approx(least_factor(one)).epsilon(1e-12));
 }
 
-TEST_CASE("part materials: a weaker steel in any plate never makes a beam safer, a stronger weaker") {
+TEST_CASE(
+    "part materials: a weaker steel in any plate never makes a beam safer, a stronger weaker") {
   const std::string sections = R"(
 [sections.stiffened]
 kind = "box"
@@ -223,12 +223,11 @@ web = "3.5 mm"
 
 TEST_CASE("part materials: flanges above twice the web's strength give no verdict") {
   const auto of = [](const std::string& flange) {
-    const auto verification = verified(cantilever(
-        s235 + part(flange, "plates = [\"top flange\", \"bottom flange\"]")));
-    return std::any_of(
-        verification.gates.begin(), verification.gates.end(), [](const Gate& gate) {
-          return gate.blocks && gate.finding.find("twice the yield strength") != std::string::npos;
-        });
+    const auto verification =
+        verified(cantilever(s235 + part(flange, "plates = [\"top flange\", \"bottom flange\"]")));
+    return std::any_of(verification.gates.begin(), verification.gates.end(), [](const Gate& gate) {
+      return gate.blocks && gate.finding.find("twice the yield strength") != std::string::npos;
+    });
   };
   CHECK_FALSE(of("S460N"));
   CHECK(of("S500Q"));

@@ -23,8 +23,8 @@ struct PlateOf {
 std::vector<PlateOf> plates_at(const PlateMaterials& materials, const Section& section, Length y,
                                Length z);
 
-/// All plates on both faces of a station, as thick as given: what is joined there where nothing says
-/// which of them.
+/// All plates on both faces of a station, as thick as given: what is joined there where nothing
+/// says which of them.
 std::vector<PlateOf> plates_around(const Project& project, Length s, Length thickness);
 
 /// The one with the lowest yield strength. One that is thicker than its material's table goes comes

@@ -291,8 +291,9 @@ struct Project {
   std::optional<planar::NewtonChain> chain;
   std::optional<EquivalentMassDemand> equivalent_mass;
 
-  Material material;                        ///< of all plates that are not of another
-  std::vector<PartMaterial> part_materials;  ///< of some plates; the last one that has a plate counts
+  Material material;  ///< of all plates that are not of another
+  std::vector<PartMaterial>
+      part_materials;  ///< of some plates; the last one that has a plate counts
   StrengthDemand strength;
   FatigueInput fatigue;
   std::vector<NamedPoint> points;

@@ -54,12 +54,16 @@ enum class SignalFormat {
   /// units, which with its full scale of 32752 is 0.05 % more. What fills the last frame up is read
   /// as if it were measured, unless the head gives SAMPLES.
   rpc3,
+  /// NetCDF as MBDyn writes it (.nc), classic and NetCDF-4: all numbers over the dimension of
+  /// "time",
+  /// "elem.beam.7.F_I.x" of a vector. Read by libnetcdf, where it is installed.
+  netcdf,
 };
 
 inline constexpr SignalFormat all_signal_formats[] = {
     SignalFormat::csv,           SignalFormat::openfast_text, SignalFormat::openfast_binary,
     SignalFormat::mbdyn,         SignalFormat::exudyn,        SignalFormat::request_table,
-    SignalFormat::request_steps, SignalFormat::rpc3};
+    SignalFormat::request_steps, SignalFormat::rpc3,          SignalFormat::netcdf};
 
 /// The word by which a user asks for it: "csv", "openfast-text".
 std::string_view word_of(SignalFormat format);

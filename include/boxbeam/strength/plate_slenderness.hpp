@@ -18,9 +18,9 @@ struct SlenderPlate {
   ClassLimits limits;
 };
 
-/// The yield strength by which a plate's class is found: its own; of a web that of its flanges where
-/// they are of a stronger steel. Nothing where it is thicker than its material's table goes. Source:
-/// EN 1993-1-5:2006, 4.3(6).
+/// The yield strength by which a plate's class is found: its own; of a web that of its flanges
+/// where they are of a stronger steel. Nothing where it is thicker than its material's table goes.
+/// Source: EN 1993-1-5:2006, 4.3(6).
 std::optional<Stress> class_yield_of(const Profile& profile, const PlateMaterials& materials,
                                      PlateKind plate, Length thickness);
 

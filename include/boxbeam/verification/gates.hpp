@@ -48,8 +48,8 @@ class PlateGates {
   /// Of all gates of a kind on a plate of a segment, the worst is kept.
   void add(const std::string& kind, Gate gate, double excess);
   void look_at_class(const std::string& segment, const Profile& profile,
-                     const PlateMaterials& materials, bool alike,
-                     const AreaSums& sums, const std::vector<SituationHistory>& histories);
+                     const PlateMaterials& materials, bool alike, const AreaSums& sums,
+                     const std::vector<SituationHistory>& histories);
   void look_at_shear_lag(const std::string& segment, const std::string& plate,
                          const std::optional<ShearLag>& lag);
 

@@ -31,13 +31,10 @@ struct NotRead {
   const char* name;
   const char* hint;
 };
-constexpr NotRead not_read[] = {
-    {"CDF", "NetCDF", "give MBDyn's .jnt, .frc or .act file, or convert it to CSV"},
-    {"\x89HDF", "HDF5 (NetCDF-4, MATLAB 7.3)", "convert it to CSV"},
-    {"MDF ", "MDF", "convert it to CSV, for example with asammdf"},
-    {"TDSm", "TDMS", "convert it to CSV, for example with npTDMS"},
-    {"MATLAB", "MATLAB", "convert it to CSV"},
-    {"PK\x03\x04", "a spreadsheet or an archive", "save it as CSV"}};
+constexpr NotRead not_read[] = {{"MDF ", "MDF", "convert it to CSV, for example with asammdf"},
+                                {"TDSm", "TDMS", "convert it to CSV, for example with npTDMS"},
+                                {"MATLAB", "MATLAB", "convert it to CSV"},
+                                {"PK\x03\x04", "a spreadsheet or an archive", "save it as CSV"}};
 
 std::string small_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -57,7 +54,7 @@ std::optional<SignalFormat> format_by_lines(const FileBytes& bytes, const std::s
     if (line.starts_with("# Step ") || line.starts_with("Step ")) {
       if (extension == ".out") {
         bytes.fail("this is the file of MBDyn's steps",
-                   "give the .jnt, .frc or .act file beside it");
+                   "give the .jnt, .frc, .act or .nc file beside it");
       }
     }
     if (line.empty()) continue;
@@ -86,6 +83,10 @@ SignalFormat format_of(const FileBytes& bytes, const SignalSource& source) {
     }
   }
   using namespace std::string_view_literals;
+  // Classic, with 64-bit places, with 64-bit data; NetCDF-4 is HDF5.
+  for (const std::string_view& of : {"CDF\1"sv, "CDF\2"sv, "CDF\5"sv, "\x89HDF"sv}) {
+    if (first.starts_with(of)) return SignalFormat::netcdf;
+  }
   if (first.starts_with("FORMAT\0"sv) || first.starts_with("FORMAT  ")) return SignalFormat::rpc3;
   const bool small_number = first.size() > 4 && first[0] >= 1 && first[0] <= 4 && first[1] == '\0';
   if (small_number) return SignalFormat::openfast_binary;
@@ -112,6 +113,7 @@ std::string_view word_of(SignalFormat format) {
     case SignalFormat::request_table: return "request-table";
     case SignalFormat::request_steps: return "request-steps";
     case SignalFormat::rpc3: return "rpc3";
+    case SignalFormat::netcdf: return "netcdf";
   }
   return "";
 }
@@ -126,6 +128,7 @@ std::string_view name_of(SignalFormat format) {
     case SignalFormat::request_table: return "request table";
     case SignalFormat::request_steps: return "request steps";
     case SignalFormat::rpc3: return "RPC III";
+    case SignalFormat::netcdf: return "NetCDF";
   }
   return "";
 }
@@ -147,6 +150,7 @@ OpenedSignals open_signals(const SignalSource& source) {
     case SignalFormat::request_table: return open_request_table(std::move(bytes), source);
     case SignalFormat::request_steps: return open_request_steps(std::move(bytes), source);
     case SignalFormat::rpc3: return open_rpc3_signals(std::move(bytes), source);
+    case SignalFormat::netcdf: return open_netcdf_signals(std::move(bytes), source);
   }
   return nullptr;
 }

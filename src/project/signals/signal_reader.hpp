@@ -32,6 +32,7 @@ OpenedSignals open_exudyn_sensor(SignalBytes bytes, const SignalSource& source);
 OpenedSignals open_request_table(SignalBytes bytes, const SignalSource& source);
 OpenedSignals open_request_steps(SignalBytes bytes, const SignalSource& source);
 OpenedSignals open_rpc3_signals(SignalBytes bytes, const SignalSource& source);
+OpenedSignals open_netcdf_signals(SignalBytes bytes, const SignalSource& source);
 
 /// The format of a file by its content and name, or as asked.
 SignalFormat format_of(const FileBytes& bytes, const SignalSource& source);

@@ -210,4 +210,44 @@ TEST_CASE("a time that was written with too few digits to ascend is found far do
   CHECK(test::has_part(problem.message, "instant 2: the time 8589934592 s does not come after"));
 }
 
+TEST_CASE("what is wrong in NetCDF files is said with its instant and channel", "[bad_input]") {
+  // Classic, big-endian: number of instants at 4; of the variable "time" its name at 60, unit at
+  // 100, type at 104; records of 212 bytes from 748 on: time 8, step 4, timestep 8, force of
+  // joint 2.
+  const std::string good = sample_bytes("mbdyn-classic.nc");
+  const auto with = [&](std::size_t at, const std::string& bytes) {
+    std::string broken = good;
+    return broken.replace(at, bytes.size(), bytes);
+  };
+  using namespace std::string_literals;
+  const auto record = [](std::size_t i) { return 748 + 212 * i; };
+  const std::string not_a_number = "\x7f\xf8\0\0\0\0\0\0"s, endless = "\x7f\xf0\0\0\0\0\0\0"s;
+  check_broken_bytes(
+      "broken.nc",
+      {{with(4, "\0\0\0\0"s), "the file holds no instant"},
+       {with(60, "tame"), "the file has no variable \"time\""},
+       {with(100, "N"), "the unit of \"time\" is \"N\""},
+       {with(104, "\0\0\0\2"s), "\"time\" holds no numbers"},
+       {with(record(1) + 20, not_a_number), "instant 2, \"elem.joint.2.f.x\""},
+       {with(record(41) + 28, endless), "instant 42, \"elem.joint.2.f.y\""},
+       {with(record(2), "\0\0\0\0\0\0\0\0"s), "instant 3, \"time\""},
+       {with(record(7), not_a_number), "instant 8, \"time\""},
+       {good.substr(0, record(60)), "truncated"},
+       {good.substr(0, good.size() - 4), "truncated"},
+       {good.substr(0, 300), "libnetcdf says"},
+       {"CDF\1\0\0"s, "libnetcdf says"},
+       {"\x89HDF\r\n\x1a\nrest"s, "libnetcdf says"},
+       {sample_bytes("mbdyn.nc").substr(0, 30000), "libnetcdf says"},
+       {good, "no channel \"elem.joint.2.g.x\"", {{"elem.joint.2.g.x", wanted::force}}},
+       {good, "its unit \"N\" is that of", {{"elem.joint.2.f.x", wanted::moment}}}});
+  const test::TemporaryFolder folder;
+  SignalSource stepped{folder.write("a.nc", good)};
+  stepped.time_step = 0.01;
+  CHECK(test::has_part(test::signal_problem_of(stepped).message, "has its own time"));
+  // By content, whatever its name; and what only begins alike is text.
+  CHECK(list_signals({folder.write("a.csv", good)}).format == SignalFormat::netcdf);
+  CHECK(list_signals({folder.write("b.csv", "CDF [s],b [N]\n0,1\n1,2\n")}).format ==
+        SignalFormat::csv);
+}
+
 }  // namespace broken_binary_signals_test

@@ -325,9 +325,7 @@ TEST_CASE("what is no file, and what other programs write that is not read", "[b
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   CHECK(test::signal_problem_of({pipe}).message == "this is a pipe or a device, no file");
   using namespace std::string_literals;
-  for (const auto& [bytes, name] : {std::pair("CDF\x01\0\0"s, "NetCDF"),
-                                    {"\x89HDF\r\n"s, "HDF5"},
-                                    {"MDF     4.10"s, "MDF"},
+  for (const auto& [bytes, name] : {std::pair("MDF     4.10"s, "MDF"),
                                     {"TDSm"s, "TDMS"},
                                     {"MATLAB 5.0"s, "MATLAB"},
                                     {"PK\x03\x04"s, "spreadsheet"}}) {

@@ -2,13 +2,14 @@
 """Writes the sample files of the readers of signals into samples/, with the programs that write them
 where they can be had from PyPI:
 
-    python3 -m venv venv && venv/bin/pip install exudyn==1.13.6 weio==2.0.0 rpc3-file==1.0.0rc6
+    python3 -m venv venv && venv/bin/pip install exudyn==1.13.6 weio==2.0.0 rpc3-file==1.0.0rc6 netCDF4==1.7.5.1.post1
     venv/bin/python make_samples.py samples
 
 Written by the program or library itself:
     openfast-id2.outb, openfast-id4.outb, openfast.out     weio (the reader and writer of OpenFAST's tools)
     rpc-integers.rsp, rpc-floats.rsp                       rpc3-file
     exudyn-force.txt, exudyn-appended.txt                  exudyn, running the model below
+    mbdyn.nc (NetCDF-4), mbdyn-classic.nc                  netCDF4, with the variables of MBDyn's manual
 Written here, from the descriptions that the readers name:
     openfast-id1.outb, openfast-id3.outb                   weio writes ids 2 and 4 only
     mbdyn.jnt, .act, .frc, .out                            Debian 12 has no MBDyn
@@ -202,6 +203,38 @@ def write_mbdyn(folder):
     (folder / "mbdyn.out").write_text("Simulation of a sample\n" + steps + "End of simulation\n")
 
 
+def write_netcdf(folder):
+    """Joint 2, beam 7 and a node as MBDyn names them, in N and N m."""
+    import netCDF4
+
+    for name, kind in [("mbdyn.nc", "NETCDF4"), ("mbdyn-classic.nc", "NETCDF3_CLASSIC")]:
+        with netCDF4.Dataset(folder / name, "w", format=kind) as data:
+            data.createDimension("time", None)
+            data.createDimension("Vec3", 3)
+
+            def variable(name, unit, values, number="f8", dimensions=("time",)):
+                of = data.createVariable(name, number, dimensions)
+                if unit:
+                    of.units = unit
+                of[:] = values
+
+            rows = table()
+            variable("time", "s", [row[0] for row in rows])
+            variable("run.step", "", list(range(len(rows))), "i4")
+            variable("run.timestep", "s", [STEP for _ in rows])
+            vector = ("time", "Vec3")
+            force = [[1e3 * row[2], row[0], row[0]] for row in rows]
+            moment = [[row[0], 1e3 * row[1], row[0]] for row in rows]
+            variable("elem.joint.2.f", "N", force, "f8", vector)
+            variable("elem.joint.2.m", "Nm", moment, "f8", vector)
+            variable("elem.beam.7.F_I", "N", force, "f8", vector)
+            variable("elem.beam.7.M_I", "Nm", moment, "f8", vector)
+            variable("node.struct.1002.X", "m", [[row[3], 0.0, 0.0] for row in rows], "f8", vector)
+            matrix = [[[1, 0, 0], [0, 1, 0], [0, 0, 1]] for _ in rows]
+            variable("node.struct.1002.R", "-", matrix, "f8", ("time", "Vec3", "Vec3"))
+            variable("node.struct", "", [1002, 0, 0], "i4", ("Vec3",))
+
+
 def write_requests(folder):
     page = "    TIME         FM          FX          FY          FZ\n"
     text = " MODEL boom\n REQUEST NO 4711: boom, force at the head\n\n" + page
@@ -228,6 +261,7 @@ def main(arguments):
     write_rpc_by_hand(folder)
     write_exudyn(folder)
     write_mbdyn(folder)
+    write_netcdf(folder)
     write_requests(folder)
     return 0
 

@@ -189,6 +189,33 @@ TEST_CASE("MBDyn's files take their time from the .out file, or a step that is g
   }
 }
 
+TEST_CASE("NetCDF files of MBDyn, classic and NetCDF-4") {
+  for (const char* name : {"mbdyn.nc", "mbdyn-classic.nc"}) {
+    INFO(name);
+    const SignalHead head = list_signals({sample(name)});
+    CHECK(head.format == SignalFormat::netcdf);
+    CHECK(head.rows == sample_rows);
+    // Two numbers and five vectors over the time; no matrices, no tables without time.
+    CHECK(head.channels.size() == 2 + 5 * 3);
+    CHECK(head.channels.front().name == "run.step");
+    CHECK(head.channels.back().name == "node.struct.1002.X.z");
+    for (const char* element : {"elem.joint.2.m.y", "elem.beam.7.M_I.y"}) {
+      const std::string moment = element;
+      std::string force = moment;
+      force.replace(force.find(moment[5] == 'j' ? ".m.y" : ".M_I.y"), std::string::npos,
+                    moment[5] == 'j' ? ".f.x" : ".F_I.x");
+      check_sample(
+          read_signal_file({sample(name)}, sample_wanted({moment, force, "node.struct.1002.X.x"})),
+          0.0, 1e-14);
+    }
+    // All channels at once are the same numbers.
+    const SignalTable all = read_signal_file({sample(name)}, {});
+    REQUIRE(all.columns.size() == head.channels.size());
+    CHECK(all.columns[2][3] == Approx(sample_value(1, sample_time(3))).epsilon(1e-14));
+    CHECK(all.columns[3][3] == Approx(sample_time(3)).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("requests of Adams and RecurDyn, as a table and step by step") {
   std::vector<WantedSignal> wanted = sample_wanted({"FY", "FX", "FZ"});
   wanted[0].scale = wanted[1].scale = 1e3;
