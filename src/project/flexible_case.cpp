@@ -80,7 +80,7 @@ class FlexibleReader : public FrontEndReader {
     flexible::Mechanism mechanism = read_flexible(root, links_);
     refuse_planar_parts(root, *project_);
     refuse_rigid_parts(root, *project_);
-    project_->beam_body = std::max(0, index_of(mechanism.links, links_.beam_link));
+    project_->beam_body = std::max(0, index_by_name(mechanism.links, links_.beam_link));
     project_->mechanism = std::move(mechanism);
     if (root.problems().empty()) add_points_of_link(*project_);
   }

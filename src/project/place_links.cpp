@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 using flexible::Link;
 
 const BodyPoint* find_point(const Link& link, const std::string& name) {
-  const int index = index_of(link.points, name);
+  const int index = index_by_name(link.points, name);
   return index < 0 ? nullptr : &link.points[static_cast<std::size_t>(index)];
 }
 

@@ -32,6 +32,8 @@ Segment read_segment(TableReader table, std::size_t number, Length start,
       table.problem("to", "a segment tapers between two sections of the same kind",
                     "split the segment where the kind of section changes");
     }
+    // What is read after it may look at the beam.
+    if (!same_kind(segment.from, segment.to)) segment.to = segment.from;
   }
   table.finish();
   return segment;

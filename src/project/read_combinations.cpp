@@ -107,7 +107,7 @@ std::vector<CaseRule> read_case_rules(TableReader& root, const frame::Structure&
                                       bool all_wanted) {
   std::vector<CaseRule> rules(structure.cases.size());
   std::vector<bool> said(rules.size(), false);
-  const int weight = index_of(structure.cases, "weight");
+  const int weight = index_by_name(structure.cases, "weight");
   if (weight >= 0) {
     rules[static_cast<std::size_t>(weight)].permanent = true;
     said[static_cast<std::size_t>(weight)] = true;
@@ -128,7 +128,7 @@ std::vector<CaseRule> read_case_rules(TableReader& root, const frame::Structure&
       }
     }
     table.finish();
-    const int index = index_of(structure.cases, name);
+    const int index = index_by_name(structure.cases, name);
     if (index < 0) {
       table.problem("", fmt::format("no load is in a case \"{}\"", name),
                     unknown_hint(name, names_of(structure.cases)));
@@ -226,7 +226,7 @@ void add_sets(TableReader& table, const frame::Structure& structure, Combination
     factors.accept_all();
     Choices choices(structure.cases.size(), {0.0});
     for (const Node::Member& member : factors.members("a number, or two")) {
-      const int index = index_of(structure.cases, member.key);
+      const int index = index_by_name(structure.cases, member.key);
       if (index < 0) {
         factors.problem(member.key, fmt::format("there is no load case \"{}\"", member.key),
                         unknown_hint(member.key, names_of(structure.cases)));
@@ -290,7 +290,7 @@ std::vector<double> read_case_factors(TableReader& table, const frame::Structure
       table.table({"loads", "how often each load case counts: { weight = 1.0, lift = 1.2 }"});
   loads.accept_all();
   for (const Node::Member& member : loads.members("how often it counts")) {
-    const int index = index_of(structure.cases, member.key);
+    const int index = index_by_name(structure.cases, member.key);
     if (index < 0) {
       loads.problem(member.key, fmt::format("there is no load case \"{}\"", member.key),
                     unknown_hint(member.key, names_of(structure.cases)));

@@ -31,14 +31,14 @@ Attachment point_of_link(TableReader& table, std::string_view key, const std::st
   }
   const std::string link_name = reference.substr(0, dot);
   const std::string point_name = reference.substr(dot + 1);
-  const int index = index_of(mechanism.links, link_name);
+  const int index = index_by_name(mechanism.links, link_name);
   if (index < 0) {
     table.problem(key, fmt::format("there is no link \"{}\"", link_name),
                   unknown_hint(link_name, names_of(mechanism.links)));
     return {};
   }
   const flexible::Link& link = mechanism.links[static_cast<std::size_t>(index)];
-  const int point = index_of(link.points, point_name);
+  const int point = index_by_name(link.points, point_name);
   if (point < 0) {
     table.problem(key, fmt::format("link \"{}\" has no point \"{}\"", link_name, point_name),
                   unknown_hint(point_name, names_of(link.points)));
@@ -227,7 +227,7 @@ void read_elastic_loads(TableReader& root, Mechanism& mechanism) {
         table.pair({"amplitude_force", "that vibrates"}, wanted::force, Vector2d::Zero());
     load.amplitude.z() = table.quantity({"amplitude_moment", "that vibrates"}, wanted::moment, 0.0);
     load.phase = table.quantity({"phase", "of the vibration"}, wanted::angle, 0.0);
-    if (index_of(mechanism.joints, name) >= 0) {
+    if (index_by_name(mechanism.joints, name) >= 0) {
       table.problem("", fmt::format("\"{}\" is already the name of a joint", name),
                     "give the load another name");
     }

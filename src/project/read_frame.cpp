@@ -167,7 +167,7 @@ void read_members(TableReader& root, const FrameDefaults& defaults, frame::Struc
         start = member.beam.segments.back().end();
       }
     }
-    if (index_of(structure.members, name) >= 0) {
+    if (index_by_name(structure.members, name) >= 0) {
       table.problem("", fmt::format("\"{}\" is the name of a verified beam", name),
                     "give the member another name");
     }
@@ -181,7 +181,7 @@ frame::Place frame_point(TableReader& table, std::string_view key, const std::st
                          const frame::Structure& structure) {
   const std::size_t dot = reference.rfind('.');
   const std::string member_name = reference.substr(0, dot == std::string::npos ? 0 : dot);
-  const int index = index_of(structure.members, member_name);
+  const int index = index_by_name(structure.members, member_name);
   if (dot == std::string::npos || index < 0) {
     table.problem(key, fmt::format("\"{}\" is not a point of a member", reference),
                   dot == std::string::npos
@@ -191,7 +191,7 @@ frame::Place frame_point(TableReader& table, std::string_view key, const std::st
   }
   const frame::Member& member = structure.members[static_cast<std::size_t>(index)];
   const std::string point_name = reference.substr(dot + 1);
-  const int point = index_of(member.points, point_name);
+  const int point = index_by_name(member.points, point_name);
   if (point < 0) {
     table.problem(key, fmt::format("member \"{}\" has no point \"{}\"", member.name, point_name),
                   unknown_hint(point_name, names_of(member.points)));
@@ -211,7 +211,7 @@ frame::Place read_frame_place(TableReader& table, const frame::Structure& struct
   if (table.has("on")) {
     const std::string name =
         table.text({"on", "the member; the beam where not said, of several the first"});
-    place.member = index_of(structure.members, name);
+    place.member = index_by_name(structure.members, name);
     if (place.member < 0) {
       table.problem("on", fmt::format("there is no member \"{}\"", name),
                     unknown_hint(name, names_of(structure.members)));

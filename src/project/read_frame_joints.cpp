@@ -189,7 +189,7 @@ void read_frame_joints(TableReader& root, frame::Structure& structure) {
   for (auto& [name, table] : root.table({"supports", "what holds the frame"}).named_tables())
     read_support(table, name, structure);
   for (auto& [name, table] : root.table({"joints", "between members"}, false).named_tables()) {
-    if (index_of(structure.joints, name) >= 0) {
+    if (index_by_name(structure.joints, name) >= 0) {
       table.problem("", fmt::format("\"{}\" is already the name of a support", name),
                     "give the joint another name");
     }

@@ -38,7 +38,7 @@ int read_member(TableReader& table, const Structure& structure) {
   if (!table.has("on")) return 0;
   const std::string name =
       table.text({"on", "the member; the beam where not said, of several the first"});
-  const int member = index_of(structure.members, name);
+  const int member = index_by_name(structure.members, name);
   if (member >= 0 || name.empty()) return std::max(0, member);
   table.problem("on", fmt::format("there is no member \"{}\"", name),
                 unknown_hint(name, names_of(structure.members)));
@@ -164,7 +164,7 @@ frame::HeatAction read_heat(TableReader& table, const Structure& structure) {
 frame::Settlement read_settlement(TableReader& table, const Structure& structure) {
   frame::Settlement action;
   const std::string name = table.text({"support", "that moves"});
-  action.joint = index_of(structure.joints, name);
+  action.joint = index_by_name(structure.joints, name);
   if (action.joint < 0) {
     if (!name.empty()) {
       table.problem("support", fmt::format("there is no support \"{}\"", name),
@@ -257,12 +257,12 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
       case 6: action.kind = read_settlement(table, structure); break;
       default: action.kind = read_wheels(table, structure);
     }
-    if (index_of(structure.joints, name) >= 0) {
+    if (index_by_name(structure.joints, name) >= 0) {
       table.problem("", fmt::format("\"{}\" is already the name of a support or joint", name),
                     "give the load another name");
     }
     table.finish();
-    int index = index_of(structure.cases, of_case);
+    int index = index_by_name(structure.cases, of_case);
     if (index < 0) {
       index = static_cast<int>(structure.cases.size());
       structure.cases.push_back({of_case, {}});
@@ -297,10 +297,10 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
           return std::holds_alternative<frame::OwnWeight>(action.kind);
         });
       });
-  if (!weighed && index_of(structure.cases, "weight") < 0) {
+  if (!weighed && index_by_name(structure.cases, "weight") < 0) {
     structure.cases.insert(structure.cases.begin(), {"weight", {{"weight", frame::OwnWeight{}}}});
   } else if (!weighed) {
-    const int at = index_of(structure.cases, "weight");
+    const int at = index_by_name(structure.cases, "weight");
     structure.cases[static_cast<std::size_t>(at)].actions.push_back({"weight", frame::OwnWeight{}});
   }
   structure.factors.assign(structure.cases.size(), 1.0);

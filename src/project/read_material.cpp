@@ -76,7 +76,7 @@ std::vector<bool> read_segments(TableReader& table, const std::vector<Segment>& 
   if (!table.has(of.name)) return std::vector<bool>(segments.size(), true);
   std::vector<bool> listed(segments.size(), false);
   for (const std::string& name : table.texts(of, true)) {
-    const int found = index_of(segments, name);
+    const int found = index_by_name(segments, name);
     if (found >= 0)
       listed[static_cast<std::size_t>(found)] = true;
     else

@@ -269,6 +269,17 @@ void read_situations(TableReader& root, const Node& tree, const FrontEndReader& 
         table.problem("sudden_start", "a sudden start is known for elastic links only",
                       "leave it out, or write the start as a driver or a force over time");
       }
+      const auto* links = std::get_if<flexible::Mechanism>(&project.mechanism);
+      if (situation.sudden_start && links != nullptr) {
+        for (const flexible::Link& link : links->links) {
+          if (link.parts <= limits::most_parts_at_start) continue;
+          table.problem("sudden_start",
+                        fmt::format("the link {} has {} parts, of which the whole history after a "
+                                    "start is kept: at most {}",
+                                    link.name, link.parts, limits::most_parts_at_start),
+                        "give it fewer parts");
+        }
+      }
       if (table.has("set")) {
         TableReader set =
             table.table({"set", "what differs: \"drivers.exciter.frequency\" = \"0.8 Hz\""});

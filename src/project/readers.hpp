@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxbeam/core/index_by_name.hpp"
 #include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/project/table_reader.hpp"
@@ -185,15 +186,6 @@ std::vector<std::string> names_of(const Items& items) {
   std::vector<std::string> names;
   for (const auto& item : items) names.push_back(item.name);
   return names;
-}
-
-/// Index of the item of a name, -1 where there is none.
-template <class Items>
-int index_of(const Items& items, const std::string& name) {
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (items[i].name == name) return static_cast<int>(i);
-  }
-  return -1;
 }
 
 /// The nearest of the known names, or all of them where none is near.

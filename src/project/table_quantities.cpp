@@ -102,6 +102,11 @@ double TableReader::not_negative(const Key& of, const WantedDimension& wanted,
             fmt::format("write zero or more, for example {}", wanted.example));
     return std::nan("");
   }
+  if (value > 0.0 && value < limits::range_of(wanted).smallest) {
+    problem(key, fmt::format("\"{}\" is too small to be meant", key),
+            fmt::format("write zero, or for example {}", wanted.example));
+    return std::nan("");
+  }
   return value;
 }
 

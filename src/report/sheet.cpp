@@ -55,7 +55,7 @@ void derive_yield_factor(Derivation& steps, const Project& project, Stress yield
 Steps yield_steps(const Project& project, const Check& check, const CheckBasis& basis) {
   Steps steps{time_step(check, "where the equivalent stress is largest")};
   const StressPoint& point = basis.point;
-  constexpr double no_stress = 1.0;  // Pa
+  constexpr double no_stress = 1e-3;  // Pa
   const bool sheared = std::abs(basis.stress_at_time.shear.value()) >= no_stress;
   Derivation of;
   derive_normal_section(of, project, point);

@@ -21,7 +21,7 @@ constexpr std::array<const char*, cut_force::count> in_the_plane{"N", "V_y", "V"
 constexpr std::array<const char*, cut_force::count> in_all{"N", "V_y", "V_z", "T", "M_y", "M_z"};
 
 /// Stresses below are round-off [Pa].
-constexpr double no_stress = 1.0;
+constexpr double no_stress = 1e-3;
 
 std::string name_of(std::size_t which, bool space) {
   return space ? in_all[which] : in_the_plane[which];

@@ -59,15 +59,15 @@ std::vector<Length> borders_of(const CutForceDiagram& diagram) {
 }
 
 /// Whether cut forces jump at a place, at any instant, by more than round-off.
-bool jumps_at(const LoadHistory& loads, Length s) {
+bool jumps_at(const LoadHistory& loads, Length length, Length s) {
   constexpr double round_off = 1e-9;
   const auto differ = [round_off](auto a, auto b, auto scale) {
     return abs(a - b) > round_off * scale;
   };
-  for (std::size_t i = 0; i < loads.instants(); ++i) {
-    const CutForceDiagram& diagram = loads.diagram(i);
-    const CutForces a = diagram.at({s, Side::before}), b = diagram.at({s, Side::behind});
-    const Length length = diagram.pieces.back().end();
+  const std::vector<CutForces> before = loads.cuts_at({s, Side::before});
+  const std::vector<CutForces> behind = loads.cuts_at({s, Side::behind});
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const CutForces &a = before[i], &b = behind[i];
     const Force scale =
         std::max({abs(a.N), abs(b.N), abs(a.V_y), abs(b.V_y), abs(a.V_z), abs(b.V_z),
                   abs(a.T) / length, abs(b.T) / length, abs(a.M_y) / length, abs(b.M_y) / length,
@@ -83,7 +83,7 @@ bool jumps_at(const LoadHistory& loads, Length s) {
 }
 
 /// Of a motion: places where loads stand still, and the ends of the ways of those that slide.
-void add_loads(const SituationRun& run, Gathered& cuts) {
+void add_loads(const SituationRun& run, Length length, Gathered& cuts) {
   const LoadHistory& loads = run.loads;
   const std::vector<Length> first = borders_of(loads.diagram(0));
   if (loads.is_recorded()) {  // whose places never change
@@ -92,20 +92,27 @@ void add_loads(const SituationRun& run, Gathered& cuts) {
   }
   bool still = true;
   for (std::size_t i = 1; i < loads.instants() && still; ++i) {
-    const std::vector<CutForcePiece>& pieces = loads.diagram(i).pieces;
+    const std::vector<CutForcePiece>& pieces = loads.kept_diagram(i).pieces;
     still =
         std::equal(pieces.begin(), pieces.end(), first.begin(), first.end(),
                    [](const CutForcePiece& piece, const Length& s) { return piece.start == s; });
   }
   if (still) {
-    for (const Length& s : first) cuts.add(s, jumps_at(loads, s));
+    // Of very many borders without jumps, as between the parts of a finely divided link, some: the
+    // search sees kinks within a piece too.
+    constexpr std::size_t many = 128;
+    const std::size_t every = 1 + first.size() / many;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      const bool jumps = jumps_at(loads, length, first[k]);
+      if (jumps || k % every == 0) cuts.add(first[k], jumps);
+    }
     return;
   }
   // What is there at every instant stands still; of the rest, in order along the beam, each has a
   // way, whose ends are those of some load.
   std::map<double, std::size_t> visits;
   for (std::size_t i = 0; i < loads.instants(); ++i) {
-    for (const CutForcePiece& piece : loads.diagram(i).pieces) ++visits[piece.start.value()];
+    for (const CutForcePiece& piece : loads.kept_diagram(i).pieces) ++visits[piece.start.value()];
   }
   struct Way {
     Length low, high;
@@ -113,7 +120,7 @@ void add_loads(const SituationRun& run, Gathered& cuts) {
   std::vector<Way> ways;
   for (std::size_t i = 0; i < loads.instants(); ++i) {
     std::size_t rank = 0;
-    for (const CutForcePiece& piece : loads.diagram(i).pieces) {
+    for (const CutForcePiece& piece : loads.kept_diagram(i).pieces) {
       if (visits[piece.start.value()] == loads.instants()) continue;
       if (rank == ways.size()) ways.push_back({piece.start, piece.start});
       Way& way = ways[rank++];
@@ -121,7 +128,7 @@ void add_loads(const SituationRun& run, Gathered& cuts) {
     }
   }
   for (const auto& [s, count] : visits) {
-    if (count == loads.instants()) cuts.add(si<Length>(s), jumps_at(loads, si<Length>(s)));
+    if (count == loads.instants()) cuts.add(si<Length>(s), jumps_at(loads, length, si<Length>(s)));
   }
   for (const Way& way : ways) {
     cuts.add(way.low, true);
@@ -130,7 +137,7 @@ void add_loads(const SituationRun& run, Gathered& cuts) {
   // Where loads stand when a history that stays open begins and ends: beyond, none of them comes.
   if (loads.closed()) return;
   for (const std::size_t i : {std::size_t{0}, loads.instants() - 1}) {
-    for (const Length& s : borders_of(loads.diagram(i))) cuts.add(s, true);
+    for (const Length& s : borders_of(loads.kept_diagram(i))) cuts.add(s, true);
   }
 }
 
@@ -221,7 +228,7 @@ std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<Situa
     cuts.add(stretch.from, true, true);
     cuts.add(stretch.to, true, true);
   }
-  for (const SituationRun& run : runs) add_loads(run, cuts);
+  for (const SituationRun& run : runs) add_loads(run, beam.length(), cuts);
   for (const BendingZone& zone : zones) {
     cuts.add(zone.from, true);
     cuts.add(zone.to, true);

@@ -14,6 +14,8 @@ constexpr double beside_break = 1e-12;
 
 /// Brackets kept for other stations; beyond, they are solved anew.
 constexpr std::size_t most_brackets = 8192;
+/// Pieces of diagrams in all brackets that are kept: about two gigabytes.
+constexpr std::size_t most_kept_pieces = 8'000'000;
 
 /// The two instants of a break, between which nothing is looked at.
 struct Gap {
@@ -189,7 +191,10 @@ const LoadHistory::Bracket& LoadHistory::bracket(const Reach& reach) const {
   const std::pair key(reach.from.value(), reach.to.value());
   const auto found = brackets_.find(key);
   if (found != brackets_.end()) return found->second;
-  if (brackets_.size() >= most_brackets) brackets_.clear();
+  const std::size_t pieces = instants_.front().diagram.pieces.size();
+  const std::size_t most =
+      std::min(most_brackets, most_kept_pieces / (nodes * std::max<std::size_t>(pieces, 1)) + 1);
+  if (brackets_.size() >= most) brackets_.clear();
   Bracket bracket;
   for (std::size_t k = 0; k <= last_node; ++k) {
     const Time time = si<Time>(BracketPoints::between(key.first, key.second, k));

@@ -17,11 +17,12 @@ constexpr int most_halvings = 20;
 /// How many borders of pieces lie before a station, seen from its side: changes where a load slides
 /// over it.
 std::size_t borders_before(const CutForceDiagram& diagram, const Station& station) {
-  return static_cast<std::size_t>(
-      std::count_if(diagram.pieces.begin(), diagram.pieces.end(), [&](const CutForcePiece& piece) {
+  const auto beyond = std::partition_point(
+      diagram.pieces.begin(), diagram.pieces.end(), [&](const CutForcePiece& piece) {
         return piece.end() < station.s ||
                (piece.end() == station.s && station.side != Side::before);
-      }));
+      });
+  return static_cast<std::size_t>(beyond - diagram.pieces.begin());
 }
 
 }  // namespace
@@ -115,12 +116,13 @@ void StationHistory::divide_at_passages(const LoadHistory::Reach& reach,
 
 std::vector<StationHistory::Passage> StationHistory::passages() const {
   std::vector<Passage> found;
+  if (loads_->is_recorded()) return found;  // their places never change
   const std::size_t n = loads_->instants();
   for (std::size_t i = closed() ? 0 : 1; i < n; ++i) {
     const std::size_t previous = i > 0 ? i - 1 : n - 1;
     if (loads_->begins_piece(i)) continue;
-    const std::size_t from = borders_before(loads_->diagram(previous), station_);
-    const std::size_t to = borders_before(loads_->diagram(i), station_);
+    const std::size_t from = borders_before(loads_->kept_diagram(previous), station_);
+    const std::size_t to = borders_before(loads_->kept_diagram(i), station_);
     if (from == to) continue;
     const Time begin = loads_->time_of(previous) - (i > 0 ? Time{} : loads_->period());
     const std::size_t first = found.size();

@@ -1,5 +1,7 @@
 #include "boxbeam/verification/sudden_start.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,6 +11,13 @@
 #include "boxbeam/verification/elastic_model.hpp"
 
 namespace boxbeam {
+namespace {
+
+/// A start is resolved by so many modes at most.
+constexpr std::size_t most_modes_of_start = 192;
+
+}  // namespace
+
 flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model) {
   flexible::Mechanism mechanism =
       modelled(of, {ModelLevel::flexible, 0, 0, model.element, model.axial});
@@ -21,7 +30,8 @@ flexible::ModalModel modal_model_beyond(const flexible::Structure& structure, do
   for (std::size_t count = fewest;; count *= 2) {
     flexible::ModalModel model = flexible::modal_model_of(structure, count);
     const bool all = model.modes.size() < count;
-    if (all || model.modes.back().frequency >= 3.0 * drive) return model;
+    if (all || count >= most_modes_of_start || model.modes.back().frequency >= 3.0 * drive)
+      return model;
   }
 }
 
@@ -52,6 +62,17 @@ LoadHistory loads_after_start(const Project& project, const Situation& situation
   auto of = std::make_shared<const flexible::Mechanism>(mechanism);
   auto structure = std::make_shared<const flexible::Structure>(flexible::structure_of(*of));
   const flexible::ModalModel modal = modal_model_beyond(*structure, of->frequency);
+  if (modal.modes.size() >= most_modes_of_start &&
+      modal.modes.back().frequency < 3.0 * of->frequency) {
+    throw AnalysisError(
+        {fmt::format("{} modes of the structure lie below three times the frequency of the loads, "
+                     "{:.6g} Hz: its sudden start is not resolved",
+                     modal.modes.size(), of->frequency),
+         "mechanism",
+         {},
+         {},
+         {}});
+  }
   auto modes = std::make_shared<const flexible::SuddenStartModes>(modal);
   const StartSpan start = start_span_of(modal);
   const LoadSpan span{Time{}, si<Time>(start.length), start.steps, false};

@@ -324,6 +324,10 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
   }
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
     search.pieces.push_back(parts_of(beam, cuts[i], cuts[i + 1]));
+  // Where stresses are but the round-off of larger ones no number of evaluations is enough.
+  constexpr std::size_t at_least = 20'000, by_piece = 100;
+  search.most_evaluations =
+      std::min(search.most_evaluations, at_least + by_piece * search.pieces.size());
   search.group_of = [&](std::size_t function) { return along.group_of(function); };
   FunctionValues last;  // behind a cut without sides it is as before
   search.at = [&](std::size_t piece, double at) {

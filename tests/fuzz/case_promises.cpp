@@ -88,13 +88,16 @@ std::string trouble_in_checks(const Verification& verification) {
 /// Words that numbers become which are none.
 std::string trouble_in_text(const std::string& text, const std::string& input) {
   static const std::regex none(
-      "(^|[^A-Za-z_.])(-?nan|-?inf|[0-9.]+e\\+?2[5-9][0-9]|[0-9.]+e\\+?30[0-9])([^A-Za-z_0-9]|$)");
+      "(^|[^A-Za-z0-9_.])(-?nan|-?inf|[0-9.]+e\\+?2[5-9][0-9]|[0-9.]+e\\+?30[0-9])([^A-Za-z_0-9]|$)");
   std::smatch found;
-  if (!std::regex_search(text, found, none)) return "";
+  // Checksums are no numbers, whatever they look like.
+  static const std::regex checksum("[0-9a-f]{64}");
+  const std::string words = std::regex_replace(text, checksum, "");
+  if (!std::regex_search(words, found, none)) return "";
   // A name or an assumption of the user's own stands in it as it was written.
   if (input.find(found[2].str()) != std::string::npos) return "";
   const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, found.position() - 60));
-  return "the report says \"" + text.substr(from, 120) + "\"";
+  return "the report says \"" + words.substr(from, 120) + "\"";
 }
 
 }  // namespace

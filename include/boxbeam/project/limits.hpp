@@ -34,6 +34,7 @@ inline constexpr std::size_t most_recorded = 20'000'000;
 inline constexpr std::size_t most_samples = 300'000;
 /// Parts of an elastic link, and of all links of a case, at most.
 inline constexpr int most_parts = 2'000;
+inline constexpr int most_parts_at_start = 250;  ///< of a link, with a sudden start
 inline constexpr int most_parts_of_all = 10'000;
 /// Bare numbers, at most, and repetitions in the wanted life.
 inline constexpr double largest_number = 1e20;

@@ -61,6 +61,10 @@ class LoadHistory {
     return recorded_ ? si<Time>(recorded_->of.channels->times[instant]) : instants_[instant].time;
   }
   CutForceDiagram diagram(std::size_t instant) const;
+  /// The same of a motion, whose diagrams are kept; not of recorded loads.
+  const CutForceDiagram& kept_diagram(std::size_t instant) const {
+    return instants_[instant].diagram;
+  }
 
   /// Recorded loads only: their channels, and those of a long record behind them.
   const recorded::ChannelLoads& recorded_loads() const { return recorded_->of; }

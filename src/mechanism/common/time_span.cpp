@@ -1,11 +1,26 @@
 #include "boxbeam/mechanism/common/time_span.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {
+
+double waves_of(const TimeSpan& span, int most) {
+  const double waves = span.length * span.highest_omega / full_turn;
+  if (8.0 * waves <= most) return waves;
+  throw AnalysisError(
+      {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
+                   "force; up to {} can be resolved: give a shorter [motion] duration",
+                   span.length, waves, most / 8),
+       "mechanism",
+       {},
+       {},
+       {}});
+}
 
 TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& duration) {
   TimeSpan span;

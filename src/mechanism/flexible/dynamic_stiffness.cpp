@@ -360,6 +360,12 @@ void DynamicStiffness<Scalar>::factor_border() {
     }
   }
   border_ = scale_.asDiagonal() * border_ * scale_.asDiagonal();
+  // Full pivoting costs ten times as much and decides only where pivots are small.
+  constexpr double clearly_regular = 1e-8;
+  partial_lu_.compute(border_);
+  const auto clear = partial_lu_.matrixLU().diagonal().cwiseAbs();
+  fully_pivoted_ = size > 0 && !(clear.minCoeff() > clearly_regular * clear.maxCoeff());
+  if (!fully_pivoted_) return;
   lu_.compute(border_);
   const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
   if (size > 0 && !(pivots.minCoeff() > no_pivot * pivots.maxCoeff())) fail_singular();
@@ -539,9 +545,13 @@ Deformation<Scalar> DynamicStiffness<Scalar>::solve_once(const LinkColumns<Scala
         port.sign * (port.h.transpose().template cast<Scalar>() * there).value();
   }
   const auto scaled = scale_.template cast<Scalar>();
-  Vector unknown = lu_.solve(scaled.cwiseProduct(right));
+  const auto solved = [&](const Vector& of) -> Vector {
+    if (fully_pivoted_) return lu_.solve(of);
+    return partial_lu_.solve(of);
+  };
+  Vector unknown = solved(scaled.cwiseProduct(right));
   // One step of refinement, against what pivots of very different size lose.
-  unknown += lu_.solve(scaled.cwiseProduct(right) - border_ * unknown);
+  unknown += solved(scaled.cwiseProduct(right) - border_ * unknown);
   unknown = scaled.cwiseProduct(unknown).eval();
 
   result.joints = Eigen::Matrix<Scalar, 3, Eigen::Dynamic>::Zero(

@@ -74,6 +74,16 @@ State InstantSolver::solve_near(double time, const State& known) {
 
 InstantSolver::Outcome InstantSolver::follow(double time, const State& known, State& result,
                                              State& reached, int splits) {
+  split_work_ += static_cast<double>(known.q.size());
+  if (split_work_ > most_split_work) {
+    throw AnalysisError(
+        {"the motion turns or swings too often between the instants looked at: following it takes "
+         "too many steps; give a shorter [motion] duration",
+         "mechanism",
+         known.time,
+         {},
+         {}});
+  }
   const Outcome direct = step(time, known, result, smooth_enough, false);
   if (direct == Outcome::good) {
     reached = result;

@@ -4,17 +4,11 @@
 #include <cmath>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/core/index_by_name.hpp"
 #include "joint_kinds.hpp"
 
 namespace boxbeam::planar {
 namespace {
-
-template <class Items>
-int index_by_name(const Items& items, std::string_view name) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  return found == items.end() ? -1 : static_cast<int>(found - items.begin());
-}
 
 /// Counts the equations that EquationsOfKind tells.
 struct Equations {

@@ -286,17 +286,7 @@ Motion solve_motion(const Mechanism& mechanism) {
   // What does not even move by a millionth of its size in a period, or of a fall, is at rest.
   const double rest =
       1e-6 * (std::pow(full_turn / span.length, 2) + mechanism.gravity.norm() / size_of(mechanism));
-  const double waves = span.length * span.highest_omega / full_turn;
-  if (8.0 * waves > most) {
-    throw AnalysisError(
-        {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
-                     "force; up to {} can be resolved: give a shorter [motion] duration",
-                     span.length, waves, most / 8),
-         "mechanism",
-         {},
-         {},
-         {}});
-  }
+  const double waves = waves_of(span, most);
   // Whole waves stay whole: the points of an even table are instants then.
   constexpr double rounding = 1e-9;
   const int instants = std::max(fewest, static_cast<int>(std::ceil((4.0 - rounding) * waves)));

@@ -20,6 +20,9 @@ inline constexpr double near_dead_point = 1e-6;
 inline constexpr int other_starts = 256;
 /// Halvings of a time step when a branch is followed.
 inline constexpr int deepest_split = 24;
+/// Steps by halving in all that a solver follows, times the coordinates of the mechanism: some ten
+/// seconds.
+inline constexpr double most_split_work = 2e7;
 /// What a change of position may differ from its rates, relative.
 inline constexpr double smooth_enough = 0.02;
 

@@ -2,18 +2,9 @@
 
 #include <algorithm>
 
+#include "boxbeam/core/index_by_name.hpp"
+
 namespace boxbeam::spatial {
-namespace {
-
-template <class Items>
-int index_by_name(const Items& items, std::string_view name) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  return found == items.end() ? -1 : static_cast<int>(found - items.begin());
-}
-
-}  // namespace
-
 const char* to_text(JointKind kind) {
   switch (kind) {
     case JointKind::fixed: return "fixed";

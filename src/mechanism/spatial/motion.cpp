@@ -102,17 +102,7 @@ Motion motion_of(const Chain& chain) {
   const TimeSpan span = time_span_of(chain.mechanism());
   Motion motion{span.begin, span.length, span.closed, fewest};
   const RoughTimes rough(functions_of(chain.mechanism()), span.begin, span.length, span.closed);
-  const double waves = span.length * span.highest_omega / full_turn;
-  if (8.0 * waves > most) {
-    throw AnalysisError(
-        {fmt::format("the time looked at, {:.6g} s, holds {:.6g} waves of the fastest driver or "
-                     "load; up to {} can be resolved: give a shorter [motion] duration",
-                     span.length, waves, most / 8),
-         "mechanism",
-         {},
-         {},
-         {}});
-  }
+  const double waves = waves_of(span, most);
   while (static_cast<double>(motion.instants) < 8.0 * waves) motion.instants *= 2;
   while (true) {
     const Samples samples = samples_of(chain, motion);

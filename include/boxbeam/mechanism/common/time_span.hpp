@@ -35,6 +35,10 @@ struct DriverUse {
 /// table. Throws AnalysisError where none of these is known.
 TimeSpan time_span_of(const std::vector<DriverUse>& uses, const Duration& duration);
 
+/// How many waves of the fastest function the time holds. Throws AnalysisError where they are more
+/// than `most` instants resolve, eight for each.
+double waves_of(const TimeSpan& span, int most);
+
 /// The times from `from` to `until` at which any of the functions is not smooth, ascending, each
 /// once with the lowest order that jumps there: where a search over time is to be divided. A motion
 /// driver that jumps in its third derivative gives loads whose slope jumps.

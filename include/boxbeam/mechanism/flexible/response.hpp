@@ -109,7 +109,9 @@ class DynamicStiffness {
   std::vector<Row> rows_;
   Matrix border_;          ///< scaled
   Eigen::VectorXd scale_;  ///< of unknowns and equations of the border
-  Eigen::FullPivLU<Matrix> lu_;
+  Eigen::PartialPivLU<Matrix> partial_lu_;
+  Eigen::FullPivLU<Matrix> lu_;  ///< in its place where `fully_pivoted_`
+  bool fully_pivoted_ = false;
   std::size_t gathered_below_ = 0;  ///< negative pivots within links
   double smallest_pivot_ = 1.0;     ///< within links, relative
 };

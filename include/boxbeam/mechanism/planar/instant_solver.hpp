@@ -117,6 +117,7 @@ class InstantSolver {
   std::vector<std::uint64_t> block_key_;  ///< per pivot: the key of its block
   std::uint64_t parity_key_ = 0;          ///< signs of the order of rows and columns
   std::vector<double> change_points_;
+  double split_work_ = 0.0;  ///< steps by halving so far, times the coordinates
   std::vector<FrictionContact> contacts_;
 
   Eigen::VectorXd mass_;    ///< diagonal of the mass matrix
