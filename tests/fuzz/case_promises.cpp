@@ -88,7 +88,8 @@ std::string trouble_in_checks(const Verification& verification) {
 /// Words that numbers become which are none.
 std::string trouble_in_text(const std::string& text, const std::string& input) {
   static const std::regex none(
-      "(^|[^A-Za-z0-9_.])(-?nan|-?inf|[0-9.]+e\\+?2[5-9][0-9]|[0-9.]+e\\+?30[0-9])([^A-Za-z_0-9]|$)");
+      "(^|[^A-Za-z0-9_.])(-?nan|-?inf|[0-9.]+e\\+?2[5-9][0-9]|[0-9.]+e\\+?30[0-9])([^A-Za-z_0-9]|$"
+      ")");
   std::smatch found;
   // Checksums are no numbers, whatever they look like.
   static const std::regex checksum("[0-9a-f]{64}");

@@ -322,9 +322,14 @@ bool add_lanczos_modes(const Problem& problem, Index more, Index space, Found& f
   const double moved_mass = start.dot(problem.mass_times(start));
   if (!std::isfinite(moved_mass)) fail("stiffnesses and masses are too far apart");
   if (!(moved_mass > 0.0)) fail("there are fewer than are asked for: no mass moves any more");
+  // A restart takes the eigenvectors of a matrix as large as the space.
+  constexpr double work = 2e9;
+  const double cube = std::pow(static_cast<double>(space), 3);
+  const auto restarts = static_cast<Index>(std::clamp(work / cube, 10.0, 1000.0));
   try {
     solver.init(start.data());
-    solver.compute(Spectra::SortRule::LargestAlge, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
+    solver.compute(Spectra::SortRule::LargestAlge, restarts, 1e-12,
+                   Spectra::SortRule::SmallestAlge);
   } catch (const std::runtime_error&) {
     return false;  // Spectra throws where the small eigenproblem of a space does not converge
   } catch (const std::invalid_argument&) {
@@ -374,7 +379,7 @@ Found lowest_modes(const Problem& problem, Index count) {
   for (int run = 0; run < most_runs; ++run) {
     Index space = std::min(size, std::max<Index>(2 * missing + 1, 20));
     while (!add_lanczos_modes(problem, missing, space, found)) {
-      if (space == size || space > 64 * (missing + 8)) fail("they do not converge; ask for fewer");
+      if (space == size || space > 16 * (missing + 8)) fail("they do not converge; ask for fewer");
       space = std::min(size, 2 * space + 3);
     }
     if (!(found.theta[count - 1] > 0.0)) fail("there are fewer than are asked for");
