@@ -200,6 +200,15 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
         "bodies all the same");
   }
   const Eigen::Index stride = stride_of(motion.states.size(), modes);
+  // Sixteen instants or more hold a wave of the loads: with a sixteenth of them it is not seen.
+  constexpr Eigen::Index widest = 8;
+  if (stride > widest) {
+    refuse(fmt::format(
+        "the motion has {} instants, and the beam's vibration can be computed at {} of them: loads "
+        "that swing so often in one period are not resolved; verify a slower force apart from a "
+        "faster one, ask for fewer instants, or use --model rigid to have the loads of rigid bodies",
+        motion.states.size(), static_cast<Eigen::Index>(motion.states.size()) / stride));
+  }
   const Eigen::Index n = static_cast<Eigen::Index>(motion.states.size()) / stride;
   const auto k = static_cast<Eigen::Index>(modes);
   const planar::State& first = motion.states.front();
