@@ -98,8 +98,8 @@ class FrameReader : public FrontEndReader {
   frame::Structure structure_of(TableReader& root, const Node& tree) {
     frame::Structure structure;
     read_frame(root, structure);
-    const std::size_t count = root.count_of("beam");
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, count); ++i) {
+    structure.beams = std::max<std::size_t>(1, root.count_of("beam"));
+    for (std::size_t i = 0; i < structure.beams; ++i) {
       TableReader table = beam_table(root, i);
       frame::Member& beam = structure.members.emplace_back();
       beam.name = table.text("name", "beam");
@@ -137,18 +137,13 @@ class FrameReader : public FrontEndReader {
     frame::Structure structure;
     read_frame(root, structure);
     structure.members = beams_;
+    structure.beams = beams_.size();
     structure.members[project_->beam_index].beam = project_->beam;
     return with_rest(root, std::move(structure));
   }
 
   frame::Structure with_rest(TableReader& root, frame::Structure structure) const {
     read_members(root, {sections_, project_}, structure);
-    if (!root.problems().empty()) {  // where members are is not known
-      for (const char* key : {"supports", "joints", "loads", "motion"}) {
-        if (root.has(key)) root.table(key).accept_all();
-      }
-      return structure;
-    }
     read_frame_joints(root, structure);
     read_frame_loads(root, structure, *tables_);
     return structure;

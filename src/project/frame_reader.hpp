@@ -11,6 +11,9 @@ struct FrameDefaults {
   const Project* project = nullptr;
 };
 
+/// Of all its segments, none where reading them failed [m].
+double length_of(const frame::Member& member);
+
 /// [frame]: gravity, and whether it is looked at in space.
 void read_frame(TableReader& root, frame::Structure& structure);
 
@@ -21,6 +24,9 @@ void read_member_place(TableReader& table, const frame::Structure& structure,
 
 /// [members], beside the verified beam, which is member 0.
 void read_members(TableReader& root, const FrameDefaults& defaults, frame::Structure& structure);
+
+/// The member that "on" names.
+int read_on(TableReader& table, const frame::Structure& structure);
 
 /// A place of a member: "at" a station, a pair, a triple or a point "member.point", "on" a member,
 /// which is the beam where not said.

@@ -9,6 +9,25 @@ void ProblemList::add(const Place& place, std::string message, std::string hint)
   problems_.push_back(document_->problem_at(place, std::move(message), std::move(hint)));
 }
 
+void ProblemList::add_missing(const Node& table, std::string_view key, std::string message,
+                              std::string hint) {
+  missing_.push_back({&table, std::string(key), problems_.size()});
+  add(table.place, std::move(message), std::move(hint));
+}
+
+void ProblemList::drop_missing(const Node& table, std::string_view key) {
+  const auto found = std::find_if(missing_.begin(), missing_.end(), [&](const Missing& of) {
+    return of.table == &table && of.key == key;
+  });
+  if (found == missing_.end()) return;
+  const std::size_t at = found->problem;
+  problems_.erase(problems_.begin() + static_cast<std::ptrdiff_t>(at));
+  missing_.erase(found);
+  for (Missing& other : missing_) {
+    if (other.problem > at) --other.problem;
+  }
+}
+
 void ProblemList::raise() const {
   if (problems_.empty()) return;
   const std::vector<InputFile>& files = document_->files;

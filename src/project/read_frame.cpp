@@ -21,6 +21,10 @@ Vector3d vector_of(TableReader& table, const Key& key, const WantedDimension& wa
   return {of.x(), of.y(), 0.0};
 }
 
+double length_of(const frame::Member& member) {
+  return member.beam.segments.empty() ? 0.0 : member.beam.length().value();
+}
+
 void read_frame(TableReader& root, frame::Structure& structure) {
   TableReader table = root.table({"frame", "what all members have in common"}, false);
   structure.plane = !table.boolean({"space",
@@ -57,7 +61,7 @@ Eigen::Matrix3d axes_along(const Vector3d& x, const Vector3d& wished_z) {
 }
 
 void read_axes(TableReader& table, const frame::Structure& structure, frame::Member& member) {
-  const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
+  const double length = length_of(member);
   const bool to_its_end = length == 0.0 && !member.beam.segments.empty();
   Vector3d along = Vector3d::UnitX();
   if (to_its_end || table.has("to")) {
@@ -105,7 +109,7 @@ void read_axes(TableReader& table, const frame::Structure& structure, frame::Mem
 }
 
 void read_points(TableReader& table, bool plane, frame::Member& member) {
-  const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
+  const double length = length_of(member);
   member.points = {{"start", Vector3d::Zero()}, {"end", {length, 0.0, 0.0}}};
   TableReader points = table.table({"points", "of the member, by name"}, false);
   points.accept_all();
@@ -171,7 +175,7 @@ void read_members(TableReader& root, const FrameDefaults& defaults, frame::Struc
       table.problem("", fmt::format("\"{}\" is the name of a verified beam", name),
                     "give the member another name");
     }
-    if (!member.beam.segments.empty()) read_member_place(table, structure, member);
+    read_member_place(table, structure, member);
     table.finish();
     structure.members.push_back(std::move(member));
   }
@@ -200,6 +204,24 @@ frame::Place frame_point(TableReader& table, std::string_view key, const std::st
   return {index, member.points[static_cast<std::size_t>(point)].p};
 }
 
+int read_on(TableReader& table, const frame::Structure& structure) {
+  const Key on{"on", "the member; the beam where not said, of several beams it is to be said"};
+  if (!table.has(on)) {
+    if (structure.beams > 1) {
+      table.problem("", fmt::format("on which of the {} beams it is, is not said", structure.beams),
+                    fmt::format("write for example on = \"{}\"", structure.members.front().name));
+    }
+    return 0;
+  }
+  const std::string name = table.text(on);
+  const int member = index_by_name(structure.members, name);
+  if (member < 0 && !name.empty()) {
+    table.problem("on", fmt::format("there is no member \"{}\"", name),
+                  unknown_hint(name, names_of(structure.members)));
+  }
+  return std::max(0, member);
+}
+
 frame::Place read_frame_place(TableReader& table, const frame::Structure& structure) {
   frame::Place place{0, Vector3d::Zero()};
   const Key at{"at", "a station, \"2 m\"; a place in the member's axes; or \"member.point\""};
@@ -208,16 +230,7 @@ frame::Place read_frame_place(TableReader& table, const frame::Structure& struct
                      !written->text.empty() &&
                      std::isalpha(static_cast<unsigned char>(written->text.front())) != 0;
   if (named) return frame_point(table, "at", table.text(at), structure);
-  if (table.has("on")) {
-    const std::string name =
-        table.text({"on", "the member; the beam where not said, of several the first"});
-    place.member = index_by_name(structure.members, name);
-    if (place.member < 0) {
-      table.problem("on", fmt::format("there is no member \"{}\"", name),
-                    unknown_hint(name, names_of(structure.members)));
-      place.member = 0;
-    }
-  }
+  place.member = read_on(table, structure);
   if (table.is_list("at")) {
     if (structure.plane) {
       const Eigen::Vector2d flat = table.pair(at, wanted::length);
@@ -229,8 +242,8 @@ frame::Place read_frame_place(TableReader& table, const frame::Structure& struct
     place.p.x() = table.quantity(at, wanted::length);
   }
   const frame::Member& member = structure.members[static_cast<std::size_t>(place.member)];
-  if (!table.problems().empty() || member.beam.segments.empty()) return place;
-  const double length = member.beam.length().value();
+  if (!table.problems().empty()) return place;
+  const double length = length_of(member);
   if (place.p.x() < -1e-9 * length || place.p.x() > length * (1.0 + 1e-9)) {
     table.problem("at",
                   fmt::format("s = {:.6g} m is beyond member \"{}\"", place.p.x(), member.name),

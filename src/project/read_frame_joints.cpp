@@ -74,6 +74,7 @@ void read_support(TableReader& table, const std::string& name, frame::Structure&
   joint.a = read_frame_place(table, structure);
   if (table.problems().size() != before) {
     table.accept_all();
+    structure.joints.push_back(std::move(joint));  // what moves with it knows its name
     return;
   }
   joint.b.p = in_world(structure, joint.a);
@@ -123,6 +124,7 @@ void read_joint(TableReader& table, const std::string& name, frame::Structure& s
   Joint joint;
   joint.name = name;
   const std::size_t before = table.problems().size();
+  const bool placed = before == 0;  // else where members are is not known
   const std::size_t kind =
       structure.plane ? table.kind({"kind", "of joint"}, {"rigid", "hinge", "general"})
                       : table.kind({"kind", "of joint"}, {"rigid", "hinge", "general", "ball"});
@@ -138,21 +140,21 @@ void read_joint(TableReader& table, const std::string& name, frame::Structure& s
   }
   if (table.problems().size() != before) {
     table.accept_all();
+    structure.joints.push_back(std::move(joint));
     return;
   }
   const double apart = (in_world(structure, joint.b) - in_world(structure, joint.a)).norm();
-  const double size =
-      structure.members[static_cast<std::size_t>(joint.a.member)].beam.length().value();
+  const double size = length_of(structure.members[static_cast<std::size_t>(joint.a.member)]);
   if (joint.a.member == joint.b.member) {
     table.problem("connect", "a joint connects two different members", "write another point");
-  } else if (apart > 1e-6 * size) {
+  } else if (placed && apart > 1e-6 * size) {
     table.problem("connect", fmt::format("the two points are {:.4g} mm apart", apart * 1e3),
                   "move a member or a point so that they meet; \"from\" and \"to\" take "
                   "\"member.point\", too");
   }
   // A joint that acts at two places is in no balance; but what is round-off beside the place that
   // was written would take its forces off that station, at which they let the cut forces jump.
-  if (table.problems().size() == before) {
+  if (table.problems().empty()) {
     const frame::Member& b = structure.members[static_cast<std::size_t>(joint.b.member)];
     const Vector3d meeting = b.axes.transpose() * (in_world(structure, joint.a) - b.start);
     if ((meeting - joint.b.p).norm() > 1e-12 * size) joint.b.p = meeting;

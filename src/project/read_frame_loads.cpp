@@ -34,17 +34,6 @@ LoadAxes read_load_axes(TableReader& table, const Structure& structure) {
   return {of_member, structure.plane};
 }
 
-int read_member(TableReader& table, const Structure& structure) {
-  if (!table.has("on")) return 0;
-  const std::string name =
-      table.text({"on", "the member; the beam where not said, of several the first"});
-  const int member = index_by_name(structure.members, name);
-  if (member >= 0 || name.empty()) return std::max(0, member);
-  table.problem("on", fmt::format("there is no member \"{}\"", name),
-                unknown_hint(name, names_of(structure.members)));
-  return 0;
-}
-
 /// The member of a place; where that is not known, which has been said, the beam.
 const frame::Member& member_at(const Structure& structure, int member) {
   return structure.members[static_cast<std::size_t>(std::max(0, member))];
@@ -108,7 +97,7 @@ std::variant<frame::PointAction, frame::DrivenAction> read_driven(TableReader& t
 
 /// Two stations of a member, the first before the second; its ends where not said.
 std::pair<double, double> read_stretch(TableReader& table, const frame::Member& member) {
-  const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
+  const double length = length_of(member);
   const double from =
       table.quantity({"from", "station; the member's start where not said"}, wanted::length, 0.0);
   const double to =
@@ -125,7 +114,7 @@ std::pair<double, double> read_stretch(TableReader& table, const frame::Member& 
 
 frame::LineAction read_line_action(TableReader& table, const Structure& structure) {
   frame::LineAction action;
-  action.member = read_member(table, structure);
+  action.member = read_on(table, structure);
   const frame::Member& member = member_at(structure, action.member);
   std::tie(action.from, action.to) = read_stretch(table, member);
   const LoadAxes axes = read_load_axes(table, structure);
@@ -149,7 +138,7 @@ frame::LineAction read_line_action(TableReader& table, const Structure& structur
 
 frame::HeatAction read_heat(TableReader& table, const Structure& structure) {
   frame::HeatAction action;
-  action.member = read_member(table, structure);
+  action.member = read_on(table, structure);
   action.mean = table.quantity({"temperature", "by which the member's axis is warmer"},
                                wanted::temperature, 0.0);
   action.along_z =
@@ -186,7 +175,7 @@ frame::Settlement read_settlement(TableReader& table, const Structure& structure
 
 frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
   frame::Wheels action;
-  action.member = read_member(table, structure);
+  action.member = read_on(table, structure);
   const frame::Member& member = member_at(structure, action.member);
   const LoadAxes axes = read_load_axes(table, structure);
   double last = 0.0;
@@ -203,12 +192,13 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
     table.problem("", "no wheel runs",
                   "write wheels = [{ force = [..] }, { behind = \"2 m\", force = [..] }]");
   }
-  const double length = member.beam.segments.empty() ? 0.0 : member.beam.length().value();
+  const double length = length_of(member);
   action.from = table.quantity({"from",
                                 "station of the first wheel at the start; where all stand on "
-                                "the member if not said"},
+                                "the member where not said"},
                                wanted::length, last);
-  action.to = table.quantity({"to", "and at the end"}, wanted::length, length);
+  action.to = table.quantity({"to", "and at the end; that of the member where not said"},
+                             wanted::length, length);
   action.speed =
       table.positive({"speed", "at which they pass; it says only when"}, wanted::velocity, 1.0);
   if (!structure.plane) {
@@ -224,6 +214,16 @@ frame::Wheels read_wheels(TableReader& table, const Structure& structure) {
   return action;
 }
 
+/// The load case of a name, a new one where it is the first of it.
+frame::LoadCase& load_case(Structure& structure, const std::string& name) {
+  int index = index_by_name(structure.cases, name);
+  if (index < 0) {
+    index = static_cast<int>(structure.cases.size());
+    structure.cases.push_back({name, {}});
+  }
+  return structure.cases[static_cast<std::size_t>(index)];
+}
+
 }  // namespace
 
 void read_frame_loads(TableReader& root, Structure& structure, TimeTables& tables) {
@@ -234,6 +234,7 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
     const std::size_t kind =
         table.kind({"kind", "of load"}, {"force", "driven", "driven couple", "line", "weight",
                                          "temperature", "settlement", "wheels"});
+    frame::LoadCase& in = load_case(structure, of_case);
     if (table.problems().size() != before) {
       table.accept_all();
       continue;
@@ -262,12 +263,7 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
                     "give the load another name");
     }
     table.finish();
-    int index = index_by_name(structure.cases, of_case);
-    if (index < 0) {
-      index = static_cast<int>(structure.cases.size());
-      structure.cases.push_back({of_case, {}});
-    }
-    structure.cases[static_cast<std::size_t>(index)].actions.push_back(std::move(action));
+    in.actions.push_back(std::move(action));
   }
   // Each of two loads that move may stand anywhere while the other does: their places together are
   // not searched.
@@ -300,8 +296,7 @@ void read_frame_loads(TableReader& root, Structure& structure, TimeTables& table
   if (!weighed && index_by_name(structure.cases, "weight") < 0) {
     structure.cases.insert(structure.cases.begin(), {"weight", {{"weight", frame::OwnWeight{}}}});
   } else if (!weighed) {
-    const int at = index_by_name(structure.cases, "weight");
-    structure.cases[static_cast<std::size_t>(at)].actions.push_back({"weight", frame::OwnWeight{}});
+    load_case(structure, "weight").actions.push_back({"weight", frame::OwnWeight{}});
   }
   structure.factors.assign(structure.cases.size(), 1.0);
   const std::vector<DriverUse> functions = functions_of(structure);

@@ -61,7 +61,8 @@ void TableReader::note(const Key& key, KeyShape shape, const Asked& asked) {
   if (at->shape != KeyShape::unknown || shape == KeyShape::unknown) return;
   at->shape = shape;
   at->required = asked.required && !looked_for;
-  at->fallback = asked.fallback;
+  // What holds is not always one value.
+  if (key.meaning.find("where not said") == std::string_view::npos) at->fallback = asked.fallback;
   at->words = asked.words;
   if (asked.wanted == nullptr) return;
   at->dimension = asked.wanted->name;
@@ -134,7 +135,8 @@ const Node* TableReader::take_or_say(std::string_view key, bool required, std::s
   const Node* node = table_->find(key);
   if (node == nullptr && required && !absent_) {
     const std::string where = name_.empty() ? "the case" : "[" + name_ + "]";
-    problems_->add(table_->place, fmt::format("{} has no \"{}\"", where, key), std::move(hint));
+    problems_->add_missing(*table_, key, fmt::format("{} has no \"{}\"", where, key),
+                           std::move(hint));
   }
   return node;
 }
@@ -253,6 +255,7 @@ void TableReader::finish() {
     problems_->add(member.key_place, fmt::format("unknown key \"{}\"", shown),
                    near.empty() ? fmt::format("known here: {}", fmt::join(known, ", "))
                                 : fmt::format("did you mean \"{}\"?", near));
+    if (!near.empty()) problems_->drop_missing(*table_, near);
   }
 }
 

@@ -153,7 +153,7 @@ std::size_t TableReader::choice(const Key& of, const std::vector<std::string>& w
          {.required = !fallback, .fallback = fallback ? words[*fallback] : "", .words = words});
   }
   const std::string list = fmt::format("\"{}\"", fmt::join(words, "\", \""));
-  const Node* node = take(key, !fallback, list);
+  const Node* node = take(key, !fallback, fmt::format("\"{}\"", fmt::join(words, "\" or \"")));
   if (node == nullptr) return fallback.value_or(0);
   if (node->kind == Node::Kind::text) {
     const auto found = std::find(words.begin(), words.end(), node->text);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "blocks.hpp"
 #include "boxbeam/report/remarks.hpp"
 #include "boxbeam/report/verdict_sentence.hpp"
@@ -74,9 +76,12 @@ Chapter input_chapter(const Source& source) {
   return chapter;
 }
 
-void fold_long_tables(Chapter& chapter) {
-  for (Block& block : chapter.blocks) {
-    if (auto* table = std::get_if<Table>(&block)) table->folded = is_long(*table);
+void finish_tables(const Project& project, std::vector<Block>& blocks) {
+  for (Block& block : blocks) {
+    auto* const table = std::get_if<Table>(&block);
+    if (table == nullptr) continue;
+    table->folded = is_long(*table);
+    drop_instants_at_rest(project, *table);
   }
 }
 
@@ -89,6 +94,16 @@ Mark report::mark_of(Verdict verdict) {
     case Verdict::not_applicable: return Mark::not_applicable;
   }
   return Mark::none;
+}
+
+void report::drop_instants_at_rest(const Project& project, Table& table) {
+  const auto* frame = std::get_if<frame::Structure>(&project.mechanism);
+  if (frame == nullptr || changes_over_time(*frame)) return;
+  const auto found = std::find(table.header.begin(), table.header.end(), "t [s]");
+  if (found == table.header.end()) return;
+  const auto column = found - table.header.begin();
+  table.header.erase(found);
+  for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + column);
 }
 
 report::Document report_of(const Project& project, const Verification& verification,
@@ -112,12 +127,13 @@ report::Document report_of(const Project& project, const Verification& verificat
   document.facts = title_facts(project, verification);
   document.governing = governing_table(source);
   document.opening = opening_blocks(source);
+  finish_tables(project, document.opening);
   for (const auto chapter_of :
        {remarks_chapter, model_chapter, inputs_chapter, mechanism_chapter, motion_chapter,
         loads_chapter, cut_force_chapter, section_chapter, stress_chapter, sheets_chapter,
         fatigue_chapter, checks_chapter, comparison_chapter, figures_chapter, input_chapter}) {
     Chapter chapter = chapter_of(source);
-    fold_long_tables(chapter);
+    finish_tables(project, chapter.blocks);
     if (!chapter.blocks.empty()) document.chapters.push_back(std::move(chapter));
   }
   return document;

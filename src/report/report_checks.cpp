@@ -137,6 +137,7 @@ Table governing_table(const Source& source) {
     table.marks.push_back(mark_of(check));
     if (source.level != ReportLevel::summary) table.sheets.push_back(check.id);
   }
+  drop_instants_at_rest(source.project, table);
   return table;
 }
 

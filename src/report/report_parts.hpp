@@ -45,6 +45,8 @@ Chapter fatigue_chapter(const Source& source);     // report_fatigue.cpp
 Chapter comparison_chapter(const Source& source);  // report_load_models.cpp
 
 Mark mark_of(Verdict verdict);
+/// Takes the column of instants off, "t [s]", where nothing of the case changes over time.
+void drop_instants_at_rest(const Project& project, Table& table);
 
 // report_checks.cpp
 /// The worst check of every criterion, worst first.

@@ -18,9 +18,7 @@ frame::Structure with_actions(const frame::Structure& structure, bool that_chang
   frame::Structure of = structure;
   for (frame::LoadCase& in : of.cases) {
     std::erase_if(in.actions, [&](const frame::Action& action) {
-      const bool changes = std::holds_alternative<frame::Wheels>(action.kind) ||
-                           std::holds_alternative<frame::DrivenAction>(action.kind);
-      return changes != that_change;
+      return changes_over_time(action) != that_change;
     });
   }
   return of;

@@ -1,12 +1,14 @@
 // Frames at rest from the case file to the factor: against the same beam in other kinds of case,
 // closed forms of moving loads, and combinations by hand.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/clamped_beam.hpp"
@@ -108,7 +110,9 @@ std::string tapered(const std::string& kind, const std::string& held, const std:
          demands;
 }
 
-TEST_CASE("a tapered beam at rest, in a mechanism and elastic has the same factors", "[frame]") {
+TEST_CASE(
+    "a tapered beam at rest, in a mechanism, elastic and under given loads has the same factors",
+    "[frame]") {
   const std::string gravity = "gravity = [\"1 m/s^2\", \"-9.81 m/s^2\"]\n";
   const Verification still = verify(parse_project(
       "a.toml",
@@ -139,9 +143,16 @@ TEST_CASE("a tapered beam at rest, in a mechanism and elastic has the same facto
                   "stiffness = \"rigid\"\nturning_stiffness = \"rigid\"\n"
                   "[loads.tip]\non = \"beam.end\"\nforce = [\"5 kN\", \"-20 kN\"]\n",
               "link = \"beam\"\n")));
+  // Forces of the beam's axes, x along it and z to its left.
+  const Verification given = verify(parse_project(
+      "d.toml", tapered("loads",
+                        "[loads.tip]\nstation = \"4 m\"\nforce = [\"5 kN\", \"0 kN\", \"-20 kN\"]\n"
+                        "[balance]\nstation = \"0 m\"\n"
+                        "gravity = [\"1 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n",
+                        "")));
   const CheckResult* at_rest = still.governing(Criterion::yield);
   REQUIRE(at_rest != nullptr);
-  for (const Verification* other : {&moving, &elastic}) {
+  for (const Verification* other : {&moving, &elastic, &given}) {
     const CheckResult* yield = other->governing(Criterion::yield);
     REQUIRE(yield != nullptr);
     CHECK(yield->check.safety_factor == Approx(at_rest->check.safety_factor).epsilon(1e-9));
@@ -150,6 +161,79 @@ TEST_CASE("a tapered beam at rest, in a mechanism and elastic has the same facto
     CHECK(weld->check.safety_factor ==
           Approx(still.governing(Criterion::weld)->check.safety_factor).epsilon(1e-9));
   }
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string complaints_of(const std::string& text) {
+  try {
+    static_cast<void>(parse(text));
+  } catch (const InputError& error) {
+    std::string all;
+    for (const Problem& problem : error.problems())
+      all += problem.message + " | " + problem.hint + "\n";
+    return all;
+  }
+  return {};
+}
+
+TEST_CASE("what is wrong with a member does not hide what is wrong with its supports and loads",
+          "[frame]") {
+  const std::string said = complaints_of(
+      "[beam]\ndensity = \"7850 kg/m^3\"\n[[beam.segments]]\nlenght = \"4 m\"\nsection = \"box\"\n"
+      "[supports.root]\nkind = \"fixd\"\nat = \"0 m\"\n"
+      "[members.strut]\nfrom = [\"0 m\", \"-1 m\"]\nto = \"beam.end\"\nsection = \"bax\"\n"
+      "[joints.top]\nkind = \"hinge\"\nconnect = [\"strut.end\", \"beam.end\"]\n"
+      "[loads.tip]\nkind = \"force\"\nat = \"4 m\"\nforce = [\"5 kN\"]\n"
+      "[loads.sinks]\nkind = \"settlement\"\nsupport = \"root\"\nshift = [\"0 m\", \"1 mm\"]\n");
+  CHECK(contains(said, "unknown key \"lenght\" | did you mean \"length\"?"));
+  CHECK(contains(said, "\"kind\" cannot be \"fixd\""));
+  CHECK(contains(said, "\"bax\""));
+  CHECK(contains(said, "\"force\""));
+  // Each mistake is said once, and nothing that only follows from another.
+  CHECK(std::count(said.begin(), said.end(), '\n') == 4);
+}
+
+TEST_CASE("of several beams a load says on which it stands", "[frame]") {
+  const std::string two =
+      "[[beam]]\nname = \"boom\"\ndensity = \"7850 kg/m^3\"\n"
+      "[[beam.segments]]\nlength = \"2 m\"\nsection = \"box\"\n"
+      "[[beam]]\nname = \"jib\"\nfrom = \"boom.end\"\ndensity = \"7850 kg/m^3\"\n"
+      "[[beam.segments]]\nlength = \"1 m\"\nsection = \"box\"\n"
+      "[joints.knee]\nkind = \"rigid\"\nconnect = [\"boom.end\", \"jib.start\"]\n"
+      "[supports.foot]\nkind = \"fixed\"\nat = \"boom.start\"\n";
+  const std::string load =
+      "[loads.tip]\nkind = \"force\"\nat = \"1 m\"\nforce = [\"0 kN\", \"-5 kN\"]\n";
+  CHECK(complaints_of(two + load) ==
+        "on which of the 2 beams it is, is not said | write for example on = \"boom\"\n");
+  CHECK(complaints_of(two + load + "on = \"jib\"\n").empty());
+}
+
+TEST_CASE("of what stands still no instants are shown, of wheels that run they are", "[frame]") {
+  const std::string held = beam("6 m") + ends;
+  const auto instants_in = [&](const std::string& load) {
+    const Project project = parse(held + load);
+    const report::Document document = report_of(project, verify(project), ReportLevel::full);
+    std::size_t tables = 0;
+    const auto count = [&](const report::Table& table) {
+      tables +=
+          static_cast<std::size_t>(std::count(table.header.begin(), table.header.end(), "t [s]"));
+      for (const auto& row : table.rows) CHECK(row.size() == table.header.size());
+    };
+    count(document.governing);
+    for (const report::Chapter& chapter : document.chapters) {
+      for (const report::Block& block : chapter.blocks) {
+        if (const auto* table = std::get_if<report::Table>(&block)) count(*table);
+      }
+    }
+    return tables;
+  };
+  CHECK(instants_in("[loads.mid]\nkind = \"force\"\nat = \"3 m\"\nforce = [\"0 kN\", \"-20 "
+                    "kN\"]\n") == 0);
+  CHECK(instants_in("[loads.trolley]\nkind = \"wheels\"\n"
+                    "wheels = [{ force = [\"0 kN\", \"-20 kN\"] }]\n") >= 3);
 }
 
 TEST_CASE("two wheels: largest moment R (L/2 - a/4)^2/L under the first", "[frame]") {

@@ -192,6 +192,14 @@ def main():
             _, other_said, other = verify(program, root / "sections" / case, folder)
             check_loads(program, export, other_said, other, limit)
             check(export.joinpath("loads-3.csv").exists() == (limit == 1e-6), f"tables of loads of {case}")
+        # Of several beams each has a folder of its own.
+        _, said, results = verify(program, root / "sections/kinked-boom/boom.toml", folder)
+        for name in ("boom", "jib"):
+            alone = [of for of in results["checks"] if of["beam"] == name]
+            check(len(alone) > 0, f"no checks of beam {name}")
+            check(len(table(export / name / "checks.csv")) == len(alone), f"checks.csv of beam {name}")
+            passes = all(of["utilisation"] <= 1 for of in alone)
+            check_loads(program, export / name, said, {"checks": alone, "verdict": "pass" if passes else "fail"}, 1e-6)
         # What cannot be carried over is said, and what an earlier export left of it is gone.
         code, said, _ = verify(program, root / "sections/sledge-rig/rig-detailed.toml", folder)
         check("loads.toml is not written: pin" in said, f"nothing is said of the pin: {said[-800:]}")

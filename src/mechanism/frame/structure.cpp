@@ -1,6 +1,20 @@
 #include "boxbeam/mechanism/frame/structure.hpp"
 
+#include <algorithm>
+
 namespace boxbeam::frame {
+
+bool changes_over_time(const Action& action) {
+  return std::holds_alternative<Wheels>(action.kind) ||
+         std::holds_alternative<DrivenAction>(action.kind);
+}
+
+bool changes_over_time(const Structure& structure) {
+  return std::any_of(structure.cases.begin(), structure.cases.end(), [](const LoadCase& of) {
+    return std::any_of(of.actions.begin(), of.actions.end(),
+                       [](const Action& action) { return changes_over_time(action); });
+  });
+}
 
 std::vector<DriverUse> functions_of(const Structure& structure) {
   std::vector<DriverUse> uses;

@@ -124,6 +124,7 @@ struct LoadCase {
 /// A frame with its load cases, and how often each of them counts.
 struct Structure {
   std::vector<Member> members;
+  std::size_t beams = 1;  ///< the first members, which are verified
   std::vector<Joint> joints;
   std::vector<LoadCase> cases;
   std::vector<double> factors;                        ///< of each case
@@ -136,6 +137,10 @@ struct Structure {
 
 /// The functions of time of the load cases that count, and what follows them.
 std::vector<DriverUse> functions_of(const Structure& structure);
+
+/// Whether an action, or one of any load case, changes over time.
+bool changes_over_time(const Action& action);
+bool changes_over_time(const Structure& structure);
 
 /// The place in the world [m].
 Eigen::Vector3d in_world(const Structure& structure, const Place& at);
