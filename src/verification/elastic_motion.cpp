@@ -206,7 +206,8 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
     refuse(fmt::format(
         "the motion has {} instants, and the beam's vibration can be computed at {} of them: loads "
         "that swing so often in one period are not resolved; verify a slower force apart from a "
-        "faster one, ask for fewer instants, or use --model rigid to have the loads of rigid bodies",
+        "faster one, ask for fewer instants, or use --model rigid to have the loads of rigid "
+        "bodies",
         motion.states.size(), static_cast<Eigen::Index>(motion.states.size()) / stride));
   }
   const Eigen::Index n = static_cast<Eigen::Index>(motion.states.size()) / stride;
