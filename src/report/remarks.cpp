@@ -80,6 +80,18 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
       "beam; where that is one for holes on the net section, this counts the hole twice");
 }
 
+void add_slender_plates(const Verification& verification, std::vector<std::string>& remarks) {
+  const bool judged = std::any_of(
+      verification.checks.begin(), verification.checks.end(),
+      [](const CheckResult& result) { return result.plates.has_value(); });
+  if (!judged) return;
+  remarks.push_back(
+      "plates with c/t above 42 eps are judged by effective widths under N, M_y and M_z, each by "
+      "the section where it acts alone (EN 1993-1-5, clause 4, one pass), and in shear (clause 5) "
+      "as panels as long as the beam with end posts that are not rigid, without the flanges' part: "
+      "diaphragms are not known and would only help");
+}
+
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
   for (const TaperSlope& taper : verification.tapers) {
     const double degrees = taper.angle * 180.0 / std::numbers::pi;
@@ -376,9 +388,10 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   add_published(project, verification, remarks);
   add_joined_profiles(project, remarks);
   add_nested_profiles(project, remarks);
+  add_slender_plates(verification, remarks);
   remarks.push_back(
       "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
-      "for granted), lateral torsional buckling, plate buckling of class 4" +
+      "for granted), lateral torsional buckling" +
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +
       (knows_second_order(verification.model) ? "" : ", second order (bending by N w)"));

@@ -13,6 +13,7 @@
 #include "derivation_text.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
+#include "plate_steps.hpp"
 #include "stress_steps.hpp"
 
 namespace boxbeam {
@@ -264,6 +265,13 @@ Steps steps_of_check(const Project& project, const Verification& verification,
     case Criterion::rod:
     case Criterion::buckling: return neighbour_steps(neighbour_of(verification, check));
     case Criterion::deflection: return deflection_steps(project, check, *result.deflection);
+    case Criterion::effective_section:
+    case Criterion::shear_buckling:
+    case Criterion::interaction: {
+      Steps steps{time_step(check, "where it is used most")};
+      append(steps, plate_steps(project, result));
+      return steps;
+    }
     default: break;
   }
   if (result.given) {
@@ -286,9 +294,7 @@ std::string title_of(const Project& project, const CheckResult& result) {
   if (!check.on_beam) return fmt::format("{} {}", to_text(check.criterion), check.point);
   std::string title = fmt::format("{} at s = {} m, {}", to_text(check.criterion),
                                   to_text(check.station), check.point);
-  if (!result.basis) {
-    return check.criterion == Criterion::deflection ? title : title + ", stresses given";
-  }
+  if (!result.basis) return result.given ? title + ", stresses given" : title;
   const StressPoint& point = result.basis->point;
   return project.in_space ? fmt::format("{} (y = {}, z = {})", title, text::mm(point.y.value()),
                                         text::mm(point.z.value()))

@@ -27,4 +27,62 @@ auto internal_reduction(Record& record, const Number& lambda_p, const Psi& psi) 
   return record.define("rho", (lambda_p - 0.055 * (3.0 + psi)) / (lambda_p * lambda_p));
 }
 
+/// Stress at a corner of effective sections, and with bending about one axis.
+template <class N, class A, class M, class W>
+auto corner_stress(const N& force, const A& area, const M& M_y, const W& W_y) {
+  return force / area + M_y / W_y;
+}
+template <class N, class A, class M, class W>
+auto corner_stress(const N& force, const A& area, const M& M_y, const W& W_y, const M& M_z,
+                   const W& W_z) {
+  return force / area + M_y / W_y + M_z / W_z;
+}
+
+/// The moment about the centroid of N at a lever arm.
+template <class M, class N, class L>
+auto shifted_moment(const M& moment, const N& force, const L& arm) {
+  return moment - force * arm;
+}
+
+/// The factor on both uses at which f eta_1 + (2 f eta_3 - 1)^2 = 1.
+template <class Number>
+auto interaction_factor(const Number& eta_1, const Number& eta_3) {
+  return (4.0 * eta_3 - eta_1) / (4.0 * eta_3 * eta_3);
+}
+
+/// k_tau = 5.34 + 4 (h/a)^2 of a panel that is longer than deep, else 4 + 5.34 (h/a)^2.
+template <class Record, class Ratio>
+auto shear_factor(Record& record, const Ratio& depth_to_length, bool longer) {
+  const auto square = depth_to_length * depth_to_length;
+  return record.define("k_tau", longer ? 5.34 + 4.0 * square : 4.0 + 5.34 * square);
+}
+
+template <class Record, class Ratio, class Epsilon, class K>
+auto shear_slenderness(Record& record, const Ratio& depth_to_thickness, const Epsilon& epsilon,
+                       const K& k_tau) {
+  using std::sqrt;
+  return record.define("lambda_w", depth_to_thickness / (37.4 * epsilon * sqrt(k_tau)));
+}
+
+template <class Record, class Number>
+Number shear_reduction(Record& record, const Number& lambda_w, double eta, bool rigid_end_post) {
+  constexpr double elastic = 0.83, slender = 1.08;
+  if (lambda_w < elastic / eta) {
+    return Number(record.given("chi_w", eta, {ValueKind::factor},
+                               "eta: lambda_w is below 0.83/eta, it yields before it buckles"));
+  }
+  if (rigid_end_post && lambda_w >= slender)
+    return record.define("chi_w", 1.37 / (0.7 + lambda_w), "rigid end post");
+  return record.define("chi_w", elastic / lambda_w);
+}
+
+template <class Record, class Number, class F, class L>
+auto shear_resistance(Record& record, const Number& chi, const F& yield_strength, const L& depth,
+                      const L& thickness, double gamma_M1) {
+  using std::sqrt;
+  const auto gamma = record.known("gamma_M1", gamma_M1, {ValueKind::factor});
+  const auto three = record.constant("3", 3.0);
+  return record.define("V_bw,Rd", chi * yield_strength * depth * thickness / (sqrt(three) * gamma));
+}
+
 }  // namespace boxbeam::plate

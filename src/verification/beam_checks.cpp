@@ -6,6 +6,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/given_stresses.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
@@ -89,6 +90,10 @@ std::vector<CheckResult> check_station(const Project& project,
                                        const std::vector<SituationHistory>& histories) {
   StationChecks checks(project, histories);
   checks.look_at(stress_points_at(project, zones, station));
+  if (const auto plates = slender_plates_at(project, zones, station)) {
+    for (CheckResult& result : check_plates(project, station, plates, histories))
+      checks.results.push_back(std::move(result));
+  }
   return std::move(checks.results);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 
 namespace boxbeam {

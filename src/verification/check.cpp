@@ -12,6 +12,9 @@ const char* to_text(Criterion criterion) {
     case Criterion::combined_fatigue: return "combined fatigue";
     case Criterion::stress_range: return "stress range";
     case Criterion::weld: return "weld";
+    case Criterion::effective_section: return "effective section";
+    case Criterion::shear_buckling: return "shear buckling";
+    case Criterion::interaction: return "interaction";
     case Criterion::pin: return "pin";
     case Criterion::rod: return "rod";
     case Criterion::buckling: return "buckling";

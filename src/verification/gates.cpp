@@ -14,6 +14,7 @@
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
 
 namespace boxbeam {
 namespace {
@@ -177,6 +178,57 @@ WorstStress worst_over(const std::vector<SituationHistory>& histories,
   return worst;
 }
 
+/// Whether a situation or a change between situations that contains it has cycles.
+bool counts_in_fatigue(const Project& project, const Situation& situation) {
+  const std::size_t index = index_of(project, situation);
+  return std::any_of(
+      project.situations.begin(), project.situations.end(), [&](const Situation& of) {
+        const bool part = &of == &situation || std::find(of.between.begin(), of.between.end(),
+                                                         index) != of.between.end();
+        return part && of.cycles > 0.0;
+      });
+}
+
+/// A plate at an instant: compression at its worse end [Pa], and psi; nothing where no end is
+/// compressed.
+struct PlateStress {
+  double most = 0.0, psi = 1.0;
+};
+
+std::optional<PlateStress> pressed_at(const std::array<StressInfluence, 2>& ends,
+                                      const CutForces& cut) {
+  const double low = -stress_at(ends[0], cut).normal.value();
+  const double high = -stress_at(ends[1], cut).normal.value();
+  const double most = std::max(low, high);
+  if (!(most > 0.0)) return std::nullopt;
+  return PlateStress{most, std::max(-3.0, std::min(low, high) / most)};
+}
+
+/// What of a plate's area works under the stress that is there, lambda_p reduced by it.
+/// Source: EN 1993-1-5:2006, 4.4(4).
+double working_share(const BoxWall& wall, const PlateStress& stress, double part_of_yield) {
+  const double lambda =
+      relative_plate_slenderness(wall.clear() / wall.thickness, epsilon_of(wall.class_strength),
+                                 *internal_buckling_factor(stress.psi)) *
+      std::sqrt(std::min(1.0, part_of_yield));
+  return 1.0 - (1.0 - internal_reduction(lambda, stress.psi)) / std::max(1.0, 1.0 - stress.psi);
+}
+
+/// How far a plate that is stressed and sheared breathes, out of its plane with every cycle: 1 is
+/// the limit beyond which the fatigue of its edges is not that of its stresses in the plane.
+///
+///     sqrt((sigma_x/(k_sigma sigma_E))^2 + (1.1 tau/(k_tau sigma_E))^2) <= 1.1
+///     sigma_E = 190 GPa (t/b)^2, k_tau = 5.34
+///
+/// Source: EN 1993-2:2006, 7.4(3) (recalled, not confirmed).
+double breathing_of(double width_to_thickness, const PlateStress& stress, double shear) {
+  const double sigma_E = 190e9 / (width_to_thickness * width_to_thickness);
+  constexpr double k_tau = 5.34, limit = 1.1;
+  return std::hypot(stress.most / (*internal_buckling_factor(stress.psi) * sigma_E),
+                    1.1 * shear / (k_tau * sigma_E)) /
+         limit;
+}
+
 std::string class_4_text(double ratio, double limit, const std::string& effective) {
   return fmt::format(
       "c/t = {:.3g} is above {:.3g}, class 4 (EN 1993-1-1, table 5.2): it may buckle "
@@ -210,12 +262,18 @@ std::vector<Gate> PlateGates::gates() const {
 
 void PlateGates::look_at_class(const std::string& segment, const Profile& profile,
                                const PlateMaterials& materials, bool alike, const AreaSums& sums,
-                               const std::vector<SituationHistory>& histories) {
+                               const std::vector<SituationHistory>& histories,
+                               const std::string& obstacle, const SlenderPlates* judged) {
   const Project& project = *project_;
   const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
+  const bool class_4_judged = judged != nullptr && !member_buckles_;
+  const std::string why_not =
+      obstacle.empty() ? "" : "; it is not judged by effective widths: " + obstacle;
   for (const SlenderPlate& plate : slender_plates_of(profile, materials)) {
-    add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, ""), true},
-        plate.ratio / plate.limit);
+    if (!class_4_judged) {
+      add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, why_not), true},
+          plate.ratio / plate.limit);
+    }
   }
   for (const Web& web : webs) {
     const auto yield = yield_strength_of(materials.of(web.kind), web.thickness);
@@ -231,33 +289,92 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
     const WorstStress worst = web.flange ? WorstStress{}
                                          : worst_over(histories, at(web.low), at(web.high),
                                                       project.strength.required, class_3);
-    if (worst.limit > 0.0 && ratio > worst.limit) {
-      const auto effective =
-          internal_effective_width(web.depth(), web.thickness, worst.psi, class_3.epsilon());
+    const auto effective =
+        worst.limit > 0.0 ? internal_effective_width(web.depth(), web.thickness,
+                                                     std::max(-3.0, worst.psi), class_3.epsilon())
+                          : std::nullopt;
+    if (worst.limit > 0.0 && ratio > worst.limit && !class_4_judged) {
       const std::string stress = fmt::format(
           "; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
           member_buckles_ ? "; the member is verified for buckling (5.5.2(10))" : " (5.5.2(9))");
       add("class",
           {segment, web.name,
            class_4_text(ratio, worst.limit,
-                        stress + (effective ? fmt::format(", rho = {:.3g} of its compressed "
-                                                          "width is effective at yield (EN "
-                                                          "1993-1-5, 4.4)",
-                                                          effective->rho)
-                                            : "")),
+                        stress +
+                            (effective ? fmt::format(", rho = {:.3g} of its compressed "
+                                                     "width is effective at yield (EN "
+                                                     "1993-1-5, 4.4)",
+                                                     effective->rho)
+                                       : "") +
+                            why_not),
            true},
           ratio / worst.limit);
     }
     const ShearBucklingNeed need =
         shear_buckling_need(web.depth(), web.thickness, *yield, shear_hardening_factor(*yield));
-    if (need.check_needed()) {
+    if (need.check_needed() && judged == nullptr) {
       add("shear buckling",
           {segment, web.name,
            fmt::format("h_w/t_w = {:.3g} is above 72 eps/eta = {:.3g}: the {} may buckle in "
-                       "shear, and its resistance is that of EN 1993-1-5, clause 5 (5.1(2))",
-                       need.ratio, need.limit, web.flange ? "flange" : "web"),
+                       "shear, and its resistance is that of EN 1993-1-5, clause 5 (5.1(2)){}",
+                       need.ratio, need.limit, web.flange ? "flange" : "web", why_not),
            true},
           need.ratio / need.limit);
+    }
+  }
+}
+
+/// Of plates that are judged by effective widths: what is not effective, and what moves out of the
+/// plane, their fatigue does not know.
+void PlateGates::look_at_fatigue(const std::string& segment, const SlenderPlates& plates,
+                                 const AreaSums& sums,
+                                 const std::vector<SituationHistory>& histories) {
+  constexpr double least_area = 0.5, never_breathes = 120.0;
+  const StrengthDemand& strength = project_->strength;
+  for (const BoxPlate plate : box_plates) {
+    const BoxWall& wall = plates.box.box().of(plate);
+    const auto sheared = std::find_if(plates.sheared.begin(), plates.sheared.end(),
+                                      [&](const ShearedPlate& of) { return of.plate == plate; });
+    if (sheared == plates.sheared.end()) continue;  // stressed as its neighbour is
+    const bool flange = plate == BoxPlate::top_flange || plate == BoxPlate::bottom_flange;
+    const auto at = [&](const Length& end) {
+      return flange ? normal_influence(sums, end.value(), wall.middle.value())
+                    : normal_influence(sums, wall.middle.value(), end.value());
+    };
+    const std::array ends{at(wall.low), at(wall.high)};
+    const double ratio = wall.clear() / wall.thickness;
+    double least = 1.0, most_breathing = 0.0;
+    for (const SituationHistory& of : histories) {
+      const double factor = strength.required * of.situation->load_factor * strength.gamma_M0 /
+                            wall.class_strength.value();
+      const bool repeats = counts_in_fatigue(*project_, *of.situation);
+      for (const CutForces& cut : of.history.samples()) {
+        const std::optional<PlateStress> stress = pressed_at(ends, cut);
+        if (!stress) continue;
+        least = std::min(least, working_share(wall, *stress, factor * stress->most));
+        if (!repeats || ratio <= never_breathes) continue;
+        const double shear =
+            (abs(sheared->force_of(cut)) / (wall.clear() * wall.thickness)).value();
+        most_breathing = std::max(most_breathing, breathing_of(ratio, *stress, shear));
+      }
+    }
+    if (least < least_area) {
+      add("effective area",
+          {segment, sheared->name,
+           fmt::format("{:.3g} of its area is effective, less than 0.5: the stresses by which "
+                       "fatigue is judged are not those of the full section (EN 1993-1-5, 2.2(5))",
+                       least),
+           true},
+          1.0 / least);
+    }
+    if (most_breathing > 1.0) {
+      add("breathing",
+          {segment, sheared->name,
+           fmt::format("it breathes out of its plane, {:.3g} times as much as its edges bear in "
+                       "fatigue (b/t = {:.3g}, EN 1993-2, 7.4)",
+                       most_breathing, ratio),
+           true},
+          most_breathing);
     }
   }
 }
@@ -330,10 +447,15 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
   const PlateMaterials materials = materials_of(*project_, index);
   const AreaSums sums = sums_of(outline_of(section, {}));
   const bool alike = is_symmetric_about_z(section);
-  look_at_class(segment, section.outer, materials, alike, sums, histories);
+  const std::string obstacle = plates_obstacle(*project_, station);
+  const auto judged = slender_plates_at(*project_, *zones_, station);
+  look_at_class(segment, section.outer, materials, alike, sums, histories, obstacle, judged.get());
   if (section.inner) {
-    look_at_class(segment, *section.inner, materials.of(PlateKind::inner), alike, sums, histories);
+    look_at_class(segment, *section.inner, materials.of(PlateKind::inner), alike, sums, histories,
+                  obstacle, nullptr);
   }
+  if (judged != nullptr && project_->fatigue.asked)
+    look_at_fatigue(segment, *judged, sums, histories);
   const ShearLags lags = shear_lags_at(*zones_, section, station);
   look_at_shear_lag(segment, "flange", lags.flanges);
   look_at_shear_lag(segment, "web as flange of M_z", lags.webs);

@@ -9,6 +9,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/link_profile.hpp"
+#include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/material.hpp"

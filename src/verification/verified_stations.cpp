@@ -10,6 +10,7 @@
 #include "boxbeam/verification/beam_cuts.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
@@ -92,9 +93,13 @@ double largest_force_of(const std::deque<SituationRun>& runs) {
 /// the webs under their stress. Each criterion is a group, and each of the others.
 class AlongBeam {
  public:
-  /// Functions that are groups of their own.
-  static constexpr std::size_t beside_criteria = 2 * cut_force::count + 1;
-  static constexpr std::size_t groups = stress_criteria.size() + beside_criteria;
+  /// Functions that are groups of their own: plates that buckle, cut forces, slenderness.
+  static constexpr std::size_t of_cut_forces = plate_criteria.size();
+  static constexpr std::size_t of_class = of_cut_forces + 2 * cut_force::count;
+  static constexpr std::size_t beside_stress = of_class + 1;
+  static constexpr std::size_t groups = stress_criteria.size() + beside_stress;
+  /// Those that judge; the places of the others are for the eye.
+  static constexpr std::size_t judging_groups = stress_criteria.size() + plate_criteria.size();
 
   AlongBeam(const Project& project, const std::deque<SituationRun>& runs,
             const std::vector<BendingZone>& zones)
@@ -102,8 +107,7 @@ class AlongBeam {
     // What is so small beside the largest force is the rounding of sums.
     constexpr double part = 1e-5;
     nothing_ = part * largest_force_of(runs);
-    for (std::size_t k = 0; k < beside_criteria; ++k)
-      group_of_.push_back(stress_criteria.size() + k);
+    for (std::size_t k = 0; k < beside_stress; ++k) group_of_.push_back(stress_criteria.size() + k);
   }
 
   FunctionValues at(const Station& station) {
@@ -113,7 +117,12 @@ class AlongBeam {
     const std::vector<StressPoint> points = stress_points_at(*project_, *zones_, station);
     FunctionValues values(group_of_.size());
     add_cut_forces(samples, values);
-    values[2 * cut_force::count] = class_3_use_at(*project_, station, histories);
+    values[of_class] = class_3_use_at(*project_, station, histories);
+    if (const auto plates = slender_plates_at(*project_, *zones_, station)) {
+      const Utilisations uses = plate_uses_of(*project_, *plates, histories);
+      for (std::size_t k = 0; k < plate_criteria.size(); ++k)
+        values[k] = uses.of(plate_criteria[k]);
+    }
     const auto add = [&](const std::string& name, const Utilisations& found) {
       const std::vector<std::size_t>& functions = functions_of(name);
       if (values.size() < group_of_.size()) values.resize(group_of_.size());
@@ -147,7 +156,7 @@ class AlongBeam {
       const double nothing = nothing_ * (moment ? project_->beam.length().value() : 1.0);
       for (const std::size_t negative : {0, 1}) {
         const double value = samples.largest_cut_force(which, negative == 0 ? 1.0 : -1.0);
-        values[2 * k + negative] = value > nothing ? value : 0.0;
+        values[of_cut_forces + 2 * k + negative] = value > nothing ? value : 0.0;
       }
     }
   }
@@ -355,9 +364,8 @@ VerifiedStations search_stations(const Project& project, const std::deque<Situat
     for (const Length& s : chosen_in(found.pieces[i], found.largest, search.tolerance, along))
       verified.stations.push_back({s, Side::both});
   }
-  // Of the utilisations: the places of extreme cut forces are for the eye.
   double tolerance = search.tolerance;
-  for (std::size_t k = 0; k < std::min(stress_criteria.size(), found.left_open.size()); ++k)
+  for (std::size_t k = 0; k < std::min(AlongBeam::judging_groups, found.left_open.size()); ++k)
     tolerance = std::max(tolerance, found.left_open[k]);
   verified.search = {along.evaluations(), search.pieces.size(), tolerance};
   return verified;

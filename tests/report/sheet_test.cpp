@@ -383,6 +383,9 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
         ends_with("N", check.acting);
         ends_with("N_b,Rd", check.resisting);
         break;
+      case Criterion::effective_section: ends_with("f_y", check.resisting); break;
+      case Criterion::shear_buckling: ends_with("V_bw,Rd", check.resisting); break;
+      case Criterion::interaction: ends_with("factor", check.safety_factor); break;
       case Criterion::deflection:
         ends_with("w", check.acting);
         ends_with("w_lim", check.resisting);

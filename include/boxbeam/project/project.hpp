@@ -79,6 +79,7 @@ SnCurve curve_of(const Detail& detail);
 
 struct StrengthDemand {
   double gamma_M0 = 1.0;
+  double gamma_M1 = 1.0;   ///< of plates that buckle
   double gamma_M2 = 1.25;  ///< of welds and pins
   bool shear_lag = true;   ///< whether wide flanges are reduced, EN 1993-1-5 3.2
   double required = 1.0;

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include "boxbeam/core/units.hpp"
 
 namespace boxbeam {
+
+class Derivation;
+class Traced;
 
 /// Whether a web may buckle in shear before it yields.
 struct ShearBucklingNeed {
@@ -25,5 +30,46 @@ double shear_hardening_factor(Stress yield_strength);
 /// Source: EN 1993-1-5:2006, 5.1(2); EN 1993-1-1:2005, 6.2.6(6).
 ShearBucklingNeed shear_buckling_need(Length clear_depth, Length thickness, Stress yield_strength,
                                       double eta);
+
+/// A plate in shear between its neighbours, without stiffeners along it.
+struct ShearPanel {
+  Length depth, thickness;  ///< clear
+  Stress yield_strength;
+  /// Between rigid transverse stiffeners or diaphragms; nothing: so long that they do not help.
+  std::optional<Length> length = {};
+  bool rigid_end_post = false;  ///< by 9.3.1; a single diaphragm at the end is none
+};
+
+/// What a panel resists in shear.
+struct ShearResistance {
+  double k_tau = 0.0, lambda_w = 0.0, chi_w = 0.0;
+  Force resistance;  ///< V_bw,Rd
+};
+
+/// Resistance of a plate to shear, its own part; that of the flanges is left out, on the safe side.
+///
+///     k_tau:   a >= h_w: 5.34 + 4 (h_w/a)^2,  else 4 + 5.34 (h_w/a)^2;  5.34 without a
+///     lambda_w = h_w/(37.4 t eps sqrt(k_tau))
+///     chi_w:   lambda_w < 0.83/eta: eta;  0.83/lambda_w;  rigid end post, from 1.08 on:
+///              1.37/(0.7 + lambda_w)
+///     V_bw,Rd = chi_w f_yw h_w t/(sqrt(3) gamma_M1)
+///
+/// Source: EN 1993-1-5:2006, 5.2, 5.3, table 5.1, annex A.3.
+ShearResistance shear_resistance_of(const ShearPanel& panel, double gamma_M1);
+
+/// V_bw,Rd step by step.
+Traced derive_shear_resistance(Derivation& steps, const ShearPanel& panel, double gamma_M1);
+
+/// The factor on all loads at which a plate under normal stress and shear is used up.
+///
+///     eta_3 <= 0.5: eta_1 <= 1,  else eta_1 + (2 eta_3 - 1)^2 <= 1
+///
+/// eta_1  use of the section by normal stress, of effective widths; eta_3 = V/V_bw,Rd
+///
+/// 7.1(5), for flanges and for webs that are compressed all over, where the flanges bear nothing of
+/// the moment beside; for other webs, 7.1(1), it is on the safe side. Infinity where nothing acts.
+/// Source: EN 1993-1-5:2006, 7.1, equation 7.1 with M_f,Rd = 0.
+double interaction_factor(double eta_1, double eta_3);
+Traced derive_interaction_factor(Derivation& steps, const Traced& eta_1, const Traced& eta_3);
 
 }  // namespace boxbeam

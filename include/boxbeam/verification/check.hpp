@@ -33,24 +33,35 @@ class Amount {
 };
 
 enum class Criterion {
-  yield,             ///< equivalent stress against the yield strength
-  fatigue,           ///< normal stress ranges against a detail category
-  shear_fatigue,     ///< shear stress ranges likewise
-  combined_fatigue,  ///< both together
-  stress_range,      ///< the largest range against 1.5 times the yield strength
-  weld,              ///< throat of a weld
-  pin,               ///< a pin and its bearing
-  rod,               ///< a rod under tension
-  buckling,          ///< a rod under compression
-  deflection,        ///< of the beam
+  yield,              ///< equivalent stress against the yield strength
+  fatigue,            ///< normal stress ranges against a detail category
+  shear_fatigue,      ///< shear stress ranges likewise
+  combined_fatigue,   ///< both together
+  stress_range,       ///< the largest range against 1.5 times the yield strength
+  weld,               ///< throat of a weld
+  effective_section,  ///< normal stress on what of the plates works once they buckle
+  shear_buckling,     ///< of a plate
+  interaction,        ///< of both
+  pin,                ///< a pin and its bearing
+  rod,                ///< a rod under tension
+  buckling,           ///< a rod under compression
+  deflection,         ///< of the beam
 };
 
 /// All criteria, in the order of a report.
-inline constexpr std::array criteria{Criterion::yield,         Criterion::fatigue,
-                                     Criterion::shear_fatigue, Criterion::combined_fatigue,
-                                     Criterion::stress_range,  Criterion::weld,
-                                     Criterion::pin,           Criterion::rod,
-                                     Criterion::buckling,      Criterion::deflection};
+inline constexpr std::array criteria{Criterion::yield,
+                                     Criterion::fatigue,
+                                     Criterion::shear_fatigue,
+                                     Criterion::combined_fatigue,
+                                     Criterion::stress_range,
+                                     Criterion::weld,
+                                     Criterion::effective_section,
+                                     Criterion::shear_buckling,
+                                     Criterion::interaction,
+                                     Criterion::pin,
+                                     Criterion::rod,
+                                     Criterion::buckling,
+                                     Criterion::deflection};
 
 /// "yield", "shear fatigue", ...; in ids with "-" for the space.
 const char* to_text(Criterion criterion);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "boxbeam/strength/effective_box.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -52,6 +54,18 @@ struct GivenBasis {
   ResistingDetail resisting = {};  ///< of its ranges
 };
 
+struct SlenderPlates;
+struct ShearedPlate;
+
+/// What the check of plates that buckle rests on.
+struct PlateBasis {
+  std::shared_ptr<const SlenderPlates> plates;
+  const ShearedPlate* plate = nullptr;  ///< of them; nothing of the section
+  CutForces cut;                        ///< at the check's instant
+  CornerUse corner;                     ///< the one used most then
+  double load_factor = 1.0;
+};
+
 /// What the check of a deflection rests on.
 struct DeflectionBasis {
   Length alone;  ///< w_1, without load factor
@@ -64,6 +78,7 @@ struct CheckResult {
   std::optional<CheckBasis> basis = {};
   std::optional<GivenBasis> given = {};
   std::optional<DeflectionBasis> deflection = {};
+  std::optional<PlateBasis> plates = {};
 };
 
 /// The first check of a criterion, of checks that stand worst first the worst; or nullptr.

@@ -22,14 +22,18 @@ struct Gate {
   bool blocks = false;
 };
 
-/// Section class with the stress that is there (EN 1993-1-1, table 5.2 and 5.5.2(9); class 4 with
-/// its effective width, EN 1993-1-5, 4.4), need of a shear buckling check (EN 1993-1-5, 5.1(2)),
-/// shear lag (EN 1993-1-5, 3.1; reduces the stresses' flanges, does not block), stress above yield.
-/// Each plate of a segment once, where it is worst. In space both webs under their own stress of N,
-/// M_y and M_z, the flanges as in the plane evenly compressed, all four plates in shear (V_y, T). A
-/// web counts as compressed in an instant where its compression is more than 1 % of its largest
-/// stress. Where the beam as a member may buckle (N/N_cr above 0.04) the limits of table 5.2 hold
-/// as they are, 5.5.2(10).
+/// What keeps stresses from being believed. Section class with the stress that is there (EN
+/// 1993-1-1, table 5.2 and 5.5.2(9); class 4 with its effective width, EN 1993-1-5, 4.4), need of a
+/// shear buckling check (EN 1993-1-5, 5.1(2)), shear lag (EN 1993-1-5, 3.1; reduces the stresses'
+/// flanges, does not block), stress above yield. Each plate of a segment once, where it is worst.
+/// In space both webs under their own stress of N, M_y and M_z, the flanges as in the plane evenly
+/// compressed, all four plates in shear (V_y, T). A web counts as compressed in an instant where
+/// its compression is more than 1 % of its largest stress. Where the beam as a member may buckle
+/// (N/N_cr above 0.04) the limits of table 5.2 hold as they are, 5.5.2(10). Of plates that are
+/// judged by effective widths and for shear buckling
+/// (`slender_plates_at`) neither class nor shear stops a check, but for beams that may buckle as
+/// members; their fatigue is stopped where less than half of a plate is effective, EN 1993-1-5,
+/// 2.2(5), or a web breathes, EN 1993-2, 7.4.
 class PlateGates {
  public:
   /// Looks at what is given, which stays.
@@ -49,7 +53,10 @@ class PlateGates {
   void add(const std::string& kind, Gate gate, double excess);
   void look_at_class(const std::string& segment, const Profile& profile,
                      const PlateMaterials& materials, bool alike, const AreaSums& sums,
-                     const std::vector<SituationHistory>& histories);
+                     const std::vector<SituationHistory>& histories, const std::string& obstacle,
+                     const SlenderPlates* judged);
+  void look_at_fatigue(const std::string& segment, const SlenderPlates& plates,
+                       const AreaSums& sums, const std::vector<SituationHistory>& histories);
   void look_at_shear_lag(const std::string& segment, const std::string& plate,
                          const std::optional<ShearLag>& lag);
 

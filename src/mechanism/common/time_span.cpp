@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/core/angle.hpp"
+
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {

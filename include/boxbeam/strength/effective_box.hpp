@@ -1,0 +1,155 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "boxbeam/section/cut_forces.hpp"
+#include "boxbeam/section/outline.hpp"
+#include "boxbeam/section/section.hpp"
+#include "boxbeam/strength/effective_width.hpp"
+#include "boxbeam/strength/plate_materials.hpp"
+
+/// A box of four slender plates, judged by what of them works once they have buckled.
+namespace boxbeam {
+
+class Derivation;
+class Traced;
+
+/// One of the four plates between its neighbours.
+struct BoxWall {
+  Length low, high;  ///< ends of its clear width: y of a flange, z of a web
+  Length middle;     ///< of its mid-line: z of a flange, y of a web
+  Length thickness;
+  Stress yield_strength;
+  Stress class_strength;  ///< by which it buckles: of a web that of the stronger flange
+
+  Length clear() const { return high - low; }
+};
+
+/// Four plates around one cell: a box without stiffeners, or a rectangular tube.
+struct FourWalls {
+  AreaSums gross;
+  std::array<BoxWall, 4> walls;  ///< by BoxPlate
+
+  const BoxWall& of(BoxPlate plate) const { return walls[static_cast<std::size_t>(plate)]; }
+  BoxWall& of(BoxPlate plate) { return walls[static_cast<std::size_t>(plate)]; }
+};
+
+inline constexpr std::array box_plates{BoxPlate::top_flange, BoxPlate::bottom_flange,
+                                       BoxPlate::left_web, BoxPlate::right_web};
+
+const char* to_text(BoxPlate plate);  ///< "top flange", "left web", ...
+
+/// The walls of a profile; nothing of one that has not four plates, that is stiffened, or of which
+/// a plate is thicker than its material's table goes.
+std::optional<FourWalls> four_walls_of(const Profile& profile, const PlateMaterials& materials);
+
+/// What acts alone, by which an effective section is found: each has its own.
+enum class ActingAlone { compression, M_y_positive, M_y_negative, M_z_positive, M_z_negative };
+
+/// What shear lag leaves of the widths of flanges, and of webs as the flanges of M_z, at the
+/// ultimate limit state: beta^kappa >= beta. Source: EN 1993-1-5:2006, 3.3, note 3.
+struct LagShares {
+  double flanges = 1.0, webs = 1.0;
+};
+
+/// A plate in an effective section.
+struct WallAlone {
+  double psi = 1.0;      ///< smaller over larger edge stress, compression positive
+  bool pressed = false;  ///< an edge is compressed; otherwise all of it works
+  EffectiveWidth width;  ///< of its compressed width, where it is pressed
+  Length idle;           ///< what of its width does not work, shear lag included
+};
+
+/// The section that is left where one cut force acts alone.
+struct SectionAlone {
+  std::array<WallAlone, 4> walls;  ///< by BoxPlate
+  AreaSums sums;
+  /// How often the stress distribution of the webs was taken from the section before; 1 is the
+  /// standard's procedure.
+  int passes = 1;
+
+  const WallAlone& of(BoxPlate plate) const { return walls[static_cast<std::size_t>(plate)]; }
+};
+
+/// The effective section of a box where one cut force acts alone.
+///
+///     compression: all plates with psi = 1
+///     moments:     the compressed flange with psi = 1, then the webs with the psi that the
+///                  effective flanges and whole webs have (of M_z the webs are the flanges)
+///
+/// `most_passes`: 1 by the standard; more repeat the second step with the section found, until no
+/// psi changes by more than 1e-10. Below psi = -3, where no buckling factor is given, that of -3
+/// holds, on the safe side. Source: EN 1993-1-5:2006, 4.3, 4.4.
+SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagShares& lag = {},
+                           int most_passes = 1);
+
+/// A corner of the box: where the mid-lines of a flange and a web meet.
+struct BoxCorner {
+  BoxPlate flange = BoxPlate::top_flange, web = BoxPlate::left_web;
+};
+
+/// Whether the centroid under compression is taken to shift.
+struct Shifts {
+  bool along_y = false, along_z = false;
+};
+
+/// The stress of a corner, part by part, and how far it is used.
+struct CornerUse {
+  BoxCorner corner;
+  Area area;                ///< gross in tension, effective in compression
+  Length arm_y, arm_z;      ///< of N, from the beam axis to the centroid
+  Shifts shifts;            ///< of the centroid that these contain
+  Moment M_y, M_z;          ///< about the centroid
+  SectionModulus W_y, W_z;  ///< signed: stress per moment, inverted
+  Stress stress;            ///< tension positive
+  Stress yield_strength;
+  double use = 0.0;  ///< eta_1 with gamma_M0 = 1
+};
+
+/// A box by its effective sections.
+///
+///     eta_1 = |N/A_eff + (M_y + N e_z)/W_y,eff + (M_z + N e_y)/W_z,eff|/f_y
+///
+/// at the corners, W about the mid-lines of the plates (4.3(5)): each term of the section where it
+/// acts alone, M by its sign, N in tension by the gross section. e is the shift of the centroid
+/// under N alone; a shift that relieves does not count. N is taken at the gross centroid, whatever
+/// the beam axis. Where a flange and a web are of unlike strength, the flange's holds for M_y and
+/// N, the lower one where M_z acts. Source: EN 1993-1-5:2006, 4.6, equation 4.15.
+class EffectiveBox {
+ public:
+  explicit EffectiveBox(const FourWalls& box, const LagShares& lag = {}, int most_passes = 1);
+
+  /// eta_1 of the corner that is used most.
+  double use(const CutForces& cut) const;
+  CornerUse worst_corner(const CutForces& cut) const;
+
+  const FourWalls& box() const { return box_; }
+  const SectionAlone& alone(ActingAlone acting) const {
+    return sections_[static_cast<std::size_t>(acting)];
+  }
+  /// Of the centroid under compression alone.
+  Length shift_y() const { return shift_y_; }
+  Length shift_z() const { return shift_z_; }
+
+ private:
+  struct Corner {
+    BoxCorner of;
+    std::array<double, 2> areas{};       ///< in tension, in compression [m^2]
+    std::array<double, 2> W_y{}, W_z{};  ///< of positive and negative moments [m^3]
+    Stress flange_strength, least_strength;
+  };
+  CornerUse use_of(const Corner& corner, const CutForces& cut, Shifts shifts) const;
+
+  FourWalls box_;
+  std::array<SectionAlone, 5> sections_;
+  std::array<Corner, 4> corners_;
+  Length centroid_y_, centroid_z_;  ///< gross
+  Length shift_y_, shift_z_;        ///< of the centroid under N alone
+};
+
+/// The stress of the corner used most, step by step, from the plates on.
+Traced derive_corner_stress(Derivation& steps, const EffectiveBox& box, const CutForces& cut,
+                            const CornerUse& corner);
+
+}  // namespace boxbeam

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/station_samples.hpp"
+
+namespace boxbeam {
+
+/// The criteria by which plates that buckle are judged.
+inline constexpr std::array plate_criteria{Criterion::effective_section, Criterion::shear_buckling,
+                                           Criterion::interaction};
+
+/// A plate of a station in shear.
+struct ShearedPlate {
+  BoxPlate plate = BoxPlate::left_web;
+  std::string name;  ///< "web" where both are stressed alike
+  ShearPanel panel;
+  ShearResistance resists;
+  bool may_buckle = false;  ///< it is slender enough that shear buckling is to be judged
+  /// Its force in its plane per cut force: the shear flow of the gross section, taper and torsion
+  /// included, over its clear width.
+  std::array<double, cut_force::count> per_cut_force{};
+
+  Force force_of(const CutForces& cut) const;
+};
+
+/// The four plates of a section at a station, as far as one of them may buckle before it yields.
+struct SlenderPlates {
+  EffectiveBox box;
+  LagShares lag;
+  std::vector<ShearedPlate> sheared;
+};
+
+/// Why the plates of the section at a station are not judged by effective widths (EN 1993-1-5,
+/// clauses 4 and 5), "" where they are: only boxes without stiffeners and rectangular tubes, by
+/// themselves, inclined by at most 10 degrees (2.3), without openings above 0.05 of a plate's
+/// width.
+std::string plates_obstacle(const Project& project, const Station& station);
+
+/// The plates of a station; nothing where none of them is so slender that it may buckle (c/t above
+/// 42 eps), or where they are not judged.
+std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
+                                                       const std::vector<BendingZone>& zones,
+                                                       const Station& station);
+
+/// How far they are used in any situation, as the checks say.
+Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
+                           const std::vector<SituationHistory>& histories);
+
+/// The checks of a station's plates: the effective section under N, M_y and M_z together, shear
+/// buckling of each plate that may, and both together in every plate, each at the instant that is
+/// worst for it. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
+std::vector<CheckResult> check_plates(const Project& project, const Station& station,
+                                      const std::shared_ptr<const SlenderPlates>& plates,
+                                      const std::vector<SituationHistory>& histories);
+
+}  // namespace boxbeam

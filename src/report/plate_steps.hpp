@@ -1,0 +1,12 @@
+#pragma once
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/checks.hpp"
+#include "sheet_numbers.hpp"
+
+namespace boxbeam::report {
+
+/// Sheet of a check of plates that buckle: effective section, shear buckling, both together.
+Steps plate_steps(const Project& project, const CheckResult& result);
+
+}  // namespace boxbeam::report

@@ -1,0 +1,323 @@
+#include "boxbeam/strength/effective_box.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/outline.hpp"
+#include "boxbeam/strength/plate_slenderness.hpp"
+#include "boxbeam/strength/section_class.hpp"
+#include "plate_formulas.hpp"
+
+namespace boxbeam {
+namespace {
+
+bool is_flange(BoxPlate plate) {
+  return plate == BoxPlate::top_flange || plate == BoxPlate::bottom_flange;
+}
+
+/// Takes a strip out of a plate, from one place of its width to another.
+void take_out(AreaSums& sums, const BoxWall& wall, bool flange, double from, double to) {
+  if (!(to > from)) return;
+  const double t = wall.thickness.value(), across = wall.middle.value();
+  const double width = to - from, area = t * width, along = 0.5 * (from + to);
+  const double second_along = t * (std::pow(to, 3) - std::pow(from, 3)) / 3.0;
+  const double second_across = area * across * across + width * std::pow(t, 3) / 12.0;
+  sums.area -= area;
+  sums.y -= area * (flange ? along : across);
+  sums.z -= area * (flange ? across : along);
+  sums.yy -= flange ? second_along : second_across;
+  sums.zz -= flange ? second_across : second_along;
+  sums.yz -= area * along * across;
+}
+
+/// A plate whose compression is even, or, in tension, what shear lag leaves of it: a strip in its
+/// middle is idle.
+void judge_even(const BoxWall& wall, bool pressed, double lag, bool flange, WallAlone& of,
+                AreaSums& sums) {
+  of.psi = 1.0;
+  of.pressed = pressed;
+  double share = lag;
+  if (pressed) {
+    of.width = *internal_effective_width(wall.clear(), wall.thickness, 1.0,
+                                         epsilon_of(wall.class_strength));
+    share *= of.width.rho;
+  }
+  of.idle = (1.0 - share) * wall.clear();
+  const double middle = 0.5 * (wall.low + wall.high).value();
+  take_out(sums, wall, flange, middle - 0.5 * of.idle.value(), middle + 0.5 * of.idle.value());
+}
+
+/// A plate that is bent in its plane, by the stress at its ends, tension positive.
+void judge_bent(const BoxWall& wall, bool flange, double at_low, double at_high, WallAlone& of,
+                AreaSums& sums) {
+  const double most = std::max(-at_low, -at_high);
+  of.pressed = most > 0.0;
+  of.idle = {};
+  if (!of.pressed) return;
+  constexpr double least = -3.0;
+  of.psi = std::max(least, std::min(-at_low, -at_high) / most);
+  of.width = *internal_effective_width(wall.clear(), wall.thickness, of.psi,
+                                       epsilon_of(wall.class_strength));
+  const Length pressed = wall.clear() / std::max(1.0, 1.0 - of.psi);
+  of.idle = pressed - of.width.b_eff;
+  // From the edge of the larger compression on.
+  const double b_e1 = of.width.b_e1.value(), idle = of.idle.value();
+  if (-at_low >= -at_high) {
+    const double from = wall.low.value() + b_e1;
+    take_out(sums, wall, flange, from, from + idle);
+  } else {
+    const double to = wall.high.value() - b_e1;
+    take_out(sums, wall, flange, to - idle, to);
+  }
+}
+
+SectionAlone compressed_alone(const FourWalls& box) {
+  SectionAlone section;
+  section.sums = box.gross;
+  for (std::size_t k = 0; k < box_plates.size(); ++k)
+    judge_even(box.walls[k], true, 1.0, is_flange(box_plates[k]), section.walls[k], section.sums);
+  return section;
+}
+
+BoxWall wall_of(Length low, Length high, Length middle, Length thickness) {
+  return {low, high, middle, thickness, {}, {}};
+}
+
+PlateKind kind_of(BoxPlate plate, bool built) {
+  if (!built) return PlateKind::wall;
+  switch (plate) {
+    case BoxPlate::top_flange: return PlateKind::top_flange;
+    case BoxPlate::bottom_flange: return PlateKind::bottom_flange;
+    case BoxPlate::left_web: return PlateKind::left_web;
+    case BoxPlate::right_web: return PlateKind::right_web;
+  }
+  return PlateKind::wall;
+}
+
+}  // namespace
+
+const char* to_text(BoxPlate plate) {
+  switch (plate) {
+    case BoxPlate::top_flange: return "top flange";
+    case BoxPlate::bottom_flange: return "bottom flange";
+    case BoxPlate::left_web: return "left web";
+    case BoxPlate::right_web: return "right web";
+  }
+  return "";
+}
+
+std::optional<FourWalls> four_walls_of(const Profile& profile, const PlateMaterials& materials) {
+  const auto* const built = std::get_if<Box>(&profile);
+  const auto* const tube = std::get_if<RectangularTube>(&profile);
+  if (built == nullptr && tube == nullptr) return std::nullopt;
+  if (built != nullptr && !built->stiffeners.empty()) return std::nullopt;
+  const Box box =
+      built != nullptr ? *built : symmetric_box(tube->width, tube->height, tube->wall, tube->wall);
+  const Length half_width = 0.5 * box.width, half_height = 0.5 * box.height;
+  // Of a rolled tube b - 3 t, EN 1993-1-5, 4.4(2), as its class.
+  const Length corner =
+      tube != nullptr ? std::min(1.5 * tube->wall, tube->wall + tube->inner_radius) : Length{};
+  const auto inside = [&](Length plate) { return tube != nullptr ? corner : plate; };
+  FourWalls walls;
+  walls.gross = sums_of(outline_of(profile));
+  const Length left = half_width - inside(box.left_web);
+  const Length right = inside(box.right_web) - half_width;
+  const Length top = half_height - inside(box.top_flange);
+  const Length bottom = inside(box.bottom_flange) - half_height;
+  using enum BoxPlate;
+  walls.of(top_flange) = wall_of(right, left, half_height - 0.5 * box.top_flange, box.top_flange);
+  walls.of(bottom_flange) =
+      wall_of(right, left, 0.5 * box.bottom_flange - half_height, box.bottom_flange);
+  walls.of(left_web) = wall_of(bottom, top, half_width - 0.5 * box.left_web, box.left_web);
+  walls.of(right_web) = wall_of(bottom, top, 0.5 * box.right_web - half_width, box.right_web);
+  for (const BoxPlate plate : box_plates) {
+    BoxWall& wall = walls.of(plate);
+    const PlateKind kind = kind_of(plate, built != nullptr);
+    const auto yield = yield_strength_of(materials.of(kind), wall.thickness);
+    const auto of_class = class_yield_of(profile, materials, kind, wall.thickness);
+    if (!yield || !of_class) return std::nullopt;
+    wall.yield_strength = *yield;
+    wall.class_strength = *of_class;
+  }
+  return walls;
+}
+
+SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagShares& lag,
+                           int most_passes) {
+  if (acting == ActingAlone::compression) return compressed_alone(box);
+  using enum BoxPlate;
+  const bool about_y = acting == ActingAlone::M_y_positive || acting == ActingAlone::M_y_negative;
+  const bool positive = acting == ActingAlone::M_y_positive || acting == ActingAlone::M_z_positive;
+  // M_y > 0 stretches +z, M_z > 0 compresses +y.
+  const BoxPlate far = about_y ? top_flange : left_web;
+  const BoxPlate near = about_y ? bottom_flange : right_web;
+  const BoxPlate pressed = about_y == positive ? near : far;
+  const BoxPlate stretched = pressed == near ? far : near;
+  const double share = about_y ? lag.flanges : lag.webs;
+  const auto index = [](BoxPlate plate) { return static_cast<std::size_t>(plate); };
+
+  SectionAlone section;
+  AreaSums flanges = box.gross;
+  judge_even(box.of(pressed), true, share, about_y, section.walls[index(pressed)], flanges);
+  judge_even(box.of(stretched), false, share, about_y, section.walls[index(stretched)], flanges);
+  const std::array bent =
+      about_y ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
+  const auto axis = about_y ? cut_force::M_y : cut_force::M_z;
+  const double moment = positive ? 1.0 : -1.0;
+  AreaSums known = flanges;
+  for (section.passes = 0; section.passes < most_passes;) {
+    ++section.passes;
+    const std::array<WallAlone, 4> before = section.walls;
+    section.sums = flanges;
+    for (const BoxPlate plate : bent) {
+      const BoxWall& wall = box.of(plate);
+      const auto stress_at = [&](Length end) {
+        const double y = (about_y ? wall.middle : end).value();
+        const double z = (about_y ? end : wall.middle).value();
+        return moment * normal_influence(known, y, z).normal[axis];
+      };
+      judge_bent(wall, !about_y, stress_at(wall.low), stress_at(wall.high),
+                 section.walls[index(plate)], section.sums);
+    }
+    constexpr double close = 1e-10;
+    const bool settled = std::all_of(bent.begin(), bent.end(), [&](BoxPlate plate) {
+      return std::abs(section.walls[index(plate)].psi - before[index(plate)].psi) < close;
+    });
+    if (section.passes > 1 && settled) break;
+    known = section.sums;
+  }
+  return section;
+}
+
+EffectiveBox::EffectiveBox(const FourWalls& box, const LagShares& lag, int most_passes)
+    : box_(box) {
+  for (std::size_t k = 0; k < sections_.size(); ++k)
+    sections_[k] = section_alone(box, static_cast<ActingAlone>(k), lag, most_passes);
+  const AreaSums& gross = box.gross;
+  const AreaSums& compressed = sections_.front().sums;
+  centroid_y_ = si<Length>(gross.y / gross.area);
+  centroid_z_ = si<Length>(gross.z / gross.area);
+  shift_y_ = si<Length>(compressed.y / compressed.area) - centroid_y_;
+  shift_z_ = si<Length>(compressed.z / compressed.area) - centroid_z_;
+  std::size_t at = 0;
+  for (const BoxPlate flange : {BoxPlate::top_flange, BoxPlate::bottom_flange}) {
+    for (const BoxPlate web : {BoxPlate::left_web, BoxPlate::right_web}) {
+      Corner& corner = corners_[at++];
+      corner.of = {flange, web};
+      const double y = box.of(web).middle.value(), z = box.of(flange).middle.value();
+      const auto per = [&](ActingAlone acting, cut_force::Index axis) {
+        return 1.0 / normal_influence(alone(acting).sums, y, z).normal[axis];
+      };
+      corner.areas = {gross.area, compressed.area};
+      corner.W_y = {per(ActingAlone::M_y_positive, cut_force::M_y),
+                    per(ActingAlone::M_y_negative, cut_force::M_y)};
+      corner.W_z = {per(ActingAlone::M_z_positive, cut_force::M_z),
+                    per(ActingAlone::M_z_negative, cut_force::M_z)};
+      corner.flange_strength = box.of(flange).yield_strength;
+      corner.least_strength = std::min(box.of(flange).yield_strength, box.of(web).yield_strength);
+    }
+  }
+}
+
+CornerUse EffectiveBox::use_of(const Corner& corner, const CutForces& cut, Shifts shifts) const {
+  CornerUse of;
+  of.corner = corner.of;
+  of.shifts = shifts;
+  const double N = cut.N.value();
+  // N at the beam axis is N at the centroid and the moments of its lever arms.
+  of.arm_z = centroid_z_ + (shifts.along_z ? shift_z_ : Length{});
+  of.arm_y = centroid_y_ + (shifts.along_y ? shift_y_ : Length{});
+  const double M_y = plate::shifted_moment(cut.M_y.value(), N, of.arm_z.value());
+  const double M_z = plate::shifted_moment(cut.M_z.value(), N, -of.arm_y.value());
+  of.area = si<Area>(corner.areas[N < 0.0 ? 1 : 0]);
+  of.W_y = si<SectionModulus>(corner.W_y[M_y < 0.0 ? 1 : 0]);
+  of.W_z = si<SectionModulus>(corner.W_z[M_z < 0.0 ? 1 : 0]);
+  of.M_y = si<Moment>(M_y);
+  of.M_z = si<Moment>(M_z);
+  of.stress = si<Stress>(
+      plate::corner_stress(N, of.area.value(), M_y, of.W_y.value(), M_z, of.W_z.value()));
+  of.yield_strength = M_z == 0.0 ? corner.flange_strength : corner.least_strength;
+  of.use = std::abs(of.stress.value()) / of.yield_strength.value();
+  return of;
+}
+
+CornerUse EffectiveBox::worst_corner(const CutForces& cut) const {
+  CornerUse worst;
+  worst.use = -1.0;
+  for (const Corner& corner : corners_) {
+    for (const Shifts shifts : {Shifts{false, false}, {false, true}, {true, false}, {true, true}}) {
+      if ((shifts.along_y || shifts.along_z) && !(cut.N.value() < 0.0)) continue;
+      if (shifts.along_y && shift_y_.value() == 0.0) continue;
+      if (shifts.along_z && shift_z_.value() == 0.0) continue;
+      const CornerUse of = use_of(corner, cut, shifts);
+      if (of.use > worst.use) worst = of;
+    }
+  }
+  return worst;
+}
+
+namespace {
+
+/// The plates of a section that do not work whole, and what of them does.
+void derive_walls(Derivation& steps, const FourWalls& box, const SectionAlone& section,
+                  const char* under) {
+  for (const BoxPlate plate : box_plates) {
+    const WallAlone& of = section.of(plate);
+    const BoxWall& wall = box.of(plate);
+    if (!(of.idle > 1e-9 * wall.clear())) continue;
+    const Traced c = steps.given("c", wall.clear());
+    steps.note([&] { return fmt::format("{} under {}", to_text(plate), under); });
+    const Traced t = steps.given("t", wall.thickness);
+    if (!of.pressed || of.width.rho == 1.0) {
+      steps.given("c_idle", of.idle, "by shear lag (3.3)");
+      continue;
+    }
+    const Traced psi = steps.given("psi", of.psi, {ValueKind::number});
+    const Traced epsilon = plate::epsilon(steps, steps.known("f_y", wall.class_strength));
+    const Traced k = steps.given("k_sigma", of.width.k_sigma, {ValueKind::number});
+    const Traced lambda = plate::slenderness(steps, c / t, epsilon, k);
+    plate::internal_reduction(steps, lambda, psi);
+    steps.given("c_idle", of.idle, "of its compressed width (table 4.1), and by shear lag");
+  }
+}
+
+}  // namespace
+
+Traced derive_corner_stress(Derivation& steps, const EffectiveBox& box, const CutForces& cut,
+                            const CornerUse& corner) {
+  const bool pressed = cut.N.value() < 0.0, about_z = corner.M_z.value() != 0.0;
+  const auto alone = [&](bool about_y, bool negative) -> const SectionAlone& {
+    using enum ActingAlone;
+    return box.alone(about_y ? (negative ? M_y_negative : M_y_positive)
+                             : (negative ? M_z_negative : M_z_positive));
+  };
+  if (pressed) derive_walls(steps, box.box(), box.alone(ActingAlone::compression), "N alone");
+  if (corner.M_y.value() != 0.0)
+    derive_walls(steps, box.box(), alone(true, corner.M_y.value() < 0.0), "M_y alone");
+  if (about_z) derive_walls(steps, box.box(), alone(false, corner.M_z.value() < 0.0), "M_z alone");
+  const Traced N = steps.given("N", cut.N);
+  const Traced A = steps.given(pressed ? "A_eff" : "A", corner.area,
+                               pressed ? "gross less what is idle" : "tension: gross");
+  const auto moment = [&](const char* symbol, const char* of, const char* arm, Moment acting,
+                          Length lever, bool shifted) {
+    const Traced M = steps.given(of, acting);
+    if (lever.value() == 0.0) return M;
+    const Traced e = steps.given(arm, lever,
+                                 shifted ? "from the beam axis to the centroid under N alone"
+                                         : "from the beam axis to the gross centroid");
+    return steps.define(symbol, plate::shifted_moment(M, N, e));
+  };
+  const Traced M_y = moment("M_y,E", "M_y", "e_z", cut.M_y, corner.arm_z, corner.shifts.along_z);
+  const Traced W_y = steps.given("W_y,eff", corner.W_y, "about the mid-line of the plate, signed");
+  if (!about_z) return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y));
+  const Traced M_z = moment("M_z,E", "M_z", "e_y", cut.M_z, -corner.arm_y, corner.shifts.along_y);
+  const Traced W_z = steps.given("W_z,eff", corner.W_z, "likewise");
+  return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y, M_z, W_z));
+}
+
+double EffectiveBox::use(const CutForces& cut) const { return worst_corner(cut).use; }
+
+}  // namespace boxbeam

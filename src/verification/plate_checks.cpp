@@ -1,0 +1,266 @@
+#include "boxbeam/verification/plate_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/section/section_points.hpp"
+#include "boxbeam/section/wall_stretches.hpp"
+#include "boxbeam/strength/section_class.hpp"
+#include "boxbeam/verification/judged_section.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Up to this slope of its edges a plate counts as a rectangle. Source: EN 1993-1-5:2006, 2.3(1).
+constexpr double steepest = 10.0 * std::numbers::pi / 180.0;
+
+/// Up to this part of a plate's width an opening does not count. Source: EN 1993-1-5:2006, 2.3(1).
+constexpr double widest_opening = 0.05;
+
+std::optional<FourWalls> four_walls_at(const Project& project, const Station& station) {
+  const Section section = judged_section_at(project, station);
+  if (section.inner) return std::nullopt;
+  return four_walls_of(section.outer, materials_of(project, segment_at(project.beam, station)));
+}
+
+bool may_buckle(const BoxWall& wall) {
+  return wall.clear() / wall.thickness >
+         internal_part_limits(1.0, 1.0, epsilon_of(wall.class_strength)).class_3;
+}
+
+/// The steepest edge of a segment's outline [rad].
+double slope_of(const Segment& segment) {
+  const Extent from = extent_of(segment.from.outer), to = extent_of(segment.to.outer);
+  double most = 0.0;
+  for (const Length& change : {to.y_low - from.y_low, to.y_high - from.y_high,
+                               to.z_low - from.z_low, to.z_high - from.z_high})
+    most = std::max(most, std::abs((change / segment.length).value()));
+  return std::atan(most);
+}
+
+std::optional<BoxPlate> plate_of(WallPart part) {
+  switch (part) {
+    case WallPart::top_flange: return BoxPlate::top_flange;
+    case WallPart::bottom_flange: return BoxPlate::bottom_flange;
+    case WallPart::left_web: return BoxPlate::left_web;
+    case WallPart::right_web: return BoxPlate::right_web;
+    default: return std::nullopt;
+  }
+}
+
+bool is_web(BoxPlate plate) { return plate == BoxPlate::left_web || plate == BoxPlate::right_web; }
+
+/// A plate with the part of the shear flow that it carries: mean of the flow along it, which is a
+/// parabola, by Simpson's rule.
+ShearedPlate sheared_plate(const Project& project, const StressField& field,
+                           const WallStretch& stretch, const BoxWall& wall, BoxPlate plate,
+                           bool alike) {
+  ShearedPlate of;
+  of.plate = plate;
+  of.name = alike && is_web(plate) ? "web" : to_text(plate);
+  of.panel = {wall.clear(), wall.thickness, wall.yield_strength, {}, false};
+  of.resists = shear_resistance_of(of.panel, project.strength.gamma_M1);
+  of.may_buckle = shear_buckling_need(wall.clear(), wall.thickness, wall.yield_strength,
+                                      shear_hardening_factor(wall.yield_strength))
+                      .check_needed();
+  const Area area = wall.clear() * wall.thickness;
+  for (const auto& [part, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
+    const StressInfluence influence = point_on_stretch(field, stretch, part).influence;
+    for (std::size_t k = 0; k < cut_force::count; ++k)
+      of.per_cut_force[k] += weight / 6.0 * area.value() * influence.shear[k];
+  }
+  return of;
+}
+
+/// The uses of a station's plates under cut forces, with gamma_M0 and gamma_M1.
+class PlateUses {
+ public:
+  PlateUses(const Project& project, const SlenderPlates& plates)
+      : gamma_M0_(project.strength.gamma_M0), plates_(&plates) {}
+
+  double normal(const CutForces& cut) const { return gamma_M0_ * plates_->box.use(cut); }
+  static double shear(const ShearedPlate& plate, const CutForces& cut) {
+    return abs(plate.force_of(cut)) / plate.resists.resistance;
+  }
+  double together(const ShearedPlate& plate, const CutForces& cut) const {
+    return 1.0 / interaction_factor(normal(cut), shear(plate, cut));
+  }
+
+ private:
+  double gamma_M0_;
+  const SlenderPlates* plates_;
+};
+
+/// Where a use is largest.
+struct Worst {
+  const SituationHistory* at = nullptr;
+  TurningPoint largest;  ///< without load factor
+  double use = 0.0;      ///< with it
+};
+
+template <class Use>
+Worst worst_of(const std::vector<SituationHistory>& histories, const Use& use) {
+  Worst worst;
+  for (const SituationHistory& at : histories) {
+    const TurningPoint in = at.history.largest(use);
+    const double with_factor = at.situation->load_factor * in.value;
+    if (worst.at != nullptr && with_factor <= worst.use) continue;
+    worst = {&at, in, with_factor};
+  }
+  return worst;
+}
+
+/// A use this small is round-off.
+constexpr double no_use = 1e-9;
+
+}  // namespace
+
+Force ShearedPlate::force_of(const CutForces& cut) const {
+  double force = 0.0;
+  for (std::size_t k = 0; k < cut_force::count; ++k) {
+    const double acting = value_of(cut, static_cast<cut_force::Index>(k));
+    // What is not known counts only where it acts.
+    if (acting != 0.0) force += per_cut_force[k] * acting;
+  }
+  return si<Force>(force);
+}
+
+std::string plates_obstacle(const Project& project, const Station& station) {
+  const Section section = judged_section_at(project, station);
+  const std::size_t index = segment_at(project.beam, station);
+  const Segment& segment = project.beam.segments[index];
+  if (section.inner) return "a profile inside another shares its buckling";
+  if (const auto* box = std::get_if<Box>(&section.outer);
+      box != nullptr && !box->stiffeners.empty())
+    return "the plates are stiffened (4.5)";
+  const auto walls = four_walls_of(section.outer, materials_of(project, index));
+  if (!walls) return "only boxes and rectangular tubes are";
+  if (const double slope = slope_of(segment); slope > steepest) {
+    return fmt::format("its edges are inclined by {:.3g} deg, above 10 deg (2.3)",
+                       slope * 180.0 / std::numbers::pi);
+  }
+  for (const BeamHole& at : project.holes) {
+    if (at.s < segment.start || at.s > segment.end()) continue;
+    for (const BoxPlate plate : box_plates) {
+      const bool drilled = (at.hole.walls == HoleWalls::webs) == is_web(plate);
+      if (drilled && at.hole.diameter > widest_opening * walls->of(plate).clear()) {
+        return fmt::format("hole \"{}\" is wider than 0.05 of its plate (2.3)", at.hole.name);
+      }
+    }
+  }
+  return "";
+}
+
+std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
+                                                       const std::vector<BendingZone>& zones,
+                                                       const Station& station) {
+  const std::optional<FourWalls> walls = four_walls_at(project, station);
+  if (!walls || std::none_of(walls->walls.begin(), walls->walls.end(), may_buckle) ||
+      !plates_obstacle(project, station).empty()) {
+    return nullptr;
+  }
+  const Section section = judged_section_at(project, station);
+  const ShearLags lags = shear_lags_at(zones, section, station);
+  const auto share = [](const std::optional<ShearLag>& lag) {
+    return lag ? std::max(lag->beta, std::pow(lag->beta, lag->kappa)) : 1.0;
+  };
+  const LagShares lag{share(lags.flanges), share(lags.webs)};
+  auto plates = std::make_shared<SlenderPlates>(SlenderPlates{EffectiveBox(*walls, lag), lag, {}});
+  const StressField field = stress_field_of(section, {}, taper_at(project.beam, station));
+  const bool alike = !project.in_space && is_mirrored(field);
+  for (const WallStretch& stretch : wall_stretches_of(field)) {
+    if (stretch.solid || stretch.round || !field.flow) continue;
+    const auto plate = plate_of(field.flow->at.graph.walls[stretch.wall].part);
+    if (!plate || (alike && *plate == BoxPlate::right_web)) continue;
+    plates->sheared.push_back(
+        sheared_plate(project, field, stretch, walls->of(*plate), *plate, alike));
+  }
+  return plates;
+}
+
+Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
+                           const std::vector<SituationHistory>& histories) {
+  const PlateUses uses(project, plates);
+  const double required = project.strength.required;
+  Utilisations found;
+  const auto look = [&](Criterion criterion, const auto& use) {
+    double& of = found.of(criterion);
+    of = std::max(of, required * worst_of(histories, use).use);
+  };
+  look(Criterion::effective_section, [&](const CutForces& cut) { return uses.normal(cut); });
+  for (const ShearedPlate& plate : plates.sheared) {
+    if (plate.may_buckle) {
+      look(Criterion::shear_buckling,
+           [&](const CutForces& cut) { return PlateUses::shear(plate, cut); });
+    }
+    look(Criterion::interaction, [&](const CutForces& cut) { return uses.together(plate, cut); });
+  }
+  return found;
+}
+
+std::vector<CheckResult> check_plates(const Project& project, const Station& station,
+                                      const std::shared_ptr<const SlenderPlates>& plates,
+                                      const std::vector<SituationHistory>& histories) {
+  const PlateUses uses(project, *plates);
+  std::vector<CheckResult> results;
+  const auto add = [&](Criterion criterion, const Worst& worst, const ShearedPlate* plate) {
+    if (!(worst.use > no_use)) return;
+    CheckResult result;
+    PlateBasis& basis = result.plates.emplace();
+    basis.plates = plates;
+    basis.cut = worst.at->history.at(worst.largest.time);
+    basis.corner = plates->box.worst_corner(basis.cut);
+    basis.load_factor = worst.at->situation->load_factor;
+    basis.plate = plate;
+    Check& check = result.check;
+    check.criterion = criterion;
+    check.station = station;
+    check.point = plate != nullptr ? plate->name : to_text(basis.corner.corner.flange);
+    if (plate == nullptr && project.in_space)
+      check.point += fmt::format(" at {}", to_text(basis.corner.corner.web));
+    check.id = id_of(criterion, station, check.point);
+    check.situation = worst.at->situation->name;
+    check.time = worst.largest.time;
+    check.safety_factor = 1.0 / worst.use;
+    check.required = project.strength.required;
+    if (criterion == Criterion::effective_section) {
+      check.resisting = Stress(basis.corner.yield_strength / project.strength.gamma_M0);
+      check.acting = Stress(check.resisting.value() * worst.use * pascal);
+      check.source = "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, 4.4)";
+    } else if (criterion == Criterion::shear_buckling) {
+      check.resisting = plate->resists.resistance;
+      check.acting = Force(worst.use * plate->resists.resistance);
+      check.source = "EN 1993-1-5:2006, 5.5, equation 5.10 (without the flanges' part)";
+    } else {
+      check.resisting = 1.0;
+      check.acting = worst.use;
+      check.source = "EN 1993-1-5:2006, 7.1(5), equation 7.1";
+    }
+    results.push_back(std::move(result));
+  };
+  add(Criterion::effective_section,
+      worst_of(histories, [&](const CutForces& cut) { return uses.normal(cut); }), nullptr);
+  for (const ShearedPlate& plate : plates->sheared) {
+    if (plate.may_buckle) {
+      add(Criterion::shear_buckling,
+          worst_of(histories, [&](const CutForces& cut) { return PlateUses::shear(plate, cut); }),
+          &plate);
+    }
+    const Worst together =
+        worst_of(histories, [&](const CutForces& cut) { return uses.together(plate, cut); });
+    if (!(together.use > no_use)) continue;
+    // Up to half of the resistance to shear it says what the effective section says, without
+    // normal stress what shear buckling says.
+    const CutForces cut = together.at->history.at(together.largest.time);
+    const double normal = uses.normal(cut), shear = PlateUses::shear(plate, cut);
+    if (2.0 * shear <= normal || (plate.may_buckle && normal <= no_use)) continue;
+    add(Criterion::interaction, together, &plate);
+  }
+  return results;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,268 @@
+// Boxes of slender plates from the case to the verdict: against hand values, against stations
+// looked at one by one, and what must not be judged so.
+
+#include "boxbeam/verification/plate_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+
+#include "boxbeam/report/report.hpp"
+#include "boxbeam/verification/verify.hpp"
+#include "catch.hpp"
+
+namespace plate_checks_test {
+
+using namespace boxbeam;
+
+namespace {
+
+std::string box(const std::string& name, double width, double height, double flange, double web,
+                const std::string& more = "") {
+  return fmt::format(
+      "[sections.{}]\nkind = \"box\"\nwidth = \"{:.17g} mm\"\nheight = \"{:.17g} mm\"\n"
+      "flange = \"{:.17g} mm\"\nweb = \"{:.17g} mm\"\n{}",
+      name, width, height, flange, web, more);
+}
+
+const std::string steel = "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n";
+const std::string fatigue =
+    "[fatigue]\ncategory = 160\ncycles = 1e3\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
+    "required = 1.0\n";
+
+/// A cantilever at rest without weight, with forces at its tip.
+std::string cantilever(const std::string& sections, const std::string& segments,
+                       const std::string& loads, const std::string& frame = "",
+                       const std::string& strength = "") {
+  const bool space = frame.find("space") != std::string::npos;
+  const std::string nothing = space ? "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n"
+                                    : "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n";
+  return "[case]\nname = \"slender\"\nkind = \"static\"\n[frame]\n" + frame + nothing + sections +
+         "[beam]\ndensity = \"7850 kg/m^3\"\n" + segments +
+         "[supports.root]\nkind = \"fixed\"\nat = \"0 m\"\n" + loads + steel +
+         "[strength]\nrequired = 1.0\nshear_lag = false\n" + strength;
+}
+
+std::string segment(double length, const std::string& section) {
+  return fmt::format("[[beam.segments]]\nlength = \"{:.17g} m\"\nsection = \"{}\"\n", length,
+                     section);
+}
+
+std::string taper(double length, const std::string& from, const std::string& to) {
+  return fmt::format("[[beam.segments]]\nlength = \"{:.17g} m\"\nfrom = \"{}\"\nto = \"{}\"\n",
+                     length, from, to);
+}
+
+std::string tip(double at, double V, double N = 0.0) {
+  return fmt::format(
+      "[loads.tip]\nkind = \"force\"\nat = \"{:.17g} m\"\nforce = [\"{:.17g} kN\", \"{:.17g} "
+      "kN\"]\n",
+      at, N, V);
+}
+
+Verification verified(const std::string& text) {
+  return verify(parse_project("slender.toml", text));
+}
+
+bool has_gate(const Verification& of, const std::string& words) {
+  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
+    return gate.finding.find(words) != std::string::npos;
+  });
+}
+
+double use_of(const Verification& of, Criterion criterion) {
+  const CheckResult* const found = of.governing(criterion);
+  return found == nullptr ? 0.0 : found->check.utilisation();
+}
+
+}  // namespace
+
+TEST_CASE("a web of 1200 x 8 mm gets a verdict: effective section, shear and both by hand") {
+  // Flanges 600 x 12 mm, clear 584; webs clear 1200. 60 kN at 10 m: M = 600 kN m at the root.
+  const Verification of = verified(
+      cantilever(box("a", 600.0, 1224.0, 12.0, 8.0), segment(10.0, "a"), tip(10.0, -400.0)));
+  CHECK(of.verdict == Verdict::fail);
+  // By hand, mm: top in tension; eps = 0.8136. Bottom flange: lambda_p = 48.67/(28.4 eps 2) =
+  // 1.0532, rho = 0.7512, idle 145.3 mm. Web from the effective flange: see below.
+  const double eps = std::sqrt(235.0 / 355.0);
+  const double lambda_f = 584.0 / 12.0 / (28.4 * eps * 2.0);
+  const double idle_f = (1.0 - (lambda_f - 0.22) / (lambda_f * lambda_f)) * 584.0;
+  double A = 2 * 600.0 * 12 + 2 * 1200.0 * 8 - idle_f * 12;
+  double S = idle_f * 12 * 606;  // about mid-height, of what is left, upwards
+  const double axis = S / A;
+  const double psi = -(600 - axis) / (600 + axis);
+  const double k = 7.81 - 6.29 * psi + 9.78 * psi * psi;
+  const double lambda_w = 150.0 / (28.4 * eps * std::sqrt(k));
+  const double rho_w = (lambda_w - 0.055 * (3 + psi)) / (lambda_w * lambda_w);
+  const double pressed = 1200 / (1 - psi), kept = rho_w * pressed;
+  const double idle_w = pressed - kept, from = -600 + 0.4 * kept;
+  const double at_w = from + idle_w / 2;
+  A -= 2 * 8 * idle_w;
+  S -= 2 * 8 * idle_w * at_w;
+  const double z = S / A;
+  const double I = (600.0 * std::pow(1224, 3) - 584.0 * std::pow(1200, 3)) / 12 -
+                   idle_f * (12 * 606.0 * 606 + 12.0 * 12 * 12 / 12) -
+                   2 * 8 * (std::pow(idle_w, 3) / 12 + idle_w * at_w * at_w) - A * z * z;
+  const double W = I / (606 + z);
+  const CheckResult* const section = of.governing(Criterion::effective_section);
+  REQUIRE(section != nullptr);
+  CHECK(section->check.id == "effective-section/0+/bottom-flange");
+  CHECK(section->check.acting.value() == Approx(400e3 * 10e3 / W * 1e6).epsilon(1e-6));
+  CHECK(section->check.safety_factor == Approx(355.0 * W / (400e3 * 10e3)).epsilon(1e-6));
+  // Each web carries its clear depth's part of V/2; lambda_w = 150/(86.4 eps).
+  const CheckResult* const shear = of.governing(Criterion::shear_buckling);
+  REQUIRE(shear != nullptr);
+  CHECK(shear->check.point == "web");
+  const double chi = 0.83 / (150.0 / (37.4 * eps * std::sqrt(5.34)));
+  const double V_bw = chi * 355.0 * 1200 * 8 / std::sqrt(3.0);
+  CHECK(shear->check.resisting.value() == Approx(V_bw).epsilon(1e-9));
+  CHECK(shear->check.acting.value() < 200e3);
+  CHECK(shear->check.acting.value() > 0.97 * 200e3);
+  CHECK(of.governing(Criterion::interaction) == nullptr);
+  CHECK(!has_gate(of, "class 4"));
+  CHECK(!has_gate(of, "buckle in shear"));
+}
+
+TEST_CASE("shear above half of the resistance takes from the moment", "[plates]") {
+  const Verification of = verified(
+      cantilever(box("a", 600.0, 1224.0, 12.0, 8.0), segment(2.0, "a"), tip(2.0, -1000.0)));
+  const CheckResult* const both = of.governing(Criterion::interaction);
+  REQUIRE(both != nullptr);
+  const double eta_1 = use_of(of, Criterion::effective_section);
+  const double eta_3 = use_of(of, Criterion::shear_buckling);
+  CHECK(eta_3 > 0.5);
+  CHECK(1.0 / both->check.utilisation() == Approx(interaction_factor(eta_1, eta_3)).epsilon(1e-9));
+  CHECK(both->check.utilisation() > std::max(eta_1, eta_3));
+}
+
+TEST_CASE("torsion puts shear into all four plates: q = T/(2 A_m)", "[plates]") {
+  const double T = 500e3;
+  const Verification of = verified(cantilever(
+      box("a", 600.0, 1224.0, 6.0, 8.0), segment(4.0, "a"),
+      fmt::format("[loads.twist]\nkind = \"force\"\nat = \"4 m\"\nmoment = [\"{} N m\", \"0 N m\", "
+                  "\"0 N m\"]\n",
+                  T),
+      "space = true\n"));
+  const double A_m = (600.0 - 8.0) * (1224.0 - 6.0) * 1e-6;
+  const double q = T / (2.0 * A_m);
+  int plates = 0;
+  for (const CheckResult& result : of.checks) {
+    if (result.check.criterion != Criterion::shear_buckling) continue;
+    const bool web = result.check.point.find("web") != std::string::npos;
+    const double clear = web ? 1.212 : 0.584;
+    // The walls' own torsion adds what is above 1.
+    CHECK(result.check.acting.value() == Approx(q * clear).epsilon(0.01));
+    plates += result.check.station.s.value() == 0.0 ? 1 : 0;
+  }
+  CHECK(plates == 4);
+}
+
+TEST_CASE("no place between the stations is used more than what is reported", "[plates]") {
+  std::mt19937 random(5);
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  int judged = 0;
+  for (int i = 0; i < 25; ++i) {
+    const double width = in(300.0, 700.0), web = in(5.0, 9.0), flange = in(8.0, 16.0);
+    const double first = in(600.0, 1300.0), last = in(250.0, 600.0);
+    const std::string text = cantilever(
+        box("a", width, first, flange, web) + box("b", width, last, flange, web),
+        segment(in(0.5, 2.0), "a") + taper(in(4.5, 8.0), "a", "b") + segment(1.0, "b"),
+        fmt::format("[loads.a]\nkind = \"force\"\nat = \"{} m\"\nforce = [\"{} kN\", \"{} kN\"]\n"
+                    "[loads.l]\nkind = \"line\"\nforce_per_length = [\"0 kN/m\", \"{} kN/m\"]\n",
+                    in(1.0, 6.0), in(-200.0, 200.0), in(-200.0, 200.0), in(-60.0, 60.0)));
+    const Project project = parse_project("slender.toml", text);
+    const Verification of = verify(project);
+    const auto runs = run_situations(project, of.model.chosen);
+    const auto zones = bending_zones_of(project, runs);
+    std::array<double, plate_criteria.size()> most{};
+    for (int k = 0; k <= 1500; ++k) {
+      const Length s = project.beam.length() * (k / 1500.0);
+      const Station station{s, Side::both};
+      const auto plates = slender_plates_at(project, zones, station);
+      if (!plates) continue;
+      const Utilisations uses = plate_uses_of(project, *plates, histories_at(runs, station));
+      for (std::size_t c = 0; c < most.size(); ++c)
+        most[c] = std::max(most[c], uses.of(plate_criteria[c]));
+      ++judged;
+    }
+    for (std::size_t c = 0; c < most.size(); ++c) {
+      CAPTURE(i, c);
+      double reported = use_of(of, plate_criteria[c]);
+      // Where one of them is small both together are the other alone.
+      if (plate_criteria[c] == Criterion::interaction) {
+        reported = std::max({reported, use_of(of, Criterion::effective_section),
+                             use_of(of, Criterion::shear_buckling)});
+      }
+      CHECK(most[c] <= reported * (1.0 + 1e-3));
+    }
+  }
+  CHECK(judged > 10'000);
+}
+
+TEST_CASE("plates that are not judged by effective widths stop the verdict, with the reason",
+          "[plates]") {
+  const std::string slender = box("a", 600.0, 1224.0, 12.0, 8.0);
+  const std::string force = tip(10.0, -10.0);
+  const auto refused = [&](const std::string& text, const std::string& why) {
+    const Verification of = verified(text);
+    INFO(why);
+    CHECK(of.verdict == Verdict::not_applicable);
+    CHECK(has_gate(of, why));
+    CHECK(of.governing(Criterion::effective_section) == nullptr);
+  };
+  CHECK(verified(cantilever(slender, segment(10.0, "a"), force)).verdict == Verdict::pass);
+  refused(cantilever(slender + "[[sections.a.stiffeners]]\non = \"bottom flange\"\nat = \"0 mm\"\n"
+                               "depth = \"100 mm\"\nthickness = \"12 mm\"\n",
+                     segment(10.0, "a"), force),
+          "the plates are stiffened");
+  refused(cantilever(slender + box("b", 600.0, 2000.0, 12.0, 8.0),
+                     segment(8.0, "a") + taper(2.0, "a", "b"), force),
+          "above 10 deg");
+  refused(cantilever(slender,
+                     segment(10.0, "a") + "[[beam.holes]]\nname = \"h\"\nstation = \"5 m\"\n"
+                                          "diameter = \"100 mm\"\nthrough = \"webs\"\n",
+                     force),
+          "wider than 0.05 of its plate");
+}
+
+TEST_CASE("fatigue of plates of which less than half works is not judged", "[plates]") {
+  const std::string cycles =
+      "[[situations]]\nname = \"on\"\nloads = { tip = 1.0 }\n"
+      "[[situations]]\nname = \"off\"\nloads = { tip = 0.0 }\n"
+      "[[situations]]\nname = \"lift\"\nbetween = [\"on\", \"off\"]\ncycles = 1000\n";
+  const auto at = [&](double flange, double web, double force) {
+    return verified(
+        cantilever(box("a", 900.0, 1000.0, flange, web), segment(10.0, "a"), tip(10.0, -force)) +
+        fatigue + cycles);
+  };
+  CHECK(!has_gate(at(16.0, 10.0, 10.0), "2.2(5)"));
+  // Flange 880 x 8 mm under 250 MPa: lambda_red = 110/(28.4 x 0.8136 x 2) sqrt(250/355) = 2.0.
+  CHECK(has_gate(at(8.0, 10.0, 180.0), "2.2(5)"));
+  // Web 968 x 5 mm: sigma_E = 190e9/193.6^2 = 5.07 MPa; k_sigma of bending 23.9, so that it
+  // breathes from 1.1 x 23.9 x 5.07 = 133 MPa on.
+  CHECK(!has_gate(at(16.0, 5.0, 120.0), "breathes"));
+  CHECK(has_gate(at(16.0, 5.0, 260.0), "breathes"));
+}
+
+TEST_CASE("sheets of plates that buckle end at the factor of the check", "[plates]") {
+  const Project project = parse_project(
+      "slender.toml",
+      cantilever(box("a", 600.0, 1224.0, 12.0, 8.0), segment(2.0, "a"), tip(2.0, -1000.0, -500.0)));
+  const Verification of = verify(project);
+  for (const Criterion criterion : plate_criteria) {
+    const CheckResult* const result = of.governing(criterion);
+    REQUIRE(result != nullptr);
+    const report::Sheet sheet = sheet_of(project, of, *result);
+    INFO(result->check.id);
+    REQUIRE(!sheet.steps.empty());
+    const report::Step& last = sheet.steps.back();
+    CHECK(last.symbol == "factor");
+    REQUIRE(!last.formulas.empty());
+    CHECK(std::stod(last.formulas.back()) == Approx(result->check.safety_factor).epsilon(6e-4));
+  }
+}
+
+}  // namespace plate_checks_test
