@@ -267,11 +267,7 @@ Steps steps_of_check(const Project& project, const Verification& verification,
     case Criterion::deflection: return deflection_steps(project, check, *result.deflection);
     case Criterion::effective_section:
     case Criterion::shear_buckling:
-    case Criterion::interaction: {
-      Steps steps{time_step(check, "where it is used most")};
-      append(steps, plate_steps(project, result));
-      return steps;
-    }
+    case Criterion::interaction: return plate_steps(project, result);
     default: break;
   }
   if (result.given) {

@@ -48,13 +48,26 @@ std::string coefficient_name(char letter, std::size_t which, bool space) {
 /// What stands in the place of a cut force's coefficient: terms of the stress.
 using Instead = std::function<std::vector<Traced>(std::size_t, const Traced&)>;
 
+/// Whether a coefficient is but the round-off of the others of its kind.
+bool is_round_off(const Influence& influence, std::size_t which) {
+  double largest = 0.0;
+  for (std::size_t other = 0; other < cut_force::count; ++other) {
+    if ((other < cut_force::T) == (which < cut_force::T))
+      largest = std::max(largest, std::abs(influence[other]));
+  }
+  constexpr double round_off = 1e-9;
+  return std::abs(influence[which]) <= round_off * largest;
+}
+
 /// The cut forces that have a part in a stress above round-off, times their coefficients.
 std::vector<Traced> contributions_of(const Influence& influence, char letter, const CutForces& cut,
                                      bool space, const Instead& instead = {}) {
   std::vector<Traced> terms;
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     const Traced force = cut_force_of(cut, k, space);
-    if (force.value() == 0.0 || std::abs(influence[k] * force.value()) < no_stress) continue;
+    if (force.value() == 0.0 || std::abs(influence[k] * force.value()) < no_stress ||
+        is_round_off(influence, k))
+      continue;
     std::vector<Traced> of;
     if (instead) of = instead(k, force);
     if (of.empty()) {
@@ -80,14 +93,8 @@ void give_coefficients(Derivation& steps, const Influence& influence, char lette
                        const std::function<std::string(std::size_t)>& note) {
   for (std::size_t k = 0; k < cut_force::count; ++k) {
     if (!space && k != cut_force::N && k != cut_force::V_z && k != cut_force::M_y) continue;
-    const bool force = k < cut_force::T;
-    double largest = 0.0;
-    for (std::size_t other = 0; other < cut_force::count; ++other) {
-      if ((other < cut_force::T) == force) largest = std::max(largest, std::abs(influence[other]));
-    }
-    constexpr double round_off = 1e-9;
     const std::string words = note(k);
-    if (words.empty() || std::abs(influence[k]) <= round_off * largest) continue;
+    if (words.empty() || is_round_off(influence, k)) continue;
     steps.given({coefficient_name(letter, k, space), ""}, influence[k], coefficient_shown(k),
                 words);
   }

@@ -74,6 +74,15 @@ void judge_bent(const BoxWall& wall, bool flange, double at_low, double at_high,
   }
 }
 
+/// Stress per moment about an axis through the centroid, each axis by itself, as the standard has
+/// its moduli [1/m^3].
+double stress_per_moment(const AreaSums& sums, ActingAlone acting, double y, double z) {
+  const double y_c = sums.y / sums.area, z_c = sums.z / sums.area;
+  const bool about_y = acting == ActingAlone::M_y_positive || acting == ActingAlone::M_y_negative;
+  return about_y ? (z - z_c) / (sums.zz - sums.area * z_c * z_c)
+                 : -(y - y_c) / (sums.yy - sums.area * y_c * y_c);
+}
+
 SectionAlone compressed_alone(const FourWalls& box) {
   SectionAlone section;
   section.sums = box.gross;
@@ -165,7 +174,6 @@ SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagSh
   judge_even(box.of(stretched), false, share, about_y, section.walls[index(stretched)], flanges);
   const std::array bent =
       about_y ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
-  const auto axis = about_y ? cut_force::M_y : cut_force::M_z;
   const double moment = positive ? 1.0 : -1.0;
   AreaSums known = flanges;
   for (section.passes = 0; section.passes < most_passes;) {
@@ -177,7 +185,7 @@ SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagSh
       const auto stress_at = [&](Length end) {
         const double y = (about_y ? wall.middle : end).value();
         const double z = (about_y ? end : wall.middle).value();
-        return moment * normal_influence(known, y, z).normal[axis];
+        return moment * stress_per_moment(known, acting, y, z);
       };
       judge_bent(wall, !about_y, stress_at(wall.low), stress_at(wall.high),
                  section.walls[index(plate)], section.sums);
@@ -198,18 +206,28 @@ EffectiveBox::EffectiveBox(const FourWalls& box, const LagShares& lag, int most_
     sections_[k] = section_alone(box, static_cast<ActingAlone>(k), lag, most_passes);
   const AreaSums& gross = box.gross;
   const AreaSums& compressed = sections_.front().sums;
-  centroid_y_ = si<Length>(gross.y / gross.area);
-  centroid_z_ = si<Length>(gross.z / gross.area);
-  shift_y_ = si<Length>(compressed.y / compressed.area) - centroid_y_;
-  shift_z_ = si<Length>(compressed.z / compressed.area) - centroid_z_;
+  // What mirrors itself has no shift but round-off, which would be taken for bending.
+  const Length none =
+      1e-12 * (box.of(BoxPlate::left_web).middle - box.of(BoxPlate::right_web).middle);
+  const auto exact = [&](double x) {
+    return std::abs(x) < none.value() ? Length{} : si<Length>(x);
+  };
+  centroid_y_ = exact(gross.y / gross.area);
+  centroid_z_ = exact(gross.z / gross.area);
+  shift_y_ = exact(compressed.y / compressed.area - gross.y / gross.area);
+  shift_z_ = exact(compressed.z / compressed.area - gross.z / gross.area);
   std::size_t at = 0;
   for (const BoxPlate flange : {BoxPlate::top_flange, BoxPlate::bottom_flange}) {
     for (const BoxPlate web : {BoxPlate::left_web, BoxPlate::right_web}) {
       Corner& corner = corners_[at++];
       corner.of = {flange, web};
       const double y = box.of(web).middle.value(), z = box.of(flange).middle.value();
+      // What is left mirrors itself no more: where the axes' coupling makes more, it counts.
       const auto per = [&](ActingAlone acting, cut_force::Index axis) {
-        return 1.0 / normal_influence(alone(acting).sums, y, z).normal[axis];
+        const AreaSums& sums = alone(acting).sums;
+        const double by_itself = stress_per_moment(sums, acting, y, z);
+        const double coupled = normal_influence(sums, y, z).normal[axis];
+        return 1.0 / (std::abs(coupled) > std::abs(by_itself) ? coupled : by_itself);
       };
       corner.areas = {gross.area, compressed.area};
       corner.W_y = {per(ActingAlone::M_y_positive, cut_force::M_y),
@@ -261,27 +279,81 @@ CornerUse EffectiveBox::worst_corner(const CutForces& cut) const {
 
 namespace {
 
-/// The plates of a section that do not work whole, and what of them does.
+/// "both webs" where these are alike.
+std::string name_of(BoxPlate plate, bool both) {
+  if (!both) return to_text(plate);
+  return is_flange(plate) ? "both flanges" : "both webs";
+}
+
+bool alike(const FourWalls& box, const SectionAlone& section, BoxPlate a, BoxPlate b) {
+  const BoxWall& wall = box.of(a);
+  const BoxWall& other = box.of(b);
+  return wall.clear() == other.clear() && wall.thickness == other.thickness &&
+         wall.class_strength == other.class_strength && section.of(a).idle == section.of(b).idle &&
+         section.of(a).psi == section.of(b).psi;
+}
+
+/// The plates of a section that do not work whole, and what of them does not.
 void derive_walls(Derivation& steps, const FourWalls& box, const SectionAlone& section,
                   const char* under) {
-  for (const BoxPlate plate : box_plates) {
+  for (std::size_t k = 0; k < box_plates.size(); ++k) {
+    const BoxPlate plate = box_plates[k];
     const WallAlone& of = section.of(plate);
     const BoxWall& wall = box.of(plate);
     if (!(of.idle > 1e-9 * wall.clear())) continue;
+    const bool first = k % 2 == 0;
+    const bool both = alike(box, section, plate, box_plates[first ? k + 1 : k - 1]);
+    if (both && !first) continue;
     const Traced c = steps.given("c", wall.clear());
-    steps.note([&] { return fmt::format("{} under {}", to_text(plate), under); });
+    steps.note([&] { return fmt::format("{} under {}", name_of(plate, both), under); });
     const Traced t = steps.given("t", wall.thickness);
-    if (!of.pressed || of.width.rho == 1.0) {
-      steps.given("c_idle", of.idle, "by shear lag (3.3)");
-      continue;
+    const bool buckles = of.pressed && of.width.rho < 1.0;
+    Traced works = 1.0;
+    if (buckles) {
+      const Traced psi = steps.given("psi", of.psi, {ValueKind::number});
+      const Traced epsilon = plate::epsilon(steps, steps.known("f_y", wall.class_strength));
+      const Traced k_sigma = steps.given("k_sigma", of.width.k_sigma, {ValueKind::number});
+      const Traced lambda = plate::slenderness(steps, c / t, epsilon, k_sigma);
+      works = plate::internal_reduction(steps, lambda, psi);
+      if (of.psi < 0.0) {
+        steps.define("c_idle", (1.0 - works) * c / (1.0 - psi),
+                     "from 0.4 of what works of the compressed width on (table 4.1)");
+        continue;
+      }
+      if (of.psi < 1.0) {
+        steps.define("c_idle", (1.0 - works) * c, "from 2/(5 - psi) of what works on (table 4.1)");
+        continue;
+      }
     }
-    const Traced psi = steps.given("psi", of.psi, {ValueKind::number});
-    const Traced epsilon = plate::epsilon(steps, steps.known("f_y", wall.class_strength));
-    const Traced k = steps.given("k_sigma", of.width.k_sigma, {ValueKind::number});
-    const Traced lambda = plate::slenderness(steps, c / t, epsilon, k);
-    plate::internal_reduction(steps, lambda, psi);
-    steps.given("c_idle", of.idle, "of its compressed width (table 4.1), and by shear lag");
+    const double share = (buckles ? of.width.rho : 1.0) * wall.clear().value();
+    const double lag = (wall.clear() - of.idle).value() / share;
+    if (lag < 1.0 - 1e-9) {
+      const Traced beta = steps.given("beta^kappa", lag, {ValueKind::number}, "shear lag (3.3)");
+      works = buckles ? Traced(works * beta) : beta;
+    }
+    steps.define("c_idle", (1.0 - works) * c, "in the middle");
   }
+}
+
+/// W of a corner: of what is left, or, where that is less, of unsymmetric bending.
+Traced derive_modulus(Derivation& steps, const SectionAlone& section, bool about_y, Length middle,
+                      SectionModulus used, const char* where) {
+  const AreaSums& sums = section.sums;
+  const double centre = (about_y ? sums.z : sums.y) / sums.area;
+  const double I = (about_y ? sums.zz : sums.yy) - sums.area * centre * centre;
+  const double sign = about_y ? 1.0 : -1.0;
+  const double by_itself = sign * I / (middle.value() - centre);
+  const char* const symbol = about_y ? "W_y,eff" : "W_z,eff";
+  if (std::abs(by_itself - used.value()) > 1e-9 * std::abs(by_itself)) {
+    return steps.given(symbol, used,
+                       "of what is left, whose product of inertia makes it less than I/e");
+  }
+  const Traced left = steps.given(about_y ? "I_y,eff" : "I_z,eff", si<SecondMoment>(I),
+                                  "of what is left, about its centroid");
+  const Traced z_c =
+      steps.given(about_y ? "z_c" : "y_c", si<Length>(centre), "the centroid of what is left");
+  const Traced z = steps.given(about_y ? "z" : "y", middle, where);
+  return steps.define(symbol, about_y ? left / (z - z_c) : left / (z_c - z));
 }
 
 }  // namespace
@@ -311,10 +383,15 @@ Traced derive_corner_stress(Derivation& steps, const EffectiveBox& box, const Cu
     return steps.define(symbol, plate::shifted_moment(M, N, e));
   };
   const Traced M_y = moment("M_y,E", "M_y", "e_z", cut.M_y, corner.arm_z, corner.shifts.along_z);
-  const Traced W_y = steps.given("W_y,eff", corner.W_y, "about the mid-line of the plate, signed");
+  const BoxCorner& place = corner.corner;
+  const Traced W_y =
+      derive_modulus(steps, alone(true, corner.M_y.value() < 0.0), true,
+                     box.box().of(place.flange).middle, corner.W_y, "mid-line of the flange");
   if (!about_z) return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y));
   const Traced M_z = moment("M_z,E", "M_z", "e_y", cut.M_z, -corner.arm_y, corner.shifts.along_y);
-  const Traced W_z = steps.given("W_z,eff", corner.W_z, "likewise");
+  const Traced W_z =
+      derive_modulus(steps, alone(false, corner.M_z.value() < 0.0), false,
+                     box.box().of(place.web).middle, corner.W_z, "mid-line of the web");
   return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y, M_z, W_z));
 }
 

@@ -27,9 +27,29 @@ std::optional<FourWalls> four_walls_at(const Project& project, const Station& st
   return four_walls_of(section.outer, materials_of(project, segment_at(project.beam, station)));
 }
 
+/// The plates of both ends of the segment of a station, between which c/t has its largest value at
+/// one of them: what is judged does not come and go within a segment.
+std::vector<FourWalls> walls_of_segment(const Project& project, const Station& station) {
+  const std::size_t index = segment_at(project.beam, station);
+  const Segment& segment = project.beam.segments[index];
+  std::vector<FourWalls> walls;
+  for (const Section* section : {&segment.from, &segment.to}) {
+    if (auto of = four_walls_of(section->outer, materials_of(project, index)))
+      walls.push_back(std::move(*of));
+  }
+  return walls;
+}
+
+/// c/t above the limit of class 3 in even compression.
 bool may_buckle(const BoxWall& wall) {
   return wall.clear() / wall.thickness >
          internal_part_limits(1.0, 1.0, epsilon_of(wall.class_strength)).class_3;
+}
+
+bool may_buckle_in_shear(const BoxWall& wall) {
+  return shear_buckling_need(wall.clear(), wall.thickness, wall.yield_strength,
+                             shear_hardening_factor(wall.yield_strength))
+      .check_needed();
 }
 
 /// The steepest edge of a segment's outline [rad].
@@ -64,14 +84,14 @@ ShearedPlate sheared_plate(const Project& project, const StressField& field,
   of.name = alike && is_web(plate) ? "web" : to_text(plate);
   of.panel = {wall.clear(), wall.thickness, wall.yield_strength, {}, false};
   of.resists = shear_resistance_of(of.panel, project.strength.gamma_M1);
-  of.may_buckle = shear_buckling_need(wall.clear(), wall.thickness, wall.yield_strength,
-                                      shear_hardening_factor(wall.yield_strength))
-                      .check_needed();
   const Area area = wall.clear() * wall.thickness;
   for (const auto& [part, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
-    const StressInfluence influence = point_on_stretch(field, stretch, part).influence;
+    const SectionPoint point = point_on_stretch(field, stretch, part);
     for (std::size_t k = 0; k < cut_force::count; ++k)
-      of.per_cut_force[k] += weight / 6.0 * area.value() * influence.shear[k];
+      of.per_cut_force[k] += weight / 6.0 * area.value() * point.influence.shear[k];
+    // The wall's own torsion turns round over its thickness.
+    if (point.torsion)
+      of.per_cut_force[cut_force::T] -= weight / 6.0 * area.value() * point.torsion->face;
   }
   return of;
 }
@@ -158,11 +178,13 @@ std::string plates_obstacle(const Project& project, const Station& station) {
 std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
                                                        const std::vector<BendingZone>& zones,
                                                        const Station& station) {
+  const std::vector<FourWalls> ends = walls_of_segment(project, station);
+  const bool slender = std::any_of(ends.begin(), ends.end(), [](const FourWalls& of) {
+    return std::any_of(of.walls.begin(), of.walls.end(), may_buckle);
+  });
+  if (!slender || !plates_obstacle(project, station).empty()) return nullptr;
   const std::optional<FourWalls> walls = four_walls_at(project, station);
-  if (!walls || std::none_of(walls->walls.begin(), walls->walls.end(), may_buckle) ||
-      !plates_obstacle(project, station).empty()) {
-    return nullptr;
-  }
+  if (!walls) return nullptr;
   const Section section = judged_section_at(project, station);
   const ShearLags lags = shear_lags_at(zones, section, station);
   const auto share = [](const std::optional<ShearLag>& lag) {
@@ -178,6 +200,9 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
     if (!plate || (alike && *plate == BoxPlate::right_web)) continue;
     plates->sheared.push_back(
         sheared_plate(project, field, stretch, walls->of(*plate), *plate, alike));
+    plates->sheared.back().may_buckle =
+        std::any_of(ends.begin(), ends.end(),
+                    [&](const FourWalls& of) { return may_buckle_in_shear(of.of(*plate)); });
   }
   return plates;
 }
@@ -244,22 +269,28 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
   };
   add(Criterion::effective_section,
       worst_of(histories, [&](const CutForces& cut) { return uses.normal(cut); }), nullptr);
+  Worst together;
+  const ShearedPlate* in_plate = nullptr;
+  double most_shear = 0.0;
   for (const ShearedPlate& plate : plates->sheared) {
     if (plate.may_buckle) {
       add(Criterion::shear_buckling,
           worst_of(histories, [&](const CutForces& cut) { return PlateUses::shear(plate, cut); }),
           &plate);
     }
-    const Worst together =
+    const Worst of =
         worst_of(histories, [&](const CutForces& cut) { return uses.together(plate, cut); });
-    if (!(together.use > no_use)) continue;
-    // Up to half of the resistance to shear it says what the effective section says, without
-    // normal stress what shear buckling says.
-    const CutForces cut = together.at->history.at(together.largest.time);
-    const double normal = uses.normal(cut), shear = PlateUses::shear(plate, cut);
-    if (2.0 * shear <= normal || (plate.may_buckle && normal <= no_use)) continue;
-    add(Criterion::interaction, together, &plate);
+    const double shear = PlateUses::shear(plate, of.at->history.at(of.largest.time));
+    // Where shear is small all plates are alike: the one that has most of it is named.
+    constexpr double same = 1e-9;
+    if (in_plate != nullptr && (of.use < (1.0 - same) * together.use ||
+                                (of.use <= (1.0 + same) * together.use && shear <= most_shear)))
+      continue;
+    together = of;
+    in_plate = &plate;
+    most_shear = shear;
   }
+  if (in_plate != nullptr) add(Criterion::interaction, together, in_plate);
   return results;
 }
 

@@ -245,8 +245,9 @@ TEST_CASE("200 boxes at random under M_y: as a sum over fibres has it") {
     const double centroid = alone.sums.z / alone.sums.area, inertia = inertia_y(alone.sums);
     const double top = 0.5 * (box.height - box.top_flange).value();
     const double bottom = 0.5 * (box.bottom_flange - box.height).value();
-    CHECK((top - centroid) / inertia == Approx(fibres.top).epsilon(1e-3));
-    CHECK((centroid - bottom) / inertia == Approx(fibres.bottom).epsilon(1e-3));
+    // The branches of k_sigma miss each other by 0.2 % at psi = -1.
+    CHECK((top - centroid) / inertia == Approx(fibres.top).epsilon(2e-3));
+    CHECK((centroid - bottom) / inertia == Approx(fibres.bottom).epsilon(2e-3));
     slender += alone.sums.area < 0.999 * of.box().gross.area ? 1 : 0;
   }
   CHECK(slender > 80);

@@ -28,7 +28,7 @@ std::string box(const std::string& name, double width, double height, double fla
 
 const std::string steel = "[material]\nsteel = \"S355\"\nfy_source = \"EN 1993-1-1\"\n";
 const std::string fatigue =
-    "[fatigue]\ncategory = 160\ncycles = 1e3\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
+    "[fatigue]\ncategory = 160\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
     "required = 1.0\n";
 
 /// A cantilever at rest without weight, with forces at its tip.
@@ -119,7 +119,8 @@ TEST_CASE("a web of 1200 x 8 mm gets a verdict: effective section, shear and bot
   CHECK(shear->check.resisting.value() == Approx(V_bw).epsilon(1e-9));
   CHECK(shear->check.acting.value() < 200e3);
   CHECK(shear->check.acting.value() > 0.97 * 200e3);
-  CHECK(of.governing(Criterion::interaction) == nullptr);
+  // V below half of what the web bears: both together are the effective section alone.
+  CHECK(use_of(of, Criterion::interaction) == Approx(section->check.utilisation()).epsilon(1e-9));
   CHECK(!has_gate(of, "class 4"));
   CHECK(!has_gate(of, "buckle in shear"));
 }
@@ -151,8 +152,8 @@ TEST_CASE("torsion puts shear into all four plates: q = T/(2 A_m)", "[plates]") 
     if (result.check.criterion != Criterion::shear_buckling) continue;
     const bool web = result.check.point.find("web") != std::string::npos;
     const double clear = web ? 1.212 : 0.584;
-    // The walls' own torsion adds what is above 1.
-    CHECK(result.check.acting.value() == Approx(q * clear).epsilon(0.01));
+    // The walls' own torsion, sum of s t^3/3 of I_T, takes a little.
+    CHECK(result.check.acting.value() == Approx(q * clear).epsilon(5e-4));
     plates += result.check.station.s.value() == 0.0 ? 1 : 0;
   }
   CHECK(plates == 4);
@@ -211,7 +212,6 @@ TEST_CASE("plates that are not judged by effective widths stop the verdict, with
     INFO(why);
     CHECK(of.verdict == Verdict::not_applicable);
     CHECK(has_gate(of, why));
-    CHECK(of.governing(Criterion::effective_section) == nullptr);
   };
   CHECK(verified(cantilever(slender, segment(10.0, "a"), force)).verdict == Verdict::pass);
   refused(cantilever(slender + "[[sections.a.stiffeners]]\non = \"bottom flange\"\nat = \"0 mm\"\n"
@@ -223,7 +223,8 @@ TEST_CASE("plates that are not judged by effective widths stop the verdict, with
           "above 10 deg");
   refused(cantilever(slender,
                      segment(10.0, "a") + "[[beam.holes]]\nname = \"h\"\nstation = \"5 m\"\n"
-                                          "diameter = \"100 mm\"\nthrough = \"webs\"\n",
+                                          "diameter = \"100 mm\"\nthrough = \"webs\"\nlevels = "
+                                          "[\"0 mm\"]\nconcentration = \"in-plane bending\"\n",
                      force),
           "wider than 0.05 of its plate");
 }
@@ -240,7 +241,7 @@ TEST_CASE("fatigue of plates of which less than half works is not judged", "[pla
   };
   CHECK(!has_gate(at(16.0, 10.0, 10.0), "2.2(5)"));
   // Flange 880 x 8 mm under 250 MPa: lambda_red = 110/(28.4 x 0.8136 x 2) sqrt(250/355) = 2.0.
-  CHECK(has_gate(at(8.0, 10.0, 180.0), "2.2(5)"));
+  CHECK(has_gate(at(8.0, 10.0, 260.0), "2.2(5)"));
   // Web 968 x 5 mm: sigma_E = 190e9/193.6^2 = 5.07 MPa; k_sigma of bending 23.9, so that it
   // breathes from 1.1 x 23.9 x 5.07 = 133 MPa on.
   CHECK(!has_gate(at(16.0, 5.0, 120.0), "breathes"));

@@ -81,8 +81,10 @@ TEST_CASE("a case without [fatigue] is judged for its strength only, and says so
   CHECK(said.json["not_judged"].empty());
   CHECK(said.json["governing"]["fatigue"].is_null());
   for (const CheckResult& result : said.verification.checks) {
-    const bool strength =
-        result.check.criterion == Criterion::yield || result.check.criterion == Criterion::weld;
+    const Criterion criterion = result.check.criterion;
+    const bool strength = criterion == Criterion::yield || criterion == Criterion::weld ||
+                          criterion == Criterion::effective_section ||
+                          criterion == Criterion::interaction;
     CHECK(strength);
   }
   // With [fatigue] the same beam is judged for both.
@@ -150,28 +152,26 @@ TEST_CASE("what is not checked names rods where they have no check") {
 }
 
 TEST_CASE("why a verdict is not applicable stands beside it") {
-  // Flanges of 300 mm in 4 mm: (300 - 16)/4 = 71 is above 42 eps = 34.2.
-  const std::string thin =
-      "kind = \"box\"\nwidth = \"300 mm\"\nheight = \"100 mm\"\nflange = \"4 mm\"\nweb = \"8 "
-      "mm\"\n";
+  // A shell: 300/3 = 100 is above 90 eps^2 = 59.6.
+  const std::string thin = "kind = \"round tube\"\ndiameter = \"300 mm\"\nwall = \"3 mm\"\n";
   const Said said = said_of(test::held_bar(true, thin));
   REQUIRE(said.verification.verdict == Verdict::not_applicable);
   const VerdictText text = verdict_text_of(test::held_bar(true, thin), said.verification);
   CHECK(text.line == "NOT APPLICABLE");
   REQUIRE(text.reasons.size() == 2);
   CHECK(text.reasons[1] == "fatigue: no stress range");
-  CHECK(contains(text.reasons[0], "c/t = 71"));
-  CHECK(contains(said.terminal.substr(0, said.terminal.find("use [%]")), "c/t = 71"));
-  CHECK(contains(said.text.substr(0, said.text.find("use [%]")), "c/t = 71"));
+  CHECK(contains(text.reasons[0], "c/t = 100"));
+  CHECK(contains(said.terminal.substr(0, said.terminal.find("use [%]")), "c/t = 100"));
+  CHECK(contains(said.text.substr(0, said.text.find("use [%]")), "c/t = 100"));
   const std::size_t banner = said.html.find("<strong>NOT APPLICABLE</strong>");
   REQUIRE(banner != std::string::npos);
-  CHECK(contains(said.html.substr(banner, 400), "c/t = 71"));
+  CHECK(contains(said.html.substr(banner, 400), "c/t = 100"));
   const std::size_t first_page = said.latex.find("\\begin{document}");
   REQUIRE(first_page != std::string::npos);
   const std::size_t signing = said.latex.find("\\signfield", first_page);
-  CHECK(contains(said.latex.substr(first_page, signing - first_page), "c/t = 71"));
+  CHECK(contains(said.latex.substr(first_page, signing - first_page), "c/t = 100"));
   CHECK(said.json["verdict"] == "not applicable");
-  CHECK(said.json["verdict_text"].get<std::string>().starts_with("NOT APPLICABLE: flange of"));
+  CHECK(said.json["verdict_text"].get<std::string>().starts_with("NOT APPLICABLE: round wall of"));
 }
 
 TEST_CASE("the terminal names the chosen model before its checks") {

@@ -273,9 +273,8 @@ TEST_CASE("a plate too slender for elastic stresses makes the verdict not applic
                     "fatigue.required=0.001"});
   const Verification verification = verify(project);
   CHECK(verification.verdict == Verdict::not_applicable);
-  REQUIRE_FALSE(verification.gates.empty());
-  CHECK(verification.gates[0].blocks);
-  CHECK(verification.gates[0].plate == "flange");
+  CHECK(std::any_of(verification.gates.begin(), verification.gates.end(),
+                    [](const Gate& gate) { return gate.blocks && gate.plate == "flange"; }));
 }
 
 TEST_CASE("every check has an id of its own") {

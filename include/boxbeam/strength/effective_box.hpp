@@ -111,11 +111,12 @@ struct CornerUse {
 ///
 ///     eta_1 = |N/A_eff + (M_y + N e_z)/W_y,eff + (M_z + N e_y)/W_z,eff|/f_y
 ///
-/// at the corners, W about the mid-lines of the plates (4.3(5)): each term of the section where it
-/// acts alone, M by its sign, N in tension by the gross section. e is the shift of the centroid
-/// under N alone; a shift that relieves does not count. N is taken at the gross centroid, whatever
-/// the beam axis. Where a flange and a web are of unlike strength, the flange's holds for M_y and
-/// N, the lower one where M_z acts. Source: EN 1993-1-5:2006, 4.6, equation 4.15.
+/// at the corners, W the smaller one of bending about one axis by itself and of unsymmetric
+/// bending, about the mid-lines of the plates (4.3(5)): each term of the section where it acts
+/// alone, M by its sign, N in tension by the gross section. e is the shift of the centroid under N
+/// alone; a shift that relieves does not count. N is taken at the gross centroid, whatever the beam
+/// axis. Where a flange and a web are of unlike strength, the flange's holds for M_y and N, the
+/// lower one where M_z acts. Source: EN 1993-1-5:2006, 4.6, equation 4.15.
 class EffectiveBox {
  public:
   explicit EffectiveBox(const FourWalls& box, const LagShares& lag = {}, int most_passes = 1);

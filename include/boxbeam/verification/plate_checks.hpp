@@ -23,7 +23,7 @@ struct ShearedPlate {
   std::string name;  ///< "web" where both are stressed alike
   ShearPanel panel;
   ShearResistance resists;
-  bool may_buckle = false;  ///< it is slender enough that shear buckling is to be judged
+  bool may_buckle = false;  ///< in the segment it is so slender that shear buckling is judged
   /// Its force in its plane per cut force: the shear flow of the gross section, taper and torsion
   /// included, over its clear width.
   std::array<double, cut_force::count> per_cut_force{};
@@ -44,8 +44,8 @@ struct SlenderPlates {
 /// width.
 std::string plates_obstacle(const Project& project, const Station& station);
 
-/// The plates of a station; nothing where none of them is so slender that it may buckle (c/t above
-/// 42 eps), or where they are not judged.
+/// The plates of a station; nothing where none of its segment is so slender that it may buckle (c/t
+/// above 42 eps), or where they are not judged.
 std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
                                                        const std::vector<BendingZone>& zones,
                                                        const Station& station);
@@ -55,8 +55,8 @@ Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
                            const std::vector<SituationHistory>& histories);
 
 /// The checks of a station's plates: the effective section under N, M_y and M_z together, shear
-/// buckling of each plate that may, and both together in every plate, each at the instant that is
-/// worst for it. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
+/// buckling of each plate that may, and both together in the plate that is used most by them, each
+/// at the instant that is worst for it. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
 std::vector<CheckResult> check_plates(const Project& project, const Station& station,
                                       const std::shared_ptr<const SlenderPlates>& plates,
                                       const std::vector<SituationHistory>& histories);
