@@ -134,6 +134,23 @@ Worst worst_of(const std::vector<SituationHistory>& histories, const Use& use) {
   return worst;
 }
 
+/// Whether what acts leaves a plate that does not work whole. Where none is, the yield strength is
+/// reached at the outer fibres first, which is a check of its own.
+bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
+  const auto buckles = [&](ActingAlone acting) {
+    const SectionAlone& of = box.alone(acting);
+    return std::any_of(of.walls.begin(), of.walls.end(),
+                       [](const WallAlone& wall) { return wall.pressed && wall.width.rho < 1.0; });
+  };
+  using enum ActingAlone;
+  const CornerUse worst = box.worst_corner(cut);
+  return (cut.N.value() < 0.0 && buckles(compression)) ||
+         (worst.M_y.value() != 0.0 &&
+          buckles(worst.M_y.value() > 0.0 ? M_y_positive : M_y_negative)) ||
+         (worst.M_z.value() != 0.0 &&
+          buckles(worst.M_z.value() > 0.0 ? M_z_positive : M_z_negative));
+}
+
 /// A use this small is round-off.
 constexpr double no_use = 1e-9;
 
@@ -267,11 +284,12 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     }
     results.push_back(std::move(result));
   };
-  add(Criterion::effective_section,
-      worst_of(histories, [&](const CutForces& cut) { return uses.normal(cut); }), nullptr);
+  const Worst section = worst_of(histories, [&](const CutForces& cut) { return uses.normal(cut); });
+  if (section.use > no_use &&
+      buckles_under(plates->box, section.at->history.at(section.largest.time)))
+    add(Criterion::effective_section, section, nullptr);
   Worst together;
   const ShearedPlate* in_plate = nullptr;
-  double most_shear = 0.0;
   for (const ShearedPlate& plate : plates->sheared) {
     if (plate.may_buckle) {
       add(Criterion::shear_buckling,
@@ -280,15 +298,14 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     }
     const Worst of =
         worst_of(histories, [&](const CutForces& cut) { return uses.together(plate, cut); });
-    const double shear = PlateUses::shear(plate, of.at->history.at(of.largest.time));
-    // Where shear is small all plates are alike: the one that has most of it is named.
-    constexpr double same = 1e-9;
-    if (in_plate != nullptr && (of.use < (1.0 - same) * together.use ||
-                                (of.use <= (1.0 + same) * together.use && shear <= most_shear)))
-      continue;
+    const CutForces cut = of.at->history.at(of.largest.time);
+    const double normal = uses.normal(cut), shear = PlateUses::shear(plate, cut);
+    // Up to half of the resistance to shear it says what the effective section says, without
+    // normal stress what shear buckling says.
+    const bool alone = 2.0 * shear <= normal || (plate.may_buckle && normal <= no_use);
+    if (alone || (in_plate != nullptr && of.use <= together.use)) continue;
     together = of;
     in_plate = &plate;
-    most_shear = shear;
   }
   if (in_plate != nullptr) add(Criterion::interaction, together, in_plate);
   return results;

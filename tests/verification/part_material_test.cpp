@@ -218,7 +218,7 @@ web = "3.5 mm"
                ? 0.0
                : check->plates->plates->box.box().of(BoxPlate::left_web).class_strength.value();
   };
-  CHECK(strength_in(s235) == 235e6);
+  CHECK(strength_in(s235) == 0.0);  // all of the web works
   CHECK(strength_in(s235 + part("S460N", "plates = [\"top flange\", \"bottom flange\"]")) == 460e6);
 }
 
