@@ -200,16 +200,6 @@ ElasticMotion::ElasticMotion(RigidMotion rigid, ElasticBody elastic, std::size_t
         "bodies all the same");
   }
   const Eigen::Index stride = stride_of(motion.states.size(), modes);
-  // Sixteen instants or more hold a wave of the loads: with a sixteenth of them it is not seen.
-  constexpr Eigen::Index widest = 8;
-  if (stride > widest) {
-    refuse(fmt::format(
-        "the motion has {} instants, and the beam's vibration can be computed at {} of them: loads "
-        "that swing so often in one period are not resolved; verify a slower force apart from a "
-        "faster one, ask for fewer instants, or use --model rigid to have the loads of rigid "
-        "bodies",
-        motion.states.size(), static_cast<Eigen::Index>(motion.states.size()) / stride));
-  }
   const Eigen::Index n = static_cast<Eigen::Index>(motion.states.size()) / stride;
   const auto k = static_cast<Eigen::Index>(modes);
   const planar::State& first = motion.states.front();
@@ -317,6 +307,16 @@ BeamLoads ElasticMotion::loads_at(Time time) const {
 LoadsAt elastic_loads_of(const Project& project, const planar::Mechanism& mechanism,
                          const planar::Motion& motion, const ElasticModel& model, LoadsAt rigid) {
   if (model.level == ModelLevel::rigid) return rigid;
+  // In each of them the bent beam is solved; and of a wave of the loads, which sixteen of them
+  // hold, the collocation sees too few where it must leave out most.
+  constexpr std::size_t most_instants = 4096;
+  if (motion.states.size() > most_instants) {
+    refuse(fmt::format(
+        "the motion has {} instants, in each of which the beam would be bent, and {} are the most: "
+        "loads that swing so often in one period are not resolved; verify a faster force by "
+        "itself, ask for fewer instants, or use --model rigid to have the loads of rigid bodies",
+        motion.states.size(), most_instants));
+  }
   const RigidMotion bodies{&mechanism, &motion, &project.beam, std::move(rigid)};
   const ElasticBody elastic = elastic_body_of(project, model.parts);
   if (model.level == ModelLevel::quasi_static) return bent_statically(bodies, elastic);

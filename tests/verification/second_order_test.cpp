@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -126,6 +127,31 @@ TEST_CASE("a rod that buckles across the plane of motion does not pass", "[secon
   CHECK(verification.model.second_order.in_plane.part < 1.0);
   CHECK(verification.verdict != Verdict::pass);
   CHECK(blocked(verification, "across it"));
+}
+
+TEST_CASE("a beam is not bent at more instants than can be looked at", "[second_order]") {
+  // A thousand turns in the second that is looked at, sixteen instants each.
+  const std::string text =
+      "[case]\nname = \"fast\"\nkind = \"planar\"\n[model]\nloads = \"measured\"\n"
+      "damping = \"1 ms\"\n[motion]\nduration = \"1 s\"\n"
+      "[bodies.lever]\npoints = { C = [\"0 m\", \"0 m\"], D = [\"0.3 m\", \"0 m\"] }\n"
+      "sketch = { at = [\"0 m\", \"0 m\"] }\n"
+      "[joints.C]\nkind = \"pin\"\nconnect = [\"lever.C\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n"
+      "[drivers.motor]\npoint = \"lever.C\"\ncoordinate = \"angle\"\nkind = \"constant rate\"\n"
+      "start = \"0 deg\"\nrate = \"60000 rpm\"\n"
+      "[sections.box]\nkind = \"box\"\nwidth = \"80 mm\"\nheight = \"100 mm\"\n"
+      "flange = \"6 mm\"\nweb = \"6 mm\"\n"
+      "[beam]\nbody = \"lever\"\ndensity = \"7850 kg/m^3\"\n"
+      "[[beam.segments]]\nlength = \"0.3 m\"\nsection = \"box\"\n"
+      "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n";
+  Project project = parse_project("fast.toml", text);
+  project.model.demand = ModelDemand::flexible;
+  try {
+    static_cast<void>(verify(project));
+    FAIL("no error");
+  } catch (const AnalysisError& error) {
+    CHECK(error.failure().what.find("16000 instants") != std::string::npos);
+  }
 }
 
 }  // namespace second_order_test
