@@ -132,7 +132,8 @@ TEST_CASE("a rod that buckles across the plane of motion does not pass", "[secon
 TEST_CASE("a beam is not bent at more instants than can be looked at", "[second_order]") {
   // A thousand turns in the second that is looked at, sixteen instants each.
   const std::string text =
-      "[case]\nname = \"fast\"\nkind = \"planar\"\n[model]\nloads = \"measured\"\n"
+      "[case]\nname = \"fast\"\nkind = \"planar\"\n[mechanism]\ngravity = [\"0 m/s^2\", \"-9.81 "
+      "m/s^2\"]\n[model]\nloads = \"measured\"\n"
       "damping = \"1 ms\"\n[motion]\nduration = \"1 s\"\n"
       "[bodies.lever]\npoints = { C = [\"0 m\", \"0 m\"], D = [\"0.3 m\", \"0 m\"] }\n"
       "sketch = { at = [\"0 m\", \"0 m\"] }\n"
