@@ -50,8 +50,8 @@ ShearSteps derive_shear(Derivation& steps, const Project& project, const Check& 
   // The sum of shear flows that cancel each other leaves round-off.
   const Force sum = abs(plate.force_of(basis.cut));
   const Force acting = sum < 1e-9 * plate.resists.resistance ? Force{} : sum;
-  const Traced V = steps.given("V_w", acting,
-                               "the shear flow of the section over the clear width of the plate");
+  const Traced V =
+      steps.given("V_w", acting, "the shear flow of the section over the clear width of the plate");
   steps.note([&] { return plate.name; });
   steps.note([&] { return instant_of(check); });
   steps.given("h_w", plate.panel.depth);

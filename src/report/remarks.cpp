@@ -81,9 +81,9 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
 }
 
 void add_slender_plates(const Verification& verification, std::vector<std::string>& remarks) {
-  const bool judged = std::any_of(
-      verification.checks.begin(), verification.checks.end(),
-      [](const CheckResult& result) { return result.plates.has_value(); });
+  const bool judged =
+      std::any_of(verification.checks.begin(), verification.checks.end(),
+                  [](const CheckResult& result) { return result.plates.has_value(); });
   if (!judged) return;
   remarks.push_back(
       "plates with c/t above 42 eps are judged by effective widths under N, M_y and M_z, each by "

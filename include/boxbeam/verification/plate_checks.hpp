@@ -54,10 +54,10 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
 Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
                            const std::vector<SituationHistory>& histories);
 
-/// The checks of a station's plates, each at the instant that is worst for it: the effective section
-/// under N, M_y and M_z together, where what acts leaves a plate that does not work whole; shear
-/// buckling of each plate that may; both together in the plate that is used most by them, where that
-/// is more than either alone. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
+/// The checks of a station's plates, each at the instant that is worst for it: the effective
+/// section under N, M_y and M_z together, where what acts leaves a plate that does not work whole;
+/// shear buckling of each plate that may; both together in the plate that is used most by them,
+/// where that is more than either alone. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
 std::vector<CheckResult> check_plates(const Project& project, const Station& station,
                                       const std::shared_ptr<const SlenderPlates>& plates,
                                       const std::vector<SituationHistory>& histories);
