@@ -240,9 +240,17 @@ Entry section_entry(CLI::App& app) {
       ->type_name("TEXT");
   command.add_option("--steel", options->steel, "for the plates (default: S355)")
       ->type_name("NAME");
+  command
+      .add_option("--forces", options->forces,
+                  "cut forces under which the plates of boxes and rectangular tubes are judged, "
+                  "\"N = -600 kN, M_y = 1500 kN m\"; of N, V_y, V_z, T, M_y, M_z")
+      ->type_name("TEXT");
   add_json(command, options->json, "properties", "the text");
-  return {
-      &command, {"boxbeam section \"RHS 200x100x8\""}, [options] { return run_section(*options); }};
+  return {&command,
+          {"boxbeam section \"RHS 200x100x8\"",
+           "boxbeam section \"box 600x1224 flange 12 web 8\" --forces \"N = -600 kN, M_y = 1500 kN "
+           "m\""},
+          [options] { return run_section(*options); }};
 }
 
 Entry fatigue_entry(CLI::App& app) {

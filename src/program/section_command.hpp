@@ -8,6 +8,7 @@ namespace boxbeam::program {
 struct SectionOptions {
   std::vector<std::string> profiles;
   std::string steel = "S355";
+  std::string forces;  ///< "N = -600 kN, M_y = 1500 kN m"
   std::string json;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "boxbeam/report/format.hpp"
@@ -21,9 +22,103 @@ std::string place(const SectionPlace& at) {
   return fmt::format("y {:.6g} mm, z {:.6g} mm", mm(at.y), mm(at.z));
 }
 
-}  // namespace
-
+using report::Field;
 using report::Fields;
+
+void put_shear(Fields& to, const Field& field, const SectionUnderForces* under, bool webs) {
+  std::vector<PlateUnderForces> plates;
+  if (under != nullptr) {
+    for (const PlateUnderForces& plate : under->plates) {
+      if (plate.web == webs) plates.push_back(plate);
+    }
+  }
+  to.list(field, "{plate}", plates, [](Fields& of, const PlateUnderForces& plate) {
+    of.text("plate", plate.sheared.name);
+    of.number({"V_b_Rd", "of a panel without diaphragms, without the flanges' part"}, "N",
+              plate.sheared.resists.resistance.value());
+    of.number({"chi", "chi_w"}, "1", plate.sheared.resists.chi_w);
+    of.number("utilisation", "1", plate.shear_use);
+  });
+}
+
+/// What forces do to the plates; all of it is absent without them.
+void put_under(Fields& to, const SectionUnderForces* under) {
+  const auto value = [&](const auto& of) { return [&] { return of(*under); }; };
+  to.optional().whole({"class", "1 to 4, by the stress that is there; absent without forces"},
+                      value([](const SectionUnderForces& of) { return of.section_class; }));
+  to.optional().object({"effective", "EN 1993-1-5, 4; absent without forces"}, [&](Fields& of) {
+    of.number("A", "m^2", value([](const SectionUnderForces& u) {
+                return u.box.alone(ActingAlone::compression).sums.area;
+              }));
+    of.number({"e_z", "shift of the centroid under N alone"}, "m",
+              value([](const SectionUnderForces& u) { return u.box.shift_z().value(); }));
+    of.number("e_y", "m",
+              value([](const SectionUnderForces& u) { return u.box.shift_y().value(); }));
+    of.number({"W_y", "at the corner that is used most, signed"}, "m^3",
+              value([](const SectionUnderForces& u) { return u.corner.W_y.value(); }));
+    of.number("W_z", "m^3",
+              value([](const SectionUnderForces& u) { return u.corner.W_z.value(); }));
+    of.number("utilisation", "1", value([](const SectionUnderForces& u) { return u.corner.use; }));
+  });
+  to.optional().object({"shear", "EN 1993-1-5, 5; absent without forces"}, [&](Fields& of) {
+    put_shear(of, "webs", under, true);
+    put_shear(of, "flanges", under, false);
+  });
+  to.optional().object({"interaction", "7.1(5); absent without forces"}, [&](Fields& of) {
+    of.number("utilisation", "1",
+              value([](const SectionUnderForces& u) { return u.interaction_use; }));
+  });
+  to.optional().object(
+      {"reduced_stress", "clause 10, the plate that is used most; absent without forces"},
+      [&](Fields& of) {
+        of.text("plate",
+                value([](const SectionUnderForces& u) { return u.reduced->sheared.name; }));
+        const auto finite = [&](double ReducedStress::*which) -> std::optional<double> {
+          if (under == nullptr) return std::nullopt;
+          const double of_plate = under->reduced->reduced.*which;
+          return std::isfinite(of_plate) ? std::optional(of_plate) : std::nullopt;
+        };
+        of.number_or_null({"alpha_ult", "null where nothing acts"}, "1",
+                          finite(&ReducedStress::alpha_ult));
+        of.number_or_null({"alpha_cr", "null where nothing can buckle"}, "1",
+                          finite(&ReducedStress::alpha_cr));
+        of.number("utilisation", "1",
+                  value([](const SectionUnderForces& u) { return u.reduced->reduced.use; }));
+      });
+}
+
+std::string under_text(const SectionUnderForces& under) {
+  const EffectiveBox& box = under.box;
+  const CornerUse& corner = under.corner;
+  std::string out =
+      "\n" + layout::entry("class", fmt::format("{} under these forces", under.section_class));
+  out += layout::entry(
+      "effective",
+      fmt::format("A_eff {}, centroid shifted by e_z {}, e_y {} (N alone); W_y,eff {}, W_z,eff {}",
+                  in(box.alone(ActingAlone::compression).sums.area, 1e6, "mm^2"),
+                  in(box.shift_z().value(), 1e3, "mm"), in(box.shift_y().value(), 1e3, "mm"),
+                  in(std::abs(corner.W_y.value()), 1e9, "mm^3"),
+                  in(std::abs(corner.W_z.value()), 1e9, "mm^3")));
+  layout::Table table({"check", "plate", "resistance", "use [%]", "EN 1993-1-5"});
+  const auto percent = [](double use) { return text::significant(100.0 * use, 3); };
+  table.row({"effective section",
+             fmt::format("{} at {}", to_text(corner.corner.flange), to_text(corner.corner.web)),
+             text::MPa(corner.yield_strength.value()), percent(corner.use), "4.6"});
+  for (const PlateUnderForces& plate : under.plates) {
+    table.row({"shear buckling", plate.sheared.name,
+               text::amount(plate.sheared.resists.resistance.value(), "N"),
+               percent(plate.shear_use), "5.2"});
+  }
+  table.row({"interaction", "", "", percent(under.interaction_use), "7.1(5)"});
+  table.row({"reduced stress", under.reduced->sheared.name, "", percent(under.reduced->reduced.use),
+             "10"});
+  return out + "\n" + table.text() +
+         "  partial factors 1; panels without diaphragms, end posts not rigid. Two routes: "
+         "effective widths with\n"
+         "  interaction, or reduced stress, which lets nothing yield elsewhere\n";
+}
+
+}  // namespace
 
 void report::put_section_summary(Fields& to, const SectionSummary& summary) {
   const SectionProperties& p = summary.properties;
@@ -61,6 +156,7 @@ void report::put_section_summary(Fields& to, const SectionSummary& summary) {
     const double limits[] = {plate.limits.class_1, plate.limits.class_2, plate.limits.class_3};
     of.numbers("limits", "1", limits, {"class_1", "class_2", "class_3"});
   });
+  if (to.is_describing() || summary.under) put_under(to, summary.under.get());
 }
 
 std::string section_text(const SectionSummary& summary) {
@@ -95,6 +191,7 @@ std::string section_text(const SectionSummary& summary) {
         "source", summary.section.source + (summary.section.unconfirmed ? " (not confirmed)" : ""));
   }
   if (summary.plates.empty()) return out;
+  const std::string under = summary.under ? under_text(*summary.under) : "";
   layout::Table table({"plate", "c/t", "class", "class 1 up to", "2", "3"});
   for (const SlenderPlate& plate : summary.plates) {
     table.row({plate.plate, text::significant(plate.ratio, 4),
@@ -105,7 +202,8 @@ std::string section_text(const SectionSummary& summary) {
   }
   return out + "\n" + table.text() +
          fmt::format("  {}, EN 1993-1-1:2005, table 5.2: flanges compressed, webs bent\n",
-                     summary.steel);
+                     summary.steel) +
+         under;
 }
 
 std::string section_json(const std::vector<SectionSummary>& summaries) {

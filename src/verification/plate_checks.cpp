@@ -76,14 +76,13 @@ bool is_web(BoxPlate plate) { return plate == BoxPlate::left_web || plate == Box
 
 /// A plate with the part of the shear flow that it carries: mean of the flow along it, which is a
 /// parabola, by Simpson's rule.
-ShearedPlate sheared_plate(const Project& project, const StressField& field,
-                           const WallStretch& stretch, const BoxWall& wall, BoxPlate plate,
-                           bool alike) {
+ShearedPlate sheared_plate(double gamma_M1, const StressField& field, const WallStretch& stretch,
+                           const BoxWall& wall, BoxPlate plate, bool alike) {
   ShearedPlate of;
   of.plate = plate;
   of.name = alike && is_web(plate) ? "web" : to_text(plate);
   of.panel = {wall.clear(), wall.thickness, wall.yield_strength, {}, false};
-  of.resists = shear_resistance_of(of.panel, project.strength.gamma_M1);
+  of.resists = shear_resistance_of(of.panel, gamma_M1);
   const Area area = wall.clear() * wall.thickness;
   for (const auto& [part, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
     const SectionPoint point = point_on_stretch(field, stretch, part);
@@ -166,6 +165,20 @@ Force ShearedPlate::force_of(const CutForces& cut) const {
   return si<Force>(force);
 }
 
+std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWalls& walls,
+                                            const Taper& taper, bool in_plane, double gamma_M1) {
+  const StressField field = stress_field_of(section, {}, taper);
+  const bool alike = in_plane && is_mirrored(field);
+  std::vector<ShearedPlate> plates;
+  for (const WallStretch& stretch : wall_stretches_of(field)) {
+    if (stretch.solid || stretch.round || !field.flow) continue;
+    const auto plate = plate_of(field.flow->at.graph.walls[stretch.wall].part);
+    if (!plate || (alike && *plate == BoxPlate::right_web)) continue;
+    plates.push_back(sheared_plate(gamma_M1, field, stretch, walls.of(*plate), *plate, alike));
+  }
+  return plates;
+}
+
 std::string plates_obstacle(const Project& project, const Station& station) {
   const Section section = judged_section_at(project, station);
   const std::size_t index = segment_at(project.beam, station);
@@ -209,17 +222,12 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
   };
   const LagShares lag{share(lags.flanges), share(lags.webs)};
   auto plates = std::make_shared<SlenderPlates>(SlenderPlates{EffectiveBox(*walls, lag), lag, {}});
-  const StressField field = stress_field_of(section, {}, taper_at(project.beam, station));
-  const bool alike = !project.in_space && is_mirrored(field);
-  for (const WallStretch& stretch : wall_stretches_of(field)) {
-    if (stretch.solid || stretch.round || !field.flow) continue;
-    const auto plate = plate_of(field.flow->at.graph.walls[stretch.wall].part);
-    if (!plate || (alike && *plate == BoxPlate::right_web)) continue;
-    plates->sheared.push_back(
-        sheared_plate(project, field, stretch, walls->of(*plate), *plate, alike));
-    plates->sheared.back().may_buckle =
-        std::any_of(ends.begin(), ends.end(),
-                    [&](const FourWalls& of) { return may_buckle_in_shear(of.of(*plate)); });
+  plates->sheared = sheared_plates_of(section, *walls, taper_at(project.beam, station),
+                                      !project.in_space, project.strength.gamma_M1);
+  for (ShearedPlate& plate : plates->sheared) {
+    plate.may_buckle = std::any_of(ends.begin(), ends.end(), [&](const FourWalls& of) {
+      return may_buckle_in_shear(of.of(plate.plate));
+    });
   }
   return plates;
 }

@@ -1,6 +1,8 @@
 // The command "section" as a user runs it.
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "catch.hpp"
 #include "support/program.hpp"
@@ -43,6 +45,56 @@ TEST_CASE("section: several profiles give a list, a table each") {
   const test::ProgramResult text = test::run_program({"section", "SHS", "100x5"});
   CHECK(text.exit_code == 0);
   CHECK(text.out.find("class 1 up to") != std::string::npos);
+}
+
+TEST_CASE("section under forces: effective section and plates by hand") {
+  // 600 x 1224 mm, flanges 12, webs 8 mm of S355 (hand calculation in sections/slender-boom).
+  const test::ProgramResult result =
+      test::run_program({"section", "box 600x1224 flange 12 web 8", "--forces",
+                         "N = -863.4 kN, M_y = 1890 kN m, V_z = 400 kN", "--json", "-"});
+  REQUIRE(result.exit_code == 0);
+  const Json json = Json::parse(result.out);
+  CHECK(json["class"] == 4);
+  CHECK(json["effective"]["A"].get<double>() == Approx(16427e-6).epsilon(1e-4));
+  CHECK(json["effective"]["e_z"] == 0.0);
+  CHECK(json["effective"]["W_y"].get<double>() == Approx(-9.354e-3).epsilon(1e-3));
+  CHECK(json["effective"]["utilisation"].get<double>() == Approx(254.7 / 355.0).epsilon(1e-3));
+  REQUIRE(json["shear"]["webs"].size() == 2);
+  // chi_w = 0.83/(150/(86.4 eps)) of an endless panel.
+  const double chi = 0.83 / (150.0 / (86.4 * std::sqrt(235.0 / 355.0)));
+  CHECK(json["shear"]["webs"][0]["chi"].get<double>() == Approx(chi).epsilon(1e-3));
+  const double V = chi * 355e6 * 1.2 * 0.008 / std::sqrt(3.0);
+  CHECK(json["shear"]["webs"][0]["V_b_Rd"].get<double>() == Approx(V).epsilon(1e-3));
+  CHECK(json["shear"]["webs"][1]["utilisation"].get<double>() == Approx(200e3 / V).epsilon(0.03));
+  CHECK(json["interaction"]["utilisation"].get<double>() >=
+        json["effective"]["utilisation"].get<double>());
+  CHECK(json["reduced_stress"]["utilisation"].get<double>() >
+        json["effective"]["utilisation"].get<double>());
+  const test::ProgramResult text = test::run_program(
+      {"section", "box 600x1224 flange 12 web 8", "--forces", "N = -863.4 kN, M_y = 1890 kN m"});
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.find("effective section") != std::string::npos);
+  CHECK(text.out.find("71.7") != std::string::npos);
+}
+
+TEST_CASE("section under forces: what is wrong is said") {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"N", "is not a name, =, and a value"}, {"N = 3", "N is a force"},
+      {"M = 3 kN m", "no cut force \"M\""},   {"M_y = 3 kN", "M_y is a moment"},
+      {"N = 1 kN, N = 2 kN", "stands twice"}, {"N = 1 kN,", "is not a name"},
+      {"T = nan kN m", "T is a moment"}};
+  for (const auto& [forces, words] : wrong) {
+    const test::ProgramResult result =
+        test::run_program({"section", "SHS 100x5", "--forces", forces});
+    INFO(forces << "\n" << result.err);
+    CHECK(result.exit_code == 2);
+    CHECK(result.err.find(words) != std::string::npos);
+    CHECK(result.err.find("hint: ") != std::string::npos);
+  }
+  const test::ProgramResult round =
+      test::run_program({"section", "CHS 168.3x8", "--forces", "N = 1 kN"});
+  CHECK(round.exit_code == 2);
+  CHECK(round.err.find("boxes without stiffeners") != std::string::npos);
 }
 
 TEST_CASE("section: wrong words are exit code 2 with a hint") {

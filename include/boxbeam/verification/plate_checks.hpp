@@ -31,6 +31,11 @@ struct ShearedPlate {
   Force force_of(const CutForces& cut) const;
 };
 
+/// The plates of a section in shear, in the order of its flow; of webs that are stressed alike the
+/// left one, for both. `may_buckle` is left open.
+std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWalls& walls,
+                                            const Taper& taper, bool in_plane, double gamma_M1);
+
 /// The four plates of a section at a station, as far as one of them may buckle before it yields.
 struct SlenderPlates {
   EffectiveBox box;
