@@ -375,7 +375,7 @@ Traced derive_corner_stress(Derivation& steps, const EffectiveBox& box, const Cu
                                pressed ? "gross less what is idle" : "tension: gross");
   const auto moment = [&](const char* symbol, const char* of, const char* arm, Moment acting,
                           Length lever, bool shifted) {
-    const Traced M = steps.given(of, acting);
+    Traced M = steps.given(of, acting);
     if (lever.value() == 0.0) return M;
     const Traced e = steps.given(arm, lever,
                                  shifted ? "from the beam axis to the centroid under N alone"
