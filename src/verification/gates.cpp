@@ -297,17 +297,15 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
       const std::string stress = fmt::format(
           "; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
           member_buckles_ ? "; the member is verified for buckling (5.5.2(10))" : " (5.5.2(9))");
+      const std::string widths =
+          effective ? fmt::format(
+                          ", rho = {:.3g} of its compressed width is effective at yield "
+                          "(EN 1993-1-5, 4.4)",
+                          effective->rho)
+                    : "";
       add("class",
           {segment, web.name,
-           class_4_text(ratio, worst.limit,
-                        stress +
-                            (effective ? fmt::format(", rho = {:.3g} of its compressed "
-                                                     "width is effective at yield (EN "
-                                                     "1993-1-5, 4.4)",
-                                                     effective->rho)
-                                       : "") +
-                            why_not),
-           true},
+           class_4_text(ratio, worst.limit, fmt::format("{}{}{}", stress, widths, why_not)), true},
           ratio / worst.limit);
     }
     const ShearBucklingNeed need =

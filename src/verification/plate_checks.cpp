@@ -116,19 +116,18 @@ class PlateUses {
 
 /// Where a use is largest.
 struct Worst {
-  const SituationHistory* at = nullptr;
+  const SituationHistory* at;
   TurningPoint largest;  ///< without load factor
   double use = 0.0;      ///< with it
 };
 
 template <class Use>
 Worst worst_of(const std::vector<SituationHistory>& histories, const Use& use) {
-  Worst worst;
+  Worst worst{&histories.front(), {}, 0.0};
   for (const SituationHistory& at : histories) {
     const TurningPoint in = at.history.largest(use);
     const double with_factor = at.situation->load_factor * in.value;
-    if (worst.at != nullptr && with_factor <= worst.use) continue;
-    worst = {&at, in, with_factor};
+    if (with_factor > worst.use) worst = {&at, in, with_factor};
   }
   return worst;
 }
@@ -296,7 +295,7 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
   if (section.use > no_use &&
       buckles_under(plates->box, section.at->history.at(section.largest.time)))
     add(Criterion::effective_section, section, nullptr);
-  Worst together;
+  Worst together{&histories.front(), {}, 0.0};
   const ShearedPlate* in_plate = nullptr;
   for (const ShearedPlate& plate : plates->sheared) {
     if (plate.may_buckle) {
@@ -306,6 +305,7 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     }
     const Worst of =
         worst_of(histories, [&](const CutForces& cut) { return uses.together(plate, cut); });
+    if (!(of.use > no_use)) continue;
     const CutForces cut = of.at->history.at(of.largest.time);
     const double normal = uses.normal(cut), shear = PlateUses::shear(plate, cut);
     // Up to half of the resistance to shear it says what the effective section says, without
