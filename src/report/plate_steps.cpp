@@ -48,10 +48,12 @@ ShearSteps derive_shear(Derivation& steps, const Project& project, const Check& 
                         const PlateBasis& basis) {
   const ShearedPlate& plate = *basis.plate;
   // The sum of shear flows that cancel each other leaves round-off.
-  const Force sum = abs(plate.force_of(basis.cut));
+  const Force sum = plate.force_of(basis.cut);
   const Force acting = sum < 1e-9 * plate.resists.resistance ? Force{} : sum;
   const Traced V =
       steps.given("V_w", acting, "the shear flow of the section over the clear width of the plate");
+  if (plate.plate == BoxPlate::top_flange || plate.plate == BoxPlate::bottom_flange)
+    steps.note([] { return "of at least half of its largest shear stress, 7.1(5)"; });
   steps.note([&] { return plate.name; });
   steps.note([&] { return instant_of(check); });
   steps.given("h_w", plate.panel.depth);

@@ -89,7 +89,8 @@ void add_slender_plates(const Verification& verification, std::vector<std::strin
       "plates with c/t above 42 eps are judged by effective widths under N, M_y and M_z, each by "
       "the section where it acts alone (EN 1993-1-5, clause 4, one pass), and in shear (clause 5) "
       "as panels as long as the beam with end posts that are not rigid, without the flanges' part: "
-      "diaphragms are not known and would only help");
+      "diaphragms are not known and would only help; what forces do to webs that they are led into "
+      "beside a diaphragm (clause 6) is not checked");
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {

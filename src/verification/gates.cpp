@@ -351,8 +351,7 @@ void PlateGates::look_at_fatigue(const std::string& segment, const SlenderPlates
         if (!stress) continue;
         least = std::min(least, working_share(wall, *stress, factor * stress->most));
         if (!repeats || ratio <= never_breathes) continue;
-        const double shear =
-            (abs(sheared->force_of(cut)) / (wall.clear() * wall.thickness)).value();
+        const double shear = (sheared->force_of(cut) / (wall.clear() * wall.thickness)).value();
         most_breathing = std::max(most_breathing, breathing_of(ratio, *stress, shear));
       }
     }

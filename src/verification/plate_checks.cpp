@@ -74,8 +74,7 @@ std::optional<BoxPlate> plate_of(WallPart part) {
 
 bool is_web(BoxPlate plate) { return plate == BoxPlate::left_web || plate == BoxPlate::right_web; }
 
-/// A plate with the part of the shear flow that it carries: mean of the flow along it, which is a
-/// parabola, by Simpson's rule.
+/// A plate with the part of the shear flow that it carries.
 ShearedPlate sheared_plate(double gamma_M1, const StressField& field, const WallStretch& stretch,
                            const BoxWall& wall, BoxPlate plate, bool alike) {
   ShearedPlate of;
@@ -83,14 +82,11 @@ ShearedPlate sheared_plate(double gamma_M1, const StressField& field, const Wall
   of.name = alike && is_web(plate) ? "web" : to_text(plate);
   of.panel = {wall.clear(), wall.thickness, wall.yield_strength, {}, false};
   of.resists = shear_resistance_of(of.panel, gamma_M1);
-  const Area area = wall.clear() * wall.thickness;
-  for (const auto& [part, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
-    const SectionPoint point = point_on_stretch(field, stretch, part);
-    for (std::size_t k = 0; k < cut_force::count; ++k)
-      of.per_cut_force[k] += weight / 6.0 * area.value() * point.influence.shear[k];
+  for (std::size_t i = 0; i < of.per_cut_force.size(); ++i) {
+    const SectionPoint point = point_on_stretch(field, stretch, 0.5 * static_cast<double>(i));
+    of.per_cut_force[i] = point.influence.shear;
     // The wall's own torsion turns round over its thickness.
-    if (point.torsion)
-      of.per_cut_force[cut_force::T] -= weight / 6.0 * area.value() * point.torsion->face;
+    if (point.torsion) of.per_cut_force[i][cut_force::T] -= point.torsion->face;
   }
   return of;
 }
@@ -103,7 +99,7 @@ class PlateUses {
 
   double normal(const CutForces& cut) const { return gamma_M0_ * plates_->box.use(cut); }
   static double shear(const ShearedPlate& plate, const CutForces& cut) {
-    return abs(plate.force_of(cut)) / plate.resists.resistance;
+    return plate.force_of(cut) / plate.resists.resistance;
   }
   double together(const ShearedPlate& plate, const CutForces& cut) const {
     return 1.0 / interaction_factor(normal(cut), shear(plate, cut));
@@ -155,13 +151,20 @@ constexpr double no_use = 1e-9;
 }  // namespace
 
 Force ShearedPlate::force_of(const CutForces& cut) const {
-  double force = 0.0;
-  for (std::size_t k = 0; k < cut_force::count; ++k) {
-    const double acting = value_of(cut, static_cast<cut_force::Index>(k));
-    // What is not known counts only where it acts.
-    if (acting != 0.0) force += per_cut_force[k] * acting;
+  std::array<double, 3> stress{};
+  for (std::size_t i = 0; i < stress.size(); ++i) {
+    for (std::size_t k = 0; k < cut_force::count; ++k) {
+      const double acting = value_of(cut, static_cast<cut_force::Index>(k));
+      // What is not known counts only where it acts.
+      if (acting != 0.0) stress[i] += per_cut_force[i][k] * acting;
+    }
   }
-  return si<Force>(force);
+  // Simpson's rule is exact for a parabola.
+  double mean = std::abs(stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
+  if (!is_web(plate)) {
+    for (const double at : stress) mean = std::max(mean, 0.5 * std::abs(at));
+  }
+  return si<Stress>(mean) * (panel.depth * panel.thickness);
 }
 
 std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWalls& walls,

@@ -57,7 +57,7 @@ SectionUnderForces section_under(const Section& section, const Material& steel,
     const BoxWall& wall = walls->of(sheared.plate);
     const PlateStress stress = stress_of(*walls, sheared.plate, forces);
     of.section_class = std::max(of.section_class, class_of(wall, stress));
-    const Force V = abs(sheared.force_of(forces));
+    const Force V = sheared.force_of(forces);
     PlateUnderForces& plate = of.plates.emplace_back();
     plate.sheared = sheared;
     plate.web = sheared.plate == BoxPlate::left_web || sheared.plate == BoxPlate::right_web;

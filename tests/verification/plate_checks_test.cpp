@@ -162,6 +162,30 @@ TEST_CASE("torsion puts shear into all four plates: q = T/(2 A_m)", "[plates]") 
   CHECK(plates == 4);
 }
 
+TEST_CASE("a flange under V counts with half of its largest shear stress", "[plates]") {
+  // Under V_z its halves balance: the flow at a web is V b/2 (z t)/I, by Zhuravsky.
+  const double V = 300e3;
+  const Project project = parse_project(
+      "slender.toml",
+      cantilever(box("a", 900.0, 600.0, 8.0, 12.0), segment(4.0, "a"), tip(4.0, -1e-3 * V)));
+  const auto runs = run_situations(project);
+  const Station root{Length{}, Side::behind};
+  const auto plates = slender_plates_at(project, bending_zones_of(project, runs), root);
+  REQUIRE(plates != nullptr);
+  const double I = (0.9 * std::pow(0.6, 3) - 0.876 * std::pow(0.584, 3)) / 12.0;
+  const double largest = V * 0.296 * 0.438 / I;
+  int flanges = 0;
+  for (const ShearedPlate& plate : plates->sheared) {
+    if (plate.name.find("flange") == std::string::npos) continue;
+    CutForces cut{};
+    cut.V_z = si<Force>(V);
+    CHECK((plate.force_of(cut) / (plate.panel.depth * plate.panel.thickness)).value() ==
+          Approx(0.5 * largest).epsilon(0.01));
+    ++flanges;
+  }
+  CHECK(flanges == 2);
+}
+
 TEST_CASE("no place between the stations is used more than what is reported", "[plates]") {
   std::mt19937 random(5);
   const auto in = [&](double low, double high) {

@@ -24,10 +24,12 @@ struct ShearedPlate {
   ShearPanel panel;
   ShearResistance resists;
   bool may_buckle = false;  ///< in the segment it is so slender that shear buckling is judged
-  /// Its force in its plane per cut force: the shear flow of the gross section, taper and torsion
-  /// included, over its clear width.
-  std::array<double, cut_force::count> per_cut_force{};
+  /// Shear stress per cut force at both ends and in the middle of its clear width, between which it
+  /// is a parabola: of the gross section, taper and torsion included [1/m^2, 1/m^3].
+  std::array<std::array<double, cut_force::count>, 3> per_cut_force{};
 
+  /// The size of its force in its plane, over its clear width. Of a flange that of at least half of
+  /// its largest stress, EN 1993-1-5, 7.1(5): under V_z both halves of it balance each other.
   Force force_of(const CutForces& cut) const;
 };
 
