@@ -216,6 +216,9 @@ EffectiveBox::EffectiveBox(const FourWalls& box, const LagShares& lag, int most_
   centroid_z_ = exact(gross.z / gross.area);
   shift_y_ = exact(compressed.y / compressed.area - gross.y / gross.area);
   shift_z_ = exact(compressed.z / compressed.area - gross.z / gross.area);
+  least_strength_ = box.walls.front().yield_strength;
+  for (const BoxWall& wall : box.walls)
+    least_strength_ = std::min(least_strength_, wall.yield_strength);
   std::size_t at = 0;
   for (const BoxPlate flange : {BoxPlate::top_flange, BoxPlate::bottom_flange}) {
     for (const BoxPlate web : {BoxPlate::left_web, BoxPlate::right_web}) {
@@ -250,14 +253,16 @@ CornerUse EffectiveBox::use_of(const Corner& corner, const CutForces& cut, Shift
   of.arm_y = centroid_y_ + (shifts.along_y ? shift_y_ : Length{});
   const double M_y = plate::shifted_moment(cut.M_y.value(), N, of.arm_z.value());
   const double M_z = plate::shifted_moment(cut.M_z.value(), N, -of.arm_y.value());
-  of.area = si<Area>(corner.areas[N < 0.0 ? 1 : 0]);
+  of.area = si<Area>(corner.areas[N < 0.0 && !shifts.whole_area ? 1 : 0]);
   of.W_y = si<SectionModulus>(corner.W_y[M_y < 0.0 ? 1 : 0]);
   of.W_z = si<SectionModulus>(corner.W_z[M_z < 0.0 ? 1 : 0]);
   of.M_y = si<Moment>(M_y);
   of.M_z = si<Moment>(M_z);
   of.stress = si<Stress>(
       plate::corner_stress(N, of.area.value(), M_y, of.W_y.value(), M_z, of.W_z.value()));
-  of.yield_strength = M_z == 0.0 ? corner.flange_strength : corner.least_strength;
+  of.yield_strength = N < 0.0      ? least_strength_
+                      : M_z == 0.0 ? corner.flange_strength
+                                   : corner.least_strength;
   of.use = std::abs(of.stress.value()) / of.yield_strength.value();
   return of;
 }
@@ -266,8 +271,9 @@ CornerUse EffectiveBox::worst_corner(const CutForces& cut) const {
   CornerUse worst;
   worst.use = -1.0;
   for (const Corner& corner : corners_) {
-    for (const Shifts shifts : {Shifts{false, false}, {false, true}, {true, false}, {true, true}}) {
-      if ((shifts.along_y || shifts.along_z) && !(cut.N.value() < 0.0)) continue;
+    for (unsigned k = 0; k < 8; ++k) {
+      const Shifts shifts{(k & 1U) != 0, (k & 2U) != 0, (k & 4U) != 0};
+      if (k != 0 && !(cut.N.value() < 0.0)) continue;
       if (shifts.along_y && shift_y_.value() == 0.0) continue;
       if (shifts.along_z && shift_z_.value() == 0.0) continue;
       const CornerUse of = use_of(corner, cut, shifts);
@@ -371,8 +377,11 @@ Traced derive_corner_stress(Derivation& steps, const EffectiveBox& box, const Cu
     derive_walls(steps, box.box(), alone(true, corner.M_y.value() < 0.0), "M_y alone");
   if (about_z) derive_walls(steps, box.box(), alone(false, corner.M_z.value() < 0.0), "M_z alone");
   const Traced N = steps.given("N", cut.N);
-  const Traced A = steps.given(pressed ? "A_eff" : "A", corner.area,
-                               pressed ? "gross less what is idle" : "tension: gross");
+  const bool reduced = pressed && !corner.shifts.whole_area;
+  const Traced A = steps.given(reduced ? "A_eff" : "A", corner.area,
+                               reduced   ? "gross less what is idle"
+                               : pressed ? "gross: what is idle under N alone would relieve here"
+                                         : "tension: gross");
   const auto moment = [&](const char* symbol, const char* of, const char* arm, Moment acting,
                           Length lever, bool shifted) {
     Traced M = steps.given(of, acting);

@@ -58,6 +58,12 @@ std::vector<Web> webs_of(const Profile& profile, bool alike) {
   return {};
 }
 
+/// Whether the webs of a section are stressed alike in the plane and are of one material.
+bool webs_are_alike(const Section& section, const PlateMaterials& materials) {
+  return is_symmetric_about_z(section) &&
+         &materials.of(PlateKind::left_web) == &materials.of(PlateKind::right_web);
+}
+
 /// All four plates: under M_z and N the webs are stressed unlike, and the flanges are the webs of
 /// V_y.
 std::vector<Web> plates_of(const Profile& profile) {
@@ -189,19 +195,17 @@ bool counts_in_fatigue(const Project& project, const Situation& situation) {
       });
 }
 
-/// A plate at an instant: compression at its worse end [Pa], and psi; nothing where no end is
-/// compressed.
+/// A plate at an instant: compression at its worse end, 0 where none is compressed [Pa], and psi.
 struct PlateStress {
   double most = 0.0, psi = 1.0;
 };
 
-std::optional<PlateStress> pressed_at(const std::array<StressInfluence, 2>& ends,
-                                      const CutForces& cut) {
+PlateStress pressed_at(const std::array<StressInfluence, 2>& ends, const CutForces& cut) {
   const double low = -stress_at(ends[0], cut).normal.value();
   const double high = -stress_at(ends[1], cut).normal.value();
   const double most = std::max(low, high);
-  if (!(most > 0.0)) return std::nullopt;
-  return PlateStress{most, std::max(-3.0, std::min(low, high) / most)};
+  if (!(most > 0.0)) return {};
+  return {most, std::max(-3.0, std::min(low, high) / most)};
 }
 
 /// What of a plate's area works under the stress that is there, lambda_p reduced by it.
@@ -347,12 +351,11 @@ void PlateGates::look_at_fatigue(const std::string& segment, const SlenderPlates
                             wall.class_strength.value();
       const bool repeats = counts_in_fatigue(*project_, *of.situation);
       for (const CutForces& cut : of.history.samples()) {
-        const std::optional<PlateStress> stress = pressed_at(ends, cut);
-        if (!stress) continue;
-        least = std::min(least, working_share(wall, *stress, factor * stress->most));
+        const PlateStress stress = pressed_at(ends, cut);
+        least = std::min(least, working_share(wall, stress, factor * stress.most));
         if (!repeats || ratio <= never_breathes) continue;
         const double shear = (sheared->force_of(cut) / (wall.clear() * wall.thickness)).value();
-        most_breathing = std::max(most_breathing, breathing_of(ratio, *stress, shear));
+        most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));
       }
     }
     if (least < least_area) {
@@ -409,7 +412,8 @@ void PlateGates::look_at(const std::vector<CheckResult>& checks) {
 double class_3_use_at(const Project& project, const Station& station,
                       const std::vector<SituationHistory>& histories) {
   const Section section = judged_section_at(project, station);
-  const bool alike = is_symmetric_about_z(section);
+  const bool alike =
+      webs_are_alike(section, materials_of(project, segment_at(project.beam, station)));
   std::optional<AreaSums> sums;
   double largest = 0.0;
   const std::size_t segment = segment_at(project.beam, station);
@@ -443,7 +447,7 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
   const std::string& segment = beam.segments[index].name;
   const PlateMaterials materials = materials_of(*project_, index);
   const AreaSums sums = sums_of(outline_of(section, {}));
-  const bool alike = is_symmetric_about_z(section);
+  const bool alike = webs_are_alike(section, materials);
   const std::string obstacle = plates_obstacle(*project_, station);
   const auto judged = slender_plates_at(*project_, *zones_, station);
   look_at_class(segment, section.outer, materials, alike, sums, histories, obstacle, judged.get());

@@ -93,7 +93,7 @@ class StressPoints {
       on_throat.influence.normal = {};
       on_throat.shear_detail = if_asked(fatigue.throat);
       on_throat.on_throat = true;
-      on_throat.joined = weakest_to_weld(plates_at(materials_, field_.section, throat.y, throat.z));
+      on_throat.joined = weakest_to_weld(plates_here(throat.y, throat.z));
       on_throat.yield = false;
     }
     add_stretches();
@@ -123,7 +123,7 @@ class StressPoints {
       // Its ends, where it touches other plates, are points of their own.
       if (project_->part_materials.empty()) continue;
       const SectionPoint middle = point_on_stretch(field_, stretch, 0.5);
-      set_yield(point, first_to_yield(plates_at(materials_, field_.section, middle.y, middle.z)));
+      set_yield(point, first_to_yield(plates_here(middle.y, middle.z)));
     }
   }
 
@@ -205,6 +205,15 @@ class StressPoints {
   std::vector<StressPoint> points;
 
  private:
+  /// The plates at a place, and, where the one half is looked at for both, at its mirror image.
+  std::vector<PlateOf> plates_here(Length y, Length z) const {
+    std::vector<PlateOf> plates = plates_at(materials_, field_.section, y, z);
+    if (set_ == PointSet::in_plane && is_mirrored(field_)) {
+      for (PlateOf& of : plates_at(materials_, field_.section, -y, z)) plates.push_back(of);
+    }
+    return plates;
+  }
+
   /// Of a case that asks for no fatigue nothing resists it.
   void resist(StressPoint& point) {
     if (!project_->fatigue.asked) return;
@@ -291,7 +300,7 @@ class StressPoints {
     if (project_->part_materials.empty())
       set_yield(point, {&project_->material, point.plate});
     else
-      set_yield(point, first_to_yield(plates_at(materials_, field_.section, place.y, place.z)));
+      set_yield(point, first_to_yield(plates_here(place.y, place.z)));
     return points.emplace_back(std::move(point));
   }
 

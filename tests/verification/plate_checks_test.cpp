@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "boxbeam/report/report.hpp"
@@ -160,6 +161,63 @@ TEST_CASE("torsion puts shear into all four plates: q = T/(2 A_m)", "[plates]") 
     plates += result.check.station.s.value() == 0.0 ? 1 : 0;
   }
   CHECK(plates == 4);
+}
+
+TEST_CASE("a weaker right web is judged as a weaker left one", "[plates]") {
+  const auto factors = [](const std::string& plate, double web, double force) {
+    const Verification of = verified(
+        cantilever(box("a", 600.0, 1224.0, 12.0, web), segment(1.0, "a"), tip(1.0, -force)) +
+        "[[part_materials]]\nplates = [\"" + plate + "\"]\nsteel = \"S235\"\n");
+    std::map<Criterion, double> found;
+    for (const Criterion criterion :
+         {Criterion::yield, Criterion::shear_buckling, Criterion::interaction})
+      found[criterion] = use_of(of, criterion);
+    return found;
+  };
+  for (const auto& [web, force] : {std::pair{8.0, 1200.0}, {25.0, 9000.0}}) {
+    const auto left = factors("left web", web, force), right = factors("right web", web, force);
+    for (const auto& [criterion, use] : left) {
+      CAPTURE(to_text(criterion), web);
+      CHECK(right.at(criterion) == Approx(use).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a column of strong flanges and weak webs does not bear what all strong would",
+          "[plates]") {
+  // A_eff = 16 427 mm^2, of which the webs 2 (1200 - 855.4) 8 = 5514: 10 913 x 355 + 5514 x 235 =
+  // 5170 kN.
+  const Verification of = verified(
+      cantilever(box("a", 600.0, 1224.0, 12.0, 8.0), segment(1.0, "a"), tip(1.0, 0.0, -5500.0)) +
+      "[[part_materials]]\nplates = [\"left web\", \"right web\"]\nsteel = \"S235\"\n");
+  CHECK(use_of(of, Criterion::effective_section) > 5500.0 / 5170.0);
+}
+
+TEST_CASE("webs breathe under shear alone, and under tension with it", "[plates]") {
+  // tau = 1e6/(2 x 1200 x 8) = 52 MPa; sigma_E = 190e9/150^2 = 8.44 MPa: 1.1 tau/(5.34 sigma_E) =
+  // 1.27, above 1.1.
+  const std::string cycles =
+      "[[situations]]\nname = \"on\"\nloads = { tip = 1.0 }\n"
+      "[[situations]]\nname = \"off\"\nloads = { tip = 0.0 }\n"
+      "[[situations]]\nname = \"lift\"\nbetween = [\"on\", \"off\"]\ncycles = 1000\n";
+  for (const double N : {0.0, 3000.0}) {
+    const Verification of = verified(
+        cantilever(box("a", 600.0, 1224.0, 12.0, 8.0), segment(1.0, "a"), tip(1.0, -1000.0, N)) +
+        fatigue + cycles);
+    CAPTURE(N);
+    CHECK(has_gate(of, "breathes"));
+  }
+}
+
+TEST_CASE("slender webs under wheels have no verdict", "[plates]") {
+  const std::string wheels =
+      "[loads.trolley]\nkind = \"wheels\"\nwheels = [{ force = [\"0 kN\", \"-20 kN\"] }]\n";
+  const auto of = [&](double web) {
+    return verified(cantilever(box("a", 600.0, 1224.0, 20.0, web), segment(4.0, "a"), wheels));
+  };
+  CHECK(of(8.0).verdict == Verdict::not_applicable);
+  CHECK(has_gate(of(8.0), "clause 6"));
+  CHECK(of(30.0).verdict == Verdict::pass);
 }
 
 TEST_CASE("a flange under V counts with half of its largest shear stress", "[plates]") {

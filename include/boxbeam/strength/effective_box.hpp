@@ -89,9 +89,11 @@ struct BoxCorner {
   BoxPlate flange = BoxPlate::top_flange, web = BoxPlate::left_web;
 };
 
-/// Whether the centroid under compression is taken to shift.
+/// What of N's own effective section is taken: whether the centroid shifts, and whether the area is
+/// the whole one.
 struct Shifts {
   bool along_y = false, along_z = false;
+  bool whole_area = false;
 };
 
 /// The stress of a corner, part by part, and how far it is used.
@@ -114,9 +116,11 @@ struct CornerUse {
 /// at the corners, W the smaller one of bending about one axis by itself and of unsymmetric
 /// bending, about the mid-lines of the plates (4.3(5)): each term of the section where it acts
 /// alone, M by its sign, N in tension by the gross section. e is the shift of the centroid under N
-/// alone; a shift that relieves does not count. N is taken at the gross centroid, whatever the beam
-/// axis. Where a flange and a web are of unlike strength, the flange's holds for M_y and N, the
-/// lower one where M_z acts. Source: EN 1993-1-5:2006, 4.6, equation 4.15.
+/// alone; a shift that relieves does not count, nor that A_eff in place of A relieves a stretched
+/// corner. N is taken at the gross centroid, whatever the beam
+/// axis. Where plates are of unlike strength, the flange's
+/// holds for M_y, that of flange and web where M_z acts, and the least of all where N compresses.
+/// Source: EN 1993-1-5:2006, 4.6, equation 4.15.
 class EffectiveBox {
  public:
   explicit EffectiveBox(const FourWalls& box, const LagShares& lag = {}, int most_passes = 1);
@@ -147,6 +151,7 @@ class EffectiveBox {
   std::array<Corner, 4> corners_;
   Length centroid_y_, centroid_z_;  ///< gross
   Length shift_y_, shift_z_;        ///< of the centroid under N alone
+  Stress least_strength_;           ///< of all plates
 };
 
 /// The stress of the corner used most, step by step, from the plates on.
