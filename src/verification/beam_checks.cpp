@@ -221,6 +221,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     beam.checks = check_given_stresses(project);
     return beam;
   }
+  leave_out_covered(project, beam.checks);
   if (beam.checks.empty()) {
     throw AnalysisError(
         {"nothing to verify: no point of the beam is ever stressed", "beam", {}, {}, {}});

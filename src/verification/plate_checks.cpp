@@ -320,11 +320,10 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     results.push_back(std::move(result));
   };
   const Worst section = worst_of(histories, [&](const CutForces& cut) { return uses.normal(cut); });
-  if (section.use > no_use &&
-      buckles_under(plates->box, section.at->history.at(section.largest.time)))
-    add(Criterion::effective_section, section, nullptr);
+  add(Criterion::effective_section, section, nullptr);
   Worst together{&histories.front(), {}, 0.0};
   const ShearedPlate* in_plate = nullptr;
+  double most_shear = 0.0;
   for (const ShearedPlate& plate : plates->sheared) {
     if (plate.may_buckle) {
       add(Criterion::shear_buckling,
@@ -334,17 +333,38 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     const Worst of =
         worst_of(histories, [&](const CutForces& cut) { return uses.together(plate, cut); });
     if (!(of.use > no_use)) continue;
-    const CutForces cut = of.at->history.at(of.largest.time);
-    const double normal = uses.normal(cut), shear = PlateUses::shear(plate, cut);
-    // Up to half of the resistance to shear it says what the effective section says, without
-    // normal stress what shear buckling says.
-    const bool alone = 2.0 * shear <= normal || (plate.may_buckle && normal <= no_use);
-    if (alone || (in_plate != nullptr && of.use <= together.use)) continue;
+    // Where shear is small all plates are alike: the one that has most of it is named.
+    const double shear = PlateUses::shear(plate, of.at->history.at(of.largest.time));
+    constexpr double same = 1e-9;
+    const bool less = of.use < (1.0 - same) * together.use;
+    const bool alike = !less && of.use <= (1.0 + same) * together.use;
+    if (in_plate != nullptr && (less || (alike && shear <= most_shear))) continue;
+    most_shear = shear;
     together = of;
     in_plate = &plate;
   }
   if (in_plate != nullptr) add(Criterion::interaction, together, in_plate);
   return results;
+}
+
+void leave_out_covered(const Project& project, std::vector<CheckResult>& checks) {
+  const auto drop = [&](Criterion criterion, const auto& says_more) {
+    const CheckResult* most = nullptr;
+    for (const CheckResult& of : checks) {
+      if (of.check.criterion == criterion &&
+          (most == nullptr || of.check.utilisation() > most->check.utilisation()))
+        most = &of;
+    }
+    if (most == nullptr || says_more(*most->plates)) return;
+    std::erase_if(checks, [&](const CheckResult& of) { return of.check.criterion == criterion; });
+  };
+  drop(Criterion::effective_section,
+       [](const PlateBasis& basis) { return buckles_under(basis.plates->box, basis.cut); });
+  drop(Criterion::interaction, [&](const PlateBasis& basis) {
+    const double normal = PlateUses(project, *basis.plates).normal(basis.cut);
+    const double shear = PlateUses::shear(*basis.plate, basis.cut);
+    return 2.0 * shear > normal && !(basis.plate->may_buckle && normal <= no_use);
+  });
 }
 
 }  // namespace boxbeam

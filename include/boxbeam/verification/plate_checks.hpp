@@ -62,11 +62,15 @@ Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
                            const std::vector<SituationHistory>& histories);
 
 /// The checks of a station's plates, each at the instant that is worst for it: the effective
-/// section under N, M_y and M_z together, where what acts leaves a plate that does not work whole;
-/// shear buckling of each plate that may; both together in the plate that is used most by them,
-/// where that is more than either alone. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
+/// section under N, M_y and M_z together; shear buckling of each plate that may; both together in
+/// the plate that is used most by them. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
 std::vector<CheckResult> check_plates(const Project& project, const Station& station,
                                       const std::shared_ptr<const SlenderPlates>& plates,
                                       const std::vector<SituationHistory>& histories);
+
+/// Takes out the criteria of which the worst check of the beam says what another says as well: the
+/// effective section where all of it works there (its yield strength is reached at the outer fibres
+/// first), both together where shear, or normal stress, has no part in it.
+void leave_out_covered(const Project& project, std::vector<CheckResult>& checks);
 
 }  // namespace boxbeam
