@@ -95,8 +95,17 @@ Node situations_of(const Project& project, const std::vector<std::string>& files
   for (const Situation& situation : project.situations) {
     Node of;
     put(of, "name", text_node(situation.name));
-    if (project.fatigue.asked && situation.cycles > 0.0)
+    if (project.fatigue.asked && situation.is_change()) {
+      std::vector<Node> levels;
+      for (const SpectrumLevel& level : situation.spectrum) {
+        Node& one = levels.emplace_back();
+        put(one, "share", number_node(level.share));
+        put(one, "cycles", number_node(level.cycles));
+      }
+      put(of, "spectrum", array_node(std::move(levels)));
+    } else if (project.fatigue.asked && situation.cycles > 0.0) {
       put(of, "cycles", number_node(situation.cycles));
+    }
     if (situation.runs()) {
       put(of, "load_factor", number_node(situation.load_factor));
       if (run > 0) {

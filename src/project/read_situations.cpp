@@ -188,6 +188,38 @@ std::vector<std::size_t> read_parts(TableReader& table, const Key& of,
   return parts;
 }
 
+/// The levels of a change that is not always whole; `repetitions` of all of them.
+std::vector<SpectrumLevel> read_spectrum(TableReader& table, double repetitions) {
+  std::vector<SpectrumLevel> spectrum;
+  double largest = 0.0, all = 0.0;
+  for (TableReader& of :
+       table.tables({"spectrum", "of \"between\": how often which share of the change happens"})) {
+    SpectrumLevel& level = spectrum.emplace_back();
+    level.share = of.number({"share", "of the whole change, at most 1"});
+    level.cycles = repetitions * of.number({"cycles", "of this share"}, {}, "1e5");
+    if (level.share > 1.0) {
+      of.problem("share", fmt::format("{:g} of the change is more than the whole", level.share),
+                 "let the situations be the largest change, which strength knows, and write shares "
+                 "of that");
+    }
+    largest = std::max(largest, level.share);
+    all += level.cycles;
+    of.finish();
+  }
+  if (!table.problems().empty()) return spectrum;
+  if (largest < 1.0) {
+    table.problem("spectrum", fmt::format("the largest share is {:g}", largest),
+                  fmt::format("let the situations be the largest change and divide the shares by "
+                              "{0:g}, so that it has the share 1",
+                              largest));
+  }
+  if (all > limits::most_cycles) {
+    table.problem("spectrum", fmt::format("{:g} cycles are too many to be meant", all),
+                  fmt::format("at most {:g} in all", limits::most_cycles));
+  }
+  return spectrum;
+}
+
 /// A situation made of others: a change between them, or one after the other.
 void read_made_of(TableReader& table, const std::vector<Situation>& others, Situation& situation) {
   situation.in_order = table.has("sequence");
@@ -202,12 +234,26 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
     return;
   }
   situation.between = read_parts(table, of, others);
-  if (situation.cycles == 0.0 && table.problems().empty()) {
+  const bool levels = table.has("spectrum");
+  if (levels && situation.in_order) {
+    table.problem("spectrum", "a sequence of situations is counted, it has no levels",
+                  "write the levels in a change: between = [...]");
+  } else if (levels) {
+    situation.spectrum = read_spectrum(table, table.has("cycles") ? situation.cycles : 1.0);
+    situation.cycles = 0.0;
+    for (const SpectrumLevel& level : situation.spectrum) situation.cycles += level.cycles;
+  } else if (!situation.in_order) {
+    situation.spectrum = {{1.0, situation.cycles}};
+  }
+  if (situation.cycles == 0.0 && !levels && table.problems().empty()) {
     table.problem(key,
                   fmt::format("{} counts for fatigue only, and this one never happens",
                               situation.in_order ? "a sequence of situations"
                                                  : "a change between situations"),
-                  "write how often: cycles = 5000");
+                  situation.in_order ? "write how often: cycles = 5000"
+                                     : "write how often: cycles = 5000; or the shares of the "
+                                       "change and their cycles: spectrum = [{ share = 1.0, "
+                                       "cycles = 5000 }, ...]");
   }
   if (table.has("set") || table.has("load_factor") || table.has("sudden_start")) {
     table.problem(key,
@@ -221,8 +267,8 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
 
 /// "cycles": repetitions in the wanted life.
 double read_cycles(TableReader& table) {
-  const double cycles =
-      table.number({"cycles", "repetitions of the motion in the wanted life"}, {}, "1e7");
+  const double cycles = table.number(
+      {"cycles", "repetitions of the motion, or spectrum, in the wanted life"}, {}, "1e7");
   if (cycles > limits::most_cycles) {
     table.problem("cycles", fmt::format("{:g} cycles are too many to be meant", cycles),
                   fmt::format("at most {:g}: a thousand in every second of thirty thousand years",
@@ -260,6 +306,10 @@ void read_situations(TableReader& root, const Node& tree, const FrontEndReader& 
     if (table.has("between") || table.has("sequence")) {
       read_made_of(table, project.situations, situation);
     } else {
+      if (table.has_misplaced("spectrum")) {
+        table.problem("spectrum", "only a change between situations has levels",
+                      "write a situation for it: between = [\"empty\", \"lifting\"]");
+      }
       situation.load_factor = table.number({"load_factor", "on all its loads, for strength"}, 1.0);
       situation.sudden_start = table.boolean(
           {"sudden_start",

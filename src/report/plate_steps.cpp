@@ -52,7 +52,7 @@ ShearSteps derive_shear(Derivation& steps, const Project& project, const Check& 
   const Force acting = sum < 1e-9 * plate.resists.resistance ? Force{} : sum;
   const Traced V =
       steps.given("V_w", acting, "the shear flow of the section over the clear width of the plate");
-  if (plate.plate == BoxPlate::top_flange || plate.plate == BoxPlate::bottom_flange)
+  if (is_flange(plate.plate))
     steps.note([] { return "of at least half of its largest shear stress, 7.1(5)"; });
   steps.note([&] { return plate.name; });
   steps.note([&] { return instant_of(check); });

@@ -93,15 +93,28 @@ std::string count_text(const Project& project, const Situation& situation) {
   return situation.load_factor == 0.0 ? "deflection only" : "strength only";
 }
 
+/// ": 2e4 of the whole change, 1e5 of 80 %".
+std::string spectrum_text(const Situation& situation) {
+  if (situation.spectrum.size() < 2) return "";
+  std::vector<std::string> levels;
+  for (const SpectrumLevel& level : situation.spectrum) {
+    levels.push_back(level.share == 1.0
+                         ? text::cycles(level.cycles) + " of the whole change"
+                         : fmt::format("{} of {} % of it", text::cycles(level.cycles),
+                                       text::significant(100.0 * level.share, 4)));
+  }
+  return fmt::format(": {}", fmt::join(levels, ", "));
+}
+
 std::string situation_text(const Project& project, const Situation& situation) {
   if (situation.name.empty()) return text::cycles(situation.cycles);
   std::string out = situation.name + ": " + count_text(project, situation);
   if (!situation.between.empty()) {
     std::vector<std::string> names;
     for (const std::size_t i : situation.between) names.push_back(project.situations[i].name);
-    return out + (situation.in_order
-                      ? fmt::format(", one after the other: {}", fmt::join(names, ", "))
-                      : fmt::format(", changing between {}", fmt::join(names, " and ")));
+    out += situation.in_order ? fmt::format(", one after the other: {}", fmt::join(names, ", "))
+                              : fmt::format(", changing between {}", fmt::join(names, " and "));
+    return out + spectrum_text(situation);
   }
   if (situation.load_factor != 1.0 && situation.load_factor != 0.0) {
     out += fmt::format(", load factor {} on its stresses for strength",

@@ -30,6 +30,10 @@ std::optional<double> outstand_buckling_factor(double psi, LargestCompression wh
   return std::nullopt;
 }
 
+Stress plate_euler_stress(double width_to_thickness) {
+  return 190e9 * pascal / (width_to_thickness * width_to_thickness);
+}
+
 double relative_plate_slenderness(double width_to_thickness, double epsilon, double k_sigma) {
   constexpr NoDerivation record;
   return plate::slenderness(record, width_to_thickness, epsilon, k_sigma);

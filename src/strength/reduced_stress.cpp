@@ -18,7 +18,7 @@ ReducedStress reduced_stress_of(const ShearPanel& panel, Stress compression, Str
   const double largest = std::max(sigma, tension.value());
   ReducedStress of;
   of.alpha_ult = f_y / std::hypot(largest, std::sqrt(3.0) * tau);
-  const double sigma_E = 190e9 * std::pow(panel.thickness / panel.depth, 2);
+  const double sigma_E = plate_euler_stress(panel.depth / panel.thickness).value();
   const double k_tau = shear_resistance_of(panel, gamma_M1).k_tau;
   const double by_shear = tau / (k_tau * sigma_E);
   double by_normal = 0.0;

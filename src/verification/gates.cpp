@@ -184,55 +184,6 @@ WorstStress worst_over(const std::vector<SituationHistory>& histories,
   return worst;
 }
 
-/// Whether a situation or a change between situations that contains it has cycles.
-bool counts_in_fatigue(const Project& project, const Situation& situation) {
-  const std::size_t index = index_of(project, situation);
-  return std::any_of(
-      project.situations.begin(), project.situations.end(), [&](const Situation& of) {
-        const bool part = &of == &situation || std::find(of.between.begin(), of.between.end(),
-                                                         index) != of.between.end();
-        return part && of.cycles > 0.0;
-      });
-}
-
-/// A plate at an instant: compression at its worse end, 0 where none is compressed [Pa], and psi.
-struct PlateStress {
-  double most = 0.0, psi = 1.0;
-};
-
-PlateStress pressed_at(const std::array<StressInfluence, 2>& ends, const CutForces& cut) {
-  const double low = -stress_at(ends[0], cut).normal.value();
-  const double high = -stress_at(ends[1], cut).normal.value();
-  const double most = std::max(low, high);
-  if (!(most > 0.0)) return {};
-  return {most, std::max(-3.0, std::min(low, high) / most)};
-}
-
-/// What of a plate's area works under the stress that is there, lambda_p reduced by it.
-/// Source: EN 1993-1-5:2006, 4.4(4).
-double working_share(const BoxWall& wall, const PlateStress& stress, double part_of_yield) {
-  const double lambda =
-      relative_plate_slenderness(wall.clear() / wall.thickness, epsilon_of(wall.class_strength),
-                                 *internal_buckling_factor(stress.psi)) *
-      std::sqrt(std::min(1.0, part_of_yield));
-  return 1.0 - (1.0 - internal_reduction(lambda, stress.psi)) / std::max(1.0, 1.0 - stress.psi);
-}
-
-/// How far a plate that is stressed and sheared breathes, out of its plane with every cycle: 1 is
-/// the limit beyond which the fatigue of its edges is not that of its stresses in the plane.
-///
-///     sqrt((sigma_x/(k_sigma sigma_E))^2 + (1.1 tau/(k_tau sigma_E))^2) <= 1.1
-///     sigma_E = 190 GPa (t/b)^2, k_tau = 5.34
-///
-/// Source: EN 1993-2:2006, 7.4(3) (recalled, not confirmed).
-double breathing_of(double width_to_thickness, const PlateStress& stress, double shear) {
-  const double sigma_E = 190e9 / (width_to_thickness * width_to_thickness);
-  constexpr double k_tau = 5.34, limit = 1.1;
-  return std::hypot(stress.most / (*internal_buckling_factor(stress.psi) * sigma_E),
-                    1.1 * shear / (k_tau * sigma_E)) /
-         limit;
-}
-
 std::string class_4_text(double ratio, double limit, const std::string& effective) {
   return fmt::format(
       "c/t = {:.3g} is above {:.3g}, class 4 (EN 1993-1-1, table 5.2): it may buckle "
@@ -326,59 +277,6 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
   }
 }
 
-/// Of plates that are judged by effective widths: what is not effective, and what moves out of the
-/// plane, their fatigue does not know.
-void PlateGates::look_at_fatigue(const std::string& segment, const SlenderPlates& plates,
-                                 const AreaSums& sums,
-                                 const std::vector<SituationHistory>& histories) {
-  constexpr double least_area = 0.5, never_breathes = 120.0;
-  const StrengthDemand& strength = project_->strength;
-  for (const BoxPlate plate : box_plates) {
-    const BoxWall& wall = plates.box.box().of(plate);
-    const auto sheared = std::find_if(plates.sheared.begin(), plates.sheared.end(),
-                                      [&](const ShearedPlate& of) { return of.plate == plate; });
-    if (sheared == plates.sheared.end()) continue;  // stressed as its neighbour is
-    const bool flange = plate == BoxPlate::top_flange || plate == BoxPlate::bottom_flange;
-    const auto at = [&](const Length& end) {
-      return flange ? normal_influence(sums, end.value(), wall.middle.value())
-                    : normal_influence(sums, wall.middle.value(), end.value());
-    };
-    const std::array ends{at(wall.low), at(wall.high)};
-    const double ratio = wall.clear() / wall.thickness;
-    double least = 1.0, most_breathing = 0.0;
-    for (const SituationHistory& of : histories) {
-      const double factor = strength.required * of.situation->load_factor * strength.gamma_M0 /
-                            wall.class_strength.value();
-      const bool repeats = counts_in_fatigue(*project_, *of.situation);
-      for (const CutForces& cut : of.history.samples()) {
-        const PlateStress stress = pressed_at(ends, cut);
-        least = std::min(least, working_share(wall, stress, factor * stress.most));
-        if (!repeats || ratio <= never_breathes) continue;
-        const double shear = (sheared->force_of(cut) / (wall.clear() * wall.thickness)).value();
-        most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));
-      }
-    }
-    if (least < least_area) {
-      add("effective area",
-          {segment, sheared->name,
-           fmt::format("{:.3g} of its area is effective, less than 0.5: the stresses by which "
-                       "fatigue is judged are not those of the full section (EN 1993-1-5, 2.2(5))",
-                       least),
-           true},
-          1.0 / least);
-    }
-    if (most_breathing > 1.0) {
-      add("breathing",
-          {segment, sheared->name,
-           fmt::format("it breathes out of its plane, {:.3g} times as much as its edges bear in "
-                       "fatigue (b/t = {:.3g}, EN 1993-2, 7.4)",
-                       most_breathing, ratio),
-           true},
-          most_breathing);
-    }
-  }
-}
-
 /// Says the worst of a segment, not its station, so that segments of which the same is true stand
 /// together.
 void PlateGates::look_at_shear_lag(const std::string& segment, const std::string& plate,
@@ -455,8 +353,7 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
     look_at_class(segment, *section.inner, materials.of(PlateKind::inner), alike, sums, histories,
                   obstacle, nullptr);
   }
-  if (judged != nullptr && project_->fatigue.asked)
-    look_at_fatigue(segment, *judged, sums, histories);
+  if (judged != nullptr) look_at_slender(segment, *judged, sums, histories);
   const ShearLags lags = shear_lags_at(*zones_, section, station);
   look_at_shear_lag(segment, "flange", lags.flanges);
   look_at_shear_lag(segment, "web as flange of M_z", lags.webs);

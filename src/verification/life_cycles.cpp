@@ -47,21 +47,33 @@ std::pair<Extreme, Extreme> extremes_in(const Project& project, std::size_t situ
   return {highest, lowest};
 }
 
+std::vector<Cycle> change_cycles(const Situation& change, const Cycle& whole, Stress first_middle) {
+  std::vector<Cycle> cycles;
+  for (const SpectrumLevel& level : change.spectrum) {
+    cycles.push_back({level.share * whole.range,
+                      si<Stress>(std::lerp(first_middle.value(), whole.mean.value(), level.share)),
+                      level.cycles});
+  }
+  return cycles;
+}
+
 std::vector<SituationCycles> life_cycles_of(const Project& project, const Turns& turns,
                                             bool compression_reduced) {
   std::vector<SituationCycles> life;
   const auto add = [&](std::size_t index, std::vector<Cycle> cycles) {
     if (compression_reduced) cycles = boxbeam::compression_reduced(std::move(cycles));
-    for (Cycle& cycle : cycles) cycle.count *= project.situations[index].cycles;
     life.push_back({index, std::move(cycles)});
   };
   for (std::size_t i = 0; i < project.situations.size(); ++i) {
     const Situation& situation = project.situations[i];
     if (situation.cycles == 0.0) continue;
-    if (!situation.between.empty() && !situation.in_order) {
+    if (situation.is_change()) {
       const auto [highest, lowest] = extremes_in(project, i, turns);
-      add(i, {{si<Stress>(highest.value - lowest.value),
-               si<Stress>(0.5 * (highest.value + lowest.value)), 1.0}});
+      const auto [high, low] = extremes_in(project, situation.between.front(), turns);
+      add(i, change_cycles(situation,
+                           {si<Stress>(highest.value - lowest.value),
+                            si<Stress>(0.5 * (highest.value + lowest.value)), 1.0},
+                           si<Stress>(0.5 * (high.value + low.value))));
       continue;
     }
     std::vector<Stress> stresses;
@@ -75,7 +87,9 @@ std::vector<SituationCycles> life_cycles_of(const Project& project, const Turns&
       for (const TurningPoint& turn : turns[part].turns) take(turn.value);
       take(turns[part].end);
     }
-    add(i, periodic_cycles_of(stresses));
+    std::vector<Cycle> cycles = periodic_cycles_of(stresses);
+    for (Cycle& cycle : cycles) cycle.count *= situation.cycles;
+    add(i, std::move(cycles));
   }
   return life;
 }

@@ -62,16 +62,6 @@ double slope_of(const Segment& segment) {
   return std::atan(most);
 }
 
-bool has_wheels_on(const frame::Structure& structure, int member) {
-  return std::any_of(
-      structure.cases.begin(), structure.cases.end(), [&](const frame::LoadCase& of) {
-        return std::any_of(of.actions.begin(), of.actions.end(), [&](const frame::Action& action) {
-          const auto* const wheels = std::get_if<frame::Wheels>(&action.kind);
-          return wheels != nullptr && wheels->member == member;
-        });
-      });
-}
-
 std::optional<BoxPlate> plate_of(WallPart part) {
   switch (part) {
     case WallPart::top_flange: return BoxPlate::top_flange;
@@ -82,14 +72,12 @@ std::optional<BoxPlate> plate_of(WallPart part) {
   }
 }
 
-bool is_web(BoxPlate plate) { return plate == BoxPlate::left_web || plate == BoxPlate::right_web; }
-
 /// A plate with the part of the shear flow that it carries.
 ShearedPlate sheared_plate(double gamma_M1, const StressField& field, const WallStretch& stretch,
                            const BoxWall& wall, BoxPlate plate, bool alike) {
   ShearedPlate of;
   of.plate = plate;
-  of.name = alike && is_web(plate) ? "web" : to_text(plate);
+  of.name = alike && !is_flange(plate) ? "web" : to_text(plate);
   of.panel = {wall.clear(), wall.thickness, wall.yield_strength, {}, false};
   of.resists = shear_resistance_of(of.panel, gamma_M1);
   for (std::size_t i = 0; i < of.per_cut_force.size(); ++i) {
@@ -138,8 +126,7 @@ Worst worst_of(const std::vector<SituationHistory>& histories, const Use& use) {
   return worst;
 }
 
-/// Whether what acts leaves a plate that does not work whole. Where none is, the yield strength is
-/// reached at the outer fibres first, which is a check of its own.
+/// Whether what acts leaves a plate that does not work whole.
 bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
   const auto buckles = [&](ActingAlone acting) {
     const SectionAlone& of = box.alone(acting);
@@ -171,7 +158,7 @@ Force ShearedPlate::force_of(const CutForces& cut) const {
   }
   // Simpson's rule is exact for a parabola.
   double mean = std::abs(stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
-  if (!is_web(plate)) {
+  if (is_flange(plate)) {
     for (const double at : stress) mean = std::max(mean, 0.5 * std::abs(at));
   }
   return si<Stress>(mean) * (panel.depth * panel.thickness);
@@ -219,16 +206,11 @@ std::string plates_obstacle(const Project& project, const Station& station) {
       width += (pair ? 2.0 : 1.0) * other.hole.diameter;
     }
     for (const BoxPlate plate : box_plates) {
-      const bool drilled = (at.hole.walls == HoleWalls::webs) == is_web(plate);
+      const bool drilled = (at.hole.walls == HoleWalls::flanges) == is_flange(plate);
       if (drilled && width > widest_opening * walls->of(plate).clear())
         return fmt::format("hole \"{}\" is wider than 0.05 of its plate (2.3)", at.hole.name);
     }
   }
-  const auto* const frame = std::get_if<frame::Structure>(&project.mechanism);
-  const bool slender_webs = may_buckle_in_shear(walls->of(BoxPlate::left_web)) ||
-                            may_buckle_in_shear(walls->of(BoxPlate::right_web));
-  if (frame != nullptr && slender_webs && has_wheels_on(*frame, project.beam_body))
-    return "wheels run along it, and what they do to slender webs (clause 6) is not judged";
   return "";
 }
 
@@ -348,23 +330,37 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
 }
 
 void leave_out_covered(const Project& project, std::vector<CheckResult>& checks) {
-  const auto drop = [&](Criterion criterion, const auto& says_more) {
+  const auto worst_by = [&](Criterion criterion) -> const CheckResult* {
     const CheckResult* most = nullptr;
     for (const CheckResult& of : checks) {
       if (of.check.criterion == criterion &&
           (most == nullptr || of.check.utilisation() > most->check.utilisation()))
         most = &of;
     }
-    if (most == nullptr || says_more(*most->plates)) return;
+    return most;
+  };
+  const auto use_by = [&](Criterion criterion) {
+    const CheckResult* const most = worst_by(criterion);
+    return most == nullptr ? 0.0 : most->check.utilisation();
+  };
+  const auto drop = [&](Criterion criterion, double others, const auto& says_more) {
+    const CheckResult* const most = worst_by(criterion);
+    constexpr double round_off = 1e-9;
+    if (most == nullptr || most->check.utilisation() > (1.0 + round_off) * others ||
+        says_more(*most->plates))
+      return;
     std::erase_if(checks, [&](const CheckResult& of) { return of.check.criterion == criterion; });
   };
-  drop(Criterion::effective_section,
+  const double yield = use_by(Criterion::yield);
+  const double section = use_by(Criterion::effective_section);
+  drop(Criterion::interaction, std::max({yield, section, use_by(Criterion::shear_buckling)}),
+       [&](const PlateBasis& basis) {
+         const double normal = PlateUses(project, *basis.plates).normal(basis.cut);
+         const double shear = PlateUses::shear(*basis.plate, basis.cut);
+         return 2.0 * shear > normal && !(basis.plate->may_buckle && normal <= no_use);
+       });
+  drop(Criterion::effective_section, yield,
        [](const PlateBasis& basis) { return buckles_under(basis.plates->box, basis.cut); });
-  drop(Criterion::interaction, [&](const PlateBasis& basis) {
-    const double normal = PlateUses(project, *basis.plates).normal(basis.cut);
-    const double shear = PlateUses::shear(*basis.plate, basis.cut);
-    return 2.0 * shear > normal && !(basis.plate->may_buckle && normal <= no_use);
-  });
 }
 
 }  // namespace boxbeam

@@ -208,7 +208,7 @@ class StressPoints {
   /// The plates at a place, and, where the one half is looked at for both, at its mirror image.
   std::vector<PlateOf> plates_here(Length y, Length z) const {
     std::vector<PlateOf> plates = plates_at(materials_, field_.section, y, z);
-    if (set_ == PointSet::in_plane && is_mirrored(field_)) {
+    if (!project_->part_materials.empty() && set_ == PointSet::in_plane && is_mirrored(field_)) {
       for (PlateOf& of : plates_at(materials_, field_.section, -y, z)) plates.push_back(of);
     }
     return plates;

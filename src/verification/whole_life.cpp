@@ -337,6 +337,8 @@ void WholeLife::count_in_one_thread(std::span<Counted*> places) const {
     if (situation.cycles == 0.0) continue;
     std::vector<std::size_t> of = situation.between;
     if (of.empty()) of.push_back(i);
+    // Of a change: the extremes of its first situation.
+    std::vector<std::pair<double, double>> first_extremes;
     std::deque<PlaceCounter> counters;
     for (const Counted* at : places) counters.emplace_back(at->norm, at->place.compression_reduced);
     for (const std::size_t index : of) {
@@ -353,17 +355,26 @@ void WholeLife::count_in_one_thread(std::span<Counted*> places) const {
           const double* const factors = places[p]->place.factors.data() + part.first;
           mix_stress({factors, K + 1}, values.data(), block, {stresses.data(), count});
           counters[p].push({stresses.data(), count});
+          if (!situation.is_change() || index != of.front()) continue;
+          const auto [low, high] = std::minmax_element(
+              stresses.begin(), stresses.begin() + static_cast<std::ptrdiff_t>(count));
+          if (p == first_extremes.size()) first_extremes.emplace_back(*low, *high);
+          first_extremes[p] = {std::min(first_extremes[p].first, *low),
+                               std::max(first_extremes[p].second, *high)};
         }
       }
     }
     for (std::size_t p = 0; p < places.size(); ++p) {
       counters[p].finish();
-      std::vector<Cycle> cycles = counters[p].cycles();
-      const bool one = !situation.between.empty() && !situation.in_order;
-      if (one) cycles = {counters[p].outermost()};
-      if (one && places[p]->place.compression_reduced)
-        cycles = compression_reduced(std::move(cycles));
-      for (Cycle& cycle : cycles) cycle.count *= situation.cycles;
+      std::vector<Cycle> cycles;
+      if (situation.is_change()) {
+        const auto [low, high] = first_extremes[p];
+        cycles = change_cycles(situation, counters[p].outermost(), si<Stress>(0.5 * (low + high)));
+        if (places[p]->place.compression_reduced) cycles = compression_reduced(std::move(cycles));
+      } else {
+        cycles = counters[p].cycles();
+        for (Cycle& cycle : cycles) cycle.count *= situation.cycles;
+      }
       // Damage is of a power between 3 and 5: classes by that of the higher.
       std::vector<Cycle> few;
       constexpr double octave = 1.0 / 16.0;

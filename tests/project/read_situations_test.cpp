@@ -173,4 +173,36 @@ TEST_CASE("the published chain knows one situation only") {
       "[[situations]]\nname = \"run\"", "knows one situation only", "use rigorous dynamics");
 }
 
+TEST_CASE("levels of a change: shares up to the whole, cycles of each, repetitions of all") {
+  const std::string two =
+      run + "[[situations]]\nname = \"rest\"\n[[situations]]\nname = \"change\"\n";
+  const std::string change = two + "between = [\"rest\", \"run\"]\n";
+  const Project project = read(change +
+                               "cycles = 10\nspectrum = [{ share = 1.0, cycles = 500 }, { share = "
+                               "0.25, cycles = 0.5 }]\n");
+  const Situation& of = project.situations.back();
+  REQUIRE(of.spectrum.size() == 2);
+  CHECK(of.spectrum[0].share == 1.0);
+  CHECK(of.spectrum[0].cycles == 5000.0);
+  CHECK(of.spectrum[1].share == 0.25);
+  CHECK(of.spectrum[1].cycles == 5.0);
+  CHECK(of.cycles == 5005.0);
+  check_refused(change + "spectrum = [{ share = 1.2, cycles = 500 }]\n", "spectrum = [",
+                "1.2 of the change is more than the whole",
+                "let the situations be the largest change, which strength knows, and write shares "
+                "of that");
+  check_refused(change + "spectrum = [{ share = 0.8, cycles = 5 }, { share = 0.4, cycles = 9 }]\n",
+                "[{ share = 0.8", "the largest share is 0.8",
+                "let the situations be the largest change and divide the shares by 0.8, so that it "
+                "has the share 1");
+  check_refused(two +
+                    "sequence = [\"rest\", \"run\"]\ncycles = 3\nspectrum = [{ share = 1.0, "
+                    "cycles = 500 }]\n",
+                "spectrum = [", "a sequence of situations is counted, it has no levels",
+                "write the levels in a change: between = [...]");
+  check_refused(run + "spectrum = [{ share = 1.0, cycles = 500 }]\n", "spectrum = [",
+                "only a change between situations has levels",
+                "write a situation for it: between = [\"empty\", \"lifting\"]");
+}
+
 }  // namespace read_situations_test

@@ -380,6 +380,77 @@ TEST_CASE("fatigue counts the cycle between two load situations without partial 
   CHECK(fatigue->check.safety_factor == Approx(71e6 / 1.35 / range).epsilon(1e-6));
 }
 
+namespace {
+
+/// A beam whose weight presses where its lift pulls and the other way round; `relieved`: of its
+/// compression 60 % count.
+std::string lifted(bool relieved, const std::string& changes) {
+  const auto situation = [](const std::string& name, const std::string& share) {
+    return "[[situations]]\nname = \"" + name + "\"\nloads = { weight = 1.0, lift = " + share +
+           " }\n";
+  };
+  return beam("6 m") + ends +
+         "[loads.lift]\nkind = \"force\"\nat = \"3 m\"\nforce = [\"0 kN\", \"28 kN\"]\n" +
+         "[[situations]]\nname = \"empty\"\nloads = { weight = 1.0 }\n" + situation("full", "1.0") +
+         situation("half", "0.5") + situation("little", "0.125") + changes +
+         "[fatigue]\ncategory = 71\nloading = \"spectrum\"\ngamma_Mf = 1.35\nrequired = 1.0\n" +
+         (relieved ? "stress_relieved = true\n" : "");
+}
+
+double fatigue_factor(const std::string& text) {
+  const Verification of = verify(parse(text));
+  const CheckResult* const fatigue = of.governing(Criterion::fatigue);
+  REQUIRE(fatigue != nullptr);
+  return fatigue->check.safety_factor;
+}
+
+}  // namespace
+
+TEST_CASE("levels of a change count as changes to loads of their share", "[frame]") {
+  for (const bool relieved : {false, true}) {
+    CAPTURE(relieved);
+    const double one_by_one = fatigue_factor(
+        lifted(relieved,
+               "[[situations]]\nname = \"1\"\nbetween = [\"empty\", \"full\"]\ncycles = 1e5\n"
+               "[[situations]]\nname = \"2\"\nbetween = [\"empty\", \"half\"]\ncycles = 3e6\n"
+               "[[situations]]\nname = \"3\"\nbetween = [\"empty\", \"little\"]\ncycles = 4e7\n"));
+    const auto levels = [&](const std::string& of) {
+      return fatigue_factor(lifted(relieved, "[[situations]]\nname = \"levels\"\n" + of + "\n"));
+    };
+    CHECK(levels("between = [\"empty\", \"full\"]\nspectrum = [{ share = 0.125, cycles = 4e7 }, { "
+                 "share = 1.0, cycles = 1e5 }, { share = 0.5, cycles = 3e6 }]") ==
+          Approx(one_by_one).epsilon(1e-9));
+    // A spectrum for each of so many years, one level written in two parts.
+    CHECK(
+        levels("between = [\"empty\", \"full\"]\ncycles = 20\nspectrum = [{ share = 1.0, cycles = "
+               "5e3 }, { share = 0.5, cycles = 5e4 }, { share = 0.5, cycles = 1e5 }, { share = "
+               "0.125, cycles = 2e6 }]") == Approx(one_by_one).epsilon(1e-9));
+    // Only whole changes.
+    CHECK(levels("between = [\"empty\", \"full\"]\nspectrum = [{ share = 1.0, cycles = 1e5 }]") ==
+          Approx(levels("between = [\"empty\", \"full\"]\ncycles = 1e5")).epsilon(1e-12));
+    // From the full load down the same levels are others where the mean counts.
+    const double from_full = levels(
+        "between = [\"full\", \"empty\"]\nspectrum = [{ share = 0.125, cycles = 4e7 }, { share = "
+        "1.0, cycles = 1e5 }, { share = 0.5, cycles = 3e6 }]");
+    if (relieved) {
+      CHECK(std::abs(from_full / one_by_one - 1.0) > 1e-3);
+    } else {
+      CHECK(from_full == Approx(one_by_one).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("levels of a change are Miner's sum by hand", "[frame]") {
+  const double factor = fatigue_factor(
+      lifted(false,
+             "[[situations]]\nname = \"levels\"\nbetween = [\"empty\", \"full\"]\nspectrum = "
+             "[{ share = 1.0, cycles = 1e6 }, { share = 0.8, cycles = 1e6 }]\n"));
+  // Both ranges above the constant amplitude limit at the factor's stress: slope 3 alone.
+  const double range = 28e3 * 6.0 / 4.0 * 0.150 / test::clamped::inertia();
+  const double equivalent = range * std::cbrt((1.0 + std::pow(0.8, 3)) / 2.0);
+  CHECK(factor == Approx(71e6 / 1.35 / equivalent).epsilon(1e-6));
+}
+
 TEST_CASE("a load over time bends a frame as it stands at that time", "[frame]") {
   // Two forces at quarter points, one swinging: M in the middle is (F_1 + F_2(t)) L/8 each.
   const Verification of = verify(parse(

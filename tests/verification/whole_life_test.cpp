@@ -340,7 +340,8 @@ TEST_CASE("long records of situations one after the other, and where compression
       "[[situations]]\nname = \"calm\"\ncycles = 50\n"
       "set = { \"files.record.path\" = \"calm.csv\" }\n"
       "[[situations]]\nname = \"both\"\nsequence = [\"calm\", \"rough\"]\ncycles = 30\n"
-      "[[situations]]\nname = \"change\"\nbetween = [\"calm\", \"rough\"]\ncycles = 1000\n";
+      "[[situations]]\nname = \"change\"\nbetween = [\"calm\", \"rough\"]\n"
+      "spectrum = [{ share = 1.0, cycles = 400 }, { share = 0.7, cycles = 4000 }]\n";
   const std::size_t at = text.find("cycles = 100\n");
   text.erase(at, std::string("cycles = 100\n").size());
   write_record(folder, "record.csv", rough);

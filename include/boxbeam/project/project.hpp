@@ -124,6 +124,12 @@ struct GivenStress {
   std::string note;
 };
 
+/// So many cycles whose range is a share of a change between situations.
+struct SpectrumLevel {
+  double share = 1.0;
+  double cycles = 0.0;
+};
+
 /// A way in which the beam is used: normal running, an emergency stop, a start and a stop.
 struct Situation {
   std::string name;  ///< "" where the case has only one
@@ -140,12 +146,15 @@ struct Situation {
   /// order, counted as one history that repeats.
   std::vector<std::size_t> between;
   bool in_order = false;
+  /// Of a change: its cycles, `cycles` all together; one at the whole change among them.
+  std::vector<SpectrumLevel> spectrum;
   /// Elastic links: the harmonic loads are switched on at once on the structure at rest, and the
   /// time after it is looked at, instead of the steady vibration.
   bool sudden_start = false;
 
   /// Whether it is a motion of its own.
   bool runs() const { return between.empty(); }
+  bool is_change() const { return !between.empty() && !in_order; }
 };
 
 /// A pin of the mechanism and the plates it bears on.

@@ -5,6 +5,7 @@
 
 #include "boxbeam/section/cut_forces.hpp"
 #include "boxbeam/section/outline.hpp"
+#include "boxbeam/section/point_stress.hpp"
 #include "boxbeam/section/section.hpp"
 #include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/plate_materials.hpp"
@@ -39,10 +40,30 @@ inline constexpr std::array box_plates{BoxPlate::top_flange, BoxPlate::bottom_fl
                                        BoxPlate::left_web, BoxPlate::right_web};
 
 const char* to_text(BoxPlate plate);  ///< "top flange", "left web", ...
+bool is_flange(BoxPlate plate);       ///< else it is a web
 
 /// The walls of a profile; nothing of one that has not four plates, that is stiffened, or of which
 /// a plate is thicker than its material's table goes.
 std::optional<FourWalls> four_walls_of(const Profile& profile, const PlateMaterials& materials);
+
+/// Normal stress at the ends of a plate's clear width.
+struct PlateStress {
+  Stress compression;  ///< at the end that is compressed more; 0 where none is
+  Stress tension;      ///< likewise
+  /// Smaller over larger stress, compression positive, at least -3, below which no buckling factor
+  /// is given; 1 where nothing is compressed.
+  double psi = 1.0;
+};
+
+/// The ends of a plate of a box, whose stress is that of a section.
+class PlateEnds {
+ public:
+  PlateEnds(const FourWalls& box, BoxPlate plate, const AreaSums& section);
+  PlateStress under(const CutForces& cut) const;
+
+ private:
+  StressInfluence low_, high_;
+};
 
 /// What acts alone, by which an effective section is found: each has its own.
 enum class ActingAlone { compression, M_y_positive, M_y_negative, M_z_positive, M_z_negative };
@@ -117,10 +138,9 @@ struct CornerUse {
 /// bending, about the mid-lines of the plates (4.3(5)): each term of the section where it acts
 /// alone, M by its sign, N in tension by the gross section. e is the shift of the centroid under N
 /// alone; a shift that relieves does not count, nor that A_eff in place of A relieves a stretched
-/// corner. N is taken at the gross centroid, whatever the beam
-/// axis. Where plates are of unlike strength, the flange's
-/// holds for M_y, that of flange and web where M_z acts, and the least of all where N compresses.
-/// Source: EN 1993-1-5:2006, 4.6, equation 4.15.
+/// corner. N is taken at the gross centroid, whatever the beam axis. Where plates are of unlike
+/// strength, the flange's holds for M_y, that of flange and web where M_z acts, and the least of
+/// all where N compresses. Source: EN 1993-1-5:2006, 4.6, equation 4.15.
 class EffectiveBox {
  public:
   explicit EffectiveBox(const FourWalls& box, const LagShares& lag = {}, int most_passes = 1);

@@ -30,6 +30,10 @@ std::optional<double> internal_buckling_factor(double psi);
 /// table 4.2.
 std::optional<double> outstand_buckling_factor(double psi, LargestCompression where);
 
+/// Critical stress of a long plate for k = 1, sigma_E = 190 GPa (t/b)^2.
+/// Source: EN 1993-1-5:2006, annex A.1(2).
+Stress plate_euler_stress(double width_to_thickness);
+
 /// Relative slenderness of a plate, sqrt(f_y/sigma_cr).
 ///
 ///     lambda_p = (b/t) / (28.4 eps sqrt(k_sigma))

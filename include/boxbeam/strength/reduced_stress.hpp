@@ -15,9 +15,9 @@ struct ReducedStress {
 
 /// Use of a plate under normal stress along the beam and shear, nothing redistributed.
 ///
-///     1/alpha_cr = (1 + psi)/(4 a_x) + sqrt([(1 + psi)/(4 a_x)]^2 + (1 - psi)/(2 a_x^2) +
-///     1/a_tau^2) a_x = k_sigma sigma_E/sigma,  a_tau = k_tau sigma_E/tau,  sigma_E = 190 GPa
-///     (t/b)^2 use = sqrt([sigma/rho_x]^2 + 3 [tau/chi_w]^2) gamma_M1/f_y
+///     1/alpha_cr = p + sqrt(p^2 + (1 - psi)/(2 a_x^2) + 1/a_tau^2),  p = (1 + psi)/(4 a_x)
+///     a_x = k_sigma sigma_E/sigma,  a_tau = k_tau sigma_E/tau
+///     use = sqrt([sigma/rho_x]^2 + 3 [tau/chi_w]^2) gamma_M1/f_y
 ///
 /// compression  at the edge that is compressed more; not above zero: only shear can buckle it
 /// tension      at the edge that is stretched most, whose yielding counts as well

@@ -24,6 +24,11 @@ Turns turns_of(const Project& project, const std::vector<SituationHistory>& hist
 std::pair<Extreme, Extreme> extremes_in(const Project& project, std::size_t situation,
                                         const Turns& turns);
 
+/// The cycles of a change between situations whose cycle from extreme to extreme is `whole`. At a
+/// share p every stress s becomes m + p (s - m), where m is the middle between the extremes of the
+/// first situation: between states at rest, from the first on towards the other.
+std::vector<Cycle> change_cycles(const Situation& change, const Cycle& whole, Stress first_middle);
+
 /// Cycles of a situation, as often as the wanted life asks for.
 struct SituationCycles {
   std::size_t situation = 0;

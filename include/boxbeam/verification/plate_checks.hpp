@@ -48,7 +48,7 @@ struct SlenderPlates {
 /// Why the plates of the section at a station are not judged by effective widths (EN 1993-1-5,
 /// clauses 4 and 5), "" where they are: only boxes without stiffeners and rectangular tubes, by
 /// themselves, inclined by at most 10 degrees (2.3), without openings above 0.05 of a plate's
-/// width.
+/// width, those of one section together.
 std::string plates_obstacle(const Project& project, const Station& station);
 
 /// The plates of a station; nothing where none of its segment is so slender that it may buckle (c/t
@@ -68,9 +68,9 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
                                       const std::shared_ptr<const SlenderPlates>& plates,
                                       const std::vector<SituationHistory>& histories);
 
-/// Takes out the criteria of which the worst check of the beam says what another says as well: the
-/// effective section where all of it works there (its yield strength is reached at the outer fibres
-/// first), both together where shear, or normal stress, has no part in it.
+/// Takes out a criterion whose worst check of the beam says what another says as well, and is used
+/// no more than that: the effective section where all of it works there, beside yielding; both
+/// together where shear, or normal stress, has no part in it.
 void leave_out_covered(const Project& project, std::vector<CheckResult>& checks);
 
 }  // namespace boxbeam

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "boxbeam/core/angle.hpp"
-
 #include "boxbeam/core/error.hpp"
 
 namespace boxbeam {

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "boxbeam/strength/effective_box.hpp"
+#include "plate_formulas.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// "both webs" where these are alike.
+std::string name_of(BoxPlate plate, bool both) {
+  if (!both) return to_text(plate);
+  return is_flange(plate) ? "both flanges" : "both webs";
+}
+
+bool alike(const FourWalls& box, const SectionAlone& section, BoxPlate a, BoxPlate b) {
+  const BoxWall& wall = box.of(a);
+  const BoxWall& other = box.of(b);
+  return wall.clear() == other.clear() && wall.thickness == other.thickness &&
+         wall.class_strength == other.class_strength && section.of(a).idle == section.of(b).idle &&
+         section.of(a).psi == section.of(b).psi;
+}
+
+/// The plates of a section that do not work whole, and what of them does not.
+void derive_walls(Derivation& steps, const FourWalls& box, const SectionAlone& section,
+                  const char* under) {
+  for (std::size_t k = 0; k < box_plates.size(); ++k) {
+    const BoxPlate plate = box_plates[k];
+    const WallAlone& of = section.of(plate);
+    const BoxWall& wall = box.of(plate);
+    if (!(of.idle > 1e-9 * wall.clear())) continue;
+    const bool first = k % 2 == 0;
+    const bool both = alike(box, section, plate, box_plates[first ? k + 1 : k - 1]);
+    if (both && !first) continue;
+    const Traced c = steps.given("c", wall.clear());
+    steps.note([&] { return fmt::format("{} under {}", name_of(plate, both), under); });
+    const Traced t = steps.given("t", wall.thickness);
+    const bool buckles = of.pressed && of.width.rho < 1.0;
+    Traced works = 1.0;
+    if (buckles) {
+      const Traced psi = steps.given("psi", of.psi, {ValueKind::number});
+      const Traced epsilon = plate::epsilon(steps, steps.known("f_y", wall.class_strength));
+      const Traced k_sigma = steps.given("k_sigma", of.width.k_sigma, {ValueKind::number});
+      const Traced lambda = plate::slenderness(steps, c / t, epsilon, k_sigma);
+      works = plate::internal_reduction(steps, lambda, psi);
+      if (of.psi < 0.0) {
+        steps.define("c_idle", (1.0 - works) * c / (1.0 - psi),
+                     "from 0.4 of what works of the compressed width on (table 4.1)");
+        continue;
+      }
+      if (of.psi < 1.0) {
+        steps.define("c_idle", (1.0 - works) * c, "from 2/(5 - psi) of what works on (table 4.1)");
+        continue;
+      }
+    }
+    const double share = (buckles ? of.width.rho : 1.0) * wall.clear().value();
+    const double lag = (wall.clear() - of.idle).value() / share;
+    if (lag < 1.0 - 1e-9) {
+      const Traced beta = steps.given("beta^kappa", lag, {ValueKind::number}, "shear lag (3.3)");
+      works = buckles ? Traced(works * beta) : beta;
+    }
+    steps.define("c_idle", (1.0 - works) * c, "in the middle");
+  }
+}
+
+/// W of a corner: of what is left, or, where that is less, of unsymmetric bending.
+Traced derive_modulus(Derivation& steps, const SectionAlone& section, bool about_y, Length middle,
+                      SectionModulus used, const char* where) {
+  const AreaSums& sums = section.sums;
+  const double centre = (about_y ? sums.z : sums.y) / sums.area;
+  const double I = (about_y ? sums.zz : sums.yy) - sums.area * centre * centre;
+  const double sign = about_y ? 1.0 : -1.0;
+  const double by_itself = sign * I / (middle.value() - centre);
+  const char* const symbol = about_y ? "W_y,eff" : "W_z,eff";
+  if (std::abs(by_itself - used.value()) > 1e-9 * std::abs(by_itself)) {
+    return steps.given(symbol, used,
+                       "of what is left, whose product of inertia makes it less than I/e");
+  }
+  const Traced left = steps.given(about_y ? "I_y,eff" : "I_z,eff", si<SecondMoment>(I),
+                                  "of what is left, about its centroid");
+  const Traced z_c =
+      steps.given(about_y ? "z_c" : "y_c", si<Length>(centre), "the centroid of what is left");
+  const Traced z = steps.given(about_y ? "z" : "y", middle, where);
+  return steps.define(symbol, about_y ? left / (z - z_c) : left / (z_c - z));
+}
+
+}  // namespace
+
+Traced derive_corner_stress(Derivation& steps, const EffectiveBox& box, const CutForces& cut,
+                            const CornerUse& corner) {
+  const bool pressed = cut.N.value() < 0.0, about_z = corner.M_z.value() != 0.0;
+  const auto alone = [&](bool about_y, bool negative) -> const SectionAlone& {
+    using enum ActingAlone;
+    return box.alone(about_y ? (negative ? M_y_negative : M_y_positive)
+                             : (negative ? M_z_negative : M_z_positive));
+  };
+  if (pressed) derive_walls(steps, box.box(), box.alone(ActingAlone::compression), "N alone");
+  if (corner.M_y.value() != 0.0)
+    derive_walls(steps, box.box(), alone(true, corner.M_y.value() < 0.0), "M_y alone");
+  if (about_z) derive_walls(steps, box.box(), alone(false, corner.M_z.value() < 0.0), "M_z alone");
+  const Traced N = steps.given("N", cut.N);
+  const bool reduced = pressed && !corner.shifts.whole_area;
+  const Traced A = steps.given(reduced ? "A_eff" : "A", corner.area,
+                               reduced   ? "gross less what is idle"
+                               : pressed ? "gross: what is idle under N alone would relieve here"
+                                         : "tension: gross");
+  const auto moment = [&](const char* symbol, const char* of, const char* arm, Moment acting,
+                          Length lever, bool shifted) {
+    Traced M = steps.given(of, acting);
+    if (lever.value() == 0.0) return M;
+    const Traced e = steps.given(arm, lever,
+                                 shifted ? "from the beam axis to the centroid under N alone"
+                                         : "from the beam axis to the gross centroid");
+    return steps.define(symbol, plate::shifted_moment(M, N, e));
+  };
+  const Traced M_y = moment("M_y,E", "M_y", "e_z", cut.M_y, corner.arm_z, corner.shifts.along_z);
+  const BoxCorner& place = corner.corner;
+  const Traced W_y =
+      derive_modulus(steps, alone(true, corner.M_y.value() < 0.0), true,
+                     box.box().of(place.flange).middle, corner.W_y, "mid-line of the flange");
+  if (!about_z) return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y));
+  const Traced M_z = moment("M_z,E", "M_z", "e_y", cut.M_z, -corner.arm_y, corner.shifts.along_y);
+  const Traced W_z =
+      derive_modulus(steps, alone(false, corner.M_z.value() < 0.0), false,
+                     box.box().of(place.web).middle, corner.W_z, "mid-line of the web");
+  return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y, M_z, W_z));
+}
+
+}  // namespace boxbeam

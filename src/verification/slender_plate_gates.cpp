@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/strength/effective_width.hpp"
+#include "boxbeam/strength/section_class.hpp"
+#include "boxbeam/verification/gates.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Whether a situation or a change between situations that contains it has cycles.
+bool counts_in_fatigue(const Project& project, const Situation& situation) {
+  const std::size_t index = index_of(project, situation);
+  return std::any_of(
+      project.situations.begin(), project.situations.end(), [&](const Situation& of) {
+        const bool part = &of == &situation || std::find(of.between.begin(), of.between.end(),
+                                                         index) != of.between.end();
+        return part && of.cycles > 0.0;
+      });
+}
+
+/// What of a plate's area works under the stress that is there, lambda_p reduced by it.
+/// Source: EN 1993-1-5:2006, 4.4(4).
+double working_share(const BoxWall& wall, const PlateStress& stress, double part_of_yield) {
+  const double lambda =
+      relative_plate_slenderness(wall.clear() / wall.thickness, epsilon_of(wall.class_strength),
+                                 *internal_buckling_factor(stress.psi)) *
+      std::sqrt(std::min(1.0, part_of_yield));
+  return 1.0 - (1.0 - internal_reduction(lambda, stress.psi)) / std::max(1.0, 1.0 - stress.psi);
+}
+
+/// How far a plate that is stressed and sheared breathes, out of its plane with every cycle: 1 is
+/// the limit beyond which the fatigue of its edges is not that of its stresses in the plane.
+///
+///     sqrt((sigma_x/(k_sigma sigma_E))^2 + (1.1 tau/(k_tau sigma_E))^2) <= 1.1,  k_tau = 5.34
+///
+/// Source: EN 1993-2:2006, 7.4(3) (recalled, not confirmed).
+double breathing_of(double width_to_thickness, const PlateStress& stress, Stress shear) {
+  const Stress sigma_E = plate_euler_stress(width_to_thickness);
+  constexpr double k_tau = 5.34, limit = 1.1;
+  return std::hypot(stress.compression / (*internal_buckling_factor(stress.psi) * sigma_E),
+                    1.1 * shear / (k_tau * sigma_E)) /
+         limit;
+}
+
+/// Whether a load slides over a station in a motion.
+bool is_passed(const std::vector<SituationHistory>& histories) {
+  return std::any_of(histories.begin(), histories.end(),
+                     [](const SituationHistory& of) { return !of.history.passages().empty(); });
+}
+
+}  // namespace
+
+void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates& plates,
+                                 const AreaSums& sums,
+                                 const std::vector<SituationHistory>& histories) {
+  constexpr double least_area = 0.5, never_breathes = 120.0;
+  const StrengthDemand& strength = project_->strength;
+  const bool passed = is_passed(histories);
+  for (const ShearedPlate& plate : plates.sheared) {
+    if (passed && plate.may_buckle && !is_flange(plate.plate)) {
+      add("patch loading",
+          {segment, plate.name,
+           "a load runs along it, and what it does to a web so slender is not judged (EN "
+           "1993-1-5, clause 6)",
+           true},
+          1.0);
+    }
+    if (!project_->fatigue.asked) continue;
+    const BoxWall& wall = plates.box.box().of(plate.plate);
+    const PlateEnds ends(plates.box.box(), plate.plate, sums);
+    const double ratio = wall.clear() / wall.thickness;
+    double least = 1.0, most_breathing = 0.0;
+    for (const SituationHistory& of : histories) {
+      const double factor = strength.required * of.situation->load_factor * strength.gamma_M0;
+      const bool repeats = counts_in_fatigue(*project_, *of.situation);
+      for (const CutForces& cut : of.history.samples()) {
+        const PlateStress stress = ends.under(cut);
+        least = std::min(least, working_share(wall, stress,
+                                              factor * (stress.compression / wall.class_strength)));
+        if (!repeats || ratio <= never_breathes) continue;
+        const Stress shear = plate.force_of(cut) / (wall.clear() * wall.thickness);
+        most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));
+      }
+    }
+    if (least < least_area) {
+      add("effective area",
+          {segment, plate.name,
+           fmt::format("{:.3g} of its area is effective, less than 0.5: the stresses by which "
+                       "fatigue is judged are not those of the full section (EN 1993-1-5, 2.2(5))",
+                       least),
+           true},
+          1.0 / least);
+    }
+    if (most_breathing > 1.0) {
+      add("breathing",
+          {segment, plate.name,
+           fmt::format("it breathes out of its plane, {:.3g} times as much as its edges bear in "
+                       "fatigue (b/t = {:.3g}, EN 1993-2, 7.4)",
+                       most_breathing, ratio),
+           true},
+          most_breathing);
+    }
+  }
+}
+
+}  // namespace boxbeam
