@@ -100,8 +100,8 @@ std::string spectrum_text(const Situation& situation) {
   for (const SpectrumLevel& level : situation.spectrum) {
     levels.push_back(level.share == 1.0
                          ? text::cycles(level.cycles) + " of the whole change"
-                         : fmt::format("{} of {} % of it", text::cycles(level.cycles),
-                                       text::significant(100.0 * level.share, 4)));
+                         : fmt::format("{} of {:.4g} % of it", text::cycles(level.cycles),
+                                       100.0 * level.share));
   }
   return fmt::format(": {}", fmt::join(levels, ", "));
 }
