@@ -390,9 +390,19 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   add_joined_profiles(project, remarks);
   add_nested_profiles(project, remarks);
   add_slender_plates(verification, remarks);
+  if (const auto& lateral = verification.model.second_order.lateral)
+    remarks.push_back(lateral_text(*lateral) +
+                      (lateral->part <= no_turning_over_below
+                           ? fmt::format(", which does not count (up to {}, EN 1993-1-1, "
+                                         "6.3.2.2(4))",
+                                         no_turning_over_below)
+                           : fmt::format(", by which {} of the resistance is used (EN 1993-1-1, "
+                                         "6.3.4, curve d)",
+                                         text::percent(lateral->of_resistance))));
   remarks.push_back(
       "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
-      "for granted), lateral torsional buckling" +
+      "for granted)" +
+      std::string(verification.model.second_order.lateral ? "" : ", lateral torsional buckling") +
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +
       (knows_second_order(verification.model) ? "" : ", second order (bending by N w)"));

@@ -171,7 +171,7 @@ std::vector<Channel> channels_of(const Project& project,
                          : whole->cycles_of(whole_place_of(*whole, histories, point, stress.kind),
                                             channel.curve);
     channel.spectrum = spectrum_of(project, life, stress.kind);
-    if (largest_range_of(channel.spectrum) >= no_range_at(point))
+    if (largest_range_of(channel.spectrum) >= no_stress_at(point))
       channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
@@ -244,7 +244,7 @@ std::optional<CheckResult> check_yield(const Project& project,
     worst = &at;
     largest = in;
   }
-  if (largest.value < 1e-9 * point.yield_strength.value()) return std::nullopt;
+  if (largest.value < no_stress_at(point)) return std::nullopt;
   CheckResult result = start(Criterion::yield, project, point, *worst, normal_stress(point));
   Check& check = result.check;
   check.time = largest.time;
@@ -357,7 +357,7 @@ std::optional<CheckResult> check_range(const Project& project,
       if (project.situations[i].cycles == 0.0) continue;
       const auto [highest, lowest] = extremes_in(project, i, turns);
       const double range = project.fatigue.demand.gamma_Ff * (highest.value - lowest.value);
-      if (range < 1e-9 * limit.value()) continue;
+      if (range < no_stress_at(point)) continue;
       const double factor = limit.value() / range;
       if (worst && factor >= worst->check.safety_factor) continue;
       const Situation& running = project.situations[highest.situation];
@@ -400,7 +400,7 @@ std::optional<CheckResult> check_throat(const Project& project,
   }
   const Material& joined = *point.joined.material;
   const auto tensile = tensile_strength_of(joined, point.joined.thickness);
-  if (!tensile || largest.value < 1e-9 * tensile->value()) return std::nullopt;
+  if (!tensile || largest.value < no_stress_at(point)) return std::nullopt;
   CheckResult result = start(Criterion::weld, project, point, *worst, shear_stress(point));
   Check& check = result.check;
   check.time = largest.time;

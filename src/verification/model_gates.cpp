@@ -84,6 +84,30 @@ void look_at_second_order(const Project& project, const ModelChoice& model,
   }
 }
 
+/// The beam bending sideways and turning over.
+void look_at_turning_over(const Project& project, const ModelChoice& model,
+                          std::vector<Gate>& gates) {
+  if (!model.second_order.lateral) return;
+  const LateralLoad& load = *model.second_order.lateral;
+  const std::string& name = project.situations[load.situation].name;
+  const std::string when =
+      fmt::format(", at t = {:.6g} s{}", load.when.value(),
+                  name.empty() ? "" : fmt::format(" of situation \"{}\"", name));
+  if (load.part >= 1.0) {
+    gates.push_back({"", "", lateral_text(load) + when + ": it turns over", true});
+  } else if (load.part > no_turning_over_below &&
+             load.of_resistance * project.strength.required > 1.0) {
+    gates.push_back(
+        {"", "",
+         lateral_text(load) + when +
+             fmt::format(
+                 ": it counts (above {}, EN 1993-1-1, 6.3.2.2(4)), and by 6.3.4 with curve "
+                 "d {:.3g} of the resistance is used, more than 1/{:.3g}, which is required",
+                 no_turning_over_below, load.of_resistance, project.strength.required),
+         true});
+  }
+}
+
 /// What its loads leave unbalanced is known of a vibrating beam only after it was chosen.
 bool is_beyond_tolerance(const ModelChoice& model) {
   if (!model.bends_rigid_motion || model.weighed.empty()) return false;
@@ -104,6 +128,7 @@ std::vector<Gate> model_gates_of(const Project& project, const ModelChoice& mode
                      true});
   }
   look_at_second_order(project, model, gates);
+  look_at_turning_over(project, model, gates);
   if (project.model.demand == ModelDemand::automatic && is_beyond_tolerance(model)) {
     const double found = *model.weighed.back().found;
     gates.push_back(

@@ -142,8 +142,8 @@ bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
           buckles(worst.M_z.value() > 0.0 ? M_z_positive : M_z_negative));
 }
 
-/// A use this small is round-off.
-constexpr double no_use = 1e-9;
+/// A use this small is none, as stress is (`no_stress_at`).
+constexpr double no_use = 1e-6;
 
 }  // namespace
 

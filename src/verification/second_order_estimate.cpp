@@ -18,6 +18,7 @@
 #include "boxbeam/verification/model_ladder.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/vibrating_stress.hpp"
+#include "lateral_estimate.hpp"
 
 namespace boxbeam {
 namespace {
@@ -102,14 +103,16 @@ std::vector<double> outermost(std::vector<double> places, double length) {
 }
 
 std::string words_of(const std::vector<double>& at) {
-  return at.size() == 1 ? fmt::format("clamped at s = {:.3g} m and free elsewhere", at[0])
-                        : fmt::format("pinned at s = {:.3g} m and {:.3g} m", at[0], at[1]);
+  // Without the sign of a zero.
+  return at.size() == 1 ? fmt::format("clamped at s = {:.3g} m and free elsewhere", at[0] + 0.0)
+                        : fmt::format("pinned at s = {:.3g} m and {:.3g} m", at[0] + 0.0, at[1]);
 }
 
 /// How a beam is held at an instant, in both planes.
 struct Held {
   MakePosture in_plane, across;
   std::string in_plane_words, across_words;
+  std::vector<double> at;  ///< alone, and across
   bool whole = false;
 };
 
@@ -124,6 +127,7 @@ Held held_at(const Project& project, const SituationRun& run, Time time, const B
   const std::vector<double> at =
       outermost(run.motion->supports(loads), project.beam.length().value());
   Held held;
+  held.at = at;
   held.across = alone(project, Plane::y, at, loads);
   held.across_words = words_of(at);
   held.in_plane = alone(project, Plane::z, at, loads);
@@ -224,7 +228,7 @@ struct Compared {
 class Estimating {
  public:
   explicit Estimating(const Project& project)
-      : project_(&project), places_(compared_places_of(project.beam)) {
+      : project_(&project), places_(compared_places_of(project.beam)), lateral_(project) {
     for (const ComparedPlace& place : places_) {
       const Section section = section_at(project.beam, place.station);
       const Length half = 0.5 * height_of(section.outer);
@@ -235,11 +239,13 @@ class Estimating {
     }
     result_.whole = true;
     result_.across.emplace();
+    if (lateral_.is_known()) result_.lateral.emplace();
     result_.change = 0.0;
   }
 
   void look_at(const SituationRun& run) {
     Compared compared, across;
+    const double factor = std::max(run.situation->load_factor, 1.0);
     for (const std::size_t i : instants_of(run.loads)) {
       const Time time = run.loads.time_of(i);
       const BeamLoads loads = run.loads.loads_at(time);
@@ -252,17 +258,19 @@ class Estimating {
                              const std::string& words) {
         const double part = part_of_critical(make, load.part);
         if (part <= load.part) return;
-        load = {part, time, situation, words, of_resistance(compressed, part)};
+        load = {part, time, situation, words, factor * of_resistance(compressed, part)};
       };
       raise(result_.in_plane, held.in_plane, held.in_plane_words);
       raise(*result_.across, held.across, held.across_words);
-      result_.bending = std::max(result_.bending, bending_of_yield(diagram));
+      look_sideways(diagram, loads, held, time, situation, factor);
+      compressed_ = std::max(compressed_, factor * compressed);
+      result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
         result_.change.reset();
         continue;
       }
-      compare(held.in_plane, loads, compared);
-      if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), across);
+      compare(held.in_plane, loads, factor, compared);
+      if (project_->in_space) compare(held.across, in_plane(loads, Plane::y), factor, across);
     }
     if (!result_.change) return;
     result_.change = std::max(*result_.change, compared.relative());
@@ -272,10 +280,33 @@ class Estimating {
     }
   }
 
-  SecondOrderEstimate result() const { return result_; }
+  SecondOrderEstimate result() const {
+    SecondOrderEstimate result = result_;
+    if (result.lateral) {
+      const double yielding = compressed_ + result.bending;
+      const double part =
+          result.lateral->part + (result.across ? largest_factor_ * result.across->part : 0.0);
+      if (yielding > 0.0) {
+        result.lateral->of_resistance =
+            project_->strength.gamma_M1 * yielding /
+            column_reduction(std::sqrt(part / yielding), BucklingCurve::d);
+      }
+    }
+    return result;
+  }
 
  private:
-  void compare(const MakePosture& make, const BeamLoads& loads, Compared& compared) {
+  void look_sideways(const CutForceDiagram& diagram, const BeamLoads& loads, const Held& held,
+                     Time time, std::size_t situation, double factor) {
+    largest_factor_ = std::max(largest_factor_, factor);
+    if (!result_.lateral) return;
+    LateralLoad& load = *result_.lateral;
+    const double part = factor * lateral_.part(diagram, loads, held.at, load.part / factor);
+    if (part <= load.part) return;
+    load = {part, time, situation, held.across_words};
+  }
+
+  void compare(const MakePosture& make, const BeamLoads& loads, double factor, Compared& compared) {
     const SecondOrder bent = second_order_of(make(1.0));
     result_.turn = std::max(result_.turn, bent.turn);
     const Eigen::ArrayXd straight = fibre_stresses(cut_forces_of(loads), places_);
@@ -285,7 +316,7 @@ class Estimating {
       // Half the difference of the two fibres is M/W.
       const auto i = 2 * static_cast<Eigen::Index>(k);
       const double bending = 0.5 * (straight[i] + change[i] - straight[i + 1] - change[i + 1]);
-      result_.bending = std::max(result_.bending, std::abs(bending) / yield_[k]);
+      result_.bending = std::max(result_.bending, factor * std::abs(bending) / yield_[k]);
     }
   }
 
@@ -311,6 +342,9 @@ class Estimating {
   const Project* project_;
   std::vector<ComparedPlace> places_;
   std::vector<double> yield_;  ///< of the flanges there [Pa]
+  LateralEstimate lateral_;
+  double compressed_ = 0.0;  ///< largest compression over A f_y, times load factors
+  double largest_factor_ = 1.0;
   SecondOrderEstimate result_;
 };
 
@@ -321,6 +355,13 @@ SecondOrderEstimate estimate_second_order(const Project& project,
   Estimating estimating(project);
   for (const SituationRun& run : runs) estimating.look_at(run);
   return estimating.result();
+}
+
+std::string lateral_text(const LateralLoad& of) {
+  return fmt::format(
+      "lateral torsional buckling: M/M_cr = {:.3g} at most, the beam {} sideways and "
+      "against turning, forces at the edge where they turn it over",
+      of.part, of.held);
 }
 
 std::string second_order_text(const SecondOrderEstimate& of) {

@@ -254,7 +254,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   Utilisations found;
   constexpr NoDerivation plainly;
   const StrengthDemand& strength = project_->strength;
-  if (yield && equivalent >= 1e-9 * point.yield_strength.value()) {
+  if (yield && equivalent >= no_stress_at(point)) {
     const Stress resistance = yield_resistance(plainly, point.yield_strength, strength.gamma_M0);
     found.of(Criterion::yield) = strength.required * equivalent / resistance.value();
   }
@@ -283,7 +283,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
     const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                           const std::array<double, cut_force::count>& of, double factor,
                           bool reduced) {
-      if (largest_range_of(*project_, turns) < no_range_at(point)) return;
+      if (largest_range_of(*project_, turns) < no_stress_at(point)) return;
       together.emplace_back(whole_->place_of(unit_cuts_, of, factor, reduced), curve_of(detail));
       if (asked(criterion))
         found.of(criterion) = required / whole_->factor_of({&together.back(), 1});
@@ -303,7 +303,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   const auto look = [&](Criterion criterion, const Turns& turns, const Detail& detail,
                         bool reduced) {
     FatigueChannel channel{cycles_of(*project_, turns, reduced), {}};
-    if (largest_range_of(channel.cycles) < no_range_at(point)) return;
+    if (largest_range_of(channel.cycles) < no_stress_at(point)) return;
     channel.curve = curve_of(detail);
     if (asked(criterion)) {
       found.of(criterion) = required / largest_factor(channel.cycles, channel.curve, demand);

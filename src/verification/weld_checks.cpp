@@ -115,7 +115,7 @@ std::optional<CheckResult> check_static(const Project& project, const WeldInput&
     largest = in;
   }
   const auto tensile = tensile_strength_of(*point.joined.material, point.joined.thickness);
-  if (!tensile || worst == nullptr || largest.value < 1e-9 * tensile->value()) return std::nullopt;
+  if (!tensile || worst == nullptr || largest.value < no_stress_at(point)) return std::nullopt;
   CheckResult result;
   Check& check = result.check;
   check.criterion = Criterion::weld;

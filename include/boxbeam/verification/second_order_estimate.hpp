@@ -18,8 +18,22 @@ struct BucklingLoad {
   Time when;          ///< of it
   std::size_t situation = 0;
   std::string held;  ///< how the beam is taken to be held, in words
-  /// N/N_b,Rd then, chi from lambda = sqrt(alpha_ult/alpha_cr), alpha_ult of N alone, by curve c.
+  /// N/N_b,Rd then, chi from lambda = sqrt(alpha_ult/alpha_cr), alpha_ult of N alone, by curve c;
+  /// times the load factor of its situation.
   /// Source: EN 1993-1-1, 6.3.1.2 and, for a tapered beam, 6.3.4(2) and (3).
+  double of_resistance = 0.0;
+};
+
+/// How much of the load at which the beam bends sideways and turns over acts.
+struct LateralLoad {
+  double part = 0.0;  ///< largest M/M_cr over the motion, times the load factor of its situation
+  Time when;          ///< of it
+  std::size_t situation = 0;
+  std::string held;  ///< where the beam is taken to be held sideways and against turning, in words
+  /// 1/(chi alpha_ult/gamma_M1): alpha_ult of N and M in the plane, chi by curve d from
+  /// lambda = sqrt(alpha_ult/alpha_cr), 1/alpha_cr the sum of N/N_cr across the plane and M/M_cr
+  /// (Dunkerley: never less than that of both together).
+  /// Source: EN 1993-1-1, 6.3.4(2) to (4) and 6.3.2.2.
   double of_resistance = 0.0;
 };
 
@@ -34,10 +48,12 @@ struct BucklingLoad {
 struct SecondOrderEstimate {
   BucklingLoad in_plane;
   std::optional<BucklingLoad> across;  ///< nothing where the section has no such plane
+  std::optional<LateralLoad> lateral;  ///< nothing where the torsion constant is not known
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
   double turn = 0.0;  ///< largest turn of a section by bending [rad]
-  /// Largest M/(W f_y) of the bent beam over the motion; of the straight one where it buckles.
+  /// Largest M/(W f_y) of the bent beam over the motion, times the load factor of its situation; of
+  /// the straight one where it buckles.
   double bending = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };
@@ -51,6 +67,11 @@ SecondOrderEstimate estimate_second_order(const Project& project,
 /// 6.3.1.2(4)), and second order: 0.1 (5.2.1(3)).
 inline constexpr double no_buckling_below = 0.04;
 inline constexpr double first_order_below = 0.1;
+/// Of M/M_cr: 6.3.2.2(4) with lambda_LT,0 = 0.2, the plateau of its curves; 6.3.2.3 has 0.4.
+inline constexpr double no_turning_over_below = 0.04;
+
+/// "lateral torsional buckling: M/M_cr = 0.012 at most, held ..".
+std::string lateral_text(const LateralLoad& of);
 
 /// "second order is estimated to change it by 0.3 %, N/N_cr = 0.012 at most in the plane, 0.004
 /// across it".

@@ -1,0 +1,99 @@
+#include "lateral_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr int elements = 48;  ///< at least
+constexpr double same_place = 1e-6;
+
+std::vector<double> nodes_of(const TaperedBeam& beam, const std::vector<double>& at) {
+  const double length = beam.length().value();
+  std::vector<double> nodes = at;
+  for (int i = 0; i <= elements; ++i) nodes.push_back(length * i / elements);
+  for (const Segment& segment : beam.segments) nodes.push_back(segment.end().value());
+  std::sort(nodes.begin(), nodes.end());
+  const auto alike = [&](double a, double b) { return b - a < same_place * length; };
+  nodes.erase(std::unique(nodes.begin(), nodes.end(), alike), nodes.end());
+  return nodes;
+}
+
+std::size_t nearest_of(const std::vector<double>& nodes, double s) {
+  const auto above = std::lower_bound(nodes.begin(), nodes.end(), s);
+  if (above == nodes.begin()) return 0;
+  const auto index = static_cast<std::size_t>(above - nodes.begin());
+  if (above == nodes.end() || s - nodes[index - 1] < nodes[index] - s) return index - 1;
+  return index;
+}
+
+}  // namespace
+
+bool LateralEstimate::is_known() const {
+  const std::vector<Segment>& segments = project_->beam.segments;
+  return std::all_of(segments.begin(), segments.end(), [](const Segment& segment) {
+    return torsion_properties_of(segment.from).I_T && torsion_properties_of(segment.to).I_T;
+  });
+}
+
+void LateralEstimate::hold(const std::vector<double>& at) {
+  if (at == at_ && !beam_.nodes.empty()) return;
+  at_ = at;
+  const TaperedBeam& beam = project_->beam;
+  const double E = project_->model.youngs_modulus, G = project_->model.shear_modulus;
+  beam_.nodes = nodes_of(beam, at);
+  const std::size_t count = beam_.nodes.size();
+  beam_.held.assign(count, false);
+  for (const double s : at) beam_.held[nearest_of(beam_.nodes, s)] = true;
+  beam_.turning_stiffness.resize(count - 1);
+  by_M_y_.resize(count - 1);
+  by_M_z_.resize(count - 1);
+  twisting_.resize(count - 1);
+  edges_.resize(count);
+  for (std::size_t e = 0; e + 1 < count; ++e) {
+    const std::array<double, 2> places = gauss_places(beam_, e);
+    for (std::size_t g = 0; g < 2; ++g) {
+      const Section section = section_at(beam, {si<Length>(places[g])});
+      const SectionProperties of = properties_of(section);
+      const double I_y = of.I_y.value(), I_z = of.I_z.value(), I_yz = of.I_yz.value();
+      // As in bending along the webs and across them: the section is free to bend both ways.
+      const double upright = 1.0 / (E * (I_y - I_yz * I_yz / I_z));
+      const double sideways = 1.0 / (E * (I_z - I_yz * I_yz / I_y));
+      beam_.turning_stiffness[e][g] = G * torsion_properties_of(section).I_T->value();
+      by_M_y_[e][g] = std::max(0.0, sideways - upright);
+      by_M_z_[e][g] = std::max(0.0, upright - sideways);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Section section = section_at(beam, {si<Length>(beam_.nodes[i])});
+    const Extent extent = extent_of(section.outer);
+    edges_[i] = {std::max(-extent.z_low.value(), extent.z_high.value()),
+                 std::max(-extent.y_low.value(), extent.y_high.value())};
+  }
+}
+
+double LateralEstimate::part(const CutForceDiagram& diagram, const BeamLoads& loads,
+                             const std::vector<double>& at, double known) {
+  hold(at);
+  for (std::size_t e = 0; e < twisting_.size(); ++e) {
+    const std::array<double, 2> places = gauss_places(beam_, e);
+    for (std::size_t g = 0; g < 2; ++g) {
+      const CutForces cut = diagram.at({si<Length>(places[g])});
+      const double M_y = cut.M_y.value(), M_z = cut.M_z.value();
+      twisting_[e][g] = M_y * M_y * by_M_y_[e][g] + M_z * M_z * by_M_z_[e][g];
+    }
+  }
+  tipping_.assign(beam_.nodes.size(), 0.0);
+  for (const PointLoad& load : loads.points) {
+    const std::size_t i = nearest_of(beam_.nodes, load.s.value());
+    tipping_[i] +=
+        std::abs(load.force.z()) * edges_[i][0] + std::abs(load.force.y()) * edges_[i][1];
+  }
+  return lateral_buckling_part(beam_, twisting_, tipping_, known);
+}
+
+}  // namespace boxbeam
