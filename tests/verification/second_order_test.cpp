@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/verification/loaded_posture.hpp"
 #include "boxbeam/verification/model_choice.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 #include "boxbeam/verification/verify.hpp"
@@ -152,6 +154,45 @@ TEST_CASE("a beam is not bent at more instants than can be looked at", "[second_
     FAIL("no error");
   } catch (const AnalysisError& error) {
     CHECK(error.failure().what.find("16000 instants") != std::string::npos);
+  }
+}
+
+// E I ~ (1 + (r - 1) x/L)^2 between pins: N_cr L^2/(E I_min) = (r - 1)^2 ((pi/ln r)^2 + 1/4).
+// Source: Timoshenko, Gere, Theory of Elastic Stability (1961), section 2.14, n = 2; 1.5270, 2.1067
+// and 3.4155 times pi^2 for r = 1.5, 2 and 3.
+TEST_CASE("a column whose depth tapers buckles at the closed form", "[second_order]") {
+  for (const double r : {1.5, 2.0, 3.0}) {
+    flexible::Mechanism held;
+    flexible::Link& link = held.links.emplace_back();
+    link.name = "column";
+    link.length = L;
+    link.parts = 128;
+    const double d = (r - 1.0) / L;
+    flexible::LinkStretch& stretch = link.stretches.emplace_back();
+    stretch.length = L;
+    stretch.EI.c = {E * I, 2.0 * d * E * I, d * d * E * I};
+    stretch.EA.c = {1e6 * E * A};
+    stretch.GA.c = {1e6 * E * A};
+    const double free = 0.0, stiff = std::numeric_limits<double>::infinity();
+    for (const double s : {0.0, L}) {
+      flexible::Joint& joint = held.joints.emplace_back();
+      joint.name = "pin";
+      joint.a = {0, {s, 0.0}};
+      joint.b = {flexible::ground, {s, 0.0}};
+      joint.stiffness = {s == 0.0 ? stiff : free, stiff, free};
+    }
+    Project project = test::slow_slider_crank(0.0);
+    BeamLoads loads;
+    loads.lines = unloaded_lines(project.beam);
+    loads.points = {{si<Length>(0.0), {1e3, 0.0, 0.0}}, {si<Length>(L), {-1e3, 0.0, 0.0}}};
+    const double closed =
+        std::pow(r - 1.0, 2) * (std::pow(pi / std::log(r), 2) + 0.25) * E * I / (L * L);
+    const auto stands_at = [&](double part) {
+      return stands(loaded_beam(held, project.beam, loads, part * closed / 1e3));
+    };
+    INFO("r = " << r);
+    CHECK(stands_at(1.0 - 2e-4));
+    CHECK_FALSE(stands_at(1.0 + 2e-4));
   }
 }
 
