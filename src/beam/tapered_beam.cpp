@@ -103,6 +103,7 @@ std::vector<Length> places_of(const TaperedBeam& beam) {
   for (const Segment& segment : beam.segments) places.push_back(segment.end());
   places.insert(places.end(), beam.marks.begin(), beam.marks.end());
   for (const BeamPoint& point : beam.points) places.push_back(point.s);
+  for (const Diaphragm& diaphragm : beam.diaphragms) places.push_back(diaphragm.s);
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;

@@ -247,6 +247,30 @@ void check_bending_widths(TableReader& table, const Project& project) {
   }
 }
 
+void read_diaphragm(TableReader table, TaperedBeam& beam) {
+  Diaphragm diaphragm;
+  diaphragm.s = station_of(table, {"station", "along the beam"}, beam);
+  diaphragm.thickness = si<Length>(table.positive({"thickness", "of its plate"}, wanted::length));
+  if (table.has("opening")) {
+    diaphragm.opening =
+        si<Length>(table.positive({"opening", "width of its access hole"}, wanted::length));
+  }
+  table.finish();
+  if (!table.problems().empty()) return;
+  const auto same = [&](const Diaphragm& other) { return other.s == diaphragm.s; };
+  if (std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(), same)) {
+    table.problem("station", "there is already a diaphragm at this station",
+                  "write each diaphragm once");
+  }
+  const Extent extent = extent_of(section_at(beam, {diaphragm.s}).outer);
+  if (diaphragm.opening >= extent.y_high - extent.y_low) {
+    table.problem("opening", "the access hole is as wide as the beam",
+                  fmt::format("the section is {:.6g} mm wide there",
+                              (extent.y_high - extent.y_low).value() * 1e3));
+  }
+  beam.diaphragms.push_back(diaphragm);
+}
+
 }  // namespace
 
 TaperedBeam read_tapered_beam(TableReader& table, const Sections& sections) {
@@ -263,6 +287,11 @@ TaperedBeam read_tapered_beam(TableReader& table, const Sections& sections) {
   if (table.has("segments") && beam.segments.empty()) {
     table.problem("segments", "the beam has no segment", "write at least one [[beam.segments]]");
   }
+  for (TableReader& diaphragm :
+       table.tables({"diaphragms", "plates across the beam, welded to all four of its plates"}))
+    read_diaphragm(diaphragm, beam);
+  std::sort(beam.diaphragms.begin(), beam.diaphragms.end(),
+            [](const Diaphragm& a, const Diaphragm& b) { return a.s < b.s; });
   return beam;
 }
 

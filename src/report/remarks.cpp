@@ -80,17 +80,22 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
       "beam; where that is one for holes on the net section, this counts the hole twice");
 }
 
-void add_slender_plates(const Verification& verification, std::vector<std::string>& remarks) {
+void add_slender_plates(const Project& project, const Verification& verification,
+                        std::vector<std::string>& remarks) {
   const bool judged =
       std::any_of(verification.checks.begin(), verification.checks.end(),
                   [](const CheckResult& result) { return result.plates.has_value(); });
   if (!judged) return;
   remarks.push_back(
       "plates with c/t above 42 eps are judged by effective widths under N, M_y and M_z, each by "
-      "the section where it acts alone (EN 1993-1-5, clause 4, one pass), and in shear (clause 5) "
-      "as panels as long as the beam with end posts that are not rigid, without the flanges' part: "
-      "diaphragms are not known and would only help; what forces do to webs that they are led into "
-      "beside a diaphragm (clause 6) is not checked");
+      "the section where it acts alone (EN 1993-1-5, clause 4, one pass), and in shear (clause 5), "
+      "without the flanges' part, " +
+      std::string(project.beam.diaphragms.size() > 1
+                      ? "as panels between diaphragms, each as slender as at its deepest place"
+                      : "as panels as long as the beam with end posts that are not rigid: "
+                        "[[beam.diaphragms]] would only help") +
+      "; what forces do to webs that they are led into beside a diaphragm (clause 6) is not "
+      "checked");
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
@@ -389,7 +394,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   add_published(project, verification, remarks);
   add_joined_profiles(project, remarks);
   add_nested_profiles(project, remarks);
-  add_slender_plates(verification, remarks);
+  add_slender_plates(project, verification, remarks);
   if (const auto& lateral = verification.model.second_order.lateral)
     remarks.push_back(lateral_text(*lateral) +
                       (lateral->part <= no_turning_over_below

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "blocks.hpp"
 #include "boxbeam/project/detail_catalogue.hpp"
@@ -37,6 +39,20 @@ void add_holes(const Project& project, Entries& entries) {
                             at.hole.name, plain_mm(at.hole.diameter), webs ? "webs" : "flanges",
                             at.s.value(), webs ? "z =" : "y = +-", plain_mm(at.hole.position),
                             at.concentration ? to_text(*at.concentration) : "net section"));
+  }
+}
+
+/// Those alike in one line.
+void add_diaphragms(const Project& project, Entries& entries) {
+  std::map<std::pair<double, double>, std::vector<std::string>> alike;
+  for (const Diaphragm& of : project.beam.diaphragms)
+    alike[{of.thickness.value(), of.opening.value()}].push_back(
+        fmt::format("{:.6g}", of.s.value()));
+  for (const auto& [sizes, places] : alike) {
+    std::string text = fmt::format("{:.6g} mm", 1e3 * sizes.first);
+    if (sizes.second > 0.0) text += fmt::format(", access hole {:.6g} mm wide", 1e3 * sizes.second);
+    entries.emplace_back("diaphragms",
+                         fmt::format("{} at s = {} m", text, fmt::join(places, ", ")));
   }
 }
 
@@ -98,10 +114,10 @@ std::string spectrum_text(const Situation& situation) {
   if (situation.spectrum.size() < 2) return "";
   std::vector<std::string> levels;
   for (const SpectrumLevel& level : situation.spectrum) {
-    levels.push_back(level.share == 1.0
-                         ? text::cycles(level.cycles) + " of the whole change"
-                         : fmt::format("{} of {:.4g} % of it", text::cycles(level.cycles),
-                                       100.0 * level.share));
+    levels.push_back(
+        level.share == 1.0
+            ? text::cycles(level.cycles) + " of the whole change"
+            : fmt::format("{} of {:.4g} % of it", text::cycles(level.cycles), 100.0 * level.share));
   }
   return fmt::format(": {}", fmt::join(levels, ", "));
 }
@@ -193,6 +209,7 @@ Chapter inputs_chapter(const Source& source) {
   const Project& project = source.project;
   Entries beam, mechanism, demands;
   add_holes(project, beam);
+  add_diaphragms(project, beam);
   beam.emplace_back(
       "density",
       fmt::format("{:.6g} kg/m^3{}", project.beam.density.value(),

@@ -1,5 +1,7 @@
 #include "boxbeam/strength/shear_buckling.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "boxbeam/strength/section_class.hpp"
@@ -16,15 +18,17 @@ struct PanelNumbers {
 
 template <class Number, class Record>
 PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double eta) {
-  const auto ratio = record.given("h_w/t", panel.depth / panel.thickness, {});
+  const Length deepest = panel.deepest.value_or(panel.depth);
+  const auto ratio = record.given("h_w/t", deepest / panel.thickness, {},
+                                  panel.deepest ? "at the deepest place of the panel" : "");
   const auto epsilon = plate::epsilon(record, record.known("f_y", panel.yield_strength));
   const auto k_tau = [&]() -> Number {
     if (!panel.length) {
       return Number(record.given("k_tau", 5.34, {ValueKind::factor},
                                  "between the ends of the beam: nothing shortens the panel"));
     }
-    const auto h_over_a = record.given("h_w/a", panel.depth / *panel.length, {});
-    return Number(plate::shear_factor(record, h_over_a, *panel.length >= panel.depth));
+    const auto h_over_a = record.given("h_w/a", deepest / *panel.length, {}, "between diaphragms");
+    return Number(plate::shear_factor(record, h_over_a, *panel.length >= deepest));
   }();
   const Number lambda_w(plate::shear_slenderness(record, ratio, epsilon, k_tau));
   return {k_tau, lambda_w, plate::shear_reduction(record, lambda_w, eta, panel.rigid_end_post)};
@@ -39,6 +43,14 @@ double shear_hardening_factor(Stress yield_strength) {
 ShearBucklingNeed shear_buckling_need(Length clear_depth, Length thickness, Stress yield_strength,
                                       double eta) {
   return {clear_depth / thickness, 72.0 * epsilon_of(yield_strength) / eta};
+}
+
+bool is_rigid_end_post(const EndPost& post, Length deepest, Length thickness,
+                       Stress yield_strength) {
+  const Length width =
+      std::min(post.width, 15.0 * epsilon_of(yield_strength) * post.thickness, std::less<>());
+  return post.apart >= 0.1 * deepest &&
+         width * post.thickness >= 4.0 * deepest * thickness * thickness / post.apart;
 }
 
 ShearResistance shear_resistance_of(const ShearPanel& panel, double gamma_M1) {

@@ -223,6 +223,7 @@ std::vector<BeamCut> beam_cuts_of(const Project& project, const std::deque<Situa
     cuts.add(hole.s, false, true);
     cuts.add(hole.s + radius, false);
   }
+  for (const Diaphragm& diaphragm : beam.diaphragms) cuts.add(diaphragm.s, true);
   for (const BeamPoint& point : beam.points) cuts.add(point.s, false);
   for (const NamedPoint& point : project.points) cuts.add(point.s, false, true);
   for (const BeamDetail& stretch : project.fatigue.details) {

@@ -11,6 +11,7 @@
 #include "boxbeam/section/wall_stretches.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "plate_panels.hpp"
 
 namespace boxbeam {
 namespace {
@@ -233,6 +234,7 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
   auto plates = std::make_shared<SlenderPlates>(SlenderPlates{EffectiveBox(*walls, lag), lag, {}});
   plates->sheared = sheared_plates_of(section, *walls, taper_at(project.beam, station),
                                       !project.in_space, project.strength.gamma_M1);
+  divide_into_panels(project, station, plates->sheared);
   for (ShearedPlate& plate : plates->sheared) {
     plate.may_buckle = std::any_of(ends.begin(), ends.end(), [&](const FourWalls& of) {
       return may_buckle_in_shear(of.of(plate.plate));

@@ -9,6 +9,7 @@
 #include <map>
 #include <random>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
@@ -259,6 +260,124 @@ TEST_CASE("a flange under V counts with half of its largest shear stress", "[pla
   CHECK(flanges == 2);
 }
 
+namespace {
+
+std::string diaphragms(const std::vector<double>& at, double thickness = 10.0,
+                       double opening = 0.0) {
+  std::string text;
+  for (const double s : at) {
+    text += fmt::format("[[beam.diaphragms]]\nstation = \"{:.17g} m\"\nthickness = \"{} mm\"\n", s,
+                        thickness);
+    if (opening > 0.0) text += fmt::format("opening = \"{} mm\"\n", opening);
+  }
+  return text;
+}
+
+double shear_resistance_in(const Verification& of) {
+  const CheckResult* const shear = of.governing(Criterion::shear_buckling);
+  REQUIRE(shear != nullptr);
+  return shear->check.resisting.value();
+}
+
+/// The web at a station of a case.
+ShearedPlate web_at(const std::string& text, const Station& station) {
+  const Project project = parse_project("slender.toml", text);
+  const auto plates = slender_plates_at(project, {}, station);
+  REQUIRE(plates != nullptr);
+  for (const ShearedPlate& plate : plates->sheared)
+    if (!is_flange(plate.plate)) return plate;
+  FAIL("no web");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("diaphragms make panels of a web, and two at each end rigid end posts", "[plates]") {
+  const auto resistance = [](const std::vector<double>& at, double thickness, double opening) {
+    return shear_resistance_in(verified(
+        cantilever(box("a", 600.0, 1224.0, 12.0, 8.0),
+                   segment(9.6, "a") + diaphragms(at, thickness, opening), tip(9.6, -400.0))));
+  };
+  // Web 1200 x 8, S355, a = 3 m: k_tau = 5.34 + 4 (1.2/3)^2 = 5.98, lambda_w = 2.016; 810 kN, with
+  // rigid end posts 993 kN, by hand.
+  CHECK(resistance({0.0, 3.0, 6.0, 9.0, 9.6}, 10.0, 0.0) == Approx(810e3).epsilon(1e-3));
+  const std::vector<double> posts{0.0, 0.3, 3.3, 6.3, 9.3, 9.6};
+  CHECK(resistance(posts, 10.0, 0.0) == Approx(993e3).epsilon(1e-3));
+  // 4 h_w t^2/e = 1024 mm^2; 15 eps t_d^2 = 1220 mm^2 of 10 mm, 781 mm^2 of 8 mm; beside an access
+  // hole of 500 mm 42 mm are left.
+  CHECK(resistance(posts, 8.0, 0.0) == Approx(810e3).epsilon(1e-3));
+  CHECK(resistance(posts, 10.0, 500.0) == Approx(810e3).epsilon(1e-3));
+  // Only at one end.
+  CHECK(resistance({0.0, 0.3, 3.3, 6.3, 9.3}, 10.0, 0.0) < 811e3);
+  // Beyond the last diaphragm nothing shortens the panel: k_tau = 5.34.
+  CHECK(resistance({0.0, 3.0, 6.0}, 10.0, 0.0) ==
+        Approx(810e3 * std::sqrt(5.34 / 5.98)).epsilon(1e-3));
+}
+
+TEST_CASE("a panel that tapers is as slender as at its deepest place", "[plates]") {
+  const std::string text =
+      cantilever(box("a", 600.0, 1224.0, 12.0, 8.0) + box("b", 600.0, 824.0, 12.0, 8.0),
+                 taper(6.0, "a", "b") + diaphragms({0.0, 3.0, 6.0}), tip(6.0, -400.0));
+  const auto slenderness = [](double deepest) {
+    return deepest / 8.0 /
+           (37.4 * std::sqrt(235.0 / 355.0) *
+            std::sqrt(5.34 + 4.0 * std::pow(deepest / 3000.0, 2)));
+  };
+  const ShearedPlate shallow = web_at(text, {4.5 * metre});
+  CHECK(shallow.panel.depth.value() == Approx(0.9));
+  CHECK(shallow.resists.lambda_w == Approx(slenderness(1000.0)).epsilon(1e-9));
+  CHECK(shallow.resists.resistance.value() ==
+        Approx(0.83 / slenderness(1000.0) * 355e6 / std::sqrt(3.0) * 0.9 * 0.008).epsilon(1e-9));
+  CHECK(web_at(text, {1.0 * metre}).resists.lambda_w == Approx(slenderness(1200.0)).epsilon(1e-9));
+  CHECK(web_at(text, {3.0 * metre, Side::before}).resists.lambda_w ==
+        Approx(slenderness(1200.0)).epsilon(1e-9));
+  CHECK(web_at(text, {3.0 * metre, Side::behind}).resists.lambda_w ==
+        Approx(slenderness(1000.0)).epsilon(1e-9));
+  // Without a side that of both together.
+  CHECK(web_at(text, {3.0 * metre}).panel.length->value() == Approx(6.0));
+}
+
+TEST_CASE("one more diaphragm never takes from a beam, a panel that is longer gives nothing",
+          "[plates]") {
+  std::mt19937 random(11);
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  for (int i = 0; i < 10; ++i) {
+    const std::string sections =
+        box("a", 600.0, in(900.0, 1300.0), 12.0, 8.0) + box("b", 600.0, 700.0, 12.0, 8.0);
+    const double force = -in(200.0, 500.0);
+    std::vector<double> at{0.0, 8.0};
+    double before = 1e9;
+    for (int k = 0; k < 4; ++k) {
+      const double use = use_of(
+          verified(cantilever(sections, taper(8.0, "a", "b") + diaphragms(at), tip(8.0, force))),
+          Criterion::shear_buckling);
+      CHECK(use <= before * (1.0 + 1e-9));
+      before = use;
+      at.push_back(in(0.5, 7.5));
+    }
+  }
+}
+
+TEST_CASE("diaphragms that cannot be are refused", "[plates]") {
+  const auto said = [](const std::string& more) -> std::string {
+    try {
+      parse_project("slender.toml", cantilever(box("a", 600.0, 1224.0, 12.0, 8.0),
+                                               segment(6.0, "a") + more, tip(6.0, -400.0)));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(said(diaphragms({0.0, 6.0})).empty());
+  CHECK(said(diaphragms({3.0, 3.0})).find("there is already a diaphragm at this station") !=
+        std::string::npos);
+  CHECK(said(diaphragms({3.0}, 10.0, 600.0)).find("the access hole is as wide as the beam") !=
+        std::string::npos);
+  CHECK(said(diaphragms({6.5})).find("lies behind the end of the beam") != std::string::npos);
+}
+
 TEST_CASE("no place between the stations is used more than what is reported", "[plates]") {
   std::mt19937 random(5);
   const auto in = [&](double low, double high) {
@@ -270,7 +389,8 @@ TEST_CASE("no place between the stations is used more than what is reported", "[
     const double first = in(600.0, 1300.0), last = in(250.0, 600.0);
     const std::string text = cantilever(
         box("a", width, first, flange, web) + box("b", width, last, flange, web),
-        segment(in(0.5, 2.0), "a") + taper(in(4.5, 8.0), "a", "b") + segment(1.0, "b"),
+        segment(in(0.5, 2.0), "a") + taper(in(4.5, 8.0), "a", "b") + segment(1.0, "b") +
+            (i % 3 == 0 ? diaphragms({0.0, in(1.0, 2.5), in(2.6, 4.0), in(4.1, 6.5)}) : ""),
         fmt::format("[loads.a]\nkind = \"force\"\nat = \"{} m\"\nforce = [\"{} kN\", \"{} kN\"]\n"
                     "[loads.l]\nkind = \"line\"\nforce_per_length = [\"0 kN/m\", \"{} kN/m\"]\n",
                     in(1.0, 6.0), in(-200.0, 200.0), in(-200.0, 200.0), in(-60.0, 60.0)));

@@ -66,9 +66,18 @@ pid_t start(const std::vector<std::string>& arguments, std::vector<std::string> 
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+  // Where the tests run under nohup, what they start would not hear of a closed terminal either.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t heard;
+  sigemptyset(&heard);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&heard, signal);
+  posix_spawnattr_setsigdefault(&attributes, &heard);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t id = -1;
-  REQUIRE(posix_spawn(&id, words.front().c_str(), &actions, nullptr, pointers.data(), environ) ==
-          0);
+  REQUIRE(posix_spawn(&id, words.front().c_str(), &actions, &attributes, pointers.data(),
+                      environ) == 0);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return id;
 }

@@ -41,11 +41,20 @@ struct BeamPoint {
   Length s;
 };
 
+/// A plate across the beam, which keeps its section in shape and divides its plates into panels.
+/// Its mass is not that of the beam.
+struct Diaphragm {
+  Length s;
+  Length thickness;
+  Length opening;  ///< width of its access hole; zero: none
+};
+
 /// A beam along x of sections in a row, from s = 0 to its length.
 struct TaperedBeam {
   std::vector<Segment> segments;  ///< in order, without gaps
   std::vector<BeamPoint> points;
-  std::vector<Length> marks;  ///< more places of interest, which have no name: holes
+  std::vector<Length> marks;          ///< more places of interest, which have no name: holes
+  std::vector<Diaphragm> diaphragms;  ///< ascending
   Density density;
   /// Whether the sections' own rotary inertia counts, beside their mass on the axis.
   bool rotary_inertia = false;

@@ -37,8 +37,22 @@ struct ShearPanel {
   Stress yield_strength;
   /// Between rigid transverse stiffeners or diaphragms; nothing: so long that they do not help.
   std::optional<Length> length = {};
-  bool rigid_end_post = false;  ///< by 9.3.1; a single diaphragm at the end is none
+  bool rigid_end_post = false;  ///< `is_rigid_end_post`; a single diaphragm at the end is none
+  /// The largest clear depth of a panel that tapers, by which it is slender; nothing: `depth`.
+  std::optional<Length> deepest = {};
 };
+
+/// Two diaphragms at the end of a beam, as far as they hold one of its webs.
+struct EndPost {
+  Length apart;
+  Length thickness, width;  ///< of the thinner one, and of what of it belongs to the web
+};
+
+/// Whether they anchor what the web's panel pulls at its end: at least 0.1 h_w apart, each of an
+/// area of 4 h_w t^2/e, of a width of at most 15 eps of its thickness. Source: EN
+/// 1993-1-5:2006, 9.3.1(2) and (3); the width as of stiffeners, 9.1(2).
+bool is_rigid_end_post(const EndPost& post, Length deepest, Length thickness,
+                       Stress yield_strength);
 
 /// What a panel resists in shear.
 struct ShearResistance {
@@ -49,6 +63,7 @@ struct ShearResistance {
 /// Resistance of a plate to shear, its own part; that of the flanges is left out, on the safe side.
 ///
 ///     k_tau:   a >= h_w: 5.34 + 4 (h_w/a)^2,  else 4 + 5.34 (h_w/a)^2;  5.34 without a
+///     of a panel that tapers k_tau and lambda_w with its largest h_w, V_bw,Rd with that here
 ///     lambda_w = h_w/(37.4 t eps sqrt(k_tau))
 ///     chi_w:   lambda_w < 0.83/eta: eta;  0.83/lambda_w;  rigid end post, from 1.08 on:
 ///              1.37/(0.7 + lambda_w)

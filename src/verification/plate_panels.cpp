@@ -1,0 +1,93 @@
+#include "plate_panels.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "boxbeam/project/plate_material.hpp"
+
+namespace boxbeam {
+namespace {
+
+std::optional<FourWalls> walls_at(const Project& project, const Station& station) {
+  return four_walls_of(section_at(project.beam, station).outer,
+                       materials_of(project, segment_at(project.beam, station)));
+}
+
+/// The indices of the diaphragms between which a station lies, the second one behind the first by
+/// one, or by two where it is one itself, without a side. The ends of the beam have one side.
+std::optional<std::pair<std::size_t, std::size_t>> neighbours_of(const TaperedBeam& beam,
+                                                                 Station station) {
+  const std::vector<Diaphragm>& diaphragms = beam.diaphragms;
+  if (station.s.value() == 0.0) station.side = Side::behind;
+  if (station.s == beam.length()) station.side = Side::before;
+  const auto at_or_behind =
+      std::lower_bound(diaphragms.begin(), diaphragms.end(), station.s,
+                       [](const Diaphragm& of, const Length& s) { return of.s < s; });
+  const bool here = at_or_behind != diaphragms.end() && at_or_behind->s == station.s;
+  const auto next = here && station.side != Side::before ? at_or_behind + 1 : at_or_behind;
+  const auto from = here && station.side == Side::behind ? next : at_or_behind;
+  if (next == diaphragms.end() || from == diaphragms.begin()) return std::nullopt;
+  return std::pair{static_cast<std::size_t>(from - diaphragms.begin()) - 1,
+                   static_cast<std::size_t>(next - diaphragms.begin())};
+}
+
+/// The largest clear depth of a plate between two places; nothing where it is not one throughout.
+std::optional<Length> deepest_between(const Project& project, BoxPlate plate, Length from,
+                                      Length to) {
+  std::vector<Station> stations{{from, Side::behind}, {to, Side::before}};
+  for (const Segment& segment : project.beam.segments) {
+    if (segment.end() <= from || segment.end() >= to) continue;
+    stations.push_back({segment.end(), Side::before});
+    stations.push_back({segment.end(), Side::behind});
+  }
+  Length deepest;
+  for (const Station& station : stations) {
+    const std::optional<FourWalls> walls = walls_at(project, station);
+    if (!walls) return std::nullopt;
+    deepest = std::max(deepest, walls->of(plate).clear());
+  }
+  return deepest;
+}
+
+bool is_rigid(const Project& project, BoxPlate web, const Diaphragm& a, const Diaphragm& b) {
+  Length deepest, thickness, narrowest = project.beam.length();
+  Stress yield_strength;
+  for (const Station& station : {Station{a.s, Side::behind}, Station{b.s, Side::before}}) {
+    const std::optional<FourWalls> walls = walls_at(project, station);
+    if (!walls) return false;
+    const BoxWall& of = walls->of(web);
+    deepest = std::max(deepest, of.clear());
+    thickness = std::max(thickness, of.thickness);
+    yield_strength = std::max(yield_strength, of.class_strength, std::less<>());
+    narrowest = std::min(narrowest, walls->of(BoxPlate::top_flange).clear());
+  }
+  const EndPost post{b.s - a.s, std::min(a.thickness, b.thickness),
+                     0.5 * (narrowest - std::max(a.opening, b.opening))};
+  return is_rigid_end_post(post, deepest, thickness, yield_strength);
+}
+
+}  // namespace
+
+void divide_into_panels(const Project& project, const Station& station,
+                        std::vector<ShearedPlate>& plates) {
+  const std::vector<Diaphragm>& diaphragms = project.beam.diaphragms;
+  const auto between = neighbours_of(project.beam, station);
+  if (!between) return;
+  const std::size_t count = diaphragms.size();
+  const Length from = diaphragms[between->first].s, to = diaphragms[between->second].s;
+  const bool inside = between->first > 0 && between->second + 1 < count;
+  for (ShearedPlate& plate : plates) {
+    const std::optional<Length> deepest = deepest_between(project, plate.plate, from, to);
+    if (!deepest) continue;
+    plate.panel.length = to - from;
+    if (*deepest > plate.panel.depth) plate.panel.deepest = deepest;
+    plate.panel.rigid_end_post =
+        inside && !is_flange(plate.plate) &&
+        is_rigid(project, plate.plate, diaphragms[0], diaphragms[1]) &&
+        is_rigid(project, plate.plate, diaphragms[count - 2], diaphragms[count - 1]);
+    plate.resists = shear_resistance_of(plate.panel, project.strength.gamma_M1);
+  }
+}
+
+}  // namespace boxbeam

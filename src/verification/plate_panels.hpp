@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "boxbeam/project/project.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
+
+namespace boxbeam {
+
+/// Makes panels of the plates at a station, where it lies between two diaphragms: as long as these
+/// are apart, as slender as at the deepest place between them. Webs whose beam has two diaphragms
+/// at each end that are rigid end posts have them, but between these two themselves.
+void divide_into_panels(const Project& project, const Station& station,
+                        std::vector<ShearedPlate>& plates);
+
+}  // namespace boxbeam
