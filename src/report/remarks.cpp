@@ -91,7 +91,7 @@ void add_slender_plates(const Project& project, const Verification& verification
       "the section where it acts alone (EN 1993-1-5, clause 4, one pass), and in shear (clause 5), "
       "without the flanges' part, " +
       std::string(project.beam.diaphragms.size() > 1
-                      ? "as panels between diaphragms, each as slender as at its deepest place"
+                      ? "as panels between diaphragms"
                       : "as panels as long as the beam with end posts that are not rigid: "
                         "[[beam.diaphragms]] would only help") +
       "; what forces do to webs that they are led into beside a diaphragm (clause 6) is not "

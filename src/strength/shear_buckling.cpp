@@ -18,17 +18,16 @@ struct PanelNumbers {
 
 template <class Number, class Record>
 PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double eta) {
-  const Length deepest = panel.deepest.value_or(panel.depth);
-  const auto ratio = record.given("h_w/t", deepest / panel.thickness, {},
-                                  panel.deepest ? "at the deepest place of the panel" : "");
+  const auto depth = record.known("h_w", panel.depth);
+  const auto ratio = depth / record.known("t", panel.thickness);
   const auto epsilon = plate::epsilon(record, record.known("f_y", panel.yield_strength));
   const auto k_tau = [&]() -> Number {
     if (!panel.length) {
       return Number(record.given("k_tau", 5.34, {ValueKind::factor},
                                  "between the ends of the beam: nothing shortens the panel"));
     }
-    const auto h_over_a = record.given("h_w/a", deepest / *panel.length, {}, "between diaphragms");
-    return Number(plate::shear_factor(record, h_over_a, *panel.length >= deepest));
+    const auto length = record.given("a", *panel.length, "between diaphragms");
+    return Number(plate::shear_factor(record, depth / length, *panel.length >= panel.depth));
   }();
   const Number lambda_w(plate::shear_slenderness(record, ratio, epsilon, k_tau));
   return {k_tau, lambda_w, plate::shear_reduction(record, lambda_w, eta, panel.rigid_end_post)};

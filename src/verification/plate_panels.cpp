@@ -32,24 +32,6 @@ std::optional<std::pair<std::size_t, std::size_t>> neighbours_of(const TaperedBe
                    static_cast<std::size_t>(next - diaphragms.begin())};
 }
 
-/// The largest clear depth of a plate between two places; nothing where it is not one throughout.
-std::optional<Length> deepest_between(const Project& project, BoxPlate plate, Length from,
-                                      Length to) {
-  std::vector<Station> stations{{from, Side::behind}, {to, Side::before}};
-  for (const Segment& segment : project.beam.segments) {
-    if (segment.end() <= from || segment.end() >= to) continue;
-    stations.push_back({segment.end(), Side::before});
-    stations.push_back({segment.end(), Side::behind});
-  }
-  Length deepest;
-  for (const Station& station : stations) {
-    const std::optional<FourWalls> walls = walls_at(project, station);
-    if (!walls) return std::nullopt;
-    deepest = std::max(deepest, walls->of(plate).clear());
-  }
-  return deepest;
-}
-
 bool is_rigid(const Project& project, BoxPlate web, const Diaphragm& a, const Diaphragm& b) {
   Length deepest, thickness, narrowest = project.beam.length();
   Stress yield_strength;
@@ -75,13 +57,10 @@ void divide_into_panels(const Project& project, const Station& station,
   const auto between = neighbours_of(project.beam, station);
   if (!between) return;
   const std::size_t count = diaphragms.size();
-  const Length from = diaphragms[between->first].s, to = diaphragms[between->second].s;
+  const Length length = diaphragms[between->second].s - diaphragms[between->first].s;
   const bool inside = between->first > 0 && between->second + 1 < count;
   for (ShearedPlate& plate : plates) {
-    const std::optional<Length> deepest = deepest_between(project, plate.plate, from, to);
-    if (!deepest) continue;
-    plate.panel.length = to - from;
-    if (*deepest > plate.panel.depth) plate.panel.deepest = deepest;
+    plate.panel.length = length;
     plate.panel.rigid_end_post =
         inside && !is_flange(plate.plate) &&
         is_rigid(project, plate.plate, diaphragms[0], diaphragms[1]) &&

@@ -38,8 +38,6 @@ struct ShearPanel {
   /// Between rigid transverse stiffeners or diaphragms; nothing: so long that they do not help.
   std::optional<Length> length = {};
   bool rigid_end_post = false;  ///< `is_rigid_end_post`; a single diaphragm at the end is none
-  /// The largest clear depth of a panel that tapers, by which it is slender; nothing: `depth`.
-  std::optional<Length> deepest = {};
 };
 
 /// Two diaphragms at the end of a beam, as far as they hold one of its webs.
@@ -63,7 +61,6 @@ struct ShearResistance {
 /// Resistance of a plate to shear, its own part; that of the flanges is left out, on the safe side.
 ///
 ///     k_tau:   a >= h_w: 5.34 + 4 (h_w/a)^2,  else 4 + 5.34 (h_w/a)^2;  5.34 without a
-///     of a panel that tapers k_tau and lambda_w with its largest h_w, V_bw,Rd with that here
 ///     lambda_w = h_w/(37.4 t eps sqrt(k_tau))
 ///     chi_w:   lambda_w < 0.83/eta: eta;  0.83/lambda_w;  rigid end post, from 1.08 on:
 ///              1.37/(0.7 + lambda_w)
