@@ -95,7 +95,7 @@ Node situations_of(const Project& project, const std::vector<std::string>& files
   for (const Situation& situation : project.situations) {
     Node of;
     put(of, "name", text_node(situation.name));
-    if (project.fatigue.asked && situation.is_change()) {
+    if (project.fatigue.asked && !situation.spectrum.empty()) {
       std::vector<Node> levels;
       for (const SpectrumLevel& level : situation.spectrum) {
         Node& one = levels.emplace_back();

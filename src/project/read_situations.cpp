@@ -242,8 +242,6 @@ void read_made_of(TableReader& table, const std::vector<Situation>& others, Situ
     situation.spectrum = read_spectrum(table, table.has("cycles") ? situation.cycles : 1.0);
     situation.cycles = 0.0;
     for (const SpectrumLevel& level : situation.spectrum) situation.cycles += level.cycles;
-  } else if (!situation.in_order) {
-    situation.spectrum = {{1.0, situation.cycles}};
   }
   if (situation.cycles == 0.0 && !levels && table.problems().empty()) {
     table.problem(key,

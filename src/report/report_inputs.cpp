@@ -111,7 +111,7 @@ std::string count_text(const Project& project, const Situation& situation) {
 
 /// ": 2e4 of the whole change, 1e5 of 80 %".
 std::string spectrum_text(const Situation& situation) {
-  if (situation.spectrum.size() < 2) return "";
+  if (situation.spectrum.empty()) return "";
   std::vector<std::string> levels;
   for (const SpectrumLevel& level : situation.spectrum) {
     levels.push_back(

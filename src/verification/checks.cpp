@@ -244,7 +244,7 @@ std::optional<CheckResult> check_yield(const Project& project,
     worst = &at;
     largest = in;
   }
-  if (largest.value < no_stress_at(point)) return std::nullopt;
+  if (largest.value < 1e-9 * point.yield_strength.value()) return std::nullopt;
   CheckResult result = start(Criterion::yield, project, point, *worst, normal_stress(point));
   Check& check = result.check;
   check.time = largest.time;

@@ -48,6 +48,7 @@ std::pair<Extreme, Extreme> extremes_in(const Project& project, std::size_t situ
 }
 
 std::vector<Cycle> change_cycles(const Situation& change, const Cycle& whole, Stress first_middle) {
+  if (change.spectrum.empty()) return {{whole.range, whole.mean, change.cycles}};
   std::vector<Cycle> cycles;
   for (const SpectrumLevel& level : change.spectrum) {
     cycles.push_back({level.share * whole.range,

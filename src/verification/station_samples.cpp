@@ -254,7 +254,7 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   Utilisations found;
   constexpr NoDerivation plainly;
   const StrengthDemand& strength = project_->strength;
-  if (yield && equivalent >= no_stress_at(point)) {
+  if (yield && equivalent >= 1e-9 * point.yield_strength.value()) {
     const Stress resistance = yield_resistance(plainly, point.yield_strength, strength.gamma_M0);
     found.of(Criterion::yield) = strength.required * equivalent / resistance.value();
   }

@@ -146,7 +146,8 @@ struct Situation {
   /// order, counted as one history that repeats.
   std::vector<std::size_t> between;
   bool in_order = false;
-  /// Of a change: its cycles, `cycles` all together; one at the whole change among them.
+  /// Of a change: its cycles, `cycles` all together; one at the whole change among them. Empty: all
+  /// of them are whole.
   std::vector<SpectrumLevel> spectrum;
   /// Elastic links: the harmonic loads are switched on at once on the structure at rest, and the
   /// time after it is looked at, instead of the steady vibration.

@@ -64,9 +64,9 @@ struct StressPoint {
   std::optional<ShearLag> web_lag;  ///< of the webs as flanges of M_z, in space
 };
 
-/// A stress below this is none, and a range of it does no damage in any life and has no say
-/// together with another [Pa]: a millionth of the yield strength, far below every cut-off limit and
-/// above round-off.
+/// A stress of a weld below this is none, and a range of any stress: it does no damage in any life
+/// and has no say together with another [Pa]. A millionth of the yield strength, far below every
+/// cut-off limit and above round-off.
 inline double no_stress_at(const StressPoint& point) { return 1e-6 * point.yield_strength.value(); }
 
 /// What resists ranges of direct stress at a place.
