@@ -131,6 +131,21 @@ TEST_CASE("a rod that buckles across the plane of motion does not pass", "[secon
   CHECK(blocked(verification, "across it"));
 }
 
+TEST_CASE("a load factor for strength counts in buckling as a member", "[second_order]") {
+  // lambda = 2.28, chi = 0.16 by curve c: 0.33 N_cr is 0.4 of the resistance, three times more than
+  // all of it.
+  Project project = test::slow_slider_crank(0.33 * critical);
+  const Verification once = verify(project);
+  CHECK_FALSE(blocked(once, "N/N_b,Rd"));
+  project.situations.front().load_factor = 3.0;
+  const Verification thrice = verify(project);
+  CHECK(blocked(thrice, "N/N_b,Rd"));
+  CHECK(thrice.model.second_order.in_plane.of_resistance ==
+        Approx(3.0 * once.model.second_order.in_plane.of_resistance).epsilon(1e-9));
+  CHECK(thrice.model.second_order.bending ==
+        Approx(3.0 * once.model.second_order.bending).epsilon(1e-9));
+}
+
 TEST_CASE("a beam is not bent at more instants than can be looked at", "[second_order]") {
   // A thousand turns in the second that is looked at, sixteen instants each.
   const std::string text =
