@@ -62,11 +62,11 @@ double lateral_buckling_part(const TurningBeam& beam,
   const auto stands = [&](double part) { return stands_at(beam, twisting, tipping, 1.0 / part); };
   if (std::none_of(beam.held.begin(), beam.held.end(), [](bool held) { return held; }))
     return std::numeric_limits<double>::infinity();
-  constexpr double least = 1e-6, most = 1e6, close = 1e-5;
+  constexpr double least = 1e-6, most = 1e30, close = 1e-5;
   double buckled = std::max(known, least), stable = buckled;
   if (stands(stable)) return known;
   while (!stands(stable *= 2.0)) {
-    if (stable > most) return std::numeric_limits<double>::infinity();
+    if (stable > most) return most;
     buckled = stable;
   }
   while (stable - buckled > close * stable) {

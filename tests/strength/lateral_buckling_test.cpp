@@ -193,6 +193,13 @@ TEST_CASE("lateral buckling scales with stiffness, load and length", "[lateral_b
         Approx(2.0 * part).epsilon(3e-5));
 }
 
+TEST_CASE("a load beyond all reason has a number, too", "[lateral_buckling]") {
+  const Case of{L, constant(GI), constant(EI), constant(1e12)};
+  const double part = part_of(of);
+  CHECK(part == Approx(1e12 * L / (std::numbers::pi * root)).epsilon(2e-5));
+  CHECK(part_of({L, constant(GI), constant(EI), constant(1e40)}) == 1e30);
+}
+
 TEST_CASE("a beam that nothing holds turns over, one that nothing bends does not",
           "[lateral_buckling]") {
   const TurningBeam beam{{0.0, 1.0, 2.0}, {false, false, false}, {{1.0, 1.0}, {1.0, 1.0}}};

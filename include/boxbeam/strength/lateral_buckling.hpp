@@ -27,9 +27,10 @@ std::array<double, 2> gauss_places(const TurningBeam& beam, std::size_t element)
 /// `twisting`: M^2/(E I) of each element [N], I that of bending sideways; with
 /// M^2 (1/(E I) - 1/(E I_M)) the bow of the bent beam counts, too. `tipping`: forces times their
 /// height above the axis at each node, H [N m], above zero where they turn the beam over.
-/// `known`: nothing less than this is looked for; it is returned then. To 1e-5 of the result
-/// of the elements, which is 1e-3 of the beam's with 64 of them where it tapers by four, 1e-4 with
-/// 256. Source: Timoshenko, Gere, Theory of Elastic Stability (1961), sections 6.2 to 6.5.
+/// `known`: nothing less than this is looked for; it is returned then; nor more than 1e30. To 1e-5
+/// of the result of the elements, which is 1e-3 of the beam's with 64 of them where it tapers by
+/// four, 1e-4 with 256. Source: Timoshenko, Gere, Theory of Elastic Stability (1961), sections 6.2
+/// to 6.5.
 double lateral_buckling_part(const TurningBeam& beam,
                              std::span<const std::array<double, 2>> twisting,
                              std::span<const double> tipping, double known = 0.0);
