@@ -80,6 +80,24 @@ TEST_CASE("a plate that would turn over gets no verdict, though its stress is sm
         Approx(0.3 * critical_force() * L / 3e-4 / 345e6 / chi).epsilon(1e-6));
 }
 
+TEST_CASE("compression across the plane and turning over count together", "[lateral]") {
+  // 1 kN pushes along the plate: N/N_cr = 1000 x 4 L^2/(pi^2 E I_z) sideways, A f_y for yielding.
+  Project project = plate(1000.0,
+                          "[loads.push]\nkind = \"force\"\nat = \"6 m\"\nforce = [\"-1 "
+                          "kN\", \"0 N\"]\n");
+  const Verification of = verify(project);
+  const double pi = std::numbers::pi;
+  const double pushed = 1000.0 * 4.0 * L * L / (pi * pi * E * h * b * b * b / 12.0);
+  REQUIRE(of.model.second_order.across.has_value());
+  CHECK(of.model.second_order.across->part == Approx(pushed).epsilon(2e-3));
+  const double yielding = 1000.0 / (b * h * 345e6) + of.model.second_order.bending;
+  CHECK(of.model.second_order.bending == Approx(1000.0 * L / 3e-4 / 345e6).epsilon(1e-2));
+  const double lambda = std::sqrt((pushed + part_of(of)) / yielding);
+  const double phi = 0.5 * (1.0 + 0.76 * (lambda - 0.2) + lambda * lambda);
+  const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
+  CHECK(of.model.second_order.lateral->of_resistance == Approx(yielding / chi).epsilon(2e-3));
+}
+
 TEST_CASE("a safety factor and a load factor bring the limit of turning over nearer", "[lateral]") {
   const double force = 0.5 * critical_force();
   CHECK(turned_over(verify(plate(force))) == nullptr);
