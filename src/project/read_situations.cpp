@@ -207,7 +207,10 @@ std::vector<SpectrumLevel> read_spectrum(TableReader& table, double repetitions)
     of.finish();
   }
   if (!table.problems().empty()) return spectrum;
-  if (largest < 1.0) {
+  if (spectrum.empty()) {
+    table.problem("spectrum", "the spectrum has no level",
+                  "write for example spectrum = [{ share = 1.0, cycles = 5000 }]");
+  } else if (largest < 1.0) {
     table.problem("spectrum", fmt::format("the largest share is {:g}", largest),
                   fmt::format("let the situations be the largest change and divide the shares by "
                               "{0:g}, so that it has the share 1",

@@ -16,13 +16,18 @@
 namespace boxbeam {
 namespace {
 
+std::string when_text(const Project& project, Time when, std::size_t situation) {
+  const std::string& name = project.situations[situation].name;
+  return fmt::format(", at t = {:.6g} s{}", when.value(),
+                     name.empty() ? "" : fmt::format(" of situation \"{}\"", name));
+}
+
 std::string buckling_text(const Project& project, const BucklingLoad& load, const char* plane) {
-  const std::string& name = project.situations[load.situation].name;
   return fmt::format(
-      "the beam's compression is {:.4g} of the elastic critical one, N_cr of the tapered beam {} "
-      "with its axial force as it is distributed, {}, at t = {:.6g} s{}",
-      load.part, plane, load.held, load.when.value(),
-      name.empty() ? "" : fmt::format(" of situation \"{}\"", name));
+             "the beam's compression is {:.4g} of the elastic critical one, N_cr of the tapered "
+             "beam {} with its axial force as it is distributed, {}",
+             load.part, plane, load.held) +
+         when_text(project, load.when, load.situation);
 }
 
 /// Buckling of the beam, and second order where it is not in the cut forces.
@@ -89,10 +94,7 @@ void look_at_turning_over(const Project& project, const ModelChoice& model,
                           std::vector<Gate>& gates) {
   if (!model.second_order.lateral) return;
   const LateralLoad& load = *model.second_order.lateral;
-  const std::string& name = project.situations[load.situation].name;
-  const std::string when =
-      fmt::format(", at t = {:.6g} s{}", load.when.value(),
-                  name.empty() ? "" : fmt::format(" of situation \"{}\"", name));
+  const std::string when = when_text(project, load.when, load.situation);
   if (load.part >= 1.0) {
     gates.push_back({"", "", lateral_text(load) + when + ": it turns over", true});
   } else if (load.part > no_turning_over_below &&

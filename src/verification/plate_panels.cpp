@@ -21,10 +21,12 @@ std::optional<std::pair<std::size_t, std::size_t>> neighbours_of(const TaperedBe
   const std::vector<Diaphragm>& diaphragms = beam.diaphragms;
   if (station.s.value() == 0.0) station.side = Side::behind;
   if (station.s == beam.length()) station.side = Side::before;
+  // Cuts within round-off of each other are one, which may stand beside the diaphragm.
+  const Length near = 1e-9 * beam.length();
   const auto at_or_behind =
-      std::lower_bound(diaphragms.begin(), diaphragms.end(), station.s,
+      std::lower_bound(diaphragms.begin(), diaphragms.end(), station.s - near,
                        [](const Diaphragm& of, const Length& s) { return of.s < s; });
-  const bool here = at_or_behind != diaphragms.end() && at_or_behind->s == station.s;
+  const bool here = at_or_behind != diaphragms.end() && at_or_behind->s <= station.s + near;
   const auto next = here && station.side != Side::before ? at_or_behind + 1 : at_or_behind;
   const auto from = here && station.side == Side::behind ? next : at_or_behind;
   if (next == diaphragms.end() || from == diaphragms.begin()) return std::nullopt;

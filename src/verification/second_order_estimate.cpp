@@ -257,8 +257,10 @@ class Estimating {
       const auto raise = [&](BucklingLoad& load, const MakePosture& make,
                              const std::string& words) {
         const double part = part_of_critical(make, load.part);
-        if (part <= load.part) return;
-        load = {part, time, situation, words, factor * of_resistance(compressed, part)};
+        // Of an instant whose part is not above the largest so far, no more than that is known.
+        const double used = std::max(load.of_resistance, factor * of_resistance(compressed, part));
+        if (part > load.part) load = {part, time, situation, words};
+        load.of_resistance = used;
       };
       raise(result_.in_plane, held.in_plane, held.in_plane_words);
       raise(*result_.across, held.across, held.across_words);

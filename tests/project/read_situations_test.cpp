@@ -195,6 +195,8 @@ TEST_CASE("levels of a change: shares up to the whole, cycles of each, repetitio
                 "[{ share = 0.8", "the largest share is 0.8",
                 "let the situations be the largest change and divide the shares by 0.8, so that it "
                 "has the share 1");
+  check_refused(change + "spectrum = []\n", "spectrum = [", "the spectrum has no level",
+                "write for example spectrum = [{ share = 1.0, cycles = 5000 }]");
   check_refused(two +
                     "sequence = [\"rest\", \"run\"]\ncycles = 3\nspectrum = [{ share = 1.0, "
                     "cycles = 500 }]\n",

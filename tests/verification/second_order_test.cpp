@@ -146,6 +146,21 @@ TEST_CASE("a load factor for strength counts in buckling as a member", "[second_
         Approx(3.0 * once.model.second_order.bending).epsilon(1e-9));
 }
 
+TEST_CASE("a load factor counts in whichever situation of the same loads it stands",
+          "[second_order]") {
+  Project project = test::slow_slider_crank(0.33 * critical);
+  Situation& first = project.situations.front();
+  first.name = "running";
+  Situation storm = first;
+  storm.name = "storm";
+  storm.load_factor = 3.0;
+  for (const bool before : {false, true}) {
+    Project both = project;
+    both.situations.insert(before ? both.situations.begin() : both.situations.end(), storm);
+    CHECK(blocked(verify(both), "N/N_b,Rd"));
+  }
+}
+
 TEST_CASE("a beam is not bent at more instants than can be looked at", "[second_order]") {
   // A thousand turns in the second that is looked at, sixteen instants each.
   const std::string text =
