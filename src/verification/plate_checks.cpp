@@ -244,13 +244,13 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
 }
 
 Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
-                           const std::vector<SituationHistory>& histories) {
+                           const StationSamples& samples) {
   const PlateUses uses(project, plates);
   const double required = project.strength.required;
   Utilisations found;
   const auto look = [&](Criterion criterion, const auto& use) {
     double& of = found.of(criterion);
-    of = std::max(of, required * worst_of(histories, use).use);
+    of = std::max(of, required * samples.largest_use(use));
   };
   look(Criterion::effective_section, [&](const CutForces& cut) { return uses.normal(cut); });
   for (const ShearedPlate& plate : plates.sheared) {

@@ -210,6 +210,24 @@ double StationSamples::largest_cut_force(cut_force::Index which, double sign) co
   return largest;
 }
 
+double StationSamples::largest_use(const CutForceFunction& use) const {
+  double largest = 0.0;
+  std::vector<double> uses;
+  for (const Run& run : runs_) {
+    uses.clear();
+    const double* acting = run.cuts.data();
+    for (std::size_t i = 0; i < run.instants.times.size(); ++i) {
+      std::array<double, cut_force::count> of{};
+      for (const std::size_t k : acting_) of[k] = *acting++;
+      uses.push_back(use({si<Force>(of[cut_force::N]), si<Force>(of[cut_force::V_y]),
+                          si<Force>(of[cut_force::V_z]), si<Moment>(of[cut_force::T]),
+                          si<Moment>(of[cut_force::M_y]), si<Moment>(of[cut_force::M_z])}));
+    }
+    largest = std::max(largest, run.load_factor * largest_of(uses, run.instants));
+  }
+  return largest;
+}
+
 Utilisations StationSamples::judge(const StressPoint& point,
                                    std::initializer_list<Criterion> by) const {
   return judge(point, point.influence, by);

@@ -119,7 +119,7 @@ class AlongBeam {
     add_cut_forces(samples, values);
     values[of_class] = class_3_use_at(*project_, station, histories);
     if (const auto plates = slender_plates_at(*project_, *zones_, station)) {
-      const Utilisations uses = plate_uses_of(*project_, *plates, histories);
+      const Utilisations uses = plate_uses_of(*project_, *plates, samples);
       for (std::size_t k = 0; k < plate_criteria.size(); ++k)
         values[k] = uses.of(plate_criteria[k]);
     }

@@ -412,9 +412,13 @@ TEST_CASE("no place between the stations is used more than what is reported", "[
       const Station station{s, Side::both};
       const auto plates = slender_plates_at(project, zones, station);
       if (!plates) continue;
-      const Utilisations uses = plate_uses_of(project, *plates, histories_at(runs, station));
-      for (std::size_t c = 0; c < most.size(); ++c)
-        most[c] = std::max(most[c], uses.of(plate_criteria[c]));
+      const auto histories = histories_at(runs, station);
+      for (const CheckResult& check : check_plates(project, station, plates, histories)) {
+        for (std::size_t c = 0; c < most.size(); ++c) {
+          if (check.check.criterion == plate_criteria[c])
+            most[c] = std::max(most[c], check.check.utilisation());
+        }
+      }
       ++judged;
     }
     for (std::size_t c = 0; c < most.size(); ++c) {

@@ -57,9 +57,9 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
                                                        const std::vector<BendingZone>& zones,
                                                        const Station& station);
 
-/// How far they are used in any situation, as the checks say.
+/// How far they are used in any situation, by the samples of their station.
 Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
-                           const std::vector<SituationHistory>& histories);
+                           const StationSamples& samples);
 
 /// The checks of a station's plates, each at the instant that is worst for it: the effective
 /// section under N, M_y and M_z together; shear buckling of each plate that may; both together in

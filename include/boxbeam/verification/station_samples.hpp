@@ -64,6 +64,9 @@ class StationSamples {
   /// The largest value of a cut force, or with sign -1 of its negative [N or N m].
   double largest_cut_force(cut_force::Index which, double sign) const;
 
+  /// The largest use by the cut forces, load factors counted.
+  double largest_use(const CutForceFunction& use) const;
+
  private:
   struct Run {
     std::size_t situation = 0;
