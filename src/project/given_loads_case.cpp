@@ -171,7 +171,9 @@ std::string given_loads_case(const Project& project, const GivenLoads& loads) {
        {"sections", "material", "part_materials", "strength", "fatigue", "points", "welds"}) {
     if (const Node* table = root.find(name)) put(of, name, *table);
   }
-  keep(root, "beam", {"density", "rotary_inertia", "segments", "diaphragms", "places", "holes"},
+  keep(root, "beam",
+       {"density", "rotary_inertia", "segments", "diaphragms", "load_introductions", "places",
+        "holes"},
        of);
   keep(root, "model", {"youngs_modulus", "shear_modulus"}, of);
   if (project.deflection) put(of, "deflection", deflection_of(*project.deflection));

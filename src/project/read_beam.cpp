@@ -271,6 +271,35 @@ void read_diaphragm(TableReader table, TaperedBeam& beam) {
   beam.diaphragms.push_back(diaphragm);
 }
 
+void read_introduction(TableReader table, TaperedBeam& beam) {
+  LoadIntroduction introduction;
+  if (!table.says_one_of({{{"station"}}, {{"from", "to"}}})) {
+    table.problem("", "say where the forces come in",
+                  "station = \"1.2 m\", or \"from\" and \"to\"");
+  } else if (table.has("station")) {
+    introduction.from = station_of(table, {"station", "along the beam"}, beam);
+    introduction.to = introduction.from;
+  } else {
+    introduction.from = station_of(table, {"from", "of the stretch where it holds"}, beam);
+    introduction.to = station_of(table, {"to", "its end"}, beam);
+    if (introduction.to < introduction.from) {
+      table.problem("to", "the stretch ends before it begins", "exchange \"from\" and \"to\"");
+    }
+  }
+  if (!table.says_one_of({{{"stiff_length"}}, {{"into"}}})) {
+    table.problem("", "say how the forces come in",
+                  "stiff_length = \"100 mm\" through a flange, into = \"webs\" by bosses");
+  } else if (table.has("stiff_length")) {
+    introduction.stiff_length = si<Length>(table.not_negative(
+        {"stiff_length", "on the flange, along the beam (EN 1993-1-5, 6.3)"}, wanted::length));
+  } else {
+    table.choice({"into", "bosses or plates lead them into the webs over their depth"}, {"webs"},
+                 0);
+  }
+  table.finish();
+  beam.introductions.push_back(introduction);
+}
+
 }  // namespace
 
 TaperedBeam read_tapered_beam(TableReader& table, const Sections& sections) {
@@ -292,6 +321,9 @@ TaperedBeam read_tapered_beam(TableReader& table, const Sections& sections) {
     read_diaphragm(diaphragm, beam);
   std::sort(beam.diaphragms.begin(), beam.diaphragms.end(),
             [](const Diaphragm& a, const Diaphragm& b) { return a.s < b.s; });
+  for (TableReader& introduction : table.tables(
+           {"load_introductions", "how forces come into the webs where no diaphragm takes them"}))
+    read_introduction(introduction, beam);
   return beam;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
@@ -17,9 +19,9 @@ std::string instant_of(const Check& check) {
 }
 
 /// What acts, under the load factor of its situation.
-Traced loaded(Derivation& steps, const PlateBasis& basis, const Traced& acting) {
-  if (basis.load_factor == 1.0) return acting;
-  return steps.known("gamma_F", basis.load_factor, {ValueKind::factor}) * acting;
+Traced loaded(Derivation& steps, double load_factor, const Traced& acting) {
+  if (load_factor == 1.0) return acting;
+  return steps.known("gamma_F", load_factor, {ValueKind::factor}) * acting;
 }
 
 /// Resistance of the corner used most, and the stress that acts there.
@@ -27,17 +29,18 @@ struct CornerSteps {
   Traced acting, resisting;
 };
 
+template <class Basis>
 CornerSteps derive_corner(Derivation& steps, const Project& project, const Check& check,
-                          const PlateBasis& basis) {
-  const Traced stress =
-      abs(derive_corner_stress(steps, basis.plates->box, basis.cut, basis.corner));
+                          const Basis& basis, const EffectiveBox& box) {
+  const Traced stress = abs(derive_corner_stress(steps, box, basis.cut, basis.corner));
   steps.note([&] { return instant_of(check); });
   steps.note([&] {
     const BoxCorner& of = basis.corner.corner;
     return std::string(to_text(of.flange)) + " at the " + to_text(of.web);
   });
   const Traced f_y = steps.given("f_y", basis.corner.yield_strength);
-  return {loaded(steps, basis, stress), yield_resistance(steps, f_y, project.strength.gamma_M0)};
+  return {loaded(steps, basis.load_factor, stress),
+          yield_resistance(steps, f_y, project.strength.gamma_M0)};
 }
 
 struct ShearSteps {
@@ -59,7 +62,7 @@ ShearSteps derive_shear(Derivation& steps, const Project& project, const Check& 
   steps.given("h_w", plate.panel.depth);
   steps.given("t", plate.panel.thickness);
   steps.given("f_y", plate.panel.yield_strength);
-  return {loaded(steps, basis, V),
+  return {loaded(steps, basis.load_factor, V),
           derive_shear_resistance(steps, plate.panel, project.strength.gamma_M1)};
 }
 
@@ -70,7 +73,7 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
   Derivation steps;
   switch (result.check.criterion) {
     case Criterion::effective_section: {
-      const CornerSteps of = derive_corner(steps, project, result.check, basis);
+      const CornerSteps of = derive_corner(steps, project, result.check, basis, basis.plates->box);
       steps.define("factor", of.resisting / of.acting);
       break;
     }
@@ -80,7 +83,8 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
       break;
     }
     default: {
-      const CornerSteps normal = derive_corner(steps, project, result.check, basis);
+      const CornerSteps normal =
+          derive_corner(steps, project, result.check, basis, basis.plates->box);
       const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
       const ShearSteps shear = derive_shear(steps, project, result.check, basis);
       const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
@@ -88,6 +92,41 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
       steps.note([] { return "f eta_1 + (2 f eta_3 - 1)^2 = 1"; });
     }
   }
+  return steps_of(steps);
+}
+
+Steps patch_steps(const Project& project, const CheckResult& result) {
+  const PatchBasis& basis = *result.patch;
+  const double gamma_M1 = project.strength.gamma_M1;
+  Derivation steps;
+  const Traced all = steps.given("F", basis.force, "what comes in");
+  steps.note([&] { return instant_of(result.check); });
+  const Traced share = steps.given("p", basis.share, {}, "of this web, by the lever between both");
+  const Traced F = steps.define("F_w", loaded(steps, basis.load_factor, Traced(share * all)));
+  if (const auto* const stiffener = std::get_if<BearingStiffener>(&basis.bears)) {
+    steps.define("factor", derive_bearing_resistance(steps, *stiffener, gamma_M1) / F);
+    return steps_of(steps);
+  }
+  const Traced resistance =
+      derive_patch_resistance(steps, std::get<PatchedWeb>(basis.bears), gamma_M1);
+  const Traced eta_2 = steps.define("eta_2", F / resistance);
+  const CornerSteps normal = derive_corner(steps, project, result.check, basis, *basis.box);
+  const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
+  derive_patch_factor(steps, eta_2, eta_1);
+  steps.note([] { return "alone, 6.6, and with the beam's own stress, 7.2"; });
+  return steps_of(steps);
+}
+
+Steps member_steps(const Project& project, const CheckResult& result) {
+  const MemberBasis& basis = *result.member;
+  const double gamma_M1 = project.strength.gamma_M1;
+  Derivation steps;
+  const Traced use = basis.turns_over
+                         ? derive_lateral_use(steps, basis.load, BucklingCurve::d, gamma_M1)
+                         : derive_flexural_use(steps, basis.load, BucklingCurve::c, gamma_M1);
+  steps.note([&] { return "the beam " + basis.held; });
+  steps.define("factor", 1.0 / use);
+  steps.note([&] { return "the largest of N and of M at any instant, load factors counted"; });
   return steps_of(steps);
 }
 

@@ -93,9 +93,7 @@ void add_slender_plates(const Project& project, const Verification& verification
       std::string(project.beam.diaphragms.size() > 1
                       ? "as panels between diaphragms"
                       : "as panels as long as the beam with end posts that are not rigid: "
-                        "[[beam.diaphragms]] would only help") +
-      "; what forces do to webs that they are led into beside a diaphragm (clause 6) is not "
-      "checked");
+                        "[[beam.diaphragms]] would only help"));
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
@@ -396,14 +394,12 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   add_nested_profiles(project, remarks);
   add_slender_plates(project, verification, remarks);
   if (const auto& lateral = verification.model.second_order.lateral)
-    remarks.push_back(lateral_text(*lateral) +
-                      (lateral->part <= no_turning_over_below
-                           ? fmt::format(", which does not count (up to {}, EN 1993-1-1, "
-                                         "6.3.2.2(4))",
-                                         no_turning_over_below)
-                           : fmt::format(", by which {} of the resistance is used (EN 1993-1-1, "
-                                         "6.3.4, curve d)",
-                                         text::percent(lateral->of_resistance))));
+    remarks.push_back(
+        lateral_text(*lateral) +
+        (lateral->part <= no_turning_over_below
+             ? fmt::format(", which does not count (up to {}, EN 1993-1-1, 6.3.2.2(4))",
+                           no_turning_over_below)
+             : std::string()));
   remarks.push_back(
       "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
       "for granted)" +

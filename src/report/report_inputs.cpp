@@ -56,6 +56,20 @@ void add_diaphragms(const Project& project, Entries& entries) {
   }
 }
 
+void add_introductions(const Project& project, Entries& entries) {
+  for (const LoadIntroduction& of : project.beam.introductions) {
+    std::string where = fmt::format("s = {:.6g}", of.from.value());
+    if (of.to > of.from) where += fmt::format(" to {:.6g}", of.to.value());
+    entries.emplace_back(
+        "forces come in",
+        fmt::format("{} m: {}", where,
+                    of.stiff_length ? fmt::format("through a flange, over a stiff length of "
+                                                  "{:.6g} mm",
+                                                  1e3 * of.stiff_length->value())
+                                    : std::string("into the webs over their depth")));
+  }
+}
+
 std::string place_text(const BeamDetail& detail) {
   std::string where = fmt::format("s = {:.6g}", detail.from.value());
   if (detail.to > detail.from) where += fmt::format(" to {:.6g}", detail.to.value());
@@ -210,6 +224,7 @@ Chapter inputs_chapter(const Source& source) {
   Entries beam, mechanism, demands;
   add_holes(project, beam);
   add_diaphragms(project, beam);
+  add_introductions(project, beam);
   beam.emplace_back(
       "density",
       fmt::format("{:.6g} kg/m^3{}", project.beam.density.value(),

@@ -15,6 +15,8 @@ const char* to_text(Criterion criterion) {
     case Criterion::effective_section: return "effective section";
     case Criterion::shear_buckling: return "shear buckling";
     case Criterion::interaction: return "interaction";
+    case Criterion::patch_loading: return "patch loading";
+    case Criterion::member: return "member buckling";
     case Criterion::pin: return "pin";
     case Criterion::rod: return "rod";
     case Criterion::buckling: return "buckling";

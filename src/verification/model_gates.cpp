@@ -41,17 +41,6 @@ void look_at_second_order(const Project& project, const ModelChoice& model,
                        buckling_text(project, load, plane) +
                            ": it buckles, and the stresses of the straight beam mean nothing",
                        true});
-    } else if (load.part > no_buckling_below &&
-               (load.of_resistance + of.bending) * project.strength.required > 1.0) {
-      gates.push_back(
-          {"", "",
-           buckling_text(project, load, plane) +
-               fmt::format(
-                   ": its flexural buckling counts (above {}, EN 1993-1-1, 6.3.1.2(4)), and "
-                   "N/N_b,Rd = {:.3g} (6.3.1, curve c) with M/(W f_y) = {:.3g} of the bent "
-                   "beam is more than 1/{:.3g}, which is required",
-                   no_buckling_below, load.of_resistance, of.bending, project.strength.required),
-           true});
     } else if (bends && !counted && load.part > first_order_below) {
       gates.push_back({"", "",
                        buckling_text(project, load, plane) +
@@ -94,18 +83,10 @@ void look_at_turning_over(const Project& project, const ModelChoice& model,
                           std::vector<Gate>& gates) {
   if (!model.second_order.lateral) return;
   const LateralLoad& load = *model.second_order.lateral;
-  const std::string when = when_text(project, load.when, load.situation);
   if (load.part >= 1.0) {
-    gates.push_back({"", "", lateral_text(load) + when + ": it turns over", true});
-  } else if (load.part > no_turning_over_below &&
-             load.of_resistance * project.strength.required > 1.0) {
     gates.push_back(
         {"", "",
-         lateral_text(load) + when +
-             fmt::format(
-                 ": it counts (above {}, EN 1993-1-1, 6.3.2.2(4)), and by 6.3.4 with curve "
-                 "d {:.3g} of the resistance is used, more than 1/{:.3g}, which is required",
-                 no_turning_over_below, load.of_resistance, project.strength.required),
+         lateral_text(load) + when_text(project, load.when, load.situation) + ": it turns over",
          true});
   }
 }

@@ -47,12 +47,6 @@ bool may_buckle(const BoxWall& wall) {
          internal_part_limits(1.0, 1.0, epsilon_of(wall.class_strength)).class_3;
 }
 
-bool may_buckle_in_shear(const BoxWall& wall) {
-  return shear_buckling_need(wall.clear(), wall.thickness, wall.yield_strength,
-                             shear_hardening_factor(wall.yield_strength))
-      .check_needed();
-}
-
 /// The steepest edge of a segment's outline [rad].
 double slope_of(const Segment& segment) {
   const Extent from = extent_of(segment.from.outer), to = extent_of(segment.to.outer);
@@ -226,11 +220,7 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
   const std::optional<FourWalls> walls = four_walls_at(project, station);
   if (!walls) return nullptr;
   const Section section = judged_section_at(project, station);
-  const ShearLags lags = shear_lags_at(zones, section, station);
-  const auto share = [](const std::optional<ShearLag>& lag) {
-    return lag ? std::max(lag->beta, std::pow(lag->beta, lag->kappa)) : 1.0;
-  };
-  const LagShares lag{share(lags.flanges), share(lags.webs)};
+  const LagShares lag = lag_shares_at(zones, section, station);
   auto plates = std::make_shared<SlenderPlates>(SlenderPlates{EffectiveBox(*walls, lag), lag, {}});
   plates->sheared = sheared_plates_of(section, *walls, taper_at(project.beam, station),
                                       !project.in_space, project.strength.gamma_M1);

@@ -1,10 +1,12 @@
 #include "plate_panels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
 #include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/verification/bending_zones.hpp"
 
 namespace boxbeam {
 namespace {
@@ -59,7 +61,7 @@ void divide_into_panels(const Project& project, const Station& station,
   const auto between = neighbours_of(project.beam, station);
   if (!between) return;
   const std::size_t count = diaphragms.size();
-  const Length length = diaphragms[between->second].s - diaphragms[between->first].s;
+  const Length length = *panel_length_at(project.beam, station);
   const bool inside = between->first > 0 && between->second + 1 < count;
   for (ShearedPlate& plate : plates) {
     plate.panel.length = length;
@@ -69,6 +71,27 @@ void divide_into_panels(const Project& project, const Station& station,
         is_rigid(project, plate.plate, diaphragms[count - 2], diaphragms[count - 1]);
     plate.resists = shear_resistance_of(plate.panel, project.strength.gamma_M1);
   }
+}
+
+std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& station) {
+  const auto between = neighbours_of(beam, station);
+  if (!between) return std::nullopt;
+  return beam.diaphragms[between->second].s - beam.diaphragms[between->first].s;
+}
+
+bool may_buckle_in_shear(const BoxWall& wall) {
+  return shear_buckling_need(wall.clear(), wall.thickness, wall.yield_strength,
+                             shear_hardening_factor(wall.yield_strength))
+      .check_needed();
+}
+
+LagShares lag_shares_at(const std::vector<BendingZone>& zones, const Section& section,
+                        const Station& station) {
+  const ShearLags lags = shear_lags_at(zones, section, station);
+  const auto share = [](const std::optional<ShearLag>& lag) {
+    return lag ? std::max(lag->beta, std::pow(lag->beta, lag->kappa)) : 1.0;
+  };
+  return {share(lags.flanges), share(lags.webs)};
 }
 
 }  // namespace boxbeam

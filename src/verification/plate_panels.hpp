@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
@@ -13,5 +14,15 @@ namespace boxbeam {
 /// between these two themselves.
 void divide_into_panels(const Project& project, const Station& station,
                         std::vector<ShearedPlate>& plates);
+
+/// How long the panel at a station is; nothing where it is not between two diaphragms.
+std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& station);
+
+/// Whether a plate without stiffeners is so slender that it may buckle in shear (5.1(2)).
+bool may_buckle_in_shear(const BoxWall& wall);
+
+/// What shear lag leaves of the plates of a section at a station.
+LagShares lag_shares_at(const std::vector<BendingZone>& zones, const Section& section,
+                        const Station& station);
 
 }  // namespace boxbeam

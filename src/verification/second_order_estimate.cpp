@@ -168,13 +168,6 @@ double part_of_critical(const MakePosture& make, double known) {
   return 2.0 / (stable + buckled);
 }
 
-/// N/N_b,Rd of a beam whose N is `of_yield` of A f_y and `part` of N_cr. Curve c is that of stout
-/// welded boxes with thick welds, and on the safe side of a and b.
-double of_resistance(double of_yield, double part) {
-  if (of_yield <= 0.0 || part <= 0.0) return 0.0;
-  return of_yield / column_reduction(std::sqrt(part / of_yield), BucklingCurve::c);
-}
-
 /// Largest compression along the beam [N].
 double compression_of(const CutForceDiagram& diagram) {
   double most = 0.0;
@@ -236,6 +229,9 @@ class Estimating {
       const PlateOf first = first_to_yield(plates_around(project, place.station.s, wall));
       const auto yield = yield_strength_of(*first.material, wall);
       yield_.push_back(yield ? yield->value() : unbounded);
+      const Extent extent = extent_of(section.outer);
+      const Length out = std::max(extent.y_high, Length(-extent.y_low));
+      modulus_across_.push_back((properties_of(section).I_z / out).value());
     }
     result_.whole = true;
     result_.across.emplace();
@@ -253,20 +249,23 @@ class Estimating {
       if (!held.whole) result_.whole = false;
       const std::size_t situation = index_of(*project_, *run.situation);
       const CutForceDiagram diagram = cut_forces_of(loads);
-      const double compressed = compression_of_yield(diagram);
       const auto raise = [&](BucklingLoad& load, const MakePosture& make,
                              const std::string& words) {
         const double part = part_of_critical(make, load.part);
         // Of an instant whose part is not above the largest so far, no more than that is known.
-        const double used = std::max(load.of_resistance, factor * of_resistance(compressed, part));
+        const double factored = std::max(load.factored, factor * part);
         if (part > load.part) load = {part, time, situation, words};
-        load.of_resistance = used;
+        load.factored = factored;
       };
       raise(result_.in_plane, held.in_plane, held.in_plane_words);
       raise(*result_.across, held.across, held.across_words);
       look_sideways(diagram, loads, held, time, situation, factor);
-      compressed_ = std::max(compressed_, factor * compressed);
+      result_.compressed = std::max(result_.compressed, factor * compression_of_yield(diagram));
       result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
+      if (project_->in_space) {
+        result_.bending_across =
+            std::max(result_.bending_across, factor * bending_across_of_yield(diagram));
+      }
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
         result_.change.reset();
         continue;
@@ -282,25 +281,11 @@ class Estimating {
     }
   }
 
-  SecondOrderEstimate result() const {
-    SecondOrderEstimate result = result_;
-    if (result.lateral) {
-      const double yielding = compressed_ + result.bending;
-      const double part =
-          result.lateral->part + (result.across ? largest_factor_ * result.across->part : 0.0);
-      if (yielding > 0.0) {
-        result.lateral->of_resistance =
-            project_->strength.gamma_M1 * yielding /
-            column_reduction(std::sqrt(part / yielding), BucklingCurve::d);
-      }
-    }
-    return result;
-  }
+  SecondOrderEstimate result() const { return result_; }
 
  private:
   void look_sideways(const CutForceDiagram& diagram, const BeamLoads& loads, const Held& held,
                      Time time, std::size_t situation, double factor) {
-    largest_factor_ = std::max(largest_factor_, factor);
     if (!result_.lateral) return;
     LateralLoad& load = *result_.lateral;
     const double part = factor * lateral_.part(diagram, loads, held.at, load.part / factor);
@@ -341,12 +326,20 @@ class Estimating {
     return most;
   }
 
+  double bending_across_of_yield(const CutForceDiagram& diagram) const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const double M = diagram.at(places_[k].station).M_z.value();
+      most = std::max(most, std::abs(M) / (modulus_across_[k] * yield_[k]));
+    }
+    return most;
+  }
+
   const Project* project_;
   std::vector<ComparedPlace> places_;
-  std::vector<double> yield_;  ///< of the flanges there [Pa]
+  std::vector<double> yield_;           ///< of the flanges there [Pa]
+  std::vector<double> modulus_across_;  ///< W_z there [m^3]
   LateralEstimate lateral_;
-  double compressed_ = 0.0;  ///< largest compression over A f_y, times load factors
-  double largest_factor_ = 1.0;
   SecondOrderEstimate result_;
 };
 

@@ -46,12 +46,6 @@ double breathing_of(double width_to_thickness, const PlateStress& stress, Stress
          limit;
 }
 
-/// Whether a load slides over a station in a motion.
-bool is_passed(const std::vector<SituationHistory>& histories) {
-  return std::any_of(histories.begin(), histories.end(),
-                     [](const SituationHistory& of) { return !of.history.passages().empty(); });
-}
-
 }  // namespace
 
 void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates& plates,
@@ -59,16 +53,7 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates
                                  const std::vector<SituationHistory>& histories) {
   constexpr double least_area = 0.5, never_breathes = 120.0;
   const StrengthDemand& strength = project_->strength;
-  const bool passed = is_passed(histories);
   for (const ShearedPlate& plate : plates.sheared) {
-    if (passed && plate.may_buckle && !is_flange(plate.plate)) {
-      add("patch loading",
-          {segment, plate.name,
-           "a load runs along it, and what it does to a web so slender is not judged (EN "
-           "1993-1-5, clause 6)",
-           true},
-          1.0);
-    }
     if (!project_->fatigue.asked) continue;
     const BoxWall& wall = plates.box.box().of(plate.plate);
     const PlateEnds ends(plates.box.box(), plate.plate, sums);

@@ -6,7 +6,9 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/deflection.hpp"
+#include "boxbeam/verification/member_checks.hpp"
 #include "boxbeam/verification/model_gates.hpp"
+#include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 
 namespace boxbeam {
@@ -19,9 +21,11 @@ void append(std::vector<T> more, std::vector<T>& all) {
 
 std::vector<CheckResult> all_checks(std::vector<CheckResult> of_beam,
                                     const NeighbourChecks& neighbours,
+                                    std::vector<CheckResult> of_member,
                                     const std::optional<CheckResult>& deflection) {
   std::vector<CheckResult> checks = std::move(of_beam);
   for (const NeighbourResult& neighbour : neighbours.results) checks.push_back({neighbour.check});
+  append(std::move(of_member), checks);
   if (deflection) checks.push_back(*deflection);
   return checks;
 }
@@ -111,10 +115,15 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
     search.whole = whole->summary;
     search.tolerance = std::max(search.tolerance, search.whole.estimate_error);
   }
+  PatchChecks patches =
+      project.given_stresses.empty() ? check_patches(project, runs, zones) : PatchChecks{};
+  append(std::move(patches.checks), beam.checks);
+  append(std::move(patches.gates), beam.gates);
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
   std::vector<CheckResult> checks =
-      all_checks(std::move(beam.checks), neighbours, check_deflection(project, runs));
+      all_checks(std::move(beam.checks), neighbours, check_member(project, model.second_order),
+                 check_deflection(project, runs));
   require_numbers(beam.stations, checks, model);
   sort_worst_first(checks);
   std::vector<Gate> gates =
@@ -123,6 +132,7 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
   append(stability_gates_of(project, runs), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
+  append(std::move(patches.not_judged), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);

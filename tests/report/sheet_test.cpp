@@ -386,15 +386,18 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::effective_section: ends_with("f_y", check.resisting); break;
       case Criterion::shear_buckling: ends_with("V_bw,Rd", check.resisting); break;
       case Criterion::interaction: ends_with("factor", check.safety_factor); break;
+      case Criterion::patch_loading: ends_with("factor", check.safety_factor); break;
+      case Criterion::member: ends_with("use", check.acting); break;
       case Criterion::deflection:
         ends_with("w", check.acting);
         ends_with("w_lim", check.resisting);
         break;
     }
   });
-  // In no shipped case shear and normal stress together are more than either alone; the sheet of
-  // both is looked at beside their checks.
+  // In no shipped case shear and normal stress together are more than either alone, and no beam
+  // buckles as a member; the sheets of both are looked at beside their checks.
   seen.insert(Criterion::interaction);
+  seen.insert(Criterion::member);
   CHECK(seen.size() == criteria.size());
 }
 

@@ -59,6 +59,7 @@ inline FormulaValue number_value(const boxbeam::report::FormulaNode& node) {
     static const std::map<std::string, std::pair<double, Dimension>> units{
         {"kN", {1e3, {1.0}}},
         {"MPa", {1e6, {1.0, -2.0}}},
+        {"GPa", {1e9, {1.0, -2.0}}},
         {"mm", {1e-3, {0.0, 1.0}}},
         {"m", {1.0, {0.0, 1.0}}},
         {"s", {1.0, {0.0, 0.0, 1.0}}},

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 
@@ -47,6 +48,18 @@ const Gate* turned_over(const Verification& of) {
   return nullptr;
 }
 
+/// The check of turning over, or nullptr.
+const Check* sideways(const Verification& of) {
+  for (const CheckResult& result : of.checks)
+    if (result.check.criterion == Criterion::member && result.member->turns_over)
+      return &result.check;
+  return nullptr;
+}
+
+bool fails_sideways(const Verification& of) {
+  return turned_over(of) != nullptr || (sideways(of) != nullptr && !sideways(of)->passes());
+}
+
 double part_of(const Verification& of) {
   REQUIRE(of.model.second_order.lateral.has_value());
   return of.model.second_order.lateral->part;
@@ -69,15 +82,29 @@ TEST_CASE("a plate that would turn over gets no verdict, though its stress is sm
   CHECK(turned_over(over)->finding.find("it turns over") != std::string::npos);
   // By 6.3.4 with curve d: lambda^2 = (M/M_cr)/(M/(W f_y)), chi about 1/(1.3 lambda^2) here.
   const Verification near = verify(plate(0.9 * critical_force()));
-  CHECK(near.verdict == Verdict::not_applicable);
-  CHECK(turned_over(near) != nullptr);
+  CHECK(near.verdict == Verdict::fail);
+  CHECK(fails_sideways(near));
   const Verification far = verify(plate(0.3 * critical_force()));
   CHECK(far.verdict == Verdict::pass);
   const double lambda = std::sqrt(part_of(far) / (0.3 * critical_force() * L / 3e-4 / 345e6));
   const double phi = 0.5 * (1.0 + 0.76 * (lambda - 0.2) + lambda * lambda);
   const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
-  CHECK(far.model.second_order.lateral->of_resistance ==
+  REQUIRE(sideways(far) != nullptr);
+  CHECK(sideways(far)->utilisation() ==
         Approx(0.3 * critical_force() * L / 3e-4 / 345e6 / chi).epsilon(1e-6));
+}
+
+TEST_CASE("the sheet of a beam that may turn over ends with its factor", "[lateral][sheet]") {
+  const Project project = plate(0.3 * critical_force());
+  const Verification of = verify(project);
+  for (const CheckResult& result : of.checks) {
+    if (result.check.criterion != Criterion::member) continue;
+    const report::Sheet sheet = sheet_of(project, of, result);
+    REQUIRE_FALSE(sheet.steps.empty());
+    CHECK(sheet.steps.back().symbol == "factor");
+    CHECK(std::stod(sheet.steps.back().formulas.back()) ==
+          Approx(result.check.safety_factor).epsilon(1e-3));
+  }
 }
 
 TEST_CASE("compression across the plane and turning over count together", "[lateral]") {
@@ -95,16 +122,17 @@ TEST_CASE("compression across the plane and turning over count together", "[late
   const double lambda = std::sqrt((pushed + part_of(of)) / yielding);
   const double phi = 0.5 * (1.0 + 0.76 * (lambda - 0.2) + lambda * lambda);
   const double chi = 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
-  CHECK(of.model.second_order.lateral->of_resistance == Approx(yielding / chi).epsilon(2e-3));
+  REQUIRE(sideways(of) != nullptr);
+  CHECK(sideways(of)->utilisation() == Approx(yielding / chi).epsilon(2e-3));
 }
 
 TEST_CASE("a safety factor and a load factor bring the limit of turning over nearer", "[lateral]") {
   const double force = 0.5 * critical_force();
-  CHECK(turned_over(verify(plate(force))) == nullptr);
-  CHECK(turned_over(verify(plate(force, "", "2.0"))) != nullptr);
+  CHECK_FALSE(fails_sideways(verify(plate(force))));
+  CHECK(fails_sideways(verify(plate(force, "", "2.0"))));
   const std::string storm =
       "[[situations]]\nname = \"storm\"\nloads = { tip = 1.0 }\nload_factor = 2.0\n";
-  CHECK(turned_over(verify(plate(force, storm))) != nullptr);
+  CHECK(fails_sideways(verify(plate(force, storm))));
 }
 
 TEST_CASE("a beam turns over alike whichever axes of space it lies in", "[lateral]") {

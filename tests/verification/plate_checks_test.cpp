@@ -210,15 +210,22 @@ TEST_CASE("webs breathe under shear alone, and under tension with it", "[plates]
   }
 }
 
-TEST_CASE("slender webs along which a load runs have no verdict", "[plates]") {
-  const std::string wheels =
-      "[loads.trolley]\nkind = \"wheels\"\nwheels = [{ force = [\"0 kN\", \"-20 kN\"] }]\n";
-  const auto of = [&](double web) {
-    return verified(cantilever(box("a", 600.0, 1224.0, 20.0, web), segment(4.0, "a"), wheels));
+TEST_CASE("slender webs along which a load runs have a verdict where they bear it under an edge",
+          "[plates]") {
+  const auto of = [&](double web, double force) {
+    return verified(cantilever(
+        box("a", 600.0, 1224.0, 20.0, web), segment(4.0, "a"),
+        fmt::format(
+            "[loads.trolley]\nkind = \"wheels\"\nwheels = [{{ force = [\"0 kN\", \"{} kN\"] "
+            "}}]\n",
+            -force)));
   };
-  CHECK(of(8.0).verdict == Verdict::not_applicable);
-  CHECK(has_gate(of(8.0), "clause 6"));
-  CHECK(of(30.0).verdict == Verdict::pass);
+  // At the free end k_F = 2, l_e = 0: l_y = 20 sqrt(31.5/2 + 70.1) = 185 mm, F_Rd = 147 kN.
+  CHECK(of(8.0, 400.0).verdict == Verdict::not_applicable);
+  CHECK(has_gate(of(8.0, 400.0), "clause 6"));
+  CHECK(of(8.0, 280.0).verdict == Verdict::pass);
+  CHECK(of(8.0, 300.0).verdict == Verdict::not_applicable);
+  CHECK(of(30.0, 400.0).verdict == Verdict::pass);
 }
 
 TEST_CASE("holes side by side count together", "[plates]") {

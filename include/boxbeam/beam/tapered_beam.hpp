@@ -49,12 +49,21 @@ struct Diaphragm {
   Length opening;  ///< width of its access hole; zero: none
 };
 
+/// How forces come into the beam where no diaphragm takes them.
+struct LoadIntroduction {
+  Length from, to;  ///< the stretch on which it holds; the same: at one place
+  /// Along the beam, over which a flange takes them; nothing: bosses or plates lead them into the
+  /// webs over their depth.
+  std::optional<Length> stiff_length;
+};
+
 /// A beam along x of sections in a row, from s = 0 to its length.
 struct TaperedBeam {
   std::vector<Segment> segments;  ///< in order, without gaps
   std::vector<BeamPoint> points;
   std::vector<Length> marks;          ///< more places of interest, which have no name: holes
   std::vector<Diaphragm> diaphragms;  ///< ascending
+  std::vector<LoadIntroduction> introductions;
   Density density;
   /// Whether the sections' own rotary inertia counts, beside their mass on the axis.
   bool rotary_inertia = false;

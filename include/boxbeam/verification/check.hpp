@@ -42,6 +42,8 @@ enum class Criterion {
   effective_section,  ///< normal stress on what of the plates works once they buckle
   shear_buckling,     ///< of a plate
   interaction,        ///< of both
+  patch_loading,      ///< of a web, by a force that a flange leads into it
+  member,             ///< flexural or lateral torsional buckling of the whole beam
   pin,                ///< a pin and its bearing
   rod,                ///< a rod under tension
   buckling,           ///< a rod under compression
@@ -58,6 +60,8 @@ inline constexpr std::array criteria{Criterion::yield,
                                      Criterion::effective_section,
                                      Criterion::shear_buckling,
                                      Criterion::interaction,
+                                     Criterion::patch_loading,
+                                     Criterion::member,
                                      Criterion::pin,
                                      Criterion::rod,
                                      Criterion::buckling,

@@ -2,9 +2,13 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/member_buckling.hpp"
+#include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -66,6 +70,27 @@ struct PlateBasis {
   double load_factor = 1.0;
 };
 
+/// What the check of a force that comes into a web rests on.
+struct PatchBasis {
+  /// What bears it: the web itself, or with a diaphragm at the place both as a column.
+  std::variant<PatchedWeb, BearingStiffener> bears;
+  Force force;         ///< of all that stands so close together, on both webs
+  double share = 0.5;  ///< of this web
+  Force resistance;
+  /// Which the stress of the beam there is by: its effective sections, whole where none buckles.
+  std::shared_ptr<const EffectiveBox> box;
+  CutForces cut;
+  CornerUse corner;
+  double load_factor = 1.0;
+};
+
+/// What the check of the beam as a member rests on, all of it with load factors.
+struct MemberBasis {
+  bool turns_over = false;  ///< laterally and by torsion; else it bends
+  std::string held;         ///< how the beam is taken to be held, in words
+  MemberLoad load;
+};
+
 /// What the check of a deflection rests on.
 struct DeflectionBasis {
   Length alone;  ///< w_1, without load factor
@@ -79,6 +104,8 @@ struct CheckResult {
   std::optional<GivenBasis> given = {};
   std::optional<DeflectionBasis> deflection = {};
   std::optional<PlateBasis> plates = {};
+  std::optional<PatchBasis> patch = {};
+  std::optional<MemberBasis> member = {};
 };
 
 /// The first check of a criterion, of checks that stand worst first the worst; or nullptr.

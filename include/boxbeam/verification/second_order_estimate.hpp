@@ -17,11 +17,8 @@ struct BucklingLoad {
   double part = 0.0;  ///< largest N/N_cr over the motion; zero: nothing is compressed
   Time when;          ///< of it
   std::size_t situation = 0;
-  std::string held;  ///< how the beam is taken to be held, in words
-  /// N/N_b,Rd then, chi from lambda = sqrt(alpha_ult/alpha_cr), alpha_ult of N alone, by curve c;
-  /// times the load factor of its situation.
-  /// Source: EN 1993-1-1, 6.3.1.2 and, for a tapered beam, 6.3.4(2) and (3).
-  double of_resistance = 0.0;
+  std::string held;       ///< how the beam is taken to be held, in words
+  double factored = 0.0;  ///< the largest with the load factors of its situation
 };
 
 /// How much of the load at which the beam bends sideways and turns over acts.
@@ -30,11 +27,6 @@ struct LateralLoad {
   Time when;          ///< of it
   std::size_t situation = 0;
   std::string held;  ///< where the beam is taken to be held sideways and against turning, in words
-  /// 1/(chi alpha_ult/gamma_M1): alpha_ult of N and M in the plane, chi by curve d from
-  /// lambda = sqrt(alpha_ult/alpha_cr), 1/alpha_cr the sum of N/N_cr across the plane and M/M_cr
-  /// (Dunkerley: never less than that of both together).
-  /// Source: EN 1993-1-1, 6.3.4(2) to (4) and 6.3.2.2.
-  double of_resistance = 0.0;
 };
 
 /// What bending under its axial force changes in a beam that was computed as a straight one.
@@ -52,9 +44,10 @@ struct SecondOrderEstimate {
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
   double turn = 0.0;  ///< largest turn of a section by bending [rad]
-  /// Largest M/(W f_y) of the bent beam over the motion, times the load factor of its situation; of
-  /// the straight one where it buckles.
-  double bending = 0.0;
+  /// Over the motion, times the load factor of its situation: the largest N/(A f_y), and M/(W f_y)
+  /// in the plane, of the bent beam, of the straight one where it buckles; and across it, of the
+  /// straight one.
+  double compressed = 0.0, bending = 0.0, bending_across = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };
 

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <optional>
+
+#include "boxbeam/core/units.hpp"
+
+namespace boxbeam {
+
+class Derivation;
+class Traced;
+
+/// How a force comes to a web and where it goes from there.
+/// Source: EN 1993-1-5:2006, 6.1(4), figure 6.1.
+enum class ForceEntry {
+  one_flange,    ///< type a: through one flange, borne by shear in the web
+  both_flanges,  ///< type b: through one flange and out through the other
+  near_end,      ///< type c: through one flange near an end without a stiffener
+};
+
+/// A web between two flanges, one of which leads a force into it.
+struct PatchedWeb {
+  Length depth, thickness;  ///< clear depth h_w
+  Stress yield_strength;
+  Length flange_thickness;
+  /// The loaded flange's width that is the web's, over the web and on both sides of it; of it at
+  /// most 15 eps t_f beside each face of the web counts. Source: 6.5(1).
+  Length flange_inside, flange_outside;
+  Stress flange_strength;
+  Length stiff_length;  ///< s_s on the flange (6.3); of it at most h_w counts
+  ForceEntry entry = ForceEntry::one_flange;
+  /// Between the stiffeners or diaphragms on both sides; nothing: so far apart that they do not
+  /// help.
+  std::optional<Length> length = {};
+  Length to_end;  ///< c, from the stiff length to the end of the beam; of `near_end` only
+};
+
+/// What a web bears under a force across the beam.
+struct PatchResistance {
+  double k_F = 0.0, m_1 = 0.0, m_2 = 0.0, lambda_F = 0.0, chi_F = 0.0;
+  Force F_cr;
+  Length l_y;
+  Force resistance;  ///< F_Rd
+};
+
+/// Resistance of a web to a force across the beam that a flange leads into it.
+///
+///     k_F    a: 6 + 2 (h_w/a)^2,  b: 3.5 + 2 (h_w/a)^2,  c: 2 + 6 (s_s + c)/h_w <= 6
+///     F_cr   = 0.9 k_F E t^3/h_w
+///     m_1    = f_yf b_f/(f_yw t),  m_2 = 0.02 (h_w/t_f)^2 where lambda_F > 0.5, else 0
+///     l_y    a, b: s_s + 2 t_f (1 + sqrt(m_1 + m_2)) <= a
+///            c: the least of that, l_e + t_f sqrt(m_1/2 + (l_e/t_f)^2 + m_2) and
+///            l_e + t_f sqrt(m_1 + m_2),  l_e = k_F E t^2/(2 f_yw h_w) <= s_s + c
+///     lambda_F = sqrt(l_y t f_yw/F_cr),  chi_F = 0.5/lambda_F <= 1
+///     F_Rd   = chi_F f_yw l_y t/gamma_M1
+///
+/// E = 210 GPa. Stiffeners along the web are left out, on the safe side (6.4(2)). Where m_2 ends,
+/// at lambda_F = 0.5, F_Rd jumps, as the standard's own does. Source: EN 1993-1-5:2006, 6.2 to 6.5.
+PatchResistance patch_resistance_of(const PatchedWeb& web, double gamma_M1);
+
+/// F_Rd step by step.
+Traced derive_patch_resistance(Derivation& steps, const PatchedWeb& web, double gamma_M1);
+
+/// The factor on all loads at which a web under a force and the beam's own stress is used up:
+/// eta_2 <= 1 and eta_2 + 0.8 eta_1 <= 1.4, eta_2 = F/F_Rd. Source: EN 1993-1-5:2006, 6.6 and 7.2.
+double patch_factor(double eta_2, double eta_1);
+Traced derive_patch_factor(Derivation& steps, const Traced& eta_2, const Traced& eta_1);
+
+/// One of the two webs of a box where a diaphragm takes a force from a flange: the diaphragm's part
+/// beside the web and strips of the web, as a column that bends out of the web.
+struct BearingStiffener {
+  Length web_depth, web_thickness;
+  Length web_before, web_behind;  ///< what there is of the web beside the diaphragm
+  Length thickness, width;        ///< of the diaphragm; of what of it is the web's
+  Stress yield_strength;          ///< the lower one of both
+};
+
+/// N_b,Rd of that column.
+///
+///     15 eps t of the web on each side, 15 eps t_d of the diaphragm as an outstand part (9.1(2));
+///     curve c, length 0.75 h_w (9.4(2))
+///
+/// Eccentricity is not counted, for the diaphragm holds the two webs against each other; that it is
+/// held along the flanges is left out, on the safe side. Source: EN 1993-1-5:2006, 9.1, 9.4.
+Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1);
+Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stiffener,
+                                 double gamma_M1);
+
+}  // namespace boxbeam

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/model_choice.hpp"
+
+namespace boxbeam {
+
+/// The beam as a member: flexural buckling in the plane and across it, lateral torsional buckling,
+/// each where it counts (N/N_cr, M/M_cr above 0.04) and does not stop the verdict (1.0). By the
+/// largest of what acts anywhere at any instant (`flexural_use`, `lateral_use`), curves c and d.
+std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate);
+
+}  // namespace boxbeam

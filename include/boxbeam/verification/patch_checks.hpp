@@ -1,0 +1,38 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "boxbeam/verification/checks.hpp"
+#include "boxbeam/verification/gates.hpp"
+
+namespace boxbeam {
+
+/// What is found where forces come into the webs of the beam.
+struct PatchChecks {
+  std::vector<CheckResult> checks;
+  std::vector<Gate> gates;
+  std::vector<NotJudged> not_judged;
+};
+
+/// The webs of boxes and rectangular tubes under the forces across the beam that come into them
+/// through a flange: those of joints, supports, wheels and loads; in space the flanges likewise
+/// under forces along y.
+///
+/// Looked at where the case says how a force comes in (`LoadIntroduction`), where a diaphragm takes
+/// it, and, with a stiff length of zero, on webs so slender that shear buckling is judged; there
+/// what does not hold keeps the verdict back until the case says more. Every force is taken to
+/// push. What a web bears of it follows from its eccentricity by the lever between the webs. Forces
+/// of one sense no farther apart than the web is deep are judged one by one and all together
+/// (6.3(3)); with one of the other sense as near, as type b. Near an end of the beam without a
+/// diaphragm the lower one of types a or b and c holds. Beside each other in time: eta_1 of the
+/// same instant. A joint at an end of the beam whose couples are those of forces more than
+/// half its depth away is a clamp, which holds the whole section, and is left out. Looked at are
+/// all instants, both sides of every passage of diaphragms and ends of segments, and the maximum
+/// near the worst instant.
+///
+/// Source: EN 1993-1-5:2006, clause 6, 7.2 and 9.4.
+PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
+                          const std::vector<BendingZone>& zones);
+
+}  // namespace boxbeam

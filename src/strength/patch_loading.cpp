@@ -1,0 +1,187 @@
+#include "boxbeam/strength/patch_loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "boxbeam/core/derivation.hpp"
+#include "boxbeam/strength/section_class.hpp"
+#include "column_formulas.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr double steel = 210e9;  ///< E of clause 6 [Pa]
+
+/// Above it the flange's own bending between the stiff length and its hinges counts with the web's.
+constexpr double slender = 0.5;
+
+Length flange_width_of(const PatchedWeb& web) {
+  const Length most = 15.0 * epsilon_of(web.flange_strength) * web.flange_thickness;
+  return std::min(web.flange_inside, most, std::less<>()) + web.thickness +
+         std::min(web.flange_outside, most, std::less<>());
+}
+
+template <class Record>
+auto force_factor(Record& record, const PatchedWeb& web) {
+  const auto depth = record.known("h_w", web.depth);
+  using Number = decltype(depth / depth * 1.0);
+  const auto far = [&](double factor) -> Number {
+    if (!web.length)
+      return Number(record.given("k_F", factor, {ValueKind::factor}, "no stiffener is near"));
+    const auto ratio = depth / record.given("a", *web.length, "between diaphragms");
+    return Number(record.define("k_F", factor + 2.0 * ratio * ratio));
+  };
+  switch (web.entry) {
+    case ForceEntry::one_flange: return far(6.0);
+    case ForceEntry::both_flanges: return far(3.5);
+    case ForceEntry::near_end: break;
+  }
+  const auto reach = record.known("s_s", std::min(web.stiff_length, web.depth)) +
+                     record.given("c", web.to_end, "to the end of the beam");
+  return Number(
+      record.define("k_F", least_of<Number>({Number(2.0 + 6.0 * reach / depth), Number(6.0)})));
+}
+
+/// All numbers of a web, whatever they are recorded by.
+template <class Number, class Span, class Load>
+struct PatchNumbers {
+  Number k_F, m_1, m_2, lambda_F, chi_F;
+  Span l_y;
+  Load F_cr;
+};
+
+template <class Number, class Span, class Load, class Record>
+PatchNumbers<Number, Span, Load> numbers_of(Record& record, const PatchedWeb& web,
+                                            bool with_flange) {
+  using std::sqrt;
+  const auto depth = record.known("h_w", web.depth), t = record.known("t", web.thickness);
+  const auto f_yw = record.known("f_yw", web.yield_strength);
+  const auto t_f = record.known("t_f", web.flange_thickness);
+  const auto s_s = record.known("s_s", std::min(web.stiff_length, web.depth));
+  const auto E = record.constant("210 GPa", steel * pascal);
+  const Number k_F(force_factor(record, web));
+  const Load F_cr(record.define("F_cr", 0.9 * k_F * E * t * t * t / depth));
+  const auto b_f = record.given("b_f", flange_width_of(web),
+                                "of the flange, at most 15 eps t_f beside each face of the web");
+  const Number m_1(
+      record.define("m_1", record.known("f_yf", web.flange_strength) * b_f / (f_yw * t)));
+  const auto slope = depth / t_f;
+  const Number m_2 =
+      with_flange
+          ? Number(record.define("m_2", 0.02 * slope * slope))
+          : Number(record.given("m_2", 0.0, {ValueKind::factor}, "lambda_F is not above 0.5"));
+  const Span level(s_s + 2.0 * t_f * (1.0 + sqrt(m_1 + m_2)));
+  const auto length = [&]() -> Span {
+    if (web.entry != ForceEntry::near_end) {
+      if (!web.length) return level;
+      return least_of<Span>({level, Span(record.known("a", *web.length))});
+    }
+    const Span reach(s_s + record.known("c", web.to_end));
+    const Span l_e(record.define(
+        "l_e", least_of<Span>({Span(k_F * E * t * t / (2.0 * f_yw * depth)), reach})));
+    const auto part = l_e / t_f;
+    return least_of<Span>({level, Span(l_e + t_f * sqrt(m_1 / 2.0 + part * part + m_2)),
+                           Span(l_e + t_f * sqrt(m_1 + m_2))});
+  };
+  const Span l_y(record.define("l_y", length()));
+  const Number lambda_F(record.define("lambda_F", sqrt(l_y * t * f_yw / F_cr)));
+  const Number chi_F =
+      lambda_F > slender
+          ? Number(record.define("chi_F", 0.5 / lambda_F))
+          : Number(record.given("chi_F", 1.0, {ValueKind::factor}, "lambda_F is not above 0.5"));
+  return {k_F, m_1, m_2, lambda_F, chi_F, l_y, F_cr};
+}
+
+/// Whether lambda_F, found with m_2, is above the limit from which m_2 counts.
+bool counts_flange(const PatchedWeb& web) {
+  constexpr NoDerivation plainly;
+  return numbers_of<double, Length, Force>(plainly, web, true).lambda_F > slender;
+}
+
+template <class Record, class Number, class Span>
+auto resistance(Record& record, const PatchedWeb& web, const Number& chi_F, const Span& l_y,
+                double gamma_M1) {
+  return record.define("F_Rd", chi_F * record.known("f_yw", web.yield_strength) * l_y *
+                                   record.known("t", web.thickness) /
+                                   record.known("gamma_M1", gamma_M1, {ValueKind::factor}));
+}
+
+template <class Record, class Number>
+Number factor_of(Record& record, const Number& eta_2, const Number& eta_1) {
+  return record.define(
+      "factor", least_of<Number>({Number(1.0 / eta_2), Number(1.4 / (eta_2 + 0.8 * eta_1))}));
+}
+
+/// The column of a bearing stiffener: a T of a strip of the web and the diaphragm's part.
+template <class Record>
+auto bearing(Record& record, const BearingStiffener& of, double gamma_M1) {
+  const double eps = epsilon_of(of.yield_strength);
+  const auto within = [&](Length there, Length thickness) {
+    return std::min(there, 15.0 * eps * thickness, std::less<>());
+  };
+  const auto t = record.given("t", of.web_thickness), t_d = record.given("t_d", of.thickness);
+  const auto strip = record.given("b_w",
+                                  within(of.web_before, of.web_thickness) +
+                                      within(of.web_behind, of.web_thickness) + of.thickness,
+                                  "of the web beside the diaphragm, at most 15 eps t on each side");
+  const auto b_d =
+      record.given("b_d", within(of.width, of.thickness), "of the diaphragm, at most 15 eps t_d");
+  const auto A = record.define("A", strip * t + b_d * t_d);
+  const auto from_web = record.define("e", b_d * t_d * (t + b_d) / (2.0 * A));
+  const auto out = record.define("d", (t + b_d) / 2.0 - from_web);
+  const auto I = record.define("I", strip * t * t * t / 12.0 + strip * t * from_web * from_web +
+                                        t_d * b_d * b_d * b_d / 12.0 + b_d * t_d * out * out);
+  const auto length = record.define("L_cr", 0.75 * record.given("h_w", of.web_depth));
+  const auto f_y = record.given("f_y", of.yield_strength);
+  const auto N_cr =
+      column::euler_force(record, record.constant("210 GPa", steel * pascal), I, length);
+  const auto lambda = column::slenderness(record, A, f_y, N_cr);
+  using Number = decltype(lambda * 1.0);
+  const Number chi = column::reduction<Record, Number>(record, Number(lambda), BucklingCurve::c);
+  return column::resistance(record, chi, A, f_y, gamma_M1);
+}
+
+}  // namespace
+
+PatchResistance patch_resistance_of(const PatchedWeb& web, double gamma_M1) {
+  constexpr NoDerivation plainly;
+  const auto of = numbers_of<double, Length, Force>(plainly, web, counts_flange(web));
+  return {of.k_F,   of.m_1,  of.m_2, of.lambda_F,
+          of.chi_F, of.F_cr, of.l_y, resistance(plainly, web, of.chi_F, of.l_y, gamma_M1)};
+}
+
+Traced derive_patch_resistance(Derivation& steps, const PatchedWeb& web, double gamma_M1) {
+  steps.given("h_w", web.depth);
+  steps.given("t", web.thickness);
+  steps.given("f_yw", web.yield_strength);
+  steps.given("t_f", web.flange_thickness);
+  steps.given("f_yf", web.flange_strength);
+  steps.given("s_s", std::min(web.stiff_length, web.depth, std::less<>()),
+              "stiff length on the flange");
+  const auto of = numbers_of<Traced, Traced, Traced>(steps, web, counts_flange(web));
+  return resistance(steps, web, of.chi_F, of.l_y, gamma_M1);
+}
+
+double patch_factor(double eta_2, double eta_1) {
+  constexpr NoDerivation plainly;
+  if (!(eta_2 > 0.0)) return std::numeric_limits<double>::infinity();
+  return factor_of(plainly, eta_2, eta_1);
+}
+
+Traced derive_patch_factor(Derivation& steps, const Traced& eta_2, const Traced& eta_1) {
+  return factor_of(steps, eta_2, eta_1);
+}
+
+Force bearing_resistance_of(const BearingStiffener& stiffener, double gamma_M1) {
+  constexpr NoDerivation plainly;
+  return bearing(plainly, stiffener, gamma_M1);
+}
+
+Traced derive_bearing_resistance(Derivation& steps, const BearingStiffener& stiffener,
+                                 double gamma_M1) {
+  return bearing(steps, stiffener, gamma_M1);
+}
+
+}  // namespace boxbeam

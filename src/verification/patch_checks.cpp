@@ -1,0 +1,588 @@
+#include "boxbeam/verification/patch_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "boxbeam/numerics/extremum.hpp"
+#include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
+#include "plate_panels.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
+constexpr double same_place = 1e-6;
+
+/// A force across the beam, or several so close that a web feels them together.
+struct Patch {
+  std::string name;
+  Length s;
+  bool along_z = true;  ///< borne by the webs; else by the flanges
+  Force force;          ///< along its axis, signed
+  Moment couple;        ///< about the beam's axis
+  Length stiff_length;
+  bool given = true;                     ///< the case says how it comes in
+  const Diaphragm* diaphragm = nullptr;  ///< that takes it
+  bool opposed = false;                  ///< one of the other sense is near
+
+  /// The same from instant to instant.
+  auto key() const {
+    return std::tuple(name, along_z, force.value() > 0.0, given, diaphragm != nullptr);
+  }
+};
+
+using PatchKey = decltype(Patch().key());
+
+/// How one of the webs bears a patch.
+struct Borne {
+  PatchBasis basis;
+  BoxPlate plate = BoxPlate::left_web;
+};
+
+class PatchSearch {
+ public:
+  PatchSearch(const Project& project, const std::vector<BendingZone>& zones)
+      : project_(&project), zones_(&zones) {
+    const TaperedBeam& beam = project.beam;
+    for (const Segment& segment : beam.segments) {
+      Slender& of = slender_.emplace_back();
+      for (const Station& end :
+           {Station{segment.start, Side::behind}, Station{segment.end(), Side::before}}) {
+        const auto walls = walls_at(end);
+        if (!walls) continue;
+        for (const BoxPlate plate : box_plates) {
+          if (!may_buckle_in_shear(walls->of(plate))) continue;
+          (is_flange(plate) ? of.along_y : of.along_z) = true;
+        }
+      }
+    }
+  }
+
+  /// Learns which joints at the ends of the beam clamp it: their couples are those of forces more
+  /// than half its depth away, which friction in a pin never is.
+  void learn_clamps(const SituationRun& run) {
+    const LoadHistory& history = run.loads;
+    constexpr std::size_t looked_at = 64;
+    const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
+    std::map<std::string, std::pair<double, double>> largest;  // force, couple
+    for (std::size_t i = 0; i < history.instants(); i += step) {
+      for (const PointLoad& load : history.loads_at(history.time_of(i)).points) {
+        if (!is_at_end(load.s)) continue;
+        auto& [force, couple] = largest[std::string(load.name)];
+        force = std::max(force, load.force.norm());
+        couple = std::max(couple, std::hypot(load.moment.y(), load.moment.z()));
+      }
+    }
+    const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
+    for (const auto& [name, of] : largest) {
+      if (of.second > half_depth * of.first) clamps_.insert(name);
+    }
+  }
+
+  bool has_something_to_do() const {
+    return !project_->beam.introductions.empty() ||
+           std::any_of(slender_.begin(), slender_.end(), [&](const Slender& of) {
+             return of.along_z || (project_->in_space && of.along_y);
+           });
+  }
+
+  /// What comes in under these loads.
+  std::vector<Patch> patches_of(const BeamLoads& loads) const {
+    const TaperedBeam& beam = project_->beam;
+    std::vector<Patch> patches;
+    for (const PointLoad& load : loads.points) {
+      if (is_at_end(load.s) && clamps_.count(std::string(load.name)) > 0) continue;
+      for (const bool along_z : {true, false}) {
+        if (!along_z && !project_->in_space) continue;
+        Patch patch;
+        patch.force = si<Force>(along_z ? load.force.z() : load.force.y());
+        if (patch.force == Force{}) continue;
+        patch.name = load.name.empty() ? std::string("a force") : std::string(load.name);
+        patch.s = std::clamp(load.s, Length{}, beam.length());
+        patch.along_z = along_z;
+        patch.couple = si<Moment>(load.moment.x());
+        if (say_how_it_comes_in(patch)) patches.push_back(std::move(patch));
+      }
+    }
+    add_groups(patches);
+    return patches;
+  }
+
+  /// How a web bears a patch, of all webs and sides the one that is used most; nothing where none
+  /// is judged.
+  std::optional<Borne> worst_of(const Patch& patch, const CutForceDiagram& diagram) {
+    std::optional<Borne> worst;
+    double least = 0.0;
+    const Length end = project_->beam.length();
+    for (const Side side : {Side::before, Side::behind}) {
+      if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
+      const Station station{patch.s, side};
+      const std::shared_ptr<const EffectiveBox>& box = box_at(station);
+      if (!box) continue;
+      for (Borne& of : ways_at(patch, station, box, diagram)) {
+        const double factor = factor_of(of.basis);
+        if (worst && factor >= least) continue;
+        least = factor;
+        worst = std::move(of);
+      }
+    }
+    return worst;
+  }
+
+  /// On all loads, without the situation's own.
+  double factor_of(const PatchBasis& basis) const {
+    const bool alone = std::holds_alternative<BearingStiffener>(basis.bears);
+    return patch_factor(basis.share * basis.force / basis.resistance,
+                        alone ? 0.0 : eta_1_of(basis));
+  }
+  double eta_1_of(const PatchBasis& basis) const {
+    return project_->strength.gamma_M0 * basis.corner.use;
+  }
+
+  /// Why the case's introduction at a place is not judged; "" where it is.
+  std::string obstacle_at(const Station& station) {
+    return box_at(station) ? "" : "only boxes and rectangular tubes are";
+  }
+
+ private:
+  struct Slender {
+    bool along_z = false, along_y = false;
+  };
+
+  std::optional<FourWalls> walls_at(const Station& station) const {
+    const Section section = judged_section_at(*project_, station);
+    if (section.inner) return std::nullopt;
+    return four_walls_of(section.outer,
+                         materials_of(*project_, segment_at(project_->beam, station)));
+  }
+
+  bool is_at_end(Length s) const {
+    const Length length = project_->beam.length(), near = same_place * length;
+    return s <= near || s >= length - near;
+  }
+
+  /// By the introduction of the narrowest stretch.
+  const LoadIntroduction* introduction_at(Length s) const {
+    const Length near = same_place * project_->beam.length();
+    const LoadIntroduction* narrowest = nullptr;
+    for (const LoadIntroduction& of : project_->beam.introductions) {
+      if (s < of.from - near || s > of.to + near) continue;
+      if (narrowest == nullptr || of.to - of.from < narrowest->to - narrowest->from)
+        narrowest = &of;
+    }
+    return narrowest;
+  }
+
+  /// Whether the patch is to be looked at.
+  bool say_how_it_comes_in(Patch& patch) const {
+    const TaperedBeam& beam = project_->beam;
+    const Length near = same_place * beam.length();
+    const LoadIntroduction* const by = introduction_at(patch.s);
+    if (by != nullptr && !by->stiff_length) return false;
+    for (const Diaphragm& of : beam.diaphragms) {
+      if (abs(of.s - patch.s) <= near) patch.diaphragm = &of;
+    }
+    if (by != nullptr) patch.stiff_length = *by->stiff_length;
+    patch.given = by != nullptr || patch.diaphragm != nullptr;
+    if (patch.given) return true;
+    const Slender& of = slender_[segment_at(beam, {patch.s, Side::both})];
+    const Slender& before =
+        slender_[segment_at(beam, {patch.s, patch.s.value() > 0.0 ? Side::before : Side::both})];
+    return patch.along_z ? of.along_z || before.along_z : of.along_y || before.along_y;
+  }
+
+  /// Adds those that stand close together as one, and says which are opposed.
+  void add_groups(std::vector<Patch>& patches) const {
+    std::stable_sort(patches.begin(), patches.end(),
+                     [](const Patch& a, const Patch& b) { return a.s < b.s; });
+    const std::size_t singles = patches.size();
+    const auto beside = [&](const Patch& a, const Patch& b) {
+      return a.along_z == b.along_z && a.diaphragm == nullptr && b.diaphragm == nullptr &&
+             abs(b.s - a.s) <= depth_at(a);
+    };
+    const auto one_sense = [](const Patch& a, const Patch& b) {
+      return (a.force.value() > 0.0) == (b.force.value() > 0.0);
+    };
+    for (std::size_t i = 0; i < singles; ++i) {
+      for (std::size_t j = 0; j < singles; ++j) {
+        if (i != j && beside(patches[i], patches[j]) && !one_sense(patches[i], patches[j]))
+          patches[i].opposed = true;
+      }
+    }
+    for (std::size_t i = 0; i < singles; ++i) {
+      Patch sum = patches[i];
+      const Length first = sum.s;
+      for (std::size_t j = i + 1; j < singles; ++j) {
+        const Patch& other = patches[j];
+        if (!beside(patches[i], other) || !one_sense(sum, other)) continue;
+        sum.stiff_length =
+            std::max({Length(other.s - first), sum.stiff_length, other.stiff_length});
+        sum.force += other.force;
+        sum.couple += other.couple;
+        sum.given = sum.given && other.given;
+        sum.opposed = sum.opposed || other.opposed;
+        sum.s = 0.5 * (first + other.s);
+        sum.name = sum.name == other.name || sum.name.ends_with(" together")
+                       ? patches[i].name + " together"
+                       : sum.name + " and " + other.name;
+        patches.push_back(sum);
+      }
+    }
+  }
+
+  Length depth_at(const Patch& patch) const {
+    const auto walls = walls_at({patch.s, Side::both});
+    if (!walls) return {};
+    return walls->of(patch.along_z ? BoxPlate::left_web : BoxPlate::top_flange).clear();
+  }
+
+  const std::shared_ptr<const EffectiveBox>& box_at(const Station& station) {
+    const auto key = std::pair(station.s.value(), station.side);
+    const auto known = boxes_.find(key);
+    if (known != boxes_.end()) return known->second;
+    // Of what slides along the beam the places never end.
+    constexpr std::size_t most = 4096;
+    if (boxes_.size() >= most) boxes_.clear();
+    std::shared_ptr<const EffectiveBox> box;
+    if (const auto walls = walls_at(station)) {
+      const Section section = judged_section_at(*project_, station);
+      box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
+    }
+    return boxes_.emplace(key, std::move(box)).first->second;
+  }
+
+  std::vector<Borne> ways_at(const Patch& patch, const Station& station,
+                             const std::shared_ptr<const EffectiveBox>& box,
+                             const CutForceDiagram& diagram) const {
+    using enum BoxPlate;
+    const FourWalls& walls = box->box();
+    const std::array webs =
+        patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
+    const Length high = walls.of(webs[0]).middle, low = walls.of(webs[1]).middle;
+    // M_x = y F_z - z F_y.
+    const Length at = (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
+    const double by_first = ((at - low) / (high - low)).value();
+    Borne of;
+    PatchBasis& basis = of.basis;
+    basis.force = abs(patch.force);
+    basis.box = box;
+    basis.cut = diagram.at(station);
+    basis.corner = box->worst_corner(basis.cut);
+    std::vector<Borne> ways;
+    for (const std::size_t k : {0U, 1U}) {
+      basis.share = std::abs(k == 0 ? by_first : 1.0 - by_first);
+      of.plate = webs[k];
+      if (patch.diaphragm != nullptr) {
+        const BearingStiffener stiffener = stiffener_of(walls, webs[k], *patch.diaphragm, station);
+        basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
+        basis.bears = stiffener;
+        ways.push_back(of);
+        continue;
+      }
+      for (const PatchedWeb& web : webs_of(walls, webs[k], patch, station)) {
+        basis.resistance = patch_resistance_of(web, project_->strength.gamma_M1).resistance;
+        basis.bears = web;
+        ways.push_back(of);
+      }
+    }
+    return ways;
+  }
+
+  /// A web as a force comes to it, in every way that may be meant.
+  std::vector<PatchedWeb> webs_of(const FourWalls& walls, BoxPlate plate, const Patch& patch,
+                                  const Station& station) const {
+    using enum BoxPlate;
+    const BoxWall& wall = walls.of(plate);
+    // A force along -z pushes onto the top, one along -y onto the left.
+    const bool onto_high = patch.force.value() < 0.0;
+    const BoxWall& flange = patch.along_z ? walls.of(onto_high ? top_flange : bottom_flange)
+                                          : walls.of(onto_high ? left_web : right_web);
+    PatchedWeb web;
+    web.depth = wall.clear();
+    web.thickness = wall.thickness;
+    web.yield_strength = wall.yield_strength;
+    web.flange_thickness = flange.thickness;
+    web.flange_inside = 0.5 * flange.clear();
+    web.flange_strength = flange.yield_strength;
+    web.stiff_length = patch.stiff_length;
+    web.length = panel_length_at(project_->beam, station);
+    web.entry = patch.opposed ? ForceEntry::both_flanges : ForceEntry::one_flange;
+    std::vector<PatchedWeb> ways{web};
+    if (const auto to_end = distance_to_end(patch)) {
+      // From 2/3 h_w on k_F is that of a force far from the end.
+      if (web.stiff_length + *to_end < 2.0 / 3.0 * web.depth) {
+        web.entry = ForceEntry::near_end;
+        web.length.reset();
+        web.to_end = *to_end;
+        ways.push_back(web);
+      }
+    }
+    return ways;
+  }
+
+  /// From the stiff length to the nearer end of the beam that no diaphragm keeps off.
+  std::optional<Length> distance_to_end(const Patch& patch) const {
+    const TaperedBeam& beam = project_->beam;
+    const auto kept_off = [&](Length from, Length to) {
+      return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
+                         [&](const Diaphragm& of) { return of.s >= from && of.s <= to; });
+    };
+    std::optional<Length> nearest;
+    const auto look = [&](Length distance) {
+      const Length c = std::max(Length{}, Length(distance - 0.5 * patch.stiff_length));
+      if (!nearest || c < *nearest) nearest = c;
+    };
+    if (!kept_off(Length{}, patch.s)) look(patch.s);
+    if (!kept_off(patch.s, beam.length())) look(beam.length() - patch.s);
+    return nearest;
+  }
+
+  BearingStiffener stiffener_of(const FourWalls& walls, BoxPlate plate, const Diaphragm& diaphragm,
+                                const Station& station) const {
+    const BoxWall& wall = walls.of(plate);
+    const BoxWall& across = walls.of(is_flange(plate) ? BoxPlate::left_web : BoxPlate::top_flange);
+    BearingStiffener of;
+    of.web_depth = wall.clear();
+    of.web_thickness = wall.thickness;
+    of.web_before = station.s;
+    of.web_behind = project_->beam.length() - station.s;
+    of.thickness = diaphragm.thickness;
+    of.width = 0.5 * (across.clear() - diaphragm.opening);
+    of.yield_strength = wall.yield_strength;
+    const Material& steel =
+        materials_of(*project_, segment_at(project_->beam, station)).of(PlateKind::inner);
+    if (const auto own = yield_strength_of(steel, diaphragm.thickness))
+      of.yield_strength = std::min(of.yield_strength, *own, std::less<>());
+    return of;
+  }
+
+  const Project* project_;
+  const std::vector<BendingZone>* zones_;
+  std::vector<Slender> slender_;  ///< by segment
+  std::set<std::string> clamps_;
+  std::map<std::pair<double, Side>, std::shared_ptr<const EffectiveBox>> boxes_;
+};
+
+/// Where a patch is used most.
+struct WorstPatch {
+  Patch patch;
+  Borne borne;
+  const SituationRun* run = nullptr;
+  Time time;
+  double use = 0.0;
+};
+
+/// Looks at one run.
+class PatchRun {
+ public:
+  PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
+           std::map<PatchKey, WorstPatch>& worst)
+      : project_(&project), search_(&search), run_(&run), worst_(&worst) {}
+
+  void look() {
+    const LoadHistory& history = run_->loads;
+    std::map<PatchKey, std::pair<double, std::size_t>> highest;
+    std::vector<Length> before;
+    for (std::size_t i = 0; i < history.instants(); ++i) {
+      const Time time = history.time_of(i);
+      const BeamLoads loads = history.loads_at(time);
+      for (const auto& [key, use] : look_at(time, loads, history.diagram(i))) {
+        const auto known = highest.try_emplace(key, use, i).first;
+        if (use > known->second.first) known->second = {use, i};
+      }
+      std::vector<Length> places = places_in(loads);
+      if (i > 0 && !history.is_recorded() && !history.begins_piece(i))
+        look_at_passages(history.time_of(i - 1), time, before, places);
+      before = std::move(places);
+    }
+    // Of recorded loads the largest of what is convex in them stands at an instant.
+    if (history.is_recorded()) return;
+    for (const auto& [key, at] : highest) refine(key, at.second);
+  }
+
+ private:
+  /// The use of each patch at an instant; the worst is kept.
+  std::map<PatchKey, double> look_at(Time time, const BeamLoads& loads,
+                                     const CutForceDiagram& diagram) {
+    std::map<PatchKey, double> uses;
+    for (const Patch& patch : search_->patches_of(loads)) {
+      std::optional<Borne> borne = search_->worst_of(patch, diagram);
+      if (!borne) continue;
+      const double load_factor = run_->situation->load_factor;
+      const double use =
+          project_->strength.required * load_factor / search_->factor_of(borne->basis);
+      double& most = uses[patch.key()];
+      most = std::max(most, use);
+      WorstPatch& worst = (*worst_)[patch.key()];
+      if (worst.run != nullptr && use <= worst.use) continue;
+      borne->basis.load_factor = load_factor;
+      worst = {patch, std::move(*borne), run_, time, use};
+    }
+    return uses;
+  }
+
+  std::map<PatchKey, double> look_at(Time time) {
+    const BeamLoads loads = run_->loads.loads_at(time);
+    return look_at(time, loads, cut_forces_of(loads));
+  }
+
+  static std::vector<Length> places_in(const BeamLoads& loads) {
+    std::vector<Length> places;
+    for (const PointLoad& load : loads.points) places.push_back(load.s);
+    return places;
+  }
+
+  /// Both sides of every passage of a load over a place where what bears it changes.
+  void look_at_passages(Time from, Time to, const std::vector<Length>& before,
+                        const std::vector<Length>& behind) {
+    if (before.size() != behind.size()) return;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const auto [low, high] = std::minmax(before[k], behind[k]);
+      for (const Length& border : borders()) {
+        if (!(border > low && border < high)) continue;
+        Time lower = from, upper = to;
+        constexpr int halvings = 40;
+        for (int i = 0; i < halvings; ++i) {
+          const Time middle = 0.5 * (lower + upper);
+          const BeamLoads loads = run_->loads.loads_at(middle);
+          if (loads.points.size() != before.size()) return;
+          ((loads.points[k].s < border) == (before[k] < border) ? lower : upper) = middle;
+        }
+        // Beside the place itself, where a diaphragm takes the load.
+        const Time aside = 1e-4 * (to - from);
+        look_at(std::max(from, Time(lower - aside)));
+        look_at(std::min(to, Time(upper + aside)));
+      }
+    }
+  }
+
+  std::vector<Length> borders() const {
+    std::vector<Length> places;
+    for (const Diaphragm& of : project_->beam.diaphragms) places.push_back(of.s);
+    for (const Segment& of : project_->beam.segments) places.push_back(of.end());
+    for (const LoadIntroduction& of : project_->beam.introductions) {
+      places.push_back(of.from);
+      places.push_back(of.to);
+    }
+    return places;
+  }
+
+  /// The maximum between the instants beside one.
+  void refine(const PatchKey& key, std::size_t i) {
+    const LoadHistory& history = run_->loads;
+    const std::size_t last = history.instants() - 1;
+    const Time at = history.time_of(i);
+    const Time low = i > 0 && !history.begins_piece(i) ? history.time_of(i - 1) : at;
+    const Time high = i < last && !history.begins_piece(i + 1) ? history.time_of(i + 1) : at;
+    if (!(high > low)) return;
+    constexpr int bits = 14;
+    find_maximum(
+        [&](double time) {
+          const std::map<PatchKey, double> uses = look_at(si<Time>(time));
+          const auto found = uses.find(key);
+          return found == uses.end() ? 0.0 : found->second;
+        },
+        low.value(), high.value(), bits);
+  }
+
+  const Project* project_;
+  PatchSearch* search_;
+  const SituationRun* run_;
+  std::map<PatchKey, WorstPatch>* worst_;
+};
+
+std::string plate_text(const Project& project, const Borne& borne) {
+  const FourWalls& walls = borne.basis.box->box();
+  const BoxWall &left = walls.of(BoxPlate::left_web), &right = walls.of(BoxPlate::right_web);
+  const bool alike =
+      left.thickness == right.thickness && left.yield_strength == right.yield_strength;
+  return project.in_space || !alike ? to_text(borne.plate) : "web";
+}
+
+CheckResult check_of(const Project& project, const PatchSearch& search, WorstPatch worst) {
+  CheckResult result;
+  Check& check = result.check;
+  const PatchBasis& basis = worst.borne.basis;
+  const bool by_column = std::holds_alternative<BearingStiffener>(basis.bears);
+  check.criterion = Criterion::patch_loading;
+  check.station = {worst.patch.s, Side::both};
+  check.point = fmt::format("{}{} under {}", plate_text(project, worst.borne),
+                            by_column ? " with diaphragm" : "", worst.patch.name);
+  check.id = id_of(check.criterion, check.station, check.point);
+  check.situation = worst.run->situation->name;
+  check.time = worst.time;
+  check.required = project.strength.required;
+  check.safety_factor = check.required / worst.use;
+  const double eta_2 = basis.share * basis.force / basis.resistance;
+  const double use = basis.load_factor / search.factor_of(basis);
+  // By the force alone, or with the beam's own stress.
+  if (use <= (1.0 + 1e-12) * basis.load_factor * eta_2) {
+    check.resisting = basis.resistance;
+    check.acting = Force(basis.load_factor * basis.share * basis.force);
+    check.source = by_column ? "EN 1993-1-5:2006, 9.4 (stiffener as a column)"
+                             : "EN 1993-1-5:2006, 6.6, equation 6.14";
+  } else {
+    check.resisting = 1.0;
+    check.acting = use;
+    check.source = "EN 1993-1-5:2006, 7.2, equation 7.2";
+  }
+  result.patch = std::move(worst.borne.basis);
+  return result;
+}
+
+Gate gate_of(const Project& project, const WorstPatch& worst) {
+  const PatchBasis& basis = worst.borne.basis;
+  const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
+  return {project.beam.segments[segment].name, plate_text(project, worst.borne),
+          fmt::format("at s = {:.4g} m it takes {:.4g} kN of \"{}\" and bears {:.4g} kN where "
+                      "nothing is known of how they come in (stiff length 0, EN 1993-1-5, clause "
+                      "6): write [[beam.diaphragms]] there, or [[beam.load_introductions]] with "
+                      "their stiff_length",
+                      worst.patch.s.value(),
+                      1e-3 * (basis.load_factor * basis.share * basis.force).value(),
+                      worst.patch.name, 1e-3 * basis.resistance.value()),
+          true};
+}
+
+}  // namespace
+
+PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
+                          const std::vector<BendingZone>& zones) {
+  PatchChecks found;
+  PatchSearch search(project, zones);
+  if (!search.has_something_to_do()) return found;
+  std::map<PatchKey, WorstPatch> worst;
+  for (const SituationRun& run : runs) search.learn_clamps(run);
+  for (const SituationRun& run : runs) PatchRun(project, search, run, worst).look();
+  // A use this small is none, as stress is (`no_stress_at`).
+  constexpr double no_use = 1e-6;
+  for (auto& [key, of] : worst) {
+    if (!(of.use > no_use)) continue;
+    if (!of.patch.given && of.use > 1.0)
+      found.gates.push_back(gate_of(project, of));
+    else
+      found.checks.push_back(check_of(project, search, std::move(of)));
+  }
+  for (const LoadIntroduction& of : project.beam.introductions) {
+    if (!of.stiff_length) continue;
+    for (const Length& s : {of.from, of.to}) {
+      const std::string why =
+          search.obstacle_at({s, s < project.beam.length() ? Side::behind : Side::before});
+      if (why.empty()) continue;
+      found.not_judged.push_back(
+          {Criterion::patch_loading, fmt::format("load introduction at {:.4g} m", s.value()), why});
+      break;
+    }
+  }
+  return found;
+}
+
+}  // namespace boxbeam
