@@ -58,6 +58,36 @@ AtCorners warping_of(const BoxCell& cell) {
   return yz - plane * products.fullPivLu().solve(with_yz);
 }
 
+// Gauss' rule of four points on 0..1: exact for polynomials of degree 7.
+constexpr double outer_point = 0.8611363115940526, inner_point = 0.3399810435848563;
+constexpr std::array gauss_place{0.5 * (1.0 - outer_point), 0.5 * (1.0 - inner_point),
+                                 0.5 * (1.0 + inner_point), 0.5 * (1.0 + outer_point)};
+constexpr double outer_weight = 0.5 * 0.3478548451374538, inner_weight = 0.5 * 0.6521451548625461;
+constexpr std::array gauss_weight{outer_weight, inner_weight, inner_weight, outer_weight};
+
+/// S: of M_D' = 1 the shear flow q' = -2 t omega/I_w around the cell, plus what leaves no torque.
+double shear_stiffness_of(const BoxCell& cell, const AtCorners& warping, double warping_inertia,
+                          double G) {
+  const double lever_web = 0.5 * cell.width.value(), lever_flange = 0.5 * cell.height.value();
+  double start = 0.0, torque = 0.0, by_flow = 0.0, by_even = 0.0, even = 0.0;
+  for (std::size_t p = 0; p < 4; ++p) {
+    const double from = warping[static_cast<Eigen::Index>(p)], to = warping[next_corner(p)];
+    const double L = length_of(cell, around[p]), t = thickness_of(cell, around[p].plate);
+    const double per = -2.0 * t * L / warping_inertia;
+    for (std::size_t g = 0; g < gauss_place.size(); ++g) {
+      const double x = gauss_place[g], q = start + per * x * (from + 0.5 * x * (to - from));
+      const double length = gauss_weight[g] * L;
+      torque += length * q * (around[p].web ? lever_web : lever_flange);
+      by_flow += length * q * q / (G * t);
+      by_even += length * q / (G * t);
+      even += length / (G * t);
+    }
+    start += 0.5 * per * (from + to);
+  }
+  const double added = -torque / (2.0 * cell.width.value() * cell.height.value());
+  return 1.0 / (by_flow + 2.0 * added * by_even + added * added * even);
+}
+
 /// Moments at the ends of the webs when the cell is racked by gamma = 1.
 AtCorners moments_of(const BoxCell& cell, double E, double nu) {
   Eigen::Matrix4d turning = Eigen::Matrix4d::Zero();
@@ -86,24 +116,38 @@ AtCorners moments_of(const BoxCell& cell, double E, double nu) {
   return moments;
 }
 
-// Gauss' rule of four points on 0..1: exact for polynomials of degree 7.
-constexpr double outer_point = 0.8611363115940526, inner_point = 0.3399810435848563;
-constexpr std::array gauss_place{0.5 * (1.0 - outer_point), 0.5 * (1.0 - inner_point),
-                                 0.5 * (1.0 + inner_point), 0.5 * (1.0 + outer_point)};
-constexpr double outer_weight = 0.5 * 0.3478548451374538, inner_weight = 0.5 * 0.6521451548625461;
-constexpr std::array gauss_weight{outer_weight, inner_weight, inner_weight, outer_weight};
+/// Shapes of an element of a beam that bends and shears, of angle and turn at both ends, at a part
+/// of its length; phi = 12 E I/(S L^2). Exact where no foundation resists.
+/// Source: Friedman, Kosmatka, Computers and Structures 47 (1993), recalled.
+struct Shapes {
+  Eigen::Vector4d angle, turn, turn_change;
 
-/// Hermite's cubics of angle, slope, angle, slope at a part of an element's length.
-Eigen::Vector4d shape_at(double x, double length) {
-  const double rest = 1.0 - x;
-  return {rest * rest * (1.0 + 2.0 * x), length * x * rest * rest, x * x * (3.0 - 2.0 * x),
-          -length * x * x * rest};
+  Shapes(double x, double L, double phi)
+      : angle((1.0 - x) * (1.0 + x - 2.0 * x * x + phi), L * x * (1.0 - x) * (1.0 - x + 0.5 * phi),
+              x * (3.0 * x - 2.0 * x * x + phi), -L * x * (1.0 - x) * (x + 0.5 * phi)),
+        turn(6.0 * x * (x - 1.0) / L, (1.0 - x) * (1.0 - 3.0 * x + phi), 6.0 * x * (1.0 - x) / L,
+             x * (3.0 * x - 2.0 + phi)),
+        turn_change((12.0 * x - 6.0) / (L * L), (6.0 * x - 4.0 - phi) / L,
+                    (6.0 - 12.0 * x) / (L * L), (6.0 * x - 2.0 + phi) / L) {
+    for (Eigen::Vector4d* of : {&angle, &turn, &turn_change}) *of /= 1.0 + phi;
+  }
+};
+
+/// gamma' - theta, the same all along the element.
+Eigen::Vector4d shear_of(double L, double phi) {
+  return phi / (1.0 + phi) * Eigen::Vector4d(-1.0 / L, -0.5, 1.0 / L, -0.5);
 }
 
-Eigen::Vector4d curvature_at(double x, double length) {
-  return Eigen::Vector4d{12.0 * x - 6.0, length * (6.0 * x - 4.0), 6.0 - 12.0 * x,
-                         length * (6.0 * x - 2.0)} /
-         (length * length);
+double mean_of(const DistortedBeam::AtGauss& values) {
+  double mean = 0.0;
+  for (std::size_t g = 0; g < values.size(); ++g) mean += gauss_weight[g] * values[g];
+  return mean;
+}
+
+double phi_of(const DistortedBeam& beam, std::size_t element) {
+  const double L = beam.nodes[element + 1] - beam.nodes[element];
+  return 12.0 * mean_of(beam.warping_stiffness[element]) /
+         (mean_of(beam.shear_stiffness[element]) * L * L);
 }
 
 }  // namespace
@@ -128,6 +172,7 @@ CellDistortion cell_distortion_of(const BoxCell& cell, double E, double nu) {
   // The work of the racked webs: corners turn without any, for moments there are in balance.
   of.frame_stiffness = moments.sum();
   of.decay = std::pow(of.frame_stiffness / (E * of.warping_inertia), 0.25);
+  of.shear_stiffness = shear_stiffness_of(cell, warping, of.warping_inertia, 0.5 * E / (1.0 + nu));
   std::copy(warping.begin(), warping.end(), of.warping.begin());
   std::copy(moments.begin(), moments.end(), of.corner_moments.begin());
   return of;
@@ -166,7 +211,7 @@ std::size_t DistortedBeam::nearest(double s) const {
 }
 
 DistortedBeam distorted_beam(const std::vector<double>& places,
-                             const std::function<CellDistortion(double)>& cell_at, double E,
+                             const std::function<BoxCell(double)>& cell_at, double E, double nu,
                              double part) {
   assert(places.size() > 1);
   constexpr double inside = 1e-6;  // on this side of a jump
@@ -176,21 +221,30 @@ DistortedBeam distorted_beam(const std::vector<double>& places,
     const double from = places[i], length = places[i + 1] - from;
     double lambda = 0.0;
     for (const double x : {inside, 0.5, 1.0 - inside})
-      lambda = std::max(lambda, cell_at(from + x * length).decay);
+      lambda = std::max(lambda, cell_distortion_of(cell_at(from + x * length), E, nu).decay);
     const int count = std::max(1, static_cast<int>(std::ceil(length * lambda / part)));
-    for (int k = 1; k < count; ++k) beam.nodes.push_back(from + length * k / count);
-    beam.nodes.push_back(places[i + 1]);
+    for (int k = 1; k <= count; ++k)
+      beam.nodes.push_back(k < count ? from + length * k / count : places[i + 1]);
   }
   const std::size_t elements = beam.nodes.size() - 1;
-  beam.warping_stiffness.resize(elements);
-  beam.frame_stiffness.resize(elements);
+  for (auto* of : {&beam.warping_stiffness, &beam.shear_stiffness, &beam.frame_stiffness,
+                   &beam.taper, &beam.of_torque})
+    of->resize(elements);
   beam.diaphragms.assign(elements + 1, 0.0);
   for (std::size_t e = 0; e < elements; ++e) {
     const DistortedBeam::AtGauss at = beam.places(e);
+    const BoxCell from = cell_at(at.front()), to = cell_at(at.back());
+    const double b_slope = (to.width - from.width).value() / (at.back() - at.front());
+    const double h_slope = (to.height - from.height).value() / (at.back() - at.front());
     for (std::size_t g = 0; g < DistortedBeam::gauss_points; ++g) {
-      const CellDistortion cell = cell_at(at[g]);
-      beam.warping_stiffness[e][g] = 0.25 * E * cell.warping_inertia;
-      beam.frame_stiffness[e][g] = cell.frame_stiffness;
+      const BoxCell cell = cell_at(at[g]);
+      const CellDistortion of = cell_distortion_of(cell, E, nu);
+      beam.warping_stiffness[e][g] = 0.25 * E * of.warping_inertia;
+      beam.shear_stiffness[e][g] = of.shear_stiffness;
+      beam.frame_stiffness[e][g] = of.frame_stiffness;
+      const double wider = b_slope / cell.width.value(), deeper = h_slope / cell.height.value();
+      beam.taper[e][g] = wider + deeper;
+      beam.of_torque[e][g] = 0.5 * (deeper - wider);
     }
   }
   return beam;
@@ -214,14 +268,16 @@ DistortionSolver::DistortionSolver(DistortedBeam beam) : beam_(std::move(beam)) 
   std::vector<Eigen::Matrix2d> diagonal(count, Eigen::Matrix2d::Zero());
   beside_.assign(count, Eigen::Matrix2d::Zero());
   for (std::size_t e = 0; e + 1 < count; ++e) {
-    const double length = beam_.nodes[e + 1] - beam_.nodes[e];
+    const double L = beam_.nodes[e + 1] - beam_.nodes[e], phi = phi_of(beam_, e);
+    const Eigen::Vector4d sheared = shear_of(L, phi);
     Eigen::Matrix4d& K = elements_.emplace_back(Eigen::Matrix4d::Zero());
     for (std::size_t g = 0; g < DistortedBeam::gauss_points; ++g) {
-      const Eigen::Vector4d N = shape_at(gauss_place[g], length);
-      const Eigen::Vector4d B = curvature_at(gauss_place[g], length);
-      K += gauss_weight[g] * length *
-           (beam_.warping_stiffness[e][g] * B * B.transpose() +
-            beam_.frame_stiffness[e][g] * N * N.transpose());
+      const Shapes shapes(gauss_place[g], L, phi);
+      const Eigen::Vector4d bent = shapes.turn_change + beam_.taper[e][g] * shapes.turn;
+      K += gauss_weight[g] * L *
+           (beam_.warping_stiffness[e][g] * bent * bent.transpose() +
+            beam_.shear_stiffness[e][g] * sheared * sheared.transpose() +
+            beam_.frame_stiffness[e][g] * shapes.angle * shapes.angle.transpose());
     }
     diagonal[e] += K.topLeftCorner<2, 2>();
     diagonal[e + 1] += K.bottomRightCorner<2, 2>();
@@ -255,10 +311,10 @@ bool DistortionSolver::is_rigid(std::size_t node) const {
 
 Eigen::Vector4d DistortionSolver::line_load(std::size_t element,
                                             const DistortedBeam::AtGauss& line) const {
-  const double length = beam_.nodes[element + 1] - beam_.nodes[element];
+  const double L = beam_.nodes[element + 1] - beam_.nodes[element], phi = phi_of(beam_, element);
   Eigen::Vector4d load = Eigen::Vector4d::Zero();
   for (std::size_t g = 0; g < DistortedBeam::gauss_points; ++g)
-    load += gauss_weight[g] * length * line[g] * shape_at(gauss_place[g], length);
+    load += gauss_weight[g] * L * line[g] * Shapes(gauss_place[g], L, phi).angle;
   return load;
 }
 
