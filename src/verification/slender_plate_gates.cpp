@@ -7,11 +7,10 @@
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "counts_in_fatigue.hpp"
 
 namespace boxbeam {
-namespace {
 
-/// Whether a situation or a change between situations that contains it has cycles.
 bool counts_in_fatigue(const Project& project, const Situation& situation) {
   const std::size_t index = index_of(project, situation);
   return std::any_of(
@@ -21,6 +20,8 @@ bool counts_in_fatigue(const Project& project, const Situation& situation) {
         return part && of.cycles > 0.0;
       });
 }
+
+namespace {
 
 /// What of a plate's area works under the stress that is there, lambda_p reduced by it.
 /// Source: EN 1993-1-5:2006, 4.4(4).

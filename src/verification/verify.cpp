@@ -6,6 +6,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/deflection.hpp"
+#include "boxbeam/verification/distortion_estimate.hpp"
 #include "boxbeam/verification/member_checks.hpp"
 #include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
@@ -130,6 +131,7 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));
   append(material_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
+  append(distortion_gates_of(project, estimate_distortion(project, runs), checks), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(patches.not_judged), not_judged);

@@ -1,0 +1,368 @@
+#include "boxbeam/strength/box_distortion.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace boxbeam {
+namespace {
+
+using AtCorners = Eigen::Vector4d;
+
+/// A plate of a cell from a corner to the next one around it.
+struct CellPlate {
+  BoxPlate plate;
+  bool web;
+};
+
+constexpr std::array around{
+    CellPlate{BoxPlate::left_web, true}, CellPlate{BoxPlate::bottom_flange, false},
+    CellPlate{BoxPlate::right_web, true}, CellPlate{BoxPlate::top_flange, false}};
+
+constexpr Eigen::Index next_corner(std::size_t corner) {
+  return static_cast<Eigen::Index>((corner + 1) % 4);
+}
+
+double thickness_of(const BoxCell& cell, BoxPlate plate) {
+  return cell.thickness[static_cast<std::size_t>(plate)].value();
+}
+
+double length_of(const BoxCell& cell, const CellPlate& plate) {
+  return (plate.web ? cell.height : cell.width).value();
+}
+
+/// The integral of f g over the plates, both linear along each.
+double product(const BoxCell& cell, const AtCorners& f, const AtCorners& g) {
+  double sum = 0.0;
+  for (std::size_t p = 0; p < 4; ++p) {
+    const auto i = static_cast<Eigen::Index>(p), j = next_corner(p);
+    const double area = length_of(cell, around[p]) * thickness_of(cell, around[p].plate);
+    sum += area / 6.0 * (2.0 * f[i] * g[i] + f[i] * g[j] + f[j] * g[i] + 2.0 * f[j] * g[j]);
+  }
+  return sum;
+}
+
+AtCorners warping_of(const BoxCell& cell) {
+  const double y = 0.5 * cell.width.value(), z = 0.5 * cell.height.value();
+  Eigen::Matrix<double, 4, 3> plane;
+  plane << 1.0, y, z, 1.0, y, -z, 1.0, -y, -z, 1.0, -y, z;
+  const AtCorners yz = plane.col(1).cwiseProduct(plane.col(2));
+  Eigen::Matrix3d products;
+  Eigen::Vector3d with_yz;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    with_yz[i] = product(cell, plane.col(i), yz);
+    for (Eigen::Index j = 0; j < 3; ++j) products(i, j) = product(cell, plane.col(i), plane.col(j));
+  }
+  return yz - plane * products.fullPivLu().solve(with_yz);
+}
+
+// Gauss' rule of four points on 0..1: exact for polynomials of degree 7.
+constexpr double outer_point = 0.8611363115940526, inner_point = 0.3399810435848563;
+constexpr std::array gauss_place{0.5 * (1.0 - outer_point), 0.5 * (1.0 - inner_point),
+                                 0.5 * (1.0 + inner_point), 0.5 * (1.0 + outer_point)};
+constexpr double outer_weight = 0.5 * 0.3478548451374538, inner_weight = 0.5 * 0.6521451548625461;
+constexpr std::array gauss_weight{outer_weight, inner_weight, inner_weight, outer_weight};
+
+/// S: of M_D' = 1 the shear flow q' = -2 t omega/I_w around the cell, plus what leaves no torque.
+double shear_stiffness_of(const BoxCell& cell, const AtCorners& warping, double warping_inertia,
+                          double G) {
+  const double lever_web = 0.5 * cell.width.value(), lever_flange = 0.5 * cell.height.value();
+  double start = 0.0, torque = 0.0, by_flow = 0.0, by_even = 0.0, even = 0.0;
+  for (std::size_t p = 0; p < 4; ++p) {
+    const double from = warping[static_cast<Eigen::Index>(p)], to = warping[next_corner(p)];
+    const double L = length_of(cell, around[p]), t = thickness_of(cell, around[p].plate);
+    const double per = -2.0 * t * L / warping_inertia;
+    for (std::size_t g = 0; g < gauss_place.size(); ++g) {
+      const double x = gauss_place[g], q = start + per * x * (from + 0.5 * x * (to - from));
+      const double length = gauss_weight[g] * L;
+      torque += length * q * (around[p].web ? lever_web : lever_flange);
+      by_flow += length * q * q / (G * t);
+      by_even += length * q / (G * t);
+      even += length / (G * t);
+    }
+    start += 0.5 * per * (from + to);
+  }
+  const double added = -torque / (2.0 * cell.width.value() * cell.height.value());
+  return 1.0 / (by_flow + 2.0 * added * by_even + added * added * even);
+}
+
+/// Moments at the ends of the webs when the cell is racked by gamma = 1.
+AtCorners moments_of(const BoxCell& cell, double E, double nu) {
+  Eigen::Matrix4d turning = Eigen::Matrix4d::Zero();
+  AtCorners racked = AtCorners::Zero();
+  std::array<double, 4> stiffness;  // 2 D/L
+  for (std::size_t p = 0; p < 4; ++p) {
+    const auto i = static_cast<Eigen::Index>(p), j = next_corner(p);
+    const double D =
+        E * std::pow(thickness_of(cell, around[p].plate), 3) / (12.0 * (1.0 - nu * nu));
+    const double k = stiffness[p] = 2.0 * D / length_of(cell, around[p]);
+    turning(i, i) += 2.0 * k;
+    turning(j, j) += 2.0 * k;
+    turning(i, j) += k;
+    turning(j, i) += k;
+    if (!around[p].web) continue;
+    racked[i] += 3.0 * k;
+    racked[j] += 3.0 * k;
+  }
+  const AtCorners turns = turning.ldlt().solve(racked);
+  AtCorners moments;
+  for (const std::size_t p : {std::size_t{0}, std::size_t{2}}) {
+    const auto i = static_cast<Eigen::Index>(p), j = next_corner(p);
+    moments[i] = stiffness[p] * (3.0 - 2.0 * turns[i] - turns[j]);
+    moments[j] = stiffness[p] * (3.0 - 2.0 * turns[j] - turns[i]);
+  }
+  return moments;
+}
+
+/// Shapes of an element of a beam that bends and shears, of angle and turn at both ends, at a part
+/// of its length; phi = 12 E I/(S L^2). Exact where no foundation resists.
+/// Source: Friedman, Kosmatka, Computers and Structures 47 (1993), recalled.
+struct Shapes {
+  Eigen::Vector4d angle, turn, turn_change;
+
+  Shapes(double x, double L, double phi)
+      : angle((1.0 - x) * (1.0 + x - 2.0 * x * x + phi), L * x * (1.0 - x) * (1.0 - x + 0.5 * phi),
+              x * (3.0 * x - 2.0 * x * x + phi), -L * x * (1.0 - x) * (x + 0.5 * phi)),
+        turn(6.0 * x * (x - 1.0) / L, (1.0 - x) * (1.0 - 3.0 * x + phi), 6.0 * x * (1.0 - x) / L,
+             x * (3.0 * x - 2.0 + phi)),
+        turn_change((12.0 * x - 6.0) / (L * L), (6.0 * x - 4.0 - phi) / L,
+                    (6.0 - 12.0 * x) / (L * L), (6.0 * x - 2.0 + phi) / L) {
+    for (Eigen::Vector4d* of : {&angle, &turn, &turn_change}) *of /= 1.0 + phi;
+  }
+};
+
+/// gamma' - theta, the same all along the element.
+Eigen::Vector4d shear_of(double L, double phi) {
+  return phi / (1.0 + phi) * Eigen::Vector4d(-1.0 / L, -0.5, 1.0 / L, -0.5);
+}
+
+double mean_of(const DistortedBeam::AtGauss& values) {
+  double mean = 0.0;
+  for (std::size_t g = 0; g < values.size(); ++g) mean += gauss_weight[g] * values[g];
+  return mean;
+}
+
+double phi_of(const DistortedBeam& beam, std::size_t element) {
+  const double L = beam.nodes[element + 1] - beam.nodes[element];
+  return 12.0 * mean_of(beam.warping_stiffness[element]) /
+         (mean_of(beam.shear_stiffness[element]) * L * L);
+}
+
+}  // namespace
+
+std::optional<BoxCell> box_cell_of(const Profile& profile) {
+  if (const auto* box = std::get_if<Box>(&profile)) {
+    return BoxCell{box->width - 0.5 * (box->left_web + box->right_web),
+                   box->height - 0.5 * (box->top_flange + box->bottom_flange),
+                   {box->top_flange, box->bottom_flange, box->left_web, box->right_web}};
+  }
+  if (const auto* tube = std::get_if<RectangularTube>(&profile)) {
+    const Length t = tube->wall;
+    return BoxCell{tube->width - t, tube->height - t, {t, t, t, t}};
+  }
+  return std::nullopt;
+}
+
+CellDistortion cell_distortion_of(const BoxCell& cell, double E, double nu) {
+  const AtCorners warping = warping_of(cell), moments = moments_of(cell, E, nu);
+  CellDistortion of;
+  of.warping_inertia = product(cell, warping, warping);
+  // The work of the racked webs: corners turn without any, for moments there are in balance.
+  of.frame_stiffness = moments.sum();
+  of.decay = std::pow(of.frame_stiffness / (E * of.warping_inertia), 0.25);
+  of.shear_stiffness = shear_stiffness_of(cell, warping, of.warping_inertia, 0.5 * E / (1.0 + nu));
+  std::copy(warping.begin(), warping.end(), of.warping.begin());
+  std::copy(moments.begin(), moments.end(), of.corner_moments.begin());
+  return of;
+}
+
+double diaphragm_stiffness(const BoxCell& cell, Length thickness, Length opening, double E,
+                           double nu) {
+  const double b = cell.width.value(), h = cell.height.value(), t = thickness.value();
+  const double G = 0.5 * E / (1.0 + nu), o = opening.value();
+  if (o <= 0.0) return G * t * b * h;
+  if (o >= std::min(b, h)) return 0.0;
+  const double beside = 0.5 * (b - o), above = 0.5 * (h - o);
+  double per_moment = 0.0;
+  const auto add = [&](double length, double depth) {
+    const double I = t * depth * depth * depth / 12.0, A_s = 5.0 / 6.0 * t * depth;
+    per_moment += length / (6.0 * E * I) + 2.0 / (length * G * A_s);
+  };
+  add(h - above, beside);
+  add(b - beside, above);
+  return 4.0 / per_moment;
+}
+
+DistortedBeam::AtGauss DistortedBeam::places(std::size_t element) const {
+  AtGauss at;
+  for (std::size_t g = 0; g < gauss_points; ++g)
+    at[g] = std::lerp(nodes[element], nodes[element + 1], gauss_place[g]);
+  return at;
+}
+
+std::size_t DistortedBeam::nearest(double s) const {
+  const auto above = std::lower_bound(nodes.begin(), nodes.end(), s);
+  if (above == nodes.begin()) return 0;
+  const auto index = static_cast<std::size_t>(above - nodes.begin());
+  if (above == nodes.end() || s - nodes[index - 1] < nodes[index] - s) return index - 1;
+  return index;
+}
+
+DistortedBeam distorted_beam(const std::vector<double>& places,
+                             const std::function<BoxCell(double)>& cell_at, double E, double nu,
+                             double part) {
+  assert(places.size() > 1);
+  constexpr double inside = 1e-6;  // on this side of a jump
+  DistortedBeam beam;
+  beam.nodes = {places.front()};
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double from = places[i], length = places[i + 1] - from;
+    double lambda = 0.0;
+    for (const double x : {inside, 0.5, 1.0 - inside})
+      lambda = std::max(lambda, cell_distortion_of(cell_at(from + x * length), E, nu).decay);
+    const int count = std::max(1, static_cast<int>(std::ceil(length * lambda / part)));
+    for (int k = 1; k <= count; ++k)
+      beam.nodes.push_back(k < count ? from + length * k / count : places[i + 1]);
+  }
+  const std::size_t elements = beam.nodes.size() - 1;
+  for (auto* of : {&beam.warping_stiffness, &beam.shear_stiffness, &beam.frame_stiffness,
+                   &beam.taper, &beam.of_torque})
+    of->resize(elements);
+  beam.diaphragms.assign(elements + 1, 0.0);
+  for (std::size_t e = 0; e < elements; ++e) {
+    const DistortedBeam::AtGauss at = beam.places(e);
+    const BoxCell from = cell_at(at.front()), to = cell_at(at.back());
+    const double b_slope = (to.width - from.width).value() / (at.back() - at.front());
+    const double h_slope = (to.height - from.height).value() / (at.back() - at.front());
+    for (std::size_t g = 0; g < DistortedBeam::gauss_points; ++g) {
+      const BoxCell cell = cell_at(at[g]);
+      const CellDistortion of = cell_distortion_of(cell, E, nu);
+      beam.warping_stiffness[e][g] = 0.25 * E * of.warping_inertia;
+      beam.shear_stiffness[e][g] = of.shear_stiffness;
+      beam.frame_stiffness[e][g] = of.frame_stiffness;
+      const double wider = b_slope / cell.width.value(), deeper = h_slope / cell.height.value();
+      beam.taper[e][g] = wider + deeper;
+      beam.of_torque[e][g] = 0.5 * (deeper - wider);
+    }
+  }
+  return beam;
+}
+
+double Distortion::warping_stress(std::size_t node, const CellDistortion& cell,
+                                  CellCorner corner) const {
+  return 2.0 * moment[node] * cell.warping[static_cast<std::size_t>(corner)] / cell.warping_inertia;
+}
+
+double Distortion::frame_stress(std::size_t node, const CellDistortion& cell, const BoxCell& of,
+                                CellCorner corner) const {
+  const auto i = static_cast<std::size_t>(corner);
+  const double t =
+      std::min(thickness_of(of, around[i].plate), thickness_of(of, around[(i + 3) % 4].plate));
+  return 6.0 * std::abs(angle[node] * cell.corner_moments[i]) / (t * t);
+}
+
+DistortionSolver::DistortionSolver(DistortedBeam beam) : beam_(std::move(beam)) {
+  const std::size_t count = beam_.nodes.size();
+  std::vector<Eigen::Matrix2d> diagonal(count, Eigen::Matrix2d::Zero());
+  beside_.assign(count, Eigen::Matrix2d::Zero());
+  for (std::size_t e = 0; e + 1 < count; ++e) {
+    const double L = beam_.nodes[e + 1] - beam_.nodes[e], phi = phi_of(beam_, e);
+    const Eigen::Vector4d sheared = shear_of(L, phi);
+    Eigen::Matrix4d& K = elements_.emplace_back(Eigen::Matrix4d::Zero());
+    for (std::size_t g = 0; g < DistortedBeam::gauss_points; ++g) {
+      const Shapes shapes(gauss_place[g], L, phi);
+      const Eigen::Vector4d bent = shapes.turn_change + beam_.taper[e][g] * shapes.turn;
+      K += gauss_weight[g] * L *
+           (beam_.warping_stiffness[e][g] * bent * bent.transpose() +
+            beam_.shear_stiffness[e][g] * sheared * sheared.transpose() +
+            beam_.frame_stiffness[e][g] * shapes.angle * shapes.angle.transpose());
+    }
+    diagonal[e] += K.topLeftCorner<2, 2>();
+    diagonal[e + 1] += K.bottomRightCorner<2, 2>();
+    beside_[e] = K.topRightCorner<2, 2>();
+  }
+  const auto hold = [&](std::size_t node, Eigen::Index freedom) {
+    diagonal[node].row(freedom).setZero();
+    diagonal[node].col(freedom).setZero();
+    diagonal[node](freedom, freedom) = 1.0;
+    beside_[node].row(freedom).setZero();
+    if (node > 0) beside_[node - 1].col(freedom).setZero();
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_rigid(i))
+      hold(i, 0);
+    else
+      diagonal[i](0, 0) += beam_.diaphragms[i];
+  }
+  if (beam_.start_held) hold(0, 1);
+  if (beam_.end_held) hold(count - 1, 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) diagonal[i] -= beside_[i - 1].transpose() * pivots_[i - 1] * beside_[i - 1];
+    pivots_.push_back(diagonal[i].inverse());
+  }
+}
+
+bool DistortionSolver::is_rigid(std::size_t node) const {
+  return std::isinf(beam_.diaphragms[node]) || (node == 0 && beam_.start_held) ||
+         (node + 1 == beam_.nodes.size() && beam_.end_held);
+}
+
+Eigen::Vector4d DistortionSolver::line_load(std::size_t element,
+                                            const DistortedBeam::AtGauss& line) const {
+  const double L = beam_.nodes[element + 1] - beam_.nodes[element], phi = phi_of(beam_, element);
+  Eigen::Vector4d load = Eigen::Vector4d::Zero();
+  for (std::size_t g = 0; g < DistortedBeam::gauss_points; ++g)
+    load += gauss_weight[g] * L * line[g] * Shapes(gauss_place[g], L, phi).angle;
+  return load;
+}
+
+Distortion DistortionSolver::solve(const std::vector<double>& loads,
+                                   const std::vector<DistortedBeam::AtGauss>& lines) const {
+  const std::size_t count = beam_.nodes.size();
+  assert(loads.size() == count && (lines.empty() || lines.size() + 1 == count));
+  std::vector<Eigen::Vector4d> on_elements(count - 1, Eigen::Vector4d::Zero());
+  std::vector<Eigen::Vector2d> rest(count, Eigen::Vector2d::Zero());
+  for (std::size_t i = 0; i < count; ++i) rest[i][0] = loads[i];
+  for (std::size_t e = 0; e < lines.size(); ++e) {
+    on_elements[e] = line_load(e, lines[e]);
+    rest[e] += on_elements[e].head<2>();
+    rest[e + 1] += on_elements[e].tail<2>();
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (is_rigid(i)) rest[i][0] = 0.0;
+  if (beam_.start_held) rest.front()[1] = 0.0;
+  if (beam_.end_held) rest.back()[1] = 0.0;
+  for (std::size_t i = 1; i < count; ++i)
+    rest[i] -= beside_[i - 1].transpose() * pivots_[i - 1] * rest[i - 1];
+  std::vector<Eigen::Vector2d> found(count);
+  for (std::size_t i = count; i-- > 0;) {
+    if (i + 1 < count) rest[i] -= beside_[i] * found[i + 1];
+    found[i] = pivots_[i] * rest[i];
+  }
+
+  Distortion distortion;
+  distortion.angle.resize(count);
+  distortion.moment.resize(count);
+  distortion.held.resize(count);
+  std::vector<double> borne(count, 0.0);  // by the elements
+  for (std::size_t i = 0; i < count; ++i) distortion.angle[i] = found[i][0];
+  for (std::size_t e = 0; e + 1 < count; ++e) {
+    Eigen::Vector4d at;
+    at << found[e], found[e + 1];
+    // By balance, which is far better than the second derivative of the cubics.
+    const Eigen::Vector4d ends = elements_[e] * at - on_elements[e];
+    distortion.moment[e] = ends[1];
+    distortion.moment[e + 1] = -ends[3];
+    borne[e] += ends[0];
+    borne[e + 1] += ends[2];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    distortion.held[i] =
+        is_rigid(i) ? loads[i] - borne[i] : beam_.diaphragms[i] * distortion.angle[i];
+  }
+  return distortion;
+}
+
+}  // namespace boxbeam
