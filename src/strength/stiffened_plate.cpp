@@ -20,12 +20,14 @@ double ratio_of(double smaller, double larger) { return std::max(least_psi, smal
 
 /// A piece of plate between stiffeners or edges, in the frame of a plate whose first edge is
 /// compressed most: `from` is compressed more than `to`.
-struct Subpanel {
+struct PanelPart {
   double from = 0.0, to = 0.0;
   bool pressed = false;
   double compressed = 0.0;         ///< gross width, counted from `from`
   double first = 0.0, last = 0.0;  ///< of it the gross parts that go with both its borders
   double rho = 1.0;
+  double psi = 1.0;
+  EffectiveWidth effective;
 
   double width() const { return to - from; }
 };
@@ -69,8 +71,10 @@ class Oriented {
   std::vector<std::size_t> order_;
 };
 
-Subpanel subpanel_of(const StiffenedPlate& plate, const Oriented& in, double from, double to) {
-  Subpanel of{from, to};
+PanelPart subpanel_of(const StiffenedPlate& plate, const Oriented& in, double from, double to) {
+  PanelPart of;
+  of.from = from;
+  of.to = to;
   const double most = in.stress(from);
   of.pressed = most > 0.0 && to > from;
   if (!of.pressed) return of;
@@ -78,6 +82,8 @@ Subpanel subpanel_of(const StiffenedPlate& plate, const Oriented& in, double fro
   const auto width = panel_effective_width(si<Length>(of.width()), plate.thickness, psi,
                                            plate.yield_strength, plate.length);
   of.rho = width->rho;
+  of.psi = psi;
+  of.effective = *width;
   of.compressed = of.width() / std::max(1.0, 1.0 - psi);
   of.first = width->b_e1.value() / width->rho;
   of.last = of.compressed - of.first;
@@ -104,7 +110,7 @@ struct OutOfPlate {
 
 /// The stiffener with what of both subpanels beside it goes with it.
 StiffenerColumn column_of(const StiffenedPlate& plate, const Oriented& in, std::size_t k,
-                          const Subpanel& before, const Subpanel& behind) {
+                          const PanelPart& before, const PanelPart& behind) {
   const FlatStiffener& flat = in.stiffener(k);
   const double t = plate.thickness.value(), under = flat.thickness.value();
   OutOfPlate of;
@@ -245,7 +251,7 @@ void find_reduction(StiffenerBuckling& of, const StiffenedPlate& plate, double p
 
 StiffenedWidths widths_of(const StiffenedPlate& plate, const Oriented& in) {
   const double t = plate.thickness.value(), b = in.width();
-  std::vector<Subpanel> panels;
+  std::vector<PanelPart> panels;
   double from = 0.0;
   for (std::size_t k = 0; k < in.count(); ++k) {
     const double half = 0.5 * in.stiffener(k).thickness.value();
@@ -287,7 +293,9 @@ StiffenedWidths widths_of(const StiffenedPlate& plate, const Oriented& in) {
   find_reduction(of, plate, in.psi());
 
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const Subpanel& panel = panels[i];
+    const PanelPart& panel = panels[i];
+    const WorkingStrip at = in.strip(panel.from, panel.to, 1.0);
+    result.subpanels.push_back({at.low, at.high, panel.pressed, panel.psi, panel.effective});
     const auto works = [&](bool first) { return edge_at(i, first) ? 1.0 : of.rho_c; };
     const auto add = [&](double low, double high, double share) {
       if (high > low) result.strips.push_back(in.strip(low, high, share));

@@ -14,4 +14,8 @@ namespace boxbeam {
 void divide_into_panels(const Project& project, const Station& station,
                         std::vector<ShearedPlate>& plates);
 
+/// How far the supports across the plates at a station are apart: diaphragms, and the ends of the
+/// beam.
+Length supported_length_at(const Project& project, Station station);
+
 }  // namespace boxbeam

@@ -142,9 +142,9 @@ Band compare(int count, bool even, double least_psi, double most_psi) {
         even_plate(b, t, count, d, std::max(d / 10.0, 0.6 * t), b * in(0.5, 4.0));
     if (!even) {
       // Apart by a tenth of the width at least.
-      const double first = in(0.1, count == 1 ? 0.9 : 0.7), second = in(first + 0.1, 0.9);
+      const double first = in(0.1, count == 1 ? 0.9 : 0.7);
       plate.stiffeners.front().place = plate.low + mm(first * b);
-      if (count == 2) plate.stiffeners.back().place = plate.low + mm(second * b);
+      if (count == 2) plate.stiffeners.back().place = plate.low + mm(in(first + 0.1, 0.9) * b);
     }
     const double psi = in(least_psi, most_psi);
     const auto of = stiffened_widths(plate, 1.0, psi);

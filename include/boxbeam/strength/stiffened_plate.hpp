@@ -11,6 +11,9 @@
 /// annex A. E = 210 GPa, nu = 0.3.
 namespace boxbeam {
 
+class Derivation;
+class Traced;
+
 /// A flat bar along a plate, on one side of it.
 struct FlatStiffener {
   Length place;  ///< of its middle, across the plate
@@ -129,6 +132,14 @@ std::optional<EffectiveWidth> panel_effective_width(Length width, Length thickne
 std::optional<ShortPlate> short_plate_of(Length width, Length thickness, double k_sigma,
                                          Stress yield_strength, std::optional<Length> length);
 
+/// A subpanel between stiffeners and edges.
+struct Subpanel {
+  Length low, high;
+  bool pressed = false;
+  double psi = 1.0;
+  EffectiveWidth width;  ///< where it is pressed
+};
+
 /// A part of a plate and how much of its thickness works.
 struct WorkingStrip {
   Length low, high;
@@ -159,6 +170,7 @@ struct StiffenerBuckling {
 struct StiffenedWidths {
   std::vector<WorkingStrip> strips;  ///< all of its clear width, in order
   std::vector<double> stiffeners;    ///< how much of each works, by its place in the plate
+  std::vector<Subpanel> subpanels;   ///< from the edge that is compressed most
   StiffenerBuckling buckling;
   double psi = 1.0;  ///< of the whole plate, smaller over larger edge stress
 
@@ -178,5 +190,8 @@ struct StiffenedWidths {
 /// to 4.5.4, A.1, A.2.
 std::optional<StiffenedWidths> stiffened_widths(const StiffenedPlate& plate, double at_low,
                                                 double at_high);
+
+/// rho_c step by step, from the plate on.
+Traced derive_stiffened(Derivation& steps, const StiffenedPlate& plate, const StiffenedWidths& of);
 
 }  // namespace boxbeam
