@@ -12,13 +12,17 @@
 namespace boxbeam {
 namespace {
 
-/// Takes a strip out of a plate, from one place of its width to another.
-void take_out(AreaSums& sums, const BoxWall& wall, bool flange, double from, double to) {
-  if (!(to > from)) return;
-  const double t = wall.thickness.value(), across = wall.middle.value();
-  const double width = to - from, area = t * width, along = 0.5 * (from + to);
-  const double second_along = t * (std::pow(to, 3) - std::pow(from, 3)) / 3.0;
-  const double second_across = area * across * across + width * std::pow(t, 3) / 12.0;
+/// Takes a share of a rectangle out, by its ends along and across the plate it belongs to.
+void take_out(AreaSums& sums, bool flange, double from, double to, double low, double high,
+              double share) {
+  if (!(to > from) || !(share > 0.0)) return;
+  const double area = share * (to - from) * (high - low);
+  const double along = 0.5 * (from + to), across = 0.5 * (low + high);
+  const auto second = [](double start, double end) {
+    return (std::pow(end, 3) - std::pow(start, 3)) / 3.0;
+  };
+  const double second_along = share * (high - low) * second(from, to);
+  const double second_across = share * (to - from) * second(low, high);
   sums.area -= area;
   sums.y -= area * (flange ? along : across);
   sums.z -= area * (flange ? across : along);
@@ -27,16 +31,63 @@ void take_out(AreaSums& sums, const BoxWall& wall, bool flange, double from, dou
   sums.yz -= area * along * across;
 }
 
+/// Takes a strip out of a plate, from one place of its width to another.
+void take_out(AreaSums& sums, const BoxWall& wall, bool flange, double from, double to,
+              double share = 1.0) {
+  const double half = 0.5 * wall.thickness.value(), across = wall.middle.value();
+  take_out(sums, flange, from, to, across - half, across + half, share);
+}
+
+/// Takes a share of a stiffener out, which stands on the inner face of its plate.
+void take_out(AreaSums& sums, const BoxWall& wall, bool flange, const FlatStiffener& bar,
+              double share) {
+  const double from = (bar.place - 0.5 * bar.thickness).value();
+  const double to = (bar.place + 0.5 * bar.thickness).value();
+  const double inwards = wall.middle.value() > 0.0 ? -1.0 : 1.0;
+  const double foot = wall.middle.value() + inwards * 0.5 * wall.thickness.value();
+  const double tip = foot + inwards * bar.depth.value();
+  take_out(sums, flange, from, to, std::min(foot, tip), std::max(foot, tip), share);
+}
+
+/// Takes out what does not work of a plate with stiffeners, or what shear lag leaves idle of one in
+/// tension, all over.
+void take_out(AreaSums& sums, const BoxWall& wall, bool flange, double lag, WallAlone& of) {
+  of.idle = {};
+  const auto strip = [&](Length low, Length high, double works) {
+    of.idle += (1.0 - works) * (high - low);
+    take_out(sums, wall, flange, low.value(), high.value(), 1.0 - works);
+  };
+  if (of.stiffened) {
+    for (const WorkingStrip& at : of.stiffened->strips) strip(at.low, at.high, lag * at.works);
+  } else {
+    strip(wall.low, wall.high, lag);
+  }
+  for (std::size_t k = 0; k < wall.stiffeners.size(); ++k) {
+    const double works = of.stiffened ? of.stiffened->stiffeners[k] : 1.0;
+    take_out(sums, wall, flange, wall.stiffeners[k], 1.0 - lag * works);
+  }
+}
+
+EffectiveWidth bare_width_of(const BoxWall& wall, double psi, std::optional<Length> length) {
+  return *panel_effective_width(wall.clear(), wall.thickness, psi, wall.class_strength, length);
+}
+
 /// A plate whose compression is even, or, in tension, what shear lag leaves of it: a strip in its
 /// middle is idle.
-void judge_even(const BoxWall& wall, bool pressed, double lag, bool flange, WallAlone& of,
+void judge_even(const FourWalls& box, BoxPlate plate, bool pressed, double lag, WallAlone& of,
                 AreaSums& sums) {
+  const BoxWall& wall = box.of(plate);
+  const bool flange = is_flange(plate);
   of.psi = 1.0;
   of.pressed = pressed;
+  if (!wall.stiffeners.empty()) {
+    if (pressed) of.stiffened = stiffened_widths(stiffened_plate_of(wall, box.length), 1.0, 1.0);
+    take_out(sums, wall, flange, lag, of);
+    return;
+  }
   double share = lag;
   if (pressed) {
-    of.width = *internal_effective_width(wall.clear(), wall.thickness, 1.0,
-                                         epsilon_of(wall.class_strength));
+    of.width = bare_width_of(wall, 1.0, box.length);
     share *= of.width.rho;
   }
   of.idle = (1.0 - share) * wall.clear();
@@ -45,16 +96,24 @@ void judge_even(const BoxWall& wall, bool pressed, double lag, bool flange, Wall
 }
 
 /// A plate that is bent in its plane, by the stress at its ends, tension positive.
-void judge_bent(const BoxWall& wall, bool flange, double at_low, double at_high, WallAlone& of,
+void judge_bent(const FourWalls& box, BoxPlate plate, double at_low, double at_high, WallAlone& of,
                 AreaSums& sums) {
+  const BoxWall& wall = box.of(plate);
+  const bool flange = is_flange(plate);
   const double most = std::max(-at_low, -at_high);
   of.pressed = most > 0.0;
   of.idle = {};
+  of.stiffened.reset();
   if (!of.pressed) return;
   constexpr double least = -3.0;
   of.psi = std::max(least, std::min(-at_low, -at_high) / most);
-  of.width = *internal_effective_width(wall.clear(), wall.thickness, of.psi,
-                                       epsilon_of(wall.class_strength));
+  if (!wall.stiffeners.empty())
+    of.stiffened = stiffened_widths(stiffened_plate_of(wall, box.length), -at_low, -at_high);
+  if (of.stiffened) {
+    take_out(sums, wall, flange, 1.0, of);
+    return;
+  }
+  of.width = bare_width_of(wall, of.psi, box.length);
   const Length pressed = wall.clear() / std::max(1.0, 1.0 - of.psi);
   of.idle = pressed - of.width.b_eff;
   // From the edge of the larger compression on.
@@ -81,12 +140,12 @@ SectionAlone compressed_alone(const FourWalls& box) {
   SectionAlone section;
   section.sums = box.gross;
   for (std::size_t k = 0; k < box_plates.size(); ++k)
-    judge_even(box.walls[k], true, 1.0, is_flange(box_plates[k]), section.walls[k], section.sums);
+    judge_even(box, box_plates[k], true, 1.0, section.walls[k], section.sums);
   return section;
 }
 
 BoxWall wall_of(Length low, Length high, Length middle, Length thickness) {
-  return {low, high, middle, thickness, {}, {}};
+  return {low, high, middle, thickness, {}, {}, {}};
 }
 
 PlateKind kind_of(BoxPlate plate, bool built) {
@@ -131,6 +190,7 @@ PlateStress PlateEnds::under(const CutForces& cut) const {
   const Stress most = std::max(low, high), least = std::min(low, high);
   constexpr double lowest = -3.0;
   PlateStress of{std::max(Stress{}, most), std::max(Stress{}, Stress(-least))};
+  of.more_at_high = high > low;
   if (most > Stress{}) of.psi = std::max(lowest, (least / most).value());
   return of;
 }
@@ -139,7 +199,6 @@ std::optional<FourWalls> four_walls_of(const Profile& profile, const PlateMateri
   const auto* const built = std::get_if<Box>(&profile);
   const auto* const tube = std::get_if<RectangularTube>(&profile);
   if (built == nullptr && tube == nullptr) return std::nullopt;
-  if (built != nullptr && !built->stiffeners.empty()) return std::nullopt;
   const Box box =
       built != nullptr ? *built : symmetric_box(tube->width, tube->height, tube->wall, tube->wall);
   const Length half_width = 0.5 * box.width, half_height = 0.5 * box.height;
@@ -168,7 +227,23 @@ std::optional<FourWalls> four_walls_of(const Profile& profile, const PlateMateri
     wall.yield_strength = *yield;
     wall.class_strength = *of_class;
   }
+  for (const Stiffener& bar : box.stiffeners) {
+    BoxWall& wall = walls.of(bar.plate);
+    const auto yield = yield_strength_of(materials.of(PlateKind::stiffener), bar.thickness);
+    if (!yield) return std::nullopt;
+    // No stiffener is stressed more than the worst corner of the box.
+    wall.yield_strength = std::min(wall.yield_strength, *yield);
+    wall.stiffeners.push_back({bar.place, bar.depth, bar.thickness});
+  }
+  for (BoxWall& wall : walls.walls) {
+    std::sort(wall.stiffeners.begin(), wall.stiffeners.end(),
+              [](const FlatStiffener& a, const FlatStiffener& b) { return a.place < b.place; });
+  }
   return walls;
+}
+
+StiffenedPlate stiffened_plate_of(const BoxWall& wall, std::optional<Length> length) {
+  return {wall.low, wall.high, wall.thickness, wall.class_strength, wall.stiffeners, length};
 }
 
 SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagShares& lag,
@@ -187,8 +262,8 @@ SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagSh
 
   SectionAlone section;
   AreaSums flanges = box.gross;
-  judge_even(box.of(pressed), true, share, about_y, section.walls[index(pressed)], flanges);
-  judge_even(box.of(stretched), false, share, about_y, section.walls[index(stretched)], flanges);
+  judge_even(box, pressed, true, share, section.walls[index(pressed)], flanges);
+  judge_even(box, stretched, false, share, section.walls[index(stretched)], flanges);
   const std::array bent =
       about_y ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
   const double moment = positive ? 1.0 : -1.0;
@@ -204,8 +279,8 @@ SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagSh
         const double z = (about_y ? end : wall.middle).value();
         return moment * stress_per_moment(known, acting, y, z);
       };
-      judge_bent(wall, !about_y, stress_at(wall.low), stress_at(wall.high),
-                 section.walls[index(plate)], section.sums);
+      judge_bent(box, plate, stress_at(wall.low), stress_at(wall.high), section.walls[index(plate)],
+                 section.sums);
     }
     constexpr double close = 1e-10;
     const bool settled = std::all_of(bent.begin(), bent.end(), [&](BoxPlate plate) {

@@ -52,16 +52,40 @@ auto interaction_factor(const Number& eta_1, const Number& eta_3) {
 
 /// k_tau = 5.34 + 4 (h/a)^2 of a panel that is longer than deep, else 4 + 5.34 (h/a)^2.
 template <class Record, class Ratio>
-auto shear_factor(Record& record, const Ratio& depth_to_length, bool longer) {
+auto shear_factor(Record& record, Symbol symbol, const Ratio& depth_to_length, bool longer) {
   const auto square = depth_to_length * depth_to_length;
-  return record.define("k_tau", longer ? 5.34 + 4.0 * square : 4.0 + 5.34 * square);
+  return record.define(symbol, longer ? 5.34 + 4.0 * square : 4.0 + 5.34 * square);
+}
+
+/// What stiffeners add to it, theta = I_sl/(t^3 h_w); for a panel without length the least.
+template <class Number, class Record>
+Number shear_factor_of_stiffeners(Record& record, const Number& theta) {
+  using std::pow;
+  return 2.1 * pow(theta, record.constant("1/3", 1.0 / 3.0));
+}
+template <class Number, class Record>
+Number shear_factor_of_stiffeners(Record& record, const Number& theta,
+                                  const Number& depth_to_length) {
+  using std::pow;
+  return largest_of(
+      {Number(9.0 * depth_to_length * depth_to_length * pow(theta, record.constant("3/4", 0.75))),
+       shear_factor_of_stiffeners(record, theta)});
+}
+
+/// k_tau of a panel shorter than three depths with one or two stiffeners.
+template <class Number, class Record>
+Number few_stiffeners_shear_factor(Record& record, const Number& theta,
+                                   const Number& depth_to_length) {
+  using std::pow;
+  return record.define("k_tau", 4.1 + (6.3 + 0.18 * theta) * depth_to_length * depth_to_length +
+                                    2.2 * pow(theta, record.constant("1/3", 1.0 / 3.0)));
 }
 
 template <class Record, class Ratio, class Epsilon, class K>
-auto shear_slenderness(Record& record, const Ratio& depth_to_thickness, const Epsilon& epsilon,
-                       const K& k_tau) {
+auto shear_slenderness(Record& record, Symbol symbol, const Ratio& depth_to_thickness,
+                       const Epsilon& epsilon, const K& k_tau) {
   using std::sqrt;
-  return record.define("lambda_w", depth_to_thickness / (37.4 * epsilon * sqrt(k_tau)));
+  return record.define(symbol, depth_to_thickness / (37.4 * epsilon * sqrt(k_tau)));
 }
 
 template <class Record, class Number>

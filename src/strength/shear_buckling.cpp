@@ -16,20 +16,63 @@ struct PanelNumbers {
   Number k_tau, lambda_w, chi_w;
 };
 
+/// k_tau of a plate of some depth, without stiffeners; `again`: its length has been said.
+template <class Number, class Record, class L>
+Number bare_factor(Record& record, const char* symbol, const L& depth, Length known_depth,
+                   const std::optional<Length>& length, bool again = false) {
+  if (!length) {
+    return Number(record.given(symbol, 5.34, {ValueKind::factor},
+                               "between the ends of the beam: nothing shortens the panel"));
+  }
+  const auto a =
+      again ? record.known("a", *length) : record.given("a", *length, "between diaphragms");
+  return Number(plate::shear_factor(record, symbol, depth / a, *length >= known_depth));
+}
+
+/// k_tau of a plate with its stiffeners. Source: EN 1993-1-5:2006, A.3.
+template <class Number, class Record, class L>
+Number stiffened_factor(Record& record, const ShearPanel& panel, const L& depth,
+                        const L& thickness) {
+  const auto inertia = record.given("I_sl", panel.stiffeners.inertia,
+                                    "stiffeners, each with 15 epsilon t of the plate beside it");
+  const Number theta(record.define("theta", inertia / (thickness * thickness * thickness * depth),
+                                   "stiffeners to plate"));
+  constexpr double few = 3.0;
+  if (panel.length && panel.stiffeners.count <= 2 && *panel.length < few * panel.depth) {
+    const Number ratio(depth / record.given("a", *panel.length, "between diaphragms"));
+    return plate::few_stiffeners_shear_factor(record, theta, ratio);
+  }
+  const Number bare = bare_factor<Number>(record, "k_tau,0", depth, panel.depth, panel.length);
+  if (!panel.length) {
+    return record.define("k_tau",
+                         Number(bare + plate::shear_factor_of_stiffeners<Number>(record, theta)));
+  }
+  const Number ratio(depth / record.known("a", *panel.length));
+  return record.define(
+      "k_tau", Number(bare + plate::shear_factor_of_stiffeners<Number>(record, theta, ratio)));
+}
+
 template <class Number, class Record>
 PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double eta) {
   const auto depth = record.known("h_w", panel.depth);
-  const auto ratio = depth / record.known("t", panel.thickness);
+  const auto thickness = record.known("t", panel.thickness);
+  const auto ratio = depth / thickness;
   const auto epsilon = plate::epsilon(record, record.known("f_y", panel.yield_strength));
-  const auto k_tau = [&]() -> Number {
-    if (!panel.length) {
-      return Number(record.given("k_tau", 5.34, {ValueKind::factor},
-                                 "between the ends of the beam: nothing shortens the panel"));
-    }
-    const auto length = record.given("a", *panel.length, "between diaphragms");
-    return Number(plate::shear_factor(record, depth / length, *panel.length >= panel.depth));
-  }();
-  const Number lambda_w(plate::shear_slenderness(record, ratio, epsilon, k_tau));
+  if (panel.stiffeners.count == 0) {
+    const Number k_tau = bare_factor<Number>(record, "k_tau", depth, panel.depth, panel.length);
+    const Number lambda_w(plate::shear_slenderness(record, "lambda_w", ratio, epsilon, k_tau));
+    return {k_tau, lambda_w, plate::shear_reduction(record, lambda_w, eta, panel.rigid_end_post)};
+  }
+  const Number k_tau = stiffened_factor<Number>(record, panel, depth, thickness);
+  const Number whole(plate::shear_slenderness(record, "lambda_w,0", ratio, epsilon, k_tau));
+  const Length widest = panel.stiffeners.widest_subpanel;
+  const auto subpanel = record.given("h_w,i", widest, "the widest subpanel");
+  const Number k_tau_i =
+      bare_factor<Number>(record, "k_tau,i", subpanel, widest, panel.length, true);
+  const Number part(plate::shear_slenderness(record, "lambda_w,i", Number(subpanel / thickness),
+                                             Number(epsilon), k_tau_i));
+  const Number lambda_w = record.define("lambda_w", largest_of({whole, part}),
+                                        "the panel or its widest subpanel, 5.3(5)");
   return {k_tau, lambda_w, plate::shear_reduction(record, lambda_w, eta, panel.rigid_end_post)};
 }
 

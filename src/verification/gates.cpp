@@ -354,6 +354,17 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
                   obstacle, nullptr);
   }
   if (judged != nullptr) look_at_slender(segment, *judged, sums, histories);
+  for (const BoxPlate plate : {BoxPlate::top_flange, BoxPlate::bottom_flange}) {
+    // Webs are looked at without their stiffeners above, under the stress that is there.
+    if (judged != nullptr || !may_buckle_with_stiffeners(*project_, station, plate)) continue;
+    add("stiffened",
+        {segment, to_text(plate),
+         fmt::format("its stiffeners may buckle with it (EN 1993-1-5, 4.5); it is not judged by "
+                     "effective widths: {}",
+                     obstacle),
+         true},
+        1.0);
+  }
   const ShearLags lags = shear_lags_at(*zones_, section, station);
   look_at_shear_lag(segment, "flange", lags.flanges);
   look_at_shear_lag(segment, "web as flange of M_z", lags.webs);

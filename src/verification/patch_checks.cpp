@@ -158,10 +158,7 @@ class PatchSearch {
   };
 
   std::optional<FourWalls> walls_at(const Station& station) const {
-    const Section section = judged_section_at(*project_, station);
-    if (section.inner) return std::nullopt;
-    return four_walls_of(section.outer,
-                         materials_of(*project_, segment_at(project_->beam, station)));
+    return judged_walls_at(*project_, station);
   }
 
   bool is_at_end(Length s) const {

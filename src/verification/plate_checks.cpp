@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "boxbeam/project/plate_material.hpp"
@@ -22,12 +23,6 @@ constexpr double steepest = 10.0 * std::numbers::pi / 180.0;
 /// Up to this part of a plate's width an opening does not count. Source: EN 1993-1-5:2006, 2.3(1).
 constexpr double widest_opening = 0.05;
 
-std::optional<FourWalls> four_walls_at(const Project& project, const Station& station) {
-  const Section section = judged_section_at(project, station);
-  if (section.inner) return std::nullopt;
-  return four_walls_of(section.outer, materials_of(project, segment_at(project.beam, station)));
-}
-
 /// The plates of both ends of the segment of a station, between which c/t has its largest value at
 /// one of them: what is judged does not come and go within a segment.
 std::vector<FourWalls> walls_of_segment(const Project& project, const Station& station) {
@@ -45,6 +40,46 @@ std::vector<FourWalls> walls_of_segment(const Project& project, const Station& s
 bool may_buckle(const BoxWall& wall) {
   return wall.clear() / wall.thickness >
          internal_part_limits(1.0, 1.0, epsilon_of(wall.class_strength)).class_3;
+}
+
+/// The plates of a station. Stiffeners of a plate that would do without them count as area alone.
+std::optional<FourWalls> four_walls_at(const Project& project, const Station& station,
+                                       const std::vector<FourWalls>& ends) {
+  const Section section = judged_section_at(project, station);
+  if (section.inner) return std::nullopt;
+  auto walls =
+      four_walls_of(section.outer, materials_of(project, segment_at(project.beam, station)));
+  if (!walls) return std::nullopt;
+  walls->length = supported_length_at(project, station);
+  for (const BoxPlate plate : box_plates) {
+    const bool slender = std::any_of(ends.begin(), ends.end(),
+                                     [&](const FourWalls& of) { return may_buckle(of.of(plate)); });
+    if (!slender) walls->of(plate).stiffeners.clear();
+  }
+  return walls;
+}
+
+/// Why stiffened plates of a segment are not judged, by both its ends.
+std::string stiffener_obstacle(const std::vector<FourWalls>& ends) {
+  for (const FourWalls& of : ends) {
+    for (const BoxPlate plate : box_plates) {
+      const BoxWall& wall = of.of(plate);
+      const auto twists = [&](const FlatStiffener& bar) {
+        return !resists_torsional_buckling(bar, wall.class_strength);
+      };
+      const auto bar = std::find_if(wall.stiffeners.begin(), wall.stiffeners.end(), twists);
+      if (bar != wall.stiffeners.end()) {
+        return fmt::format("a stiffener of the {} twists: d/t = {:.3g}, above 13 eps (9.2.1(8))",
+                           to_text(plate), (bar->depth / bar->thickness).value());
+      }
+      const StiffenedPlate as_plate = stiffened_plate_of(wall, {});
+      if (!wall.stiffeners.empty() && may_buckle(wall) && !are_stiff_enough(as_plate)) {
+        return fmt::format("the stiffeners of the {} are too weak, gamma = {:.3g} below 25",
+                           to_text(plate), relative_stiffness(as_plate));
+      }
+    }
+  }
+  return "";
 }
 
 /// The steepest edge of a segment's outline [rad].
@@ -67,21 +102,56 @@ std::optional<BoxPlate> plate_of(WallPart part) {
   }
 }
 
-/// A plate with the part of the shear flow that it carries.
-ShearedPlate sheared_plate(double gamma_M1, const StressField& field, const WallStretch& stretch,
-                           const BoxWall& wall, BoxPlate plate, bool alike) {
+/// The stiffeners of a wall as far as they help it in shear: I_sl with 15 eps t of plate on both
+/// sides, at most half of the subpanels. Source: EN 1993-1-5:2006, 5.3(3), figure 5.3.
+ShearStiffeners shear_stiffeners_of(const BoxWall& wall) {
+  ShearStiffeners of;
+  const std::vector<FlatStiffener>& bars = wall.stiffeners;
+  of.count = static_cast<int>(bars.size());
+  const double t = wall.thickness.value();
+  const Length most = 15.0 * epsilon_of(wall.class_strength) * wall.thickness;
+  Length from = wall.low;
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    const FlatStiffener& bar = bars[k];
+    const Length half = 0.5 * bar.thickness;
+    const Length before = bar.place - half - from;
+    const bool last = k + 1 == bars.size();
+    const Length next = last ? wall.high : bars[k + 1].place - 0.5 * bars[k + 1].thickness;
+    const Length behind = next - bar.place - half;
+    of.widest_subpanel = std::max({of.widest_subpanel, before, behind}, std::less<>());
+    const double plate =
+        (std::min(0.5 * before, most) + bar.thickness + std::min(0.5 * behind, most)).value() * t;
+    const double d = bar.depth.value(), A = d * bar.thickness.value(), apart = 0.5 * (t + d);
+    of.inertia += si<SecondMoment>((A * d * d + plate * t * t) / 12.0 +
+                                   plate * A / (plate + A) * apart * apart);
+    from = bar.place + half;
+  }
+  return of;
+}
+
+/// A plate without what it carries of the shear flow.
+ShearedPlate sheared_plate(double gamma_M1, const BoxWall& wall, BoxPlate plate, bool alike) {
   ShearedPlate of;
   of.plate = plate;
   of.name = alike && !is_flange(plate) ? "web" : to_text(plate);
-  of.panel = {wall.clear(), wall.thickness, wall.yield_strength, {}, false};
+  of.panel = {wall.clear(), wall.thickness, wall.yield_strength,
+              {},           false,          shear_stiffeners_of(wall)};
   of.resists = shear_resistance_of(of.panel, gamma_M1);
-  for (std::size_t i = 0; i < of.per_cut_force.size(); ++i) {
-    const SectionPoint point = point_on_stretch(field, stretch, 0.5 * static_cast<double>(i));
-    of.per_cut_force[i] = point.influence.shear;
-    // The wall's own torsion turns round over its thickness.
-    if (point.torsion) of.per_cut_force[i][cut_force::T] -= point.torsion->face;
-  }
   return of;
+}
+
+/// The part of the shear flow on a stretch of a plate.
+ShearedPlate::Piece piece_of(const StressField& field, const WallStretch& stretch) {
+  ShearedPlate::Piece piece;
+  const Wall& wall = field.flow->at.graph.walls[stretch.wall];
+  piece.width = (stretch.to - stretch.from) * length_of(wall);
+  for (std::size_t i = 0; i < piece.per_cut_force.size(); ++i) {
+    const SectionPoint point = point_on_stretch(field, stretch, 0.5 * static_cast<double>(i));
+    piece.per_cut_force[i] = point.influence.shear;
+    // The wall's own torsion turns round over its thickness.
+    if (point.torsion) piece.per_cut_force[i][cut_force::T] -= point.torsion->face;
+  }
+  return piece;
 }
 
 /// The uses of a station's plates under cut forces, with gamma_M0 and gamma_M1.
@@ -126,7 +196,7 @@ bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
   const auto buckles = [&](ActingAlone acting) {
     const SectionAlone& of = box.alone(acting);
     return std::any_of(of.walls.begin(), of.walls.end(),
-                       [](const WallAlone& wall) { return wall.pressed && wall.width.rho < 1.0; });
+                       [](const WallAlone& wall) { return wall.buckles(); });
   };
   using enum ActingAlone;
   const CornerUse worst = box.worst_corner(cut);
@@ -142,20 +212,27 @@ constexpr double no_use = 1e-6;
 
 }  // namespace
 
+std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station) {
+  return four_walls_at(project, station, walls_of_segment(project, station));
+}
+
 Force ShearedPlate::force_of(const CutForces& cut) const {
-  std::array<double, 3> stress{};
-  for (std::size_t i = 0; i < stress.size(); ++i) {
-    for (std::size_t k = 0; k < cut_force::count; ++k) {
-      const double acting = value_of(cut, static_cast<cut_force::Index>(k));
-      // What is not known counts only where it acts.
-      if (acting != 0.0) stress[i] += per_cut_force[i][k] * acting;
+  double sum = 0.0, most = 0.0;
+  for (const Piece& piece : pieces) {
+    std::array<double, 3> stress{};
+    for (std::size_t i = 0; i < stress.size(); ++i) {
+      for (std::size_t k = 0; k < cut_force::count; ++k) {
+        const double acting = value_of(cut, static_cast<cut_force::Index>(k));
+        // What is not known counts only where it acts.
+        if (acting != 0.0) stress[i] += piece.per_cut_force[i][k] * acting;
+      }
+      most = std::max(most, std::abs(stress[i]));
     }
+    // Simpson's rule is exact for a parabola.
+    sum += piece.width * (stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
   }
-  // Simpson's rule is exact for a parabola.
-  double mean = std::abs(stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
-  if (is_flange(plate)) {
-    for (const double at : stress) mean = std::max(mean, 0.5 * std::abs(at));
-  }
+  double mean = std::abs(sum);
+  if (is_flange(plate)) mean = std::max(mean, 0.5 * most);
   return si<Stress>(mean) * (panel.depth * panel.thickness);
 }
 
@@ -172,7 +249,16 @@ std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWa
     if (stretch.solid || stretch.round || !field.flow) continue;
     const auto plate = plate_of(field.flow->at.graph.walls[stretch.wall].part);
     if (!plate || (alike && *plate == BoxPlate::right_web)) continue;
-    plates.push_back(sheared_plate(gamma_M1, field, stretch, walls.of(*plate), *plate, alike));
+    auto at = std::find_if(plates.begin(), plates.end(),
+                           [&](const ShearedPlate& of) { return of.plate == *plate; });
+    if (at == plates.end())
+      at = plates.insert(at, sheared_plate(gamma_M1, walls.of(*plate), *plate, alike));
+    at->pieces.push_back(piece_of(field, stretch));
+  }
+  for (ShearedPlate& plate : plates) {
+    double width = 0.0;
+    for (const ShearedPlate::Piece& piece : plate.pieces) width += piece.width;
+    for (ShearedPlate::Piece& piece : plate.pieces) piece.width /= width;
   }
   return plates;
 }
@@ -182,11 +268,10 @@ std::string plates_obstacle(const Project& project, const Station& station) {
   const std::size_t index = segment_at(project.beam, station);
   const Segment& segment = project.beam.segments[index];
   if (section.inner) return "a profile inside another shares its buckling";
-  if (const auto* box = std::get_if<Box>(&section.outer);
-      box != nullptr && !box->stiffeners.empty())
-    return "the plates are stiffened (4.5)";
   const auto walls = four_walls_of(section.outer, materials_of(project, index));
   if (!walls) return "only boxes and rectangular tubes are";
+  if (std::string why = stiffener_obstacle(walls_of_segment(project, station)); !why.empty())
+    return why;
   if (const double slope = slope_of(segment); slope > steepest) {
     return fmt::format("its edges are inclined by {:.3g} deg, above 10 deg (2.3)",
                        slope * 180.0 / std::numbers::pi);
@@ -209,6 +294,13 @@ std::string plates_obstacle(const Project& project, const Station& station) {
   return "";
 }
 
+bool may_buckle_with_stiffeners(const Project& project, const Station& station, BoxPlate plate) {
+  const std::vector<FourWalls> ends = walls_of_segment(project, station);
+  return std::any_of(ends.begin(), ends.end(), [&](const FourWalls& of) {
+    return !of.of(plate).stiffeners.empty() && may_buckle(of.of(plate));
+  });
+}
+
 std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
                                                        const std::vector<BendingZone>& zones,
                                                        const Station& station) {
@@ -217,7 +309,7 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
     return std::any_of(of.walls.begin(), of.walls.end(), may_buckle);
   });
   if (!slender || !plates_obstacle(project, station).empty()) return nullptr;
-  const std::optional<FourWalls> walls = four_walls_at(project, station);
+  const std::optional<FourWalls> walls = four_walls_at(project, station, ends);
   if (!walls) return nullptr;
   const Section section = judged_section_at(project, station);
   const LagShares lag = lag_shares_at(zones, section, station);

@@ -55,6 +55,24 @@ bool is_rigid(const Project& project, BoxPlate web, const Diaphragm& a, const Di
 
 }  // namespace
 
+Length supported_length_at(const Project& project, Station station) {
+  const TaperedBeam& beam = project.beam;
+  if (station.s.value() == 0.0) station.side = Side::behind;
+  if (station.s == beam.length()) station.side = Side::before;
+  const Length near = 1e-9 * beam.length();
+  Length from, to = beam.length();
+  for (const Diaphragm& of : beam.diaphragms) {
+    const bool here = of.s >= station.s - near && of.s <= station.s + near;
+    const bool before = here ? station.side == Side::behind : of.s < station.s;
+    if (here && station.side == Side::both) continue;
+    if (before)
+      from = std::max(from, of.s);
+    else
+      to = std::min(to, of.s);
+  }
+  return to - from;
+}
+
 void divide_into_panels(const Project& project, const Station& station,
                         std::vector<ShearedPlate>& plates) {
   const std::vector<Diaphragm>& diaphragms = project.beam.diaphragms;

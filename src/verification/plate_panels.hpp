@@ -18,11 +18,18 @@ void divide_into_panels(const Project& project, const Station& station,
 /// How long the panel at a station is; nothing where it is not between two diaphragms.
 std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& station);
 
+/// The plates of a station with what supports them across. Stiffeners of a plate that would do
+/// without them are left out, they count as area alone.
+std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station);
+
 /// Whether a plate without stiffeners is so slender that it may buckle in shear (5.1(2)).
 bool may_buckle_in_shear(const BoxWall& wall);
 
 /// What shear lag leaves of the plates of a section at a station.
 LagShares lag_shares_at(const std::vector<BendingZone>& zones, const Section& section,
                         const Station& station);
+/// How far the supports across the plates at a station are apart: diaphragms, and the ends of the
+/// beam.
+Length supported_length_at(const Project& project, Station station);
 
 }  // namespace boxbeam

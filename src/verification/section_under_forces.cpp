@@ -22,7 +22,10 @@ SectionUnderForces section_under(const Section& section, const Material& steel,
                                  const CutForces& forces) {
   std::optional<FourWalls> walls;
   if (!section.inner) walls = four_walls_of(section.outer, steel);
-  if (!walls) {
+  const bool stiffened =
+      walls && std::any_of(walls->walls.begin(), walls->walls.end(),
+                           [](const BoxWall& of) { return !of.stiffeners.empty(); });
+  if (!walls || stiffened) {
     throw InputError(
         "forces are judged on boxes without stiffeners and rectangular tubes whose plates are as "
         "thin as their steel has a strength for",

@@ -23,14 +23,33 @@ bool counts_in_fatigue(const Project& project, const Situation& situation) {
 
 namespace {
 
-/// What of a plate's area works under the stress that is there, lambda_p reduced by it.
-/// Source: EN 1993-1-5:2006, 4.4(4).
-double working_share(const BoxWall& wall, const PlateStress& stress, double part_of_yield) {
-  const double lambda =
-      relative_plate_slenderness(wall.clear() / wall.thickness, epsilon_of(wall.class_strength),
-                                 *internal_buckling_factor(stress.psi)) *
-      std::sqrt(std::min(1.0, part_of_yield));
-  return 1.0 - (1.0 - internal_reduction(lambda, stress.psi)) / std::max(1.0, 1.0 - stress.psi);
+/// What of a plate's area works under the stress that is there, lambda_p reduced by it, as if its
+/// yield strength were less. Source: EN 1993-1-5:2006, 4.4(4).
+double working_share(const BoxWall& wall, std::optional<Length> length, const PlateStress& stress,
+                     double part_of_yield) {
+  const double part = std::min(1.0, part_of_yield);
+  if (!(part > 0.0)) return 1.0;
+  StiffenedPlate plate = stiffened_plate_of(wall, length);
+  plate.yield_strength = part * wall.class_strength;
+  const double at_low = stress.more_at_high ? stress.psi : 1.0;
+  const double at_high = stress.more_at_high ? 1.0 : stress.psi;
+  const auto stiffened =
+      wall.stiffeners.empty() ? std::nullopt : stiffened_widths(plate, at_low, at_high);
+  if (!stiffened) {
+    const double rho = panel_effective_width(wall.clear(), wall.thickness, stress.psi,
+                                             plate.yield_strength, length)
+                           ->rho;
+    return 1.0 - (1.0 - rho) / std::max(1.0, 1.0 - stress.psi);
+  }
+  Area all = wall.clear() * wall.thickness, works;
+  for (const WorkingStrip& strip : stiffened->strips)
+    works += strip.works * (strip.high - strip.low) * wall.thickness;
+  for (std::size_t k = 0; k < wall.stiffeners.size(); ++k) {
+    const Area bar = wall.stiffeners[k].depth * wall.stiffeners[k].thickness;
+    all += bar;
+    works += stiffened->stiffeners[k] * bar;
+  }
+  return works / all;
 }
 
 /// How far a plate that is stressed and sheared breathes, out of its plane with every cycle: 1 is
@@ -58,15 +77,19 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates
     if (!project_->fatigue.asked) continue;
     const BoxWall& wall = plates.box.box().of(plate.plate);
     const PlateEnds ends(plates.box.box(), plate.plate, sums);
-    const double ratio = wall.clear() / wall.thickness;
+    // Between stiffeners subpanels breathe, each taken for evenly compressed.
+    const bool divided = plate.panel.stiffeners.count > 0;
+    const double ratio =
+        (divided ? plate.panel.stiffeners.widest_subpanel : wall.clear()) / wall.thickness;
     double least = 1.0, most_breathing = 0.0;
     for (const SituationHistory& of : histories) {
       const double factor = strength.required * of.situation->load_factor * strength.gamma_M0;
       const bool repeats = counts_in_fatigue(*project_, *of.situation);
       for (const CutForces& cut : of.history.samples()) {
-        const PlateStress stress = ends.under(cut);
-        least = std::min(least, working_share(wall, stress,
+        PlateStress stress = ends.under(cut);
+        least = std::min(least, working_share(wall, plates.box.box().length, stress,
                                               factor * (stress.compression / wall.class_strength)));
+        if (divided) stress.psi = 1.0;
         if (!repeats || ratio <= never_breathes) continue;
         const Stress shear = plate.force_of(cut) / (wall.clear() * wall.thickness);
         most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));

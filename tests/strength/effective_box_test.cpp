@@ -344,15 +344,111 @@ TEST_CASE("longer iteration ends, and in the same place from there") {
 TEST_CASE("what has not four plates has no walls") {
   const Material material = steel();
   CHECK(!four_walls_of(RoundTube{mm(500.0), mm(5.0)}, material));
-  Box stiffened{mm(300.0), mm(400.0), mm(20.0), mm(20.0), mm(8.0), mm(8.0)};
-  stiffened.stiffeners.push_back({top_flange, mm(0.0), mm(100.0), mm(10.0)});
-  CHECK(!four_walls_of(stiffened, material));
   CHECK(!four_walls_of(Box{mm(300.0), mm(400.0), mm(50.0), mm(20.0), mm(8.0), mm(8.0)}, material));
   // Of rolled tubes b - 3 t counts, EN 1993-1-5, 4.4(2).
   const auto tube =
       four_walls_of(RectangularTube{mm(300.0), mm(300.0), mm(8.0), mm(20.0), mm(12.0)}, material);
   REQUIRE(tube);
   CHECK(tube->of(top_flange).clear().value() == Approx(0.276));
+}
+
+TEST_CASE("stiffened boxes: what is left is the outline less what does not work, part by part") {
+  // N, M_y and M_z of a box with flats on all plates: areas and first moments as sums over small
+  // squares of the strips and flats that stiffened_widths leaves, its own formulas tested apart.
+  const Material material = steel();
+  Box box{mm(1200.0), mm(1000.0), mm(8.0), mm(10.0), mm(6.0), mm(7.0)};
+  for (const double y : {-300.0, 250.0}) {
+    box.stiffeners.push_back({top_flange, mm(y), mm(90.0), mm(10.0)});
+    box.stiffeners.push_back({bottom_flange, mm(y + 20.0), mm(80.0), mm(8.0)});
+  }
+  // One of each web is compressed whatever bends the box.
+  for (const double z : {-250.0, 200.0}) {
+    box.stiffeners.push_back({left_web, mm(z), mm(70.0), mm(8.0)});
+    box.stiffeners.push_back({right_web, mm(z + 30.0), mm(70.0), mm(8.0)});
+  }
+  FourWalls walls = *four_walls_of(box, material);
+  walls.length = mm(1500.0);
+  for (int k = 0; k < 5; ++k) {
+    const SectionAlone of = section_alone(walls, static_cast<ActingAlone>(k));
+    Box left = box;
+    left.stiffeners.clear();
+    AreaSums sums = sums_of(outline_of(Profile(left)));
+    int stiffened = 0;
+    for (const BoxPlate plate : box_plates) {
+      const BoxWall& wall = walls.of(plate);
+      const WallAlone& alone = of.of(plate);
+      const bool flange = is_flange(plate);
+      const double inwards = wall.middle.value() > 0.0 ? -1.0 : 1.0;
+      const auto add = [&](double along, double across, double width, double depth, double share) {
+        AreaSums part = sums_of_rectangle(flange ? along : across, flange ? across : along,
+                                          flange ? width : depth, flange ? depth : width);
+        for (double* x : {&part.area, &part.y, &part.z, &part.yy, &part.zz, &part.yz}) *x *= share;
+        sums = sums + part;
+      };
+      for (std::size_t i = 0; i < wall.stiffeners.size(); ++i) {
+        const FlatStiffener& bar = wall.stiffeners[i];
+        add(bar.place.value(),
+            wall.middle.value() + inwards * 0.5 * (wall.thickness + bar.depth).value(),
+            bar.thickness.value(), bar.depth.value(),
+            alone.stiffened ? alone.stiffened->stiffeners[i] : 1.0);
+      }
+      if (!alone.stiffened) continue;
+      ++stiffened;
+      for (const WorkingStrip& strip : alone.stiffened->strips) {
+        add(0.5 * (strip.low + strip.high).value(), wall.middle.value(),
+            (strip.high - strip.low).value(), wall.thickness.value(), strip.works - 1.0);
+      }
+    }
+    CAPTURE(k);
+    CHECK(stiffened >= 3);
+    CHECK(of.sums.area == Approx(sums.area).epsilon(1e-9));
+    CHECK(of.sums.area < 0.9 * walls.gross.area);
+    CHECK(of.sums.y == Approx(sums.y).margin(1e-9));
+    CHECK(of.sums.z == Approx(sums.z).margin(1e-9));
+    CHECK(of.sums.yy == Approx(sums.yy).epsilon(1e-9));
+    CHECK(of.sums.zz == Approx(sums.zz).epsilon(1e-9));
+    CHECK(of.sums.yz == Approx(sums.yz).margin(1e-9));
+  }
+}
+
+TEST_CASE("stiffened boxes mirrored left to right and top to bottom are used alike") {
+  std::mt19937 random(24);
+  const Material material = steel();
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  for (int i = 0; i < 50; ++i) {
+    Box box{mm(in(700.0, 1400.0)), mm(in(700.0, 1400.0)), mm(in(6.0, 12.0)),
+            mm(in(6.0, 12.0)),     mm(in(5.0, 10.0)),     mm(in(5.0, 10.0))};
+    for (const BoxPlate plate : box_plates)
+      box.stiffeners.push_back({plate, mm(in(-250.0, 250.0)), mm(80.0), mm(8.0)});
+    const CutForces cut = random_forces(random);
+    const auto use_of = [&](const Box& of, const CutForces& forces) {
+      FourWalls walls = *four_walls_of(of, material);
+      walls.length = mm(1000.0 + 50.0 * i);
+      return EffectiveBox(walls).use(forces);
+    };
+    const double use = use_of(box, cut);
+    for (const bool sideways : {true, false}) {
+      Box other = box;
+      CutForces turned = cut;
+      if (sideways) {
+        std::swap(other.left_web, other.right_web);
+        turned.M_z = -cut.M_z;
+      } else {
+        std::swap(other.top_flange, other.bottom_flange);
+        turned.M_y = -cut.M_y;
+      }
+      for (Stiffener& bar : other.stiffeners) {
+        if (is_flange(bar.plate) == sideways)
+          bar.place = -bar.place;
+        else
+          bar.plate = sideways ? (bar.plate == left_web ? right_web : left_web)
+                               : (bar.plate == top_flange ? bottom_flange : top_flange);
+      }
+      CHECK(use_of(other, turned) == Approx(use).epsilon(1e-9));
+    }
+  }
 }
 
 }  // namespace effective_box_test

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "boxbeam/section/cut_forces.hpp"
 #include "boxbeam/section/outline.hpp"
@@ -9,6 +10,7 @@
 #include "boxbeam/section/section.hpp"
 #include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/plate_materials.hpp"
+#include "boxbeam/strength/stiffened_plate.hpp"
 
 /// A box of four slender plates, judged by what of them works once they have buckled.
 namespace boxbeam {
@@ -21,16 +23,19 @@ struct BoxWall {
   Length low, high;  ///< ends of its clear width: y of a flange, z of a web
   Length middle;     ///< of its mid-line: z of a flange, y of a web
   Length thickness;
-  Stress yield_strength;
+  Stress yield_strength;  ///< the least of its own and of its stiffeners'
   Stress class_strength;  ///< by which it buckles: of a web that of the stronger flange
+  std::vector<FlatStiffener> stiffeners = {};  ///< on its inner face, by place
 
   Length clear() const { return high - low; }
 };
 
-/// Four plates around one cell: a box without stiffeners, or a rectangular tube.
+/// Four plates around one cell: a box, or a rectangular tube.
 struct FourWalls {
   AreaSums gross;
   std::array<BoxWall, 4> walls;  ///< by BoxPlate
+  /// Between supports across all of them; nothing: so long that they do not help.
+  std::optional<Length> length = {};
 
   const BoxWall& of(BoxPlate plate) const { return walls[static_cast<std::size_t>(plate)]; }
   BoxWall& of(BoxPlate plate) { return walls[static_cast<std::size_t>(plate)]; }
@@ -42,8 +47,11 @@ inline constexpr std::array box_plates{BoxPlate::top_flange, BoxPlate::bottom_fl
 const char* to_text(BoxPlate plate);  ///< "top flange", "left web", ...
 bool is_flange(BoxPlate plate);       ///< else it is a web
 
-/// The walls of a profile; nothing of one that has not four plates, that is stiffened, or of which
-/// a plate is thicker than its material's table goes.
+/// A wall as a plate that buckles.
+StiffenedPlate stiffened_plate_of(const BoxWall& wall, std::optional<Length> length);
+
+/// The walls of a profile; nothing of one that has not four plates, or of which a plate is thicker
+/// than its material's table goes. The length is left open.
 std::optional<FourWalls> four_walls_of(const Profile& profile, const PlateMaterials& materials);
 
 /// Normal stress at the ends of a plate's clear width.
@@ -53,6 +61,7 @@ struct PlateStress {
   /// Smaller over larger stress, compression positive, at least -3, below which no buckling factor
   /// is given; 1 where nothing is compressed.
   double psi = 1.0;
+  bool more_at_high = false;  ///< the end of the larger compression
 };
 
 /// The ends of a plate of a box, whose stress is that of a section.
@@ -78,8 +87,12 @@ struct LagShares {
 struct WallAlone {
   double psi = 1.0;      ///< smaller over larger edge stress, compression positive
   bool pressed = false;  ///< an edge is compressed; otherwise all of it works
-  EffectiveWidth width;  ///< of its compressed width, where it is pressed
-  Length idle;           ///< what of its width does not work, shear lag included
+  EffectiveWidth width;  ///< of its compressed width, where it is pressed and a bare plate
+  /// Where it is pressed with stiffeners under compression.
+  std::optional<StiffenedWidths> stiffened;
+  Length idle;  ///< what of its width does not work, shear lag included; in mean over its thickness
+
+  bool buckles() const { return pressed && (stiffened ? stiffened->reduced() : width.rho < 1.0); }
 };
 
 /// The section that is left where one cut force acts alone.
@@ -101,7 +114,8 @@ struct SectionAlone {
 ///
 /// `most_passes`: 1 by the standard; more repeat the second step with the section found, until no
 /// psi changes by more than 1e-10. Below psi = -3, where no buckling factor is given, that of -3
-/// holds, on the safe side. Source: EN 1993-1-5:2006, 4.3, 4.4.
+/// holds, on the safe side. Plates with stiffeners as `stiffened_widths`; shear lag takes evenly
+/// from all of such a flange. Source: EN 1993-1-5:2006, 4.3 to 4.5.
 SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagShares& lag = {},
                            int most_passes = 1);
 

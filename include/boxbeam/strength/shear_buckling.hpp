@@ -31,13 +31,23 @@ double shear_hardening_factor(Stress yield_strength);
 ShearBucklingNeed shear_buckling_need(Length clear_depth, Length thickness, Stress yield_strength,
                                       double eta);
 
-/// A plate in shear between its neighbours, without stiffeners along it.
+/// The longitudinal stiffeners of a plate in shear.
+struct ShearStiffeners {
+  int count = 0;
+  /// I_sl of all together, each with 15 eps t of the plate on both sides, whole: that only a third
+  /// of it counts (5.3(4)) is in the formulas of A.3.
+  SecondMoment inertia;
+  Length widest_subpanel;  ///< between them and the edges, clear
+};
+
+/// A plate in shear between its neighbours.
 struct ShearPanel {
   Length depth, thickness;  ///< clear
   Stress yield_strength;
   /// Between rigid transverse stiffeners or diaphragms; nothing: so long that they do not help.
   std::optional<Length> length = {};
   bool rigid_end_post = false;  ///< `is_rigid_end_post`; a single diaphragm at the end is none
+  ShearStiffeners stiffeners = {};
 };
 
 /// Two diaphragms at the end of a beam, as far as they hold one of its webs.
@@ -54,7 +64,9 @@ bool is_rigid_end_post(const EndPost& post, Length deepest, Length thickness,
 
 /// What a panel resists in shear.
 struct ShearResistance {
-  double k_tau = 0.0, lambda_w = 0.0, chi_w = 0.0;
+  double k_tau = 0.0;     ///< of the whole panel
+  double lambda_w = 0.0;  ///< of the panel, or of its widest subpanel
+  double chi_w = 0.0;
   Force resistance;  ///< V_bw,Rd
 };
 
@@ -66,7 +78,13 @@ struct ShearResistance {
 ///              1.37/(0.7 + lambda_w)
 ///     V_bw,Rd = chi_w f_yw h_w t/(sqrt(3) gamma_M1)
 ///
-/// Source: EN 1993-1-5:2006, 5.2, 5.3, table 5.1, annex A.3.
+/// With longitudinal stiffeners, theta = I_sl/(t^3 h_w):
+///
+///     k_tau + max[9 (h_w/a)^2 theta^(3/4), 2.1 theta^(1/3)];  of one or two and a < 3 h_w in its
+///     place 4.1 + (6.3 + 0.18 theta) (h_w/a)^2 + 2.2 theta^(1/3)
+///     lambda_w no less than that of the widest subpanel by itself
+///
+/// Source: EN 1993-1-5:2006, 5.2, 5.3(3) to (5), table 5.1, annex A.3.
 ShearResistance shear_resistance_of(const ShearPanel& panel, double gamma_M1);
 
 /// V_bw,Rd step by step.

@@ -24,9 +24,14 @@ struct ShearedPlate {
   ShearPanel panel;
   ShearResistance resists;
   bool may_buckle = false;  ///< in the segment it is so slender that shear buckling is judged
-  /// Shear stress per cut force at both ends and in the middle of its clear width, between which it
-  /// is a parabola: of the gross section, taper and torsion included [1/m^2, 1/m^3].
-  std::array<std::array<double, cut_force::count>, 3> per_cut_force{};
+  /// A part of its clear width, between edges and feet of stiffeners, where the shear flow jumps.
+  struct Piece {
+    double width = 0.0;  ///< over the clear one
+    /// Shear stress per cut force at both ends and in the middle, between which it is a parabola:
+    /// of the gross section, taper and torsion included [1/m^2, 1/m^3].
+    std::array<std::array<double, cut_force::count>, 3> per_cut_force{};
+  };
+  std::vector<Piece> pieces;
 
   /// The size of its force in its plane, over its clear width. Of a flange that of at least half of
   /// its largest stress, EN 1993-1-5, 7.1(5): under V_z both halves of it balance each other.
@@ -46,10 +51,15 @@ struct SlenderPlates {
 };
 
 /// Why the plates of the section at a station are not judged by effective widths (EN 1993-1-5,
-/// clauses 4 and 5), "" where they are: only boxes without stiffeners and rectangular tubes, by
-/// themselves, inclined by at most 10 degrees (2.3), without openings above 0.05 of a plate's
-/// width, those of one section together.
+/// clauses 4 and 5), "" where they are: only boxes and rectangular tubes, by themselves, inclined
+/// by at most 10 degrees (2.3), without openings above 0.05 of a plate's width, those of one
+/// section together; stiffeners that do not twist (9.2.1(8)) and that are stiff enough to divide
+/// their plate where it may buckle, all over the segment.
 std::string plates_obstacle(const Project& project, const Station& station);
+
+/// Whether a plate of a station's segment has stiffeners and may buckle without them (c/t above 42
+/// eps): it is judged as a stiffened one, or not at all.
+bool may_buckle_with_stiffeners(const Project& project, const Station& station, BoxPlate plate);
 
 /// The plates of a station; nothing where none of its segment is so slender that it may buckle (c/t
 /// above 42 eps), or where they are not judged.
