@@ -34,6 +34,11 @@ const char* judged_stress(StressPlace where) {
   return "";
 }
 
+/// What a wheel presses into the web below its rail: no stress of a section, whose rows are told
+/// apart by this word alone.
+constexpr const char* wheel_place = "local";
+constexpr std::size_t wheel_at = 4;
+
 FactDefinition read_fact(const std::string& name, TableReader& table) {
   FactDefinition fact;
   fact.name = name;
@@ -87,8 +92,11 @@ DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts)
   row.category = table.number("category");
   row.asterisk = table.boolean("asterisk", false);
   row.kind = static_cast<StressKind>(table.choice("kind", {"direct", "shear"}, 0));
-  row.where =
-      static_cast<StressPlace>(table.choice("where", {"gross", "net", "throat", "hot spot"}, 0));
+  row.slope = table.number("slope", 0.0);
+  const std::size_t where =
+      table.choice("where", {"gross", "net", "throat", "hot spot", wheel_place}, 0);
+  const bool wheel = where == wheel_at;
+  if (!wheel) row.where = static_cast<StressPlace>(where);
   row.size_effect = static_cast<SizeEffect>(
       table.choice("size_effect", {"none", "butt", "eccentric butt", "bolt"}, 0));
   row.welded = table.boolean("welded", true);
@@ -96,7 +104,8 @@ DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts)
   row.what = table.text("what");
   row.workmanship = table.text("workmanship", "");
   row.note = table.text("note", "");
-  row.conditions.emplace(stress_fact, std::vector<std::string>{judged_stress(row.where)});
+  row.conditions.emplace(stress_fact,
+                         std::vector<std::string>{wheel ? wheel_stress : judged_stress(row.where)});
   TableReader conditions = table.table("facts");
   for (const Node::Member& member : conditions.members()) {
     const auto fact = std::find_if(facts.begin(), facts.end(), [&](const FactDefinition& each) {
@@ -168,8 +177,14 @@ SnCurve curve_of(const DetailRow& row, bool raise_asterisk) {
   const char* family = row.where == StressPlace::hot_spot ? "EN 1993-1-9 hot spot" : "EN 1993-1-9";
   const std::string name =
       raise_asterisk && row.asterisk ? category_name_of(row) : fmt::format("{:g}", row.category);
-  const auto curve = find_curve(family, name, row.kind);
+  auto curve = find_curve(family, name, row.kind);
   assert(curve);
+  if (row.slope > 0.0) {
+    curve->name += fmt::format(", m = {:g}", row.slope);
+    curve->branches = {{row.slope, *curve->cut_off}};
+    curve->constant_amplitude_limit.reset();
+    curve->source = "table " + row.id.substr(0, row.id.find('/'));
+  }
   return *curve;
 }
 

@@ -126,6 +126,13 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
     add_implied(facts, rows, kind);
   }
   facts.emplace("stress", "nominal");
+  if (facts.at("stress") == FactValue(wheel_stress)) {
+    table.problem(
+        key,
+        "what wheels press into the web below a rail is no stress of the beam's sections, "
+        "and no case has it",
+        "judge its history by itself: boxbeam fatigue HISTORY.csv --detail 8.10/2");
+  }
   if (table.problems().size() != before) return;
   DetailInPlates known{facts, assess(rows, kind, facts).candidates, raise_asterisk,
                        detail.compression_reduced, !detail.name.empty()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "boxbeam/fatigue/hot_spot.hpp"
 #include "boxbeam/project/detail_catalogue.hpp"
 #include "boxbeam/project/detail_reader.hpp"
 #include "boxbeam/project/sn_catalogue.hpp"
@@ -85,12 +86,31 @@ Detail read_shear_detail(TableReader& table, const Key& key, double category, co
   return detail;
 }
 
+/// The structural stress at a toe over the nominal one, from stresses on the surface before it.
+double read_hot_spot(TableReader table) {
+  const auto stress = [&](const char* name, const char* meaning) {
+    return si<Stress>(table.positive({name, meaning}, wanted::stress));
+  };
+  const SurfaceStress surface{stress("near", "on the surface 0.4 thicknesses before the toe"),
+                              stress("far", "1.0 thicknesses before it")};
+  const Stress nominal = stress("nominal", "of the section there, under the same load");
+  const double factor = hot_spot_stress_of(surface) / nominal;
+  if (table.problems().empty() && factor < 1.0) {
+    table.problem(
+        "near",
+        fmt::format("the hot spot has {:.3g} times the nominal stress, less than it", factor),
+        "write stresses of one load, the nominal one without the weld's effect");
+  }
+  table.finish();
+  return factor;
+}
+
 /// The factor from the nominal stress to that of the detail, which some rows cannot do without.
-double read_stress_factor(TableReader& table, const Detail& detail) {
+double read_stress_factor(TableReader& table, const Detail& detail, bool said = false) {
   const double factor = table.number(
       {"stress_factor", "stress of the detail over the nominal one (k_f, hot spot, throat)"}, 1.0);
   const bool wanted = detail.where == StressPlace::hot_spot || detail.where == StressPlace::throat;
-  if (wanted && !table.has("stress_factor")) {
+  if (wanted && !said && !table.has("stress_factor")) {
     table.problem(
         "",
         fmt::format("row {} is for {}, which is not the nominal stress of the section", detail.row,
@@ -99,6 +119,24 @@ double read_stress_factor(TableReader& table, const Detail& detail) {
         "write stress_factor, its ratio to the nominal stress: stress_factor = 1.3");
   }
   return factor;
+}
+
+/// The same of a stretch, whose hot spot may have stresses on the surface instead.
+double read_stress_factor_or_surface(TableReader& table, const Detail& detail) {
+  const Key key{
+      "hot_spot",
+      "in place of stress_factor: stresses on the surface before the toe, extended to it"};
+  const bool one = table.says_one_of({{{"stress_factor"}}, {{"hot_spot"}}, {}});
+  if (!table.has(key)) return read_stress_factor(table, detail);
+  if (!one) {
+    table.problem("hot_spot", "stress_factor and hot_spot both say the stress of the detail",
+                  "leave one of them out");
+  } else if (table.problems().empty() && detail.where != StressPlace::hot_spot) {
+    table.problem("hot_spot", "the detail is not judged by the stress at a hot spot",
+                  "choose a row of table B.1, or write stress_factor");
+  }
+  static_cast<void>(read_stress_factor(table, detail, true));
+  return read_hot_spot(table.table(key));
 }
 
 BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
@@ -117,7 +155,7 @@ BeamDetail read_beam_detail(TableReader table, const TaperedBeam& beam) {
     table.problem("kind", "details of stretches are for direct stress",
                   "write shear = { kind = \"shear\", category = 80 } in [fatigue]");
   }
-  on_beam.stress_factor = read_stress_factor(table, on_beam.detail);
+  on_beam.stress_factor = read_stress_factor_or_surface(table, on_beam.detail);
   on_beam.assumed = table.text({"assumed", "why it is taken so"}, "");
   if (on_beam.to < on_beam.from) {
     table.problem("to", "the stretch ends before it begins", "exchange \"from\" and \"to\"");

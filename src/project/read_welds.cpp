@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <utility>
 
 #include "boxbeam/project/detail_catalogue.hpp"
+#include "boxbeam/project/plate_detail.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "readers.hpp"
 
@@ -22,6 +27,56 @@ Detail root_detail(StressKind kind) {
   detail.unconfirmed = row->unconfirmed || detail.curve.unconfirmed;
   detail.candidates = {*row};
   return detail;
+}
+
+/// Thicknesses of a profile's walls, the thickest first.
+std::vector<Length> walls_of(const Profile& profile) {
+  std::vector<Length> walls = thicknesses_of(Section{profile, {}});
+  std::sort(walls.begin(), walls.end(), std::greater<>());
+  return walls;
+}
+
+/// The toe in the walls of the profile, row 8.5/1, as long as it is known what it is welded to.
+Detail toe_detail(TableReader& table, const std::vector<Length>& walls) {
+  std::vector<DetailRow> rows;
+  std::copy_if(detail_rows().begin(), detail_rows().end(), std::back_inserter(rows),
+               [](const DetailRow& row) { return row.id == "8.5/1"; });
+  Facts facts{{"stress", "nominal"}, {"part", "cruciform"}};
+  const Key length{"attachment_length",
+                   "of what the profile is welded to, along the stress between the weld toes: its "
+                   "line of row 8.5/1; the weakest where not said"};
+  if (table.has_quantity(length, wanted::length))
+    facts.emplace(length.name, table.positive(length, wanted::length));
+  Detail detail;
+  const DetailInPlates known{facts, assess(rows, StressKind::direct, facts).candidates, false,
+                             false, false};
+  if (walls.empty() || known.rows.empty()) return detail;
+  facts.emplace("thickness", walls.front().value());
+  const DetailAssessment assessment = assess(known.rows, StressKind::direct, facts);
+  take_governing(detail, assessment, facts, known);
+  detail.in_plates = known;
+  detail.raises = raises_of(detail_rows(), assessment.candidates, facts, fixed_facts());
+  return detail;
+}
+
+/// Throat and penetration, which may be full.
+void read_throat(TableReader& table, WeldInput& weld) {
+  const double penetration = table.per_direction(
+      {"penetration",
+       "beyond the throat, as tests confirm it (EN 1993-1-8, 4.5.2(3), 4.7.2), or \"full\""},
+      1, wanted::length, "full", 0.0)[0];
+  weld.full = std::isinf(penetration);
+  if (!weld.full) weld.penetration = si<Length>(penetration);
+  const Key throat{"throat", "of the weld, wanted where it does not penetrate fully"};
+  if (table.has_quantity(throat, wanted::length)) {
+    weld.throat = si<Length>(table.positive(throat, wanted::length));
+    if (weld.full)
+      table.problem("throat", "a weld that penetrates fully has no throat of its own",
+                    "take it away, or write penetration = \"2 mm\"");
+  } else if (!weld.full) {
+    table.problem("", "the weld has no throat",
+                  "write throat = \"5 mm\", or penetration = \"full\"");
+  }
 }
 
 /// The thickest wall at a station, of whose parts the weaker one decides.
@@ -44,7 +99,7 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
   WeldInput weld;
   weld.name = table.text({"name", "of the weld"});
   weld.s = station_of(table, {"station", "along the beam"}, project.beam);
-  weld.throat = si<Length>(table.positive({"throat", "of the weld"}, wanted::length));
+  read_throat(table, weld);
   weld.required = table.number({"required", "wanted safety factor"}, project.strength.required);
   const std::size_t before = table.problems().size();
   const Section around =
@@ -62,7 +117,13 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
     // around.
     const Extent extent = extent_of(weld.around);
     const Length size = std::min(extent.y_high - extent.y_low, extent.z_high - extent.z_low);
-    if (weld.throat >= size) {
+    const Length thinnest = walls_of(weld.around).back();
+    if (weld.penetration >= thinnest) {
+      table.problem("penetration",
+                    fmt::format("the weld penetrates through the wall of the profile, {:.6g} mm",
+                                thinnest.value() * 1e3),
+                    "write less, or penetration = \"full\"");
+    } else if (weld.throat + 3.0 * weld.penetration >= size) {
       table.problem(
           "throat",
           fmt::format("the throat is no smaller than the profile, {:.6g} mm", size.value() * 1e3),
@@ -87,6 +148,12 @@ WeldInput read_weld(TableReader table, const Sections& sections, const Project& 
   weld.root.from = weld.root.to = weld.s;
   weld.root.detail = root_detail(StressKind::direct);
   weld.shear = root_detail(StressKind::shear);
+  weld.toe.from = weld.toe.to = weld.s;
+  weld.toe.detail = toe_detail(table, known ? walls_of(weld.around) : std::vector<Length>{});
+  weld.toe.stress_factor = table.number(
+      {"stress_factor",
+       "of the toe's stress over the nominal one of the profile, k_f (EN 1993-1-9, 6.3, 8.5/2)"},
+      1.0);
   table.finish();
   return weld;
 }

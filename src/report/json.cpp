@@ -69,6 +69,12 @@ void put_check(Fields& to, const CheckResult& result) {
   to.number_or_null({"normal_stress", "nominal, at the check's time; null where it was given"},
                     "Pa", stress(&PointStress::normal));
   to.number_or_null({"shear_stress", "likewise"}, "Pa", stress(&PointStress::shear));
+  to.number_or_null(
+      {"sufficient_throat",
+       "of a weld: the least throat, 3 mm or more, with which its throat and its root "
+       "pass all checks; of a seam those of this place; null where none does"},
+      "m",
+      result.sufficient_throat ? std::optional(result.sufficient_throat->value()) : std::nullopt);
 }
 
 void put_level(Fields& to, const ElasticModel& model) {
@@ -118,10 +124,14 @@ void put_code(Fields& to, const CodeResult& code) {
 
 void put_remedy(Fields& to, const Remedy& remedy) {
   to.word({"what", "is changed"}, to_text(remedy.what),
-          {"detail category", "flange thickness", "web thickness", "wall thickness", "steel"});
-  to.text({"name", "\"category 112\", \"58 mm flanges\", \"S460N\""}, remedy.name);
-  to.number_in({"value", "category, thickness (the largest that is changed), yield strength"},
-               unit_of(remedy.what), "unit", remedy.value);
+          {"detail category", "flange thickness", "web thickness", "wall thickness", "steel",
+           "weld throat"});
+  to.text(
+      {"name", "\"category 112\", \"58 mm flanges\", \"S460N\", \"6.5 mm throat of weld foot\""},
+      remedy.name);
+  to.number_in(
+      {"value", "category, thickness (the largest that is changed), throat, yield strength"},
+      unit_of(remedy.what), "unit", remedy.value);
   to.text("unit", unit_of(remedy.what));
   to.number({"utilisation", "the largest of the whole case with it"}, "1", remedy.utilisation);
   to.texts({"set", "keys of the case that make the change, as --set takes them; of plates"},

@@ -67,6 +67,9 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
   for (const BeamHole& at : project.holes) {
     if (at.detail) add(*at.detail, "hole " + at.hole.name);
   }
+  for (const WeldInput& weld : project.welds) {
+    if (fatigue.asked) add(weld.toe, "weld " + weld.name);
+  }
 }
 
 void add_holes(const Project& project, std::vector<std::string>& remarks) {
@@ -304,7 +307,7 @@ void add_joined_profiles(const Project& project, std::vector<std::string>& remar
     if (described) continue;
     remarks.push_back(fmt::format(
         "not checked: the weld between {} and {} at s = {:.6g} m carries all that is cut there; "
-        "[[welds]] with its throat checks throat and root",
+        "[[welds]] with its throat checks throat, root and toe",
         segments[i].name, segments[i + 1].name, s.value()));
   }
 }

@@ -8,6 +8,7 @@
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/section/equivalent_stress.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "curve_steps.hpp"
 #include "derivation_text.hpp"
@@ -178,8 +179,8 @@ Steps weld_line_steps(const Project& project, const Check& check, const CheckBas
                 "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it");
   of.note([&] {
     return fmt::format(
-        "the weld's line is a {} section as thick as its throat, its middle the outline of the "
-        "profile",
+        "the weld's line is a {} section as thick as its throat with what it penetrates beyond, "
+        "its middle the root on the outline of the profile, or so deep below it",
         std::holds_alternative<RoundTube>(point.section.outer) ? "round" : "rectangular");
   });
   of.given("f_u", basis.weld.tensile_strength, plate_text(point.joined));
@@ -287,6 +288,23 @@ Steps steps_of_check(const Project& project, const Verification& verification,
   }
 }
 
+/// The throat that would do, beside the one that is there.
+void add_sufficient_throat(const CheckResult& result, Steps& steps) {
+  if (!result.sufficient_throat) return;
+  const bool seam = result.basis->point.on_throat;
+  Derivation of;
+  of.given(
+      "a_suf", *result.sufficient_throat,
+      fmt::format(
+          "the throat that suffices for {}{}",
+          seam ? "the seam at this place, static and in fatigue"
+               : "all checks of this weld's throat and root",
+          *result.sufficient_throat <= least_throat() ? ": the least, EN 1993-1-8, 4.5.2(2)" : ""));
+  // A sheet ends with its factor.
+  const Steps step = steps_of(of);
+  steps.insert(steps.end() - 1, step.begin(), step.end());
+}
+
 std::string title_of(const Project& project, const CheckResult& result) {
   const Check& check = result.check;
   if (!check.on_beam) return fmt::format("{} {}", to_text(check.criterion), check.point);
@@ -308,6 +326,7 @@ Sheet sheet_of(const Project& project, const Verification& verification,
   sheet.id = check.id;
   sheet.title = title_of(project, result);
   sheet.steps = steps_of_check(project, verification, result);
+  add_sufficient_throat(result, sheet.steps);
   sheet.mark = check.passes() ? Mark::passes : Mark::fails;
   sheet.result =
       fmt::format("factor {}, required {}, utilisation {}: {}",

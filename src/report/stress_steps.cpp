@@ -163,15 +163,9 @@ std::optional<LevelMoment> level_moment_at(const Project& project, const StressP
   return point.on_throat && !both_webs ? std::nullopt : at;
 }
 
-Length throat_of(const StressPoint& point) {
-  const auto& box = std::get<Box>(point.section.outer);
-  if (box.seam_throat.value() > 0.0) return box.seam_throat;
-  return point.y.value() < 0.0 ? box.right_web : box.left_web;
-}
-
 /// Thickness over which a wall's flow is spread.
 Length spread_of(const StressPoint& point) {
-  return point.on_throat ? throat_of(point) : si<Length>(point.torsion->thickness);
+  return point.on_throat ? seam_throat_of(point) : si<Length>(point.torsion->thickness);
 }
 
 /// Bredt's flow over the thickness [1/m^3].
@@ -244,7 +238,7 @@ std::vector<Traced> level_terms_of(const Project& project, const StressPoint& po
   const SectionProperties net = net_without_lag(project, point);
   const Traced I_y = Derivation::known({inertia_without_lag(point, net), ""}, net.I_y);
   const Traced S = Derivation::known("S", at->S);
-  const Traced width = point.on_throat ? 2.0 * Derivation::known("a", throat_of(point))
+  const Traced width = point.on_throat ? 2.0 * Derivation::known("a", seam_throat_of(point))
                                        : Derivation::known("b", at->b);
   return {level_shear_stress(V, S, I_y, width)};
 }
@@ -313,7 +307,7 @@ void derive_shear_section(Derivation& steps, const Project& project, const Stres
                           z)
             : fmt::format("first moment of what lies beyond z = {}, about the centroid", z));
     if (point.on_throat) {
-      steps.given("a", throat_of(point),
+      steps.given("a", seam_throat_of(point),
                   "throat of the seam, all its welds together; there are two seams");
     } else {
       steps.given("b", at->b, at->on_webs ? "both webs" : "width of the material at that level");

@@ -20,6 +20,8 @@ DirectionalUtilisation directional_utilisation(const ThroatStress& stress,
   return {equivalent * strength.beta_w / f_u, std::abs(normal) / (0.9 * f_u)};
 }
 
+Length least_throat() { return si<Length>(0.003); }
+
 Stress weld_shear_strength(const WeldStrength& strength) {
   constexpr NoDerivation plainly;
   return weld_shear_strength(plainly, strength);

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <string>
+#include <tuple>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/given_stresses.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
@@ -95,6 +99,29 @@ std::vector<CheckResult> check_station(const Project& project,
       checks.results.push_back(std::move(result));
   }
   return std::move(checks.results);
+}
+
+/// The throats with which the checks of each place of a seam would pass: its shear stress is the
+/// flow over the throat, which says nothing to the section.
+void give_seam_throats(std::vector<CheckResult>& checks) {
+  const auto of_seam = [](const CheckResult& result) {
+    return result.basis && result.basis->point.on_throat;
+  };
+  const auto place_of = [](const CheckResult& result) {
+    const Check& check = result.check;
+    return std::tuple(check.station.s.value(), check.station.side, check.point);
+  };
+  std::map<std::tuple<double, Side, std::string>, double> most;
+  for (const CheckResult& result : checks) {
+    if (!of_seam(result)) continue;
+    double& use = most[place_of(result)];
+    use = std::max(use, result.check.utilisation());
+  }
+  for (CheckResult& result : checks) {
+    if (!of_seam(result)) continue;
+    result.sufficient_throat =
+        std::max(least_throat(), most.at(place_of(result)) * seam_throat_of(result.basis->point));
+  }
 }
 
 bool is_fatigue(Criterion criterion) {
@@ -229,6 +256,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
   append(check_welds(project, runs), beam.checks);
   if (WholeLife* const whole = whole_life_of(runs); whole != nullptr && project.fatigue.asked)
     count_near_largest(project, runs, *whole, beam.checks);
+  give_seam_throats(beam.checks);
   gates.look_at(beam.checks);
   beam.gates = gates.gates();
   return beam;

@@ -146,19 +146,23 @@ class Search {
   Remedies remedies() {
     const Criterion criterion = governing_.check.criterion;
     const bool by_strength = criterion == Criterion::yield || criterion == Criterion::stress_range;
-    if (!is_by_fatigue(criterion) && !by_strength) return std::move(remedies_);
+    const bool by_throat = criterion == Criterion::weld;
+    if (!is_by_fatigue(criterion) && !by_strength && !by_throat) return std::move(remedies_);
     if (!governing_.basis) {
       remedies_.not_searched.emplace_back("what would pass (the stresses are given)");
-      return std::move(remedies_);
-    }
-    if (is_in_weld(governing_.basis->point)) {
-      remedies_.not_searched.emplace_back("a thicker weld");
       return std::move(remedies_);
     }
     if (work_of(verification_) > most_work) {
       remedies_.not_searched.emplace_back("what would pass (it takes too long)");
       return std::move(remedies_);
     }
+    const StressPoint& point = governing_.basis->point;
+    const bool of_line = is_in_weld(point);
+    if (of_line || (point.on_throat && is_filleted(point))) {
+      of_line ? look_at_weld() : look_at_seams();
+      return std::move(remedies_);
+    }
+    if (by_throat) return std::move(remedies_);
     if (by_strength)
       look_at_steels();
     else if (criterion != Criterion::shear_fatigue)
@@ -171,6 +175,61 @@ class Search {
   bool is_in_weld(const StressPoint& point) const {
     return std::any_of(project_.welds.begin(), project_.welds.end(),
                        [&](const WeldInput& weld) { return point.detail == &weld.root; });
+  }
+
+  /// Whether the seam of a point has a throat of its own, and is not as thick as its web.
+  static bool is_filleted(const StressPoint& point) {
+    return std::get<Box>(point.section.outer).seam_throat.value() > 0.0;
+  }
+
+  /// Up to the next half millimetre; round-off does not count.
+  static Length in_half_millimetres(Length throat) {
+    constexpr double half = 0.5e-3;
+    return si<Length>(half * std::ceil(throat.value() / half * (1.0 - 1e-9)));
+  }
+
+  void note_throat(const std::string& name, Length throat, const Outcome& outcome) {
+    if (outcome)
+      remedies_.found.push_back({Remedy::What::throat,
+                                 fmt::format("{:.6g} mm throat of {}", throat.value() * 1e3, name),
+                                 throat.value(), *outcome});
+    else
+      remedies_.in_vain.push_back("a thicker throat of " + name);
+  }
+
+  void look_at_weld() {
+    Project copy = project_;
+    for (std::size_t i = 0; i < project_.welds.size(); ++i) {
+      if (governing_.basis->point.detail != &project_.welds[i].root) continue;
+      const std::string name = "weld " + project_.welds[i].name;
+      if (!governing_.sufficient_throat) {
+        remedies_.in_vain.push_back("a thicker throat of " + name);
+        return;
+      }
+      const Length throat = in_half_millimetres(*governing_.sufficient_throat);
+      copy.welds[i].throat = throat;
+      note_throat(name, throat, judged(copy));
+      return;
+    }
+  }
+
+  /// All seams of the beam that are thinner than the one that is needed most.
+  void look_at_seams() {
+    Length needed{};
+    for (const CheckResult& result : verification_.checks) {
+      if (result.basis && result.basis->point.on_throat && result.sufficient_throat)
+        needed = std::max(needed, *result.sufficient_throat);
+    }
+    const Length throat = in_half_millimetres(needed);
+    Project copy = project_;
+    for (Segment& segment : copy.beam.segments) {
+      for (Section* section : {&segment.from, &segment.to}) {
+        auto* box = std::get_if<Box>(&section->outer);
+        if (box != nullptr && box->seam_throat.value() > 0.0)
+          box->seam_throat = std::max(box->seam_throat, throat);
+      }
+    }
+    note_throat("the seams", throat, judged(copy));
   }
 
   /// The copy is judged under the loads that are there, whose situations it takes over.
@@ -393,6 +452,7 @@ const char* to_text(Remedy::What what) {
     case Remedy::What::webs: return "web thickness";
     case Remedy::What::walls: return "wall thickness";
     case Remedy::What::steel: return "steel";
+    case Remedy::What::throat: return "weld throat";
   }
   return "";
 }
@@ -402,7 +462,8 @@ const char* unit_of(Remedy::What what) {
     case Remedy::What::category: return "1";
     case Remedy::What::flanges:
     case Remedy::What::webs:
-    case Remedy::What::walls: return "m";
+    case Remedy::What::walls:
+    case Remedy::What::throat: return "m";
     case Remedy::What::steel: return "Pa";
   }
   return "";

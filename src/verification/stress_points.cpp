@@ -357,6 +357,12 @@ ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, D
   return weakest;
 }
 
+Length seam_throat_of(const StressPoint& point) {
+  const auto& box = std::get<Box>(point.section.outer);
+  if (box.seam_throat.value() > 0.0) return box.seam_throat;
+  return point.y.value() < 0.0 ? box.right_web : box.left_web;
+}
+
 StressInfluence influence_in(const StressPoint& point, const SectionPoint& place) {
   StressInfluence influence = place.influence;
   if (point.lag || point.web_lag) {

@@ -245,4 +245,35 @@ TEST_CASE("a hot-spot row wants the ratio of its stress to the nominal one, and 
   CHECK(factor_with("2.6") == Approx(factor_with("1.3") / 2.0).epsilon(1e-12));
 }
 
+TEST_CASE("a hot spot by stresses on the surface is the one by its ratio") {
+  const auto detail = [](const std::string& row, const std::string& more) {
+    return "[[fatigue.details]] # of the bracket\nname = \"bracket\"\nfrom = \"4.2 m\"\n"
+           "to = \"4.2 m\"\nrow = \"" +
+           row + "\"\n" + more + "\n\n[equivalent_mass]";
+  };
+  const auto factor_with = [&](const std::string& more) {
+    const Verification verification =
+        verify(test::changed_rig({{"[equivalent_mass]", detail("B.1/4", more)}}));
+    for (const CheckResult& result : verification.checks) {
+      if (result.check.id == "fatigue/4.2-/fibre+z") return result.check.safety_factor;
+    }
+    return 0.0;
+  };
+  // (5 130 - 2 115)/3 = 140 MPa of 100.
+  const std::string surface =
+      "hot_spot = { near = \"130 MPa\", far = \"115 MPa\", nominal = \"100 MPa\" }";
+  const double by_ratio = factor_with("stress_factor = 1.4");
+  REQUIRE(by_ratio > 0.0);
+  CHECK(factor_with(surface) == Approx(by_ratio).epsilon(1e-12));
+  const auto refused = [&](const std::string& row, const std::string& more, const std::string& at,
+                           const std::string& message, const std::string& hint) {
+    test::check_refused(test::rig_text({{"[equivalent_mass]", detail(row, more)}}), at, message,
+                        hint);
+  };
+  refused("B.1/4", surface + "\nstress_factor = 1.4", "{ near", "both say", "leave one");
+  refused("8.2/6", surface, "{ near", "not judged by the stress at a hot spot", "table B.1");
+  refused("B.1/4", "hot_spot = { near = \"80 MPa\", far = \"75 MPa\", nominal = \"100 MPa\" }",
+          "\"80 MPa\"", "less than it", "one load");
+}
+
 }  // namespace read_fatigue_test

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "boxbeam/fatigue/damage.hpp"
+#include "boxbeam/project/catalogue.hpp"
 #include "catch.hpp"
 
 namespace weld_throat_test {
@@ -82,6 +84,70 @@ TEST_CASE("weld: the second condition governs where the direct stress is almost 
   CHECK(directional_utilisation({MPa(-100), MPa(0), MPa(0)}, S235).normal == pulled.normal);
   const auto sheared = directional_utilisation({MPa(0), MPa(100), MPa(0)}, S235);
   CHECK(sheared.largest() == sheared.combined);
+}
+
+TEST_CASE("weld: with equal legs the first condition is the harder one, in every steel") {
+  // sigma_perp = tau_perp = sigma_w/sqrt(2): sqrt(2) beta_w against 1/(0.9 sqrt(2)), equal at 5/9.
+  const double limit = 5.0 / 9.0;
+  CHECK(std::sqrt(2.0) * limit == Approx(1.0 / (0.9 * std::sqrt(2.0))).epsilon(1e-15));
+  for (const std::string& name : steel_names()) {
+    const Material steel = *find_steel(name);
+    CAPTURE(name, steel.beta_w);
+    CHECK(steel.beta_w > limit);
+    const WeldStrength strength{MPa(500), steel.beta_w, 1.25};
+    for (const double sigma_w : {-300.0, -1.0, 1.0, 300.0}) {
+      const Stress across = MPa(sigma_w / std::sqrt(2.0));
+      for (const double along : {0.0, 100.0, -1000.0}) {
+        const auto use = directional_utilisation({across, across, MPa(along)}, strength);
+        CHECK(use.combined > use.normal);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "weld: two transverse fillets as strong as their plate, a/t = f_y beta_w gamma_M2/(sqrt(2) "
+    "f_u)",
+    "[validation]") {
+  // 0.46, 0.48 and 0.55 (f_u 510 MPa) for S235, S275 and S355 stand in textbooks; 0.60 for 470 MPa.
+  struct Steel {
+    double f_y, f_u, beta_w, ratio;
+  };
+  for (const Steel& steel : {Steel{235, 360, 0.8, 0.46}, Steel{275, 430, 0.85, 0.48},
+                             Steel{355, 510, 0.9, 0.55}, Steel{355, 470, 0.9, 0.60}}) {
+    const WeldStrength strength{MPa(steel.f_u), steel.beta_w, 1.25};
+    const double t = 12.0;
+    const WeldForce half{N_per_mm(0.5 * steel.f_y * t), N_per_mm(0), N_per_mm(0)};
+    const double needed =
+        5.0 * directional_utilisation(throat_stress_of(half, mm(5)), strength).largest();
+    CHECK(needed / t == Approx(steel.ratio).margin(0.005));
+  }
+}
+
+TEST_CASE("weld: 10 kN across 100 mm of 5 mm throat, 28.3 <= 417.8 MPa", "[validation]") {
+  // eurocodecalculations.com: S355, f_u 470 MPa, the throat at 45 degrees to the force.
+  const ThroatStress stress = throat_stress_of({N_per_mm(100), N_per_mm(0), N_per_mm(0)}, mm(5));
+  CHECK(equal_leg_stress(20.0, 0.0) == Approx(28.3).margin(0.05));
+  constexpr NoDerivation plainly;
+  CHECK(weld_strength(plainly, S355).value() == Approx(417.8e6).margin(0.05e6));
+  CHECK(directional_utilisation(stress, S355).combined == Approx(28.3 / 417.8).epsilon(1e-3));
+}
+
+TEST_CASE("weld: root of two fillets on a plate of 12 mm, a range of 40 MPa", "[validation]") {
+  // n = 480 N/mm on two throats of 6 mm: sigma_wf = n/(2 a) = 40 MPa; N(36) = 2e6 (36/40)^3 =
+  // 1.458e6; a damage of 1e6/(2e6 (36/(1.35 40))^3) = 1.6875 with gamma_Mf 1.35. By hand.
+  const ThroatStress stress = throat_stress_of({N_per_mm(240), N_per_mm(0), N_per_mm(0)}, mm(6));
+  const Stress range = weld_fatigue_stress_of(stress).normal;
+  CHECK(range.value() == Approx(40e6));
+  const SnCurve root = en_1993_1_9_direct(36);
+  CHECK(cycles_to_failure(root, range, Loading::spectrum) == Approx(1.458e6));
+  FatigueDemand demand;
+  demand.gamma_Mf = 1.35;
+  CHECK(damage_of({{range, {}, 1e6}}, root, demand) == Approx(1.6875));
+  // Limits of 36: 26.5 and 14.6 MPa; cut-off of shear 80: 36.6 MPa.
+  CHECK(knee_of(root).value() == Approx(26.5e6).margin(0.05e6));
+  CHECK(cut_off_of(root).value() == Approx(14.6e6).margin(0.05e6));
+  CHECK(cut_off_of(en_1993_1_9_shear(80)).value() == Approx(36.6e6).margin(0.05e6));
 }
 
 }  // namespace weld_throat_test

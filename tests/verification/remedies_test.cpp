@@ -188,4 +188,56 @@ TEST_CASE("plates for which there is no room are no remedy") {
         "flanges up to 55 mm, the most for which there is room,");
 }
 
+TEST_CASE("a weld that fails passes with the throat that is said, and not with half a mm less") {
+  const std::string text =
+      cantilever(force("5 kN") + cycles,
+                 fatigue +
+                     "[[welds]]\nname = \"foot\"\nstation = \"0.2 m\"\naround = \"box\"\n"
+                     "attachment_length = \"40 mm\"\nthroat = \"3 mm\"\n");
+  const Judged of = judged(text);
+  REQUIRE(of.verification.verdict == Verdict::fail);
+  REQUIRE(of.verification.checks.front().check.point.starts_with("weld foot"));
+  const Remedy* throat = find(of.verification.remedies, Remedy::What::throat);
+  REQUIRE(throat != nullptr);
+  const auto with = [&](double mm) {
+    Project project = of.project;
+    project.welds.front().throat = si<Length>(1e-3 * mm);
+    return verify(project);
+  };
+  const double mm = 1e3 * throat->value;
+  CHECK(throat->name == fmt::format("{:.6g} mm throat of weld foot", mm));
+  CHECK(std::abs(2.0 * mm - std::round(2.0 * mm)) < 1e-9);
+  const Verification passing = with(mm);
+  CHECK(passing.verdict == Verdict::pass);
+  CHECK(passing.checks.front().check.utilisation() == Approx(throat->utilisation).epsilon(1e-9));
+  CHECK(with(mm - 0.5).verdict == Verdict::fail);
+}
+
+TEST_CASE("a seam that fails passes with the throat that is said, which its place has exactly") {
+  // tau_par = V S/(2 I a) of two seams.
+  std::string text = cantilever(force("450 kN"), "");
+  text.replace(text.find("web = \"8 mm\""), 12, "web = \"8 mm\"\nseam_throat = \"0.5 mm\"");
+  text.replace(text.find("S235"), 4, "S355");
+  text.replace(text.find("length = \"2 m\""), 14, "length = \"20 mm\"");
+  text.replace(text.find("at = \"2 m\""), 10, "at = \"20 mm\"");
+  const Judged of = judged(text);
+  REQUIRE(of.verification.verdict == Verdict::fail);
+  const CheckResult& seam = of.verification.checks.front();
+  REQUIRE(seam.check.criterion == Criterion::weld);
+  const double I = (100.0 * std::pow(200.0, 3) - 84.0 * std::pow(184.0, 3)) / 12.0;
+  const double tau_a = 450e3 * 100.0 * 8.0 * 96.0 / (2.0 * I);
+  // f_u/(sqrt(3) beta_w gamma_M2) of S355: 470/(sqrt(3) 0.9 1.25).
+  const double needed = tau_a / (470.0 / (std::sqrt(3.0) * 0.9 * 1.25));
+  REQUIRE(needed > 3.0);
+  REQUIRE(seam.sufficient_throat);
+  CHECK(1e3 * seam.sufficient_throat->value() == Approx(needed).epsilon(1e-6));
+  const Remedy* throat = find(of.verification.remedies, Remedy::What::throat);
+  REQUIRE(throat != nullptr);
+  CHECK(1e3 * throat->value == Approx(0.5 * std::ceil(2.0 * needed)));
+  const std::string set = "sections.box.seam_throat={:.9g} mm";
+  CHECK(passes(text, {fmt::format(fmt::runtime(set), 1e3 * throat->value)}));
+  CHECK(passes(text, {fmt::format(fmt::runtime(set), needed * (1.0 + 1e-6))}));
+  CHECK_FALSE(passes(text, {fmt::format(fmt::runtime(set), needed * (1.0 - 1e-6))}));
+}
+
 }  // namespace remedies_test

@@ -46,6 +46,7 @@ struct DetailRow {
   double category = 0.0;  ///< strength at 2e6 cycles [MPa]
   bool asterisk = false;  ///< 36*, 45*, 50*: may be raised by 7.1, note 3
   StressKind kind = StressKind::direct;
+  double slope = 0.0;  ///< of its line without bend, where its row gives one; 0: as its kind has it
   StressPlace where = StressPlace::gross;
   SizeEffect size_effect = SizeEffect::none;
   bool welded = true;

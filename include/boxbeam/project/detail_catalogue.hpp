@@ -6,7 +6,7 @@
 #include "boxbeam/fatigue/detail.hpp"
 
 /// The built-in tables of details (sections/catalogue/details-en-1993-1-9.toml), read when they are
-/// first asked for. Source: EN 1993-1-9:2005+AC:2009, tables 3.1, 8.1 to 8.5 and B.1.
+/// first asked for. Source: EN 1993-1-9:2005+AC:2009, tables 3.1, 8.1 to 8.7, 8.10 and B.1.
 namespace boxbeam {
 
 /// Something that can be known of a detail.
@@ -19,6 +19,10 @@ struct FactDefinition {
   bool fixed = false;              ///< says what the detail is: no advice changes it
   std::string means;               ///< what the name does not say; may be empty
 };
+
+/// The word of the fact "stress" of rows for what wheels press into the web below a rail, table
+/// 8.10, which is no stress of a section.
+inline constexpr const char* wheel_stress = "wheel";
 
 const std::vector<FactDefinition>& fact_definitions();
 const std::vector<DetailRow>& detail_rows();

@@ -186,11 +186,14 @@ struct RodInput {
 struct WeldInput {
   std::string name;
   Length s;
-  Profile around;  ///< the weld follows its outline
-  Length throat;
-  Length thickness;  ///< of the thicker part joined, which decides the tensile strength
-  BeamDetail root;   ///< across the throat: EN 1993-1-9, row 8.5/3
-  Detail shear;      ///< along it
+  Profile around;      ///< the weld follows its outline
+  Length throat;       ///< nominal; zero where it penetrates fully
+  Length penetration;  ///< beyond that, as tests confirm it: EN 1993-1-8, 4.5.2(3), 4.7.2
+  bool full = false;   ///< penetrates fully: as strong as the weaker part, 4.7.1
+  Length thickness;    ///< of the thicker part joined, which decides the tensile strength
+  BeamDetail root;     ///< across the throat: EN 1993-1-9, row 8.5/3; none of full penetration
+  Detail shear;        ///< along it
+  BeamDetail toe;      ///< in the profile's walls: row 8.5/1
   double required = 1.0;
 };
 

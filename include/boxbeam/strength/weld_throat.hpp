@@ -49,6 +49,9 @@ struct DirectionalUtilisation {
 DirectionalUtilisation directional_utilisation(const ThroatStress& stress,
                                                const WeldStrength& strength);
 
+/// The least throat of a fillet weld, 3 mm. Source: EN 1993-1-8:2005, 4.5.2(2).
+Length least_throat();
+
 /// The equivalent stress that a throat bears, f_u/(beta_w gamma_M2).
 /// Source: EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1.
 template <class Record>

@@ -106,6 +106,9 @@ struct CheckResult {
   std::optional<PlateBasis> plates = {};
   std::optional<PatchBasis> patch = {};
   std::optional<MemberBasis> member = {};
+  /// Of a throat: the least with which all checks of its weld, of a seam those of its place, pass;
+  /// not below 3 mm (EN 1993-1-8:2005, 4.5.2(2)). Nothing where none does.
+  std::optional<Length> sufficient_throat = {};
 };
 
 /// The first check of a criterion, of checks that stand worst first the worst; or nullptr.

@@ -12,16 +12,18 @@ struct Verification;
 
 /// One change of a case with which it passes: found by verifying again with it.
 struct Remedy {
-  enum class What { category, flanges, webs, walls, steel };
+  enum class What { category, flanges, webs, walls, steel, throat };
 
   What what = What::category;
-  std::string name;    ///< "category 112", "58 mm flanges", "S460N"
-  double value = 0.0;  ///< category [MPa]; thickness, the largest that is changed [m]; f_y [Pa]
-  double utilisation;  ///< the largest of the whole case with it
+  std::string name;  ///< "category 112", "58 mm flanges", "S460N", "6.5 mm throat of weld foot"
+  /// Category [MPa]; throat, or thickness, the largest that is changed [m]; f_y [Pa].
+  double value = 0.0;
+  double utilisation;                 ///< the largest of the whole case with it
   std::vector<std::string> set = {};  ///< the keys, as --set takes them; of plates only
 };
 
-/// "detail category", "flange thickness", "web thickness", "wall thickness", "steel".
+/// "detail category", "flange thickness", "web thickness", "wall thickness", "steel", "weld
+/// throat".
 const char* to_text(Remedy::What what);
 
 /// SI unit of its value: "Pa", "m", "1" of a category.
@@ -35,12 +37,13 @@ struct Remedies {
 };
 
 /// Searches them for the check that governs: fatigue by the next detail category and thicker
-/// plates, yield by the next steel and thicker plates. The category is the next of EN 1993-1-9,
-/// figure 7.1; steels are those of the catalogue, by yield strength; plates are the flanges, or the
-/// webs where a web governs, of the sections at the governing segment, all by one factor of at most
-/// 4 and up to whole millimetres. Each is the least found by bisection, and passes as a whole case.
-/// Nothing where the case does not fail. With another category or steel the loads stay those of
-/// `runs`, whose situations change while it searches.
+/// plates, yield by the next steel and thicker plates, a weld by a thicker throat. The category is
+/// the next of EN 1993-1-9, figure 7.1; steels are those of the catalogue, by yield strength;
+/// plates are the flanges, or the webs where a web governs, of the sections at the governing
+/// segment, all by one factor of at most 4 and up to whole millimetres; throats go up to half
+/// millimetres. Each is the least found by bisection, and passes as a whole case. Nothing where the
+/// case does not fail. With another category or steel the loads stay those of `runs`, whose
+/// situations change while it searches.
 Remedies remedies_of(const Project& project, std::deque<SituationRun>& runs,
                      const Verification& verification);
 

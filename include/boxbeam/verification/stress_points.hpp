@@ -84,6 +84,10 @@ struct ResistingDetail {
 ResistingDetail detail_at(const FatigueInput& fatigue, const Station& station, DetailPlace on,
                           Length plate);
 
+/// The throat of the seam that a point on it has: of a seam that penetrates fully the web's
+/// thickness. Precondition: on_throat.
+Length seam_throat_of(const StressPoint& point);
+
 /// The stress of a place in a point's section, its normal stress with what shear lag leaves.
 StressInfluence influence_in(const StressPoint& point, const SectionPoint& place);
 
