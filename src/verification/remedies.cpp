@@ -12,6 +12,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/catalogue.hpp"
 #include "boxbeam/project/plate_keys.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/verify.hpp"
 
 namespace boxbeam {
@@ -147,13 +148,19 @@ class Search {
     const Criterion criterion = governing_.check.criterion;
     const bool by_strength = criterion == Criterion::yield || criterion == Criterion::stress_range;
     const bool by_throat = criterion == Criterion::weld;
-    if (!is_by_fatigue(criterion) && !by_strength && !by_throat) return std::move(remedies_);
-    if (!governing_.basis) {
+    const bool by_buckling = governing_.plates.has_value() || governing_.patch.has_value();
+    if (!is_by_fatigue(criterion) && !by_strength && !by_throat && !by_buckling)
+      return std::move(remedies_);
+    if (!governing_.basis && !by_buckling) {
       remedies_.not_searched.emplace_back("what would pass (the stresses are given)");
       return std::move(remedies_);
     }
     if (work_of(verification_) > most_work) {
       remedies_.not_searched.emplace_back("what would pass (it takes too long)");
+      return std::move(remedies_);
+    }
+    if (by_buckling) {
+      look_at_buckling();
       return std::move(remedies_);
     }
     const StressPoint& point = governing_.basis->point;
@@ -167,7 +174,11 @@ class Search {
       look_at_steels();
     else if (criterion != Criterion::shear_fatigue)
       look_at_categories();
-    look_at_plates();
+    const std::size_t segment = segment_at(project_.beam, governing_.check.station);
+    const Profile& profile = project_.beam.segments[segment].from.outer;
+    look_at_plates(!std::holds_alternative<Box>(profile) ? PlateGroup::walls
+                   : point.part == SectionPart::web      ? PlateGroup::webs
+                                                         : PlateGroup::flanges);
     return std::move(remedies_);
   }
 
@@ -349,14 +360,75 @@ class Search {
     }
   }
 
-  void look_at_plates() {
-    const StressPoint& point = governing_.basis->point;
+  void look_at_buckling() {
     const std::size_t segment = segment_at(project_.beam, governing_.check.station);
     const Profile& profile = project_.beam.segments[segment].from.outer;
-    const bool box = std::holds_alternative<Box>(profile);
-    const PlateGroup group = !box                             ? PlateGroup::walls
-                             : point.part == SectionPart::web ? PlateGroup::webs
-                                                              : PlateGroup::flanges;
+    if (!std::holds_alternative<Box>(profile)) {
+      look_at_plates(PlateGroup::walls);
+    } else if (governing_.check.criterion == Criterion::effective_section) {
+      look_at_plates(PlateGroup::flanges);
+      look_at_plates(PlateGroup::webs);
+    } else {
+      const bool flange = governing_.plates && governing_.plates->plate != nullptr &&
+                          is_flange(governing_.plates->plate->plate);
+      look_at_plates(flange ? PlateGroup::flanges : PlateGroup::webs);
+    }
+    // What is pressed along the beam does not ask how long its panels are.
+    if (governing_.check.criterion != Criterion::effective_section) look_at_diaphragms();
+  }
+
+  static bool stands_at(const TaperedBeam& beam, Length s, Length near) {
+    return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
+                       [&](const Diaphragm& of) { return abs(of.s - s) <= near; });
+  }
+
+  /// From few to many; no closer than half the depth of the beam.
+  void look_at_diaphragms() {
+    const TaperedBeam& beam = project_.beam;
+    const std::size_t segment = segment_at(beam, governing_.check.station);
+    const Profile& profile = beam.segments[segment].from.outer;
+    const auto most = static_cast<std::size_t>(2.0 * (beam.length() / height_of(profile)).value());
+    Length thickness;
+    for (const Diaphragm& of : beam.diaphragms) thickness = std::max(thickness, of.thickness);
+    if (thickness == Length{}) {
+      for (const Length& plate : thicknesses_of(beam.segments[segment].from))
+        thickness = std::max(thickness, plate);
+    }
+    Project copy = project_;
+    const auto with_panels = [&](std::size_t panels) {
+      copy.beam.diaphragms = beam.diaphragms;
+      const Length near = 1e-6 * beam.length();
+      for (std::size_t i = 0; i <= panels; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(panels);
+        const Length s = place_near(places_of(beam), share * beam.length());
+        if (!stands_at(beam, s, near)) copy.beam.diaphragms.push_back({s, thickness, {}});
+      }
+      // One takes the force that governs.
+      if (governing_.patch) {
+        const Length s = governing_.check.station.s;
+        if (!stands_at(copy.beam, s, near)) copy.beam.diaphragms.push_back({s, thickness, {}});
+      }
+      std::sort(copy.beam.diaphragms.begin(), copy.beam.diaphragms.end(),
+                [](const Diaphragm& a, const Diaphragm& b) { return a.s < b.s; });
+      return judged(copy);
+    };
+    const auto passing = first_passing(most, [&](std::size_t i) { return with_panels(i + 1); });
+    if (!passing) {
+      remedies_.in_vain.emplace_back("diaphragms at half the depth of the beam");
+      return;
+    }
+    const Length apart = beam.length() / static_cast<double>(passing->candidate + 1);
+    std::string name = fmt::format("{:.6g} mm diaphragms every {:.4g} m",
+                                   1e3 * thickness.value(), apart.value());
+    if (governing_.patch)
+      name += fmt::format(" and at {:.4g} m", governing_.check.station.s.value());
+    remedies_.found.push_back(
+        {Remedy::What::diaphragms, std::move(name), apart.value(), passing->utilisation});
+  }
+
+  void look_at_plates(PlateGroup group) {
+    const std::size_t segment = segment_at(project_.beam, governing_.check.station);
+    const bool box = group != PlateGroup::walls;
     const bool flanges = group == PlateGroup::flanges;
     const std::string word = flanges ? "flanges" : box ? "webs" : "walls";
     const bool bends = verification_.model.bends_rigid_motion &&
@@ -453,6 +525,7 @@ const char* to_text(Remedy::What what) {
     case Remedy::What::walls: return "wall thickness";
     case Remedy::What::steel: return "steel";
     case Remedy::What::throat: return "weld throat";
+    case Remedy::What::diaphragms: return "diaphragm spacing";
   }
   return "";
 }
@@ -463,7 +536,8 @@ const char* unit_of(Remedy::What what) {
     case Remedy::What::flanges:
     case Remedy::What::webs:
     case Remedy::What::walls:
-    case Remedy::What::throat: return "m";
+    case Remedy::What::throat:
+    case Remedy::What::diaphragms: return "m";
     case Remedy::What::steel: return "Pa";
   }
   return "";

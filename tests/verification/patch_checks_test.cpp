@@ -317,6 +317,36 @@ TEST_CASE("twice the force, twice the use by it", "[patch]") {
   CHECK(use(300.0) == Approx(use(-300.0)).epsilon(1e-9));
 }
 
+TEST_CASE("what would bear a force that a web does not: a thicker web, a diaphragm", "[patch]") {
+  const std::string text =
+      beam(ends + introduction(place(4.5), 50.0), force("hook", 4.5, -900.0));
+  const Project project = project_of(text);
+  const Verification of = verify(project, Figures::without, Advice::with);
+  REQUIRE(of.verdict == Verdict::fail);
+  REQUIRE(of.checks.front().check.criterion == Criterion::patch_loading);
+  const auto find = [&](Remedy::What what) -> const Remedy* {
+    for (const Remedy& remedy : of.remedies.found)
+      if (remedy.what == what) return &remedy;
+    return nullptr;
+  };
+  const Remedy* const web = find(Remedy::What::webs);
+  REQUIRE(web != nullptr);
+  const auto verdict_with = [&](double thickness) {
+    return verify(parse_project("patch.toml", text,
+                                {fmt::format("sections.a.web={} mm", thickness)}))
+        .verdict;
+  };
+  CHECK(verdict_with(1e3 * web->value) == Verdict::pass);
+  CHECK(verdict_with(1e3 * web->value - 1.0) != Verdict::pass);
+  const Remedy* const diaphragms = find(Remedy::What::diaphragms);
+  REQUIRE(diaphragms != nullptr);
+  // One below the force is enough: the panel between the ends stays.
+  CHECK(diaphragms->value == Approx(9.0));
+  CHECK(diaphragms->name.find("at 4.5 m") != std::string::npos);
+  CHECK(verify(project_of(beam(ends + diaphragm(4.5), force("hook", 4.5, -900.0)))).verdict ==
+        Verdict::pass);
+}
+
 TEST_CASE("introductions that cannot be are refused", "[patch]") {
   const auto said = [](const std::string& lines) -> std::string {
     try {
