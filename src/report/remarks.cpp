@@ -404,8 +404,11 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
                            no_turning_over_below)
              : std::string()));
   remarks.push_back(
-      "not checked here: warping and distortion of the box (diaphragms where forces act are taken "
-      "for granted)" +
+      std::string(project.in_space
+                      ? "not checked here: warping; distortion, of boxes and rectangular tubes but "
+                        "for an estimate"
+                      : "not checked here: warping and distortion of the box (diaphragms where "
+                        "forces act are taken for granted)") +
       std::string(verification.model.second_order.lateral ? "" : ", lateral torsional buckling") +
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +

@@ -440,18 +440,19 @@ class DistortedStretch {
   bool any_ = false, counted_ = false;
 };
 
-/// What of the strength of the beam its checks use at most.
-double most_used(const std::vector<CheckResult>& checks) {
+/// What of the strength of the beam its checks use at most; nothing of plates that buckle, whose
+/// sections bear the stresses of distortion with less.
+std::optional<double> most_used(const std::vector<CheckResult>& checks) {
   double most = 0.0;
   for (const CheckResult& of : checks) {
     switch (of.check.criterion) {
       case Criterion::yield:
-      case Criterion::weld:
+      case Criterion::weld: most = std::max(most, of.check.utilisation()); break;
       case Criterion::effective_section:
       case Criterion::shear_buckling:
       case Criterion::interaction:
       case Criterion::patch_loading:
-      case Criterion::member: most = std::max(most, of.check.utilisation()); break;
+      case Criterion::member: return std::nullopt;
       case Criterion::fatigue:
       case Criterion::shear_fatigue:
       case Criterion::combined_fatigue:
@@ -468,10 +469,11 @@ double most_used(const std::vector<CheckResult>& checks) {
 std::string effects_text(const Project& project, const DistortionEstimate& of) {
   const std::string& name = project.situations[of.situation].name;
   return fmt::format(
-      "distortion of the box between s = {:.4g} m and {:.4g} m: a torque of {:.3g} kN m that comes "
-      "at s = {:.4g} m by its webs or its flanges alone and all others bend it across by {:.3g} "
-      "MPa and along by {:.3g} MPa at most (t = {:.6g} s{}), bending by {:.3g} MPa",
-      of.from.value(), of.to.value(), of.torque.value() * 1e-3, of.introduced.value(),
+      "distortion of the box between s = {:.4g} m and {:.4g} m: its torques, most of all {:.3g} "
+      "kN m at s = {:.4g} m, each led in by its webs or its flanges alone, bend its plates across "
+      "by {:.3g} MPa and stretch its edges by {:.3g} MPa at most (t = {:.6g} s{}), bending by "
+      "{:.3g} MPa",
+      of.from.value() + 0.0, of.to.value(), of.torque.value() * 1e-3, of.introduced.value() + 0.0,
       of.across.value() * 1e-6, of.along.value() * 1e-6, of.when.value(),
       name.empty() ? "" : fmt::format(" of situation \"{}\"", name), of.bending.value() * 1e-6);
 }
@@ -507,13 +509,14 @@ std::vector<DistortionEstimate> estimate_distortion(const Project& project,
 std::vector<Gate> distortion_gates_of(const Project& project,
                                       const std::vector<DistortionEstimate>& estimates,
                                       const std::vector<CheckResult>& checks) {
-  constexpr double disregarded = 0.1, worth_saying = 1e-3;
+  constexpr double disregarded = 0.1, next_to_nothing = 0.01, worth_saying = 1e-3;
   // Category 36 at 1e8 cycles: (2/5)^(1/3) (5/100)^(1/5) of it. Source: EN 1993-1-9, 7.1(2), (3).
   const FatigueDemand& demand = project.fatigue.demand;
   const double cut_off = 36e6 * std::cbrt(0.4) * std::pow(0.05, 0.2) / demand.gamma_Mf;
   std::vector<Gate> gates;
   for (const DistortionEstimate& of : estimates) {
-    const double used = most_used(checks) + project.strength.required * of.used;
+    std::optional<double> used = most_used(checks);
+    if (used) *used += project.strength.required * of.used;
     const bool small = std::max(of.along, of.across, std::less<>()) <= disregarded * of.bending;
     const auto small_range = [&](Stress range, double of_cut_off) {
       const double limit = of_cut_off * cut_off / (demand.gamma_Ff * project.fatigue.required);
@@ -522,26 +525,26 @@ std::vector<Gate> distortion_gates_of(const Project& project,
     const bool small_ranges = !project.fatigue.asked || (small_range(of.along_range, disregarded) &&
                                                          small_range(of.across_range, 1.0));
     const std::string effects = effects_text(project, of);
-    if ((small || used <= 1.0) && small_ranges) {
+    const bool slight = project.strength.required * of.used <= next_to_nothing;
+    if ((small || slight || (used && *used <= 1.0)) && small_ranges) {
       if (of.used < worth_saying) continue;
-      gates.push_back(
-          {"", "",
-           effects + (small ? ": at most 10 %, and left out (EN 1993-2, 6.2.7)"
-                            : fmt::format(": not in the checks, which leave room for it: {:.3g} "
-                                          "of the strength with all of it added",
-                                          used)),
-           false});
+      const std::string why = small ? "at most 10 %, and left out (EN 1993-2, 6.2.7)"
+                              : slight
+                                  ? "at most 1 % of the strength, and left out"
+                                  : fmt::format(
+                                        "not in the checks, which leave room for it: {:.3g} of the "
+                                        "strength with all of it added",
+                                        *used);
+      gates.push_back({"", "", effects + ": " + why, false});
       continue;
     }
-    const std::string why =
-        small_ranges
-            ? fmt::format(
-                  "more than 10 % of it (EN 1993-2, 6.2.7), {:.3g} of the strength with "
-                  "all of it added to the checks",
-                  used)
-            : fmt::format("in fatigue by ranges of {:.3g} and {:.3g} MPa, bending {:.3g} MPa",
-                          of.across_range.value() * 1e-6, of.along_range.value() * 1e-6,
-                          of.bending_range.value() * 1e-6);
+    std::string why = "more than 10 % of it (EN 1993-2, 6.2.7)";
+    if (!small_ranges)
+      why = fmt::format("in fatigue by ranges of {:.3g} and {:.3g} MPa, bending {:.3g} MPa",
+                        of.across_range.value() * 1e-6, of.along_range.value() * 1e-6,
+                        of.bending_range.value() * 1e-6);
+    else if (used)
+      why += fmt::format(", {:.3g} of the strength with all of it added to the checks", *used);
     gates.push_back(
         {"", "", effects + ": " + why + "; it is in no check. " + remedy_text(of), true});
   }

@@ -260,12 +260,7 @@ class Estimating {
       raise(result_.in_plane, held.in_plane, held.in_plane_words);
       raise(*result_.across, held.across, held.across_words);
       look_sideways(diagram, loads, held, time, situation, factor);
-      result_.compressed = std::max(result_.compressed, factor * compression_of_yield(diagram));
       result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
-      if (project_->in_space) {
-        result_.bending_across =
-            std::max(result_.bending_across, factor * bending_across_of_yield(diagram));
-      }
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
         result_.change.reset();
         continue;
@@ -281,7 +276,29 @@ class Estimating {
     }
   }
 
-  SecondOrderEstimate result() const { return result_; }
+  /// The largest of all instants, where the beam as a member counts; of the bent beam as a bow's.
+  void take_extremes(const std::deque<SituationRun>& runs) {
+    const auto counts = [](double part) { return part > no_buckling_below; };
+    if (!counts(result_.in_plane.part) && !(result_.across && counts(result_.across->part)) &&
+        !(result_.lateral && result_.lateral->part > no_turning_over_below))
+      return;
+    double straight = 0.0;
+    for (const SituationRun& run : runs) {
+      const double factor = std::max(run.situation->load_factor, 1.0);
+      for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+        const CutForceDiagram diagram = run.loads.diagram(i);
+        result_.compressed = std::max(result_.compressed, factor * compression_of_yield(diagram));
+        straight = std::max(straight, factor * bending_of_yield(diagram));
+        if (!project_->in_space) continue;
+        result_.bending_across =
+            std::max(result_.bending_across, factor * bending_across_of_yield(diagram));
+      }
+    }
+    const double grown = result_.in_plane.part < 1.0 ? 1.0 / (1.0 - result_.in_plane.part) : 1.0;
+    result_.bending = std::max(result_.bending, grown * straight);
+  }
+
+  const SecondOrderEstimate& result() const { return result_; }
 
  private:
   void look_sideways(const CutForceDiagram& diagram, const BeamLoads& loads, const Held& held,
@@ -349,6 +366,7 @@ SecondOrderEstimate estimate_second_order(const Project& project,
                                           const std::deque<SituationRun>& runs) {
   Estimating estimating(project);
   for (const SituationRun& run : runs) estimating.look_at(run);
+  estimating.take_extremes(runs);
   return estimating.result();
 }
 

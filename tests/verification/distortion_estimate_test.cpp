@@ -28,11 +28,11 @@ BoxCell cell(double height = 1.2) {
           {si<Length>(0.012), si<Length>(0.012), si<Length>(0.008), si<Length>(0.008)}};
 }
 
-std::string box(const std::string& name, double height) {
+std::string box(const std::string& name, double height, int flange = 12, int web = 8) {
   return fmt::format(
-      "[sections.{}]\nkind = \"box\"\nwidth = \"608 mm\"\nheight = \"{} mm\"\n"
-      "flange = \"12 mm\"\nweb = \"8 mm\"\n",
-      name, 1e3 * height + 12.0);
+      "[sections.{}]\nkind = \"box\"\nwidth = \"{} mm\"\nheight = \"{} mm\"\n"
+      "flange = \"{} mm\"\nweb = \"{} mm\"\n",
+      name, 600 + web, 1e3 * height + flange, flange, web);
 }
 
 std::string twist(const std::string& name, double at, double torque) {
@@ -57,7 +57,7 @@ Project beam(const std::string& more, const std::string& segments = one_segment,
       "[case]\nname = \"box\"\nkind = \"static\"\n[frame]\nspace = true\n"
       "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n[material]\nsteel = \"S355\"\n"
       "[strength]\nrequired = 1.0\nshear_lag = false\n" +
-          box("a", 1.2) + box("b", 0.6) +
+          box("a", 1.2) + box("b", 0.6) + box("stout", 1.2, 40, 40) +
           "[sections.round]\nkind = \"round tube\"\ndiameter = \"600 mm\"\nwall = \"12 mm\"\n"
           "[supports.wall]\nkind = \"fixed\"\nat = \"0 m\"\n"
           "[loads.tip]\nkind = \"force\"\nat = \"100 m\"\nforce = [\"0 N\", \"0 N\", " +
@@ -178,24 +178,39 @@ TEST_CASE("a box that an eccentric load distorts gets no verdict without diaphra
 TEST_CASE("distortion for which strength leaves room is a remark, without fatigue",
           "[distortion]") {
   const std::string load = twist("eccentric", 50.0, 60e3) + diaphragm(0.0, "50 mm");
-  const Verification slight = verify(beam(load));
+  const Verification slight =
+      verify(beam(twist("eccentric", 50.0, 600e3) + diaphragm(0.0, "50 mm"),
+                  "[[beam.segments]]\nlength = \"100 m\"\nsection = \"stout\"\n"));
   REQUIRE(gate_of(slight) != nullptr);
   CHECK_FALSE(gate_of(slight)->blocks);
   CHECK(slight.verdict == Verdict::pass);
-  // 110 MPa of distortion; bending alone uses 0.8.
+  // Bending alone uses 0.8: more than a tenth of it distorts.
   const double I_y = (0.608 * std::pow(1.212, 3) - 0.592 * std::pow(1.188, 3)) / 12.0;
   const double force = 0.8 * 355e6 * I_y / 0.606 / 100.0;
   const Project full = beam(load, one_segment, -force);
   const std::vector<DistortionEstimate> estimates = estimates_of(full);
   REQUIRE(estimates.size() == 1);
-  const std::vector<Gate> gates = distortion_gates_of(full, estimates, [] {
-    CheckResult yield;
-    yield.check.criterion = Criterion::yield;
-    yield.check.safety_factor = 1.25;
-    return std::vector<CheckResult>{yield};
-  }());
-  REQUIRE(gates.size() == 1);
-  CHECK(gates.front().blocks);
+  const auto gates_beside = [&](Criterion criterion, double use) {
+    CheckResult result;
+    result.check.criterion = criterion;
+    result.check.safety_factor = 1.0 / use;
+    return distortion_gates_of(full, estimates, {result});
+  };
+  // 0.31 of the strength by distortion: 34 + 77 MPa of 355.
+  REQUIRE(gates_beside(Criterion::yield, 0.8).size() == 1);
+  CHECK(gates_beside(Criterion::yield, 0.8).front().blocks);
+  CHECK_FALSE(gates_beside(Criterion::yield, 0.6).front().blocks);
+  // Plates that buckle have less than their yield strength for it.
+  CHECK(gates_beside(Criterion::effective_section, 0.6).front().blocks);
+  // But not what is next to nothing.
+  std::vector<DistortionEstimate> less = estimates;
+  for (const auto& [used, blocks] : {std::pair{0.009, false}, std::pair{0.011, true}}) {
+    less.front().used = used;
+    CheckResult result;
+    result.check.criterion = Criterion::effective_section;
+    result.check.safety_factor = 2.0;
+    CHECK(distortion_gates_of(full, less, {result}).front().blocks == blocks);
+  }
 }
 
 TEST_CASE("in fatigue only what changes distorts", "[distortion]") {

@@ -105,7 +105,8 @@ TEST_CASE("results.json: keys in their order, two records at every jump") {
   CHECK(keys_of(document["checks"][0]) ==
         std::vector<std::string>{"id", "criterion", "point", "station", "side", "situation", "time",
                                  "acting", "resisting", "safety_factor", "required", "utilisation",
-                                 "unit", "source", "normal_stress", "shear_stress"});
+                                 "unit", "source", "normal_stress", "shear_stress",
+                                 "sufficient_throat"});
   int sides = 0;
   for (const auto& station : document["beam"]["stations"]) {
     if (station["s"].get<double>() != 3.2) continue;

@@ -46,7 +46,8 @@ std::vector<DistortionEstimate> estimate_distortion(const Project& project,
 ///
 /// - its stresses along and across are at most 10 % of those of bending (EN 1993-2:2006, 6.2.7,
 ///   recalled, not confirmed), or all of them added to the most that a check of the beam's
-///   strength uses is no more than what it has: von Mises' stress of a sum is not above the sum;
+///   strength uses is no more than what it has (von Mises' stress of a sum is not above the sum),
+///   but not where plates are judged for buckling, or they are 1 % of the strength at most;
 /// - and, where fatigue is asked for, its ranges along and across are at most 10 % of that of
 ///   bending, or the range across is below the cut-off of category 36, the least of all details,
 ///   and the one along below a tenth of that.

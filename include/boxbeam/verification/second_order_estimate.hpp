@@ -44,9 +44,9 @@ struct SecondOrderEstimate {
   /// As `difference_between`, of the straight beam from the bent one; nothing where it buckles.
   std::optional<double> change;
   double turn = 0.0;  ///< largest turn of a section by bending [rad]
-  /// Over the motion, times the load factor of its situation: the largest N/(A f_y), and M/(W f_y)
-  /// in the plane, of the bent beam, of the straight one where it buckles; and across it, of the
-  /// straight one.
+  /// Times the load factor of its situation: the largest N/(A f_y), and M/(W f_y) in the plane, of
+  /// the bent beam, of the straight one where it buckles; and across it, of the straight one. Over
+  /// all instants where N/N_cr or M/M_cr is above `no_buckling_below`; else at those looked at.
   double compressed = 0.0, bending = 0.0, bending_across = 0.0;
   bool whole = false;  ///< the mechanism holds the beam in all of this
 };
