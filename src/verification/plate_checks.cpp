@@ -217,7 +217,7 @@ std::optional<FourWalls> judged_walls_at(const Project& project, const Station& 
 }
 
 Force ShearedPlate::force_of(const CutForces& cut) const {
-  double sum = 0.0, most = 0.0;
+  double sum = 0.0, most = 0.0, most_of_pieces = 0.0;
   for (const Piece& piece : pieces) {
     std::array<double, 3> stress{};
     for (std::size_t i = 0; i < stress.size(); ++i) {
@@ -229,10 +229,13 @@ Force ShearedPlate::force_of(const CutForces& cut) const {
       most = std::max(most, std::abs(stress[i]));
     }
     // Simpson's rule is exact for a parabola.
-    sum += piece.width * (stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
+    const double mean = (stress[0] + 4.0 * stress[1] + stress[2]) / 6.0;
+    sum += piece.width * mean;
+    most_of_pieces = std::max(most_of_pieces, std::abs(mean));
   }
   double mean = std::abs(sum);
   if (is_flange(plate)) mean = std::max(mean, 0.5 * most);
+  if (is_flange(plate) && pieces.size() > 1) mean = std::max(mean, most_of_pieces);
   return si<Stress>(mean) * (panel.depth * panel.thickness);
 }
 

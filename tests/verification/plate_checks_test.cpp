@@ -595,6 +595,54 @@ TEST_CASE("stiffened boxes: no place between the stations is used more than what
   CHECK(judged > 10'000);
 }
 
+TEST_CASE("a flange with stiffeners counts in shear with its subpanel that is sheared most",
+          "[plates]") {
+  // Of its shear under V_z, V z y/I without flats, the outer third has 2/3 of that at the web,
+  // mean.
+  const double V = 300e3;
+  const Project project = parse_project(
+      "slender.toml", cantilever(box("a", 924.0, 600.0, 8.0, 12.0) +
+                                     flats("a", "top flange", {-150.0, 150.0}, 80.0, 8.0) +
+                                     flats("a", "bottom flange", {-150.0, 150.0}, 80.0, 8.0),
+                                 segment(4.0, "a"), tip(4.0, -1e-3 * V)));
+  const auto plates = slender_plates_at(project, {}, {Length{}, Side::behind});
+  REQUIRE(plates != nullptr);
+  // Flats of 640 mm^2, centroid 252 mm from the middle: the flow at y is V (8 y 296 + what hangs on
+  // the way in)/I; from 150 mm on one flat is on the way.
+  const double I = (0.924 * std::pow(0.6, 3) - 0.9 * std::pow(0.584, 3)) / 12.0 +
+                   4.0 * (0.008 * std::pow(0.08, 3) / 12.0 + 640e-6 * 0.252 * 0.252);
+  const double mean = V * (0.008 * 0.296 * 0.5 * (0.150 + 0.450) + 640e-6 * 0.252) / (I * 0.008);
+  int flanges = 0;
+  for (const ShearedPlate& plate : plates->sheared) {
+    if (!is_flange(plate.plate)) continue;
+    CutForces cut{};
+    cut.V_z = si<Force>(V);
+    CHECK((plate.force_of(cut) / (plate.panel.depth * plate.panel.thickness)).value() ==
+          Approx(mean).epsilon(0.02));
+    ++flanges;
+  }
+  CHECK(flanges == 2);
+}
+
+TEST_CASE("where A.3 changes its formula, at a = 3 h_w, the search finds the worse side",
+          "[plates]") {
+  // Webs 1400 to 800 mm deep with one flat, a = 3.003 m: h_w is 1001 mm at s = 1.997 m, where k_tau
+  // falls from that of A.5 to that of A.6. V only between 1.9 and 2.05 m.
+  std::string sections;
+  for (const auto& [name, height] : {std::pair{"a", 1424.0}, {"b", 824.0}}) {
+    sections += box(name, 600.0, height, 12.0, 8.0) + flats(name, "left web", {0.0}, 90.0, 9.0) +
+                flats(name, "right web", {0.0}, 90.0, 9.0);
+  }
+  const Verification of = verified(cantilever(
+      sections, taper(3.003, "a", "b") + diaphragms({0.0, 3.003}),
+      "[loads.down]\nkind = \"force\"\nat = \"2.05 m\"\nforce = [\"0 kN\", \"-400 kN\"]\n"
+      "[loads.up]\nkind = \"force\"\nat = \"1.9 m\"\nforce = [\"0 kN\", \"400 kN\"]\n"));
+  const CheckResult* const shear = of.governing(Criterion::shear_buckling);
+  REQUIRE(shear != nullptr);
+  CHECK(shear->check.station.s.value() == Approx(1.997).margin(2e-3));
+  CHECK(shear->plates->plate->panel.depth.value() > 3.003 / 3.0);
+}
+
 TEST_CASE("plates that are not judged by effective widths stop the verdict, with the reason",
           "[plates]") {
   const std::string slender = box("a", 600.0, 1224.0, 12.0, 8.0);

@@ -34,7 +34,9 @@ struct ShearedPlate {
   std::vector<Piece> pieces;
 
   /// The size of its force in its plane, over its clear width. Of a flange that of at least half of
-  /// its largest stress, EN 1993-1-5, 7.1(5): under V_z both halves of it balance each other.
+  /// its largest stress, EN 1993-1-5, 7.1(5): under V_z both halves of it balance each other; of
+  /// one with stiffeners that of the largest mean of its subpanels, as if all were stressed like
+  /// it.
   Force force_of(const CutForces& cut) const;
 };
 
