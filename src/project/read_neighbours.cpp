@@ -62,6 +62,10 @@ PinInput read_pin(TableReader table, const Project& project) {
   strength.gamma_M0 =
       table.number({"gamma_M0", "on bearing and bending"}, project.strength.gamma_M0);
   strength.gamma_M2 = table.number({"gamma_M2", "on shear"}, strength.gamma_M2);
+  pin.replaceable = table.boolean({"replaceable",
+                                   "to be taken out in service, whose limits it keeps as well, "
+                                   "without load factors (3.13.2(3))"},
+                                  false);
   pin.required = table.number({"required", "wanted safety factor"}, project.strength.required);
   table.finish();
   return pin;

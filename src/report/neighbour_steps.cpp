@@ -9,15 +9,21 @@ namespace boxbeam::report {
 namespace {
 
 const char* largest_of(const LoadedPin&) { return "the largest force of the joint"; }
+const char* largest_of(const ServedPin&) { return "the largest force of the joint in service"; }
 const char* largest_of(const PulledRod&) { return "the largest tension"; }
 const char* largest_of(const PressedRod&) { return "the largest compression"; }
 
 const char* symbol_of(const LoadedPin&) { return "F"; }
+const char* symbol_of(const ServedPin&) { return "F_ser"; }
 const char* symbol_of(const PulledRod&) { return "N"; }
 const char* symbol_of(const PressedRod&) { return "N"; }
 
 void derive_factor(Derivation& steps, const Traced& force, const LoadedPin& pin) {
   derive_pin_factor(steps, force, pin.geometry, pin.strength);
+}
+
+void derive_factor(Derivation& steps, const Traced& force, const ServedPin& pin) {
+  derive_replaceable_pin_factor(steps, force, pin.youngs_modulus, pin.geometry, pin.strength);
 }
 
 void derive_factor(Derivation& steps, const Traced& tension, const PulledRod& rod) {

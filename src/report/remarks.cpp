@@ -8,6 +8,7 @@
 
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/plausibility.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "front_end_text.hpp"
@@ -69,6 +70,16 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
   }
   for (const WeldInput& weld : project.welds) {
     if (fatigue.asked) add(weld.toe, "weld " + weld.name);
+  }
+}
+
+void add_thin_welds(const Project& project, std::vector<std::string>& remarks) {
+  for (const WeldInput& weld : project.welds) {
+    if (weld.full || weld.throat >= least_throat()) continue;
+    remarks.push_back(fmt::format(
+        "weld {} has a throat of {}, below 3 mm, the least of a fillet weld (EN 1993-1-8, "
+        "4.5.2(2))",
+        weld.name, text::mm(weld.throat.value())));
   }
 }
 
@@ -392,6 +403,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   }
   add_warping(project, remarks);
   add_holes(project, remarks);
+  add_thin_welds(project, remarks);
   add_published(project, verification, remarks);
   add_joined_profiles(project, remarks);
   add_nested_profiles(project, remarks);

@@ -101,6 +101,65 @@ Number largest_use(const Uses<Number>& use) {
       {use.shear, use.bearing_inner, use.bearing_outer, use.bending, Number(sqrt(use.combined))});
 }
 
+/// Hertz's pressure on a hole a little wider than the pin.
+template <class Record, class F>
+auto contact_stress_of(Record& record, const F& force, const Bearing& plate, Stress youngs_modulus,
+                       const PinJoint& joint) {
+  using std::sqrt;
+  const auto t = record.known(plate.symbol, plate.thickness);
+  const auto d = record.known("d", joint.diameter), d_0 = record.known("d_0", joint.hole);
+  const auto E = record.known("E", youngs_modulus);
+  return record.define(plate.resistance, 0.591 * sqrt(E * force * (d_0 - d) / (d * d * t)),
+                       plate.what);
+}
+
+/// Of a pin that is to be replaceable, under its service force.
+template <class Number>
+struct ServiceUses {
+  Number bearing_inner, bearing_outer, bending, contact_inner, contact_outer;
+};
+template <class Number>
+ServiceUses(Number, Number, Number, Number, Number) -> ServiceUses<Number>;
+
+template <class Record, class F>
+auto service_uses_of(Record& record, const F& force, Stress youngs_modulus, const PinJoint& joint,
+                     const PinStrength& strength) {
+  record.given("d", joint.diameter, "pin");
+  record.given("d_0", joint.hole, "its hole");
+  record.given("E", youngs_modulus, "of pin and plates");
+  record.given("a", joint.outer_plate, "each outer plate");
+  record.given("b", joint.inner_plate, "inner plate");
+  record.given("c", joint.gap, "gap between them");
+  const auto d = record.known("d", joint.diameter);
+  const auto gamma = record.known("gamma_M6,ser", strength.gamma_M6_ser, {ValueKind::factor});
+  const auto weaker = [&](const char* symbol, Stress plate, const char* what) {
+    return record.given(symbol, std::min(plate, strength.pin_yield), what);
+  };
+  const auto f_b = weaker("f_yb", strength.inner_yield, "the lower of inner plate and pin");
+  const auto f_a = weaker("f_ya", strength.outer_yield, "the lower of outer plates and pin");
+  const auto b = record.known("b", joint.inner_plate), a = record.known("a", joint.outer_plate);
+  const auto F_b = record.define("F_b,Rd,ser", 0.6 * b * d * f_b / gamma, "bearing, inner plate");
+  const auto u_b = record.define("u_b", force / F_b);
+  const auto F_a =
+      record.define("F_a,Rd,ser", 0.6 * a * d * f_a / gamma, "bearing, each outer plate");
+  const auto u_a = record.define("u_a", force / (2.0 * F_a));
+  const auto M_Ed = moment_of(record, force, joint);
+  const auto W_el = modulus_of(record, joint);
+  const auto f_yp = record.known("f_yp", strength.pin_yield);
+  const auto M_Rd = record.define("M_Rd,ser", 0.8 * W_el * f_yp / gamma);
+  const auto u_m = record.define("u_m", M_Ed / M_Rd);
+  const auto sigma_b = contact_stress_of(
+      record, force, {joint.inner_plate, {}, "b", "sigma_h,b", "contact with the inner plate"},
+      youngs_modulus, joint);
+  const auto u_h = record.define("u_h", sigma_b / (2.5 * f_b / gamma));
+  const auto half = record.define("F_a", force / 2.0, "on each outer plate");
+  const auto sigma_a = contact_stress_of(
+      record, half, {joint.outer_plate, {}, "a", "sigma_h,a", "contact with an outer plate"},
+      youngs_modulus, joint);
+  const auto u_k = record.define("u_k", sigma_a / (2.5 * f_a / gamma));
+  return ServiceUses{u_b, u_a, u_m, u_h, u_k};
+}
+
 }  // namespace
 
 Moment pin_moment(Force force, const PinJoint& joint) {
@@ -136,41 +195,34 @@ void derive_pin_factor(Derivation& steps, const Traced& force, const PinJoint& j
                "on the force, with which u_c grows by its square");
 }
 
+double governing_utilisation(const ReplaceablePinUtilisation& use) {
+  return std::max({use.bearing_inner, use.bearing_outer, use.bending,
+                   use.contact_inner * use.contact_inner, use.contact_outer * use.contact_outer});
+}
+
+void derive_replaceable_pin_factor(Derivation& steps, const Traced& service_force,
+                                   Stress youngs_modulus, const PinJoint& joint,
+                                   const PinStrength& strength) {
+  const auto use = service_uses_of(steps, service_force, youngs_modulus, joint, strength);
+  steps.define("factor",
+               1.0 / largest_of({use.bearing_inner, use.bearing_outer, use.bending,
+                                 use.contact_inner * use.contact_inner,
+                                 use.contact_outer * use.contact_outer}),
+               "on the force, with whose root u_h and u_k grow");
+}
+
 ReplaceablePinUtilisation replaceable_pin_utilisation(Force service_force, Stress youngs_modulus,
                                                       const PinJoint& joint,
                                                       const PinStrength& strength) {
-  const Force F = size_of(service_force);
-  const double gamma = strength.gamma_M6_ser;
-  const Stress inner = std::min(strength.inner_yield, strength.pin_yield);
-  const Stress outer = std::min(strength.outer_yield, strength.pin_yield);
-  ReplaceablePinUtilisation use;
-  use.bearing_inner = F * gamma / (0.6 * joint.inner_plate * joint.diameter * inner);
-  use.bearing_outer = 0.5 * F * gamma / (0.6 * joint.outer_plate * joint.diameter * outer);
-  use.bending =
-      pin_moment(F, joint) * gamma / (0.8 * modulus_of(nothing_kept, joint) * strength.pin_yield);
-  use.contact_inner =
-      pin_contact_stress(F, joint.inner_plate, youngs_modulus, joint) * gamma / (2.5 * inner);
-  use.contact_outer =
-      pin_contact_stress(0.5 * F, joint.outer_plate, youngs_modulus, joint) * gamma / (2.5 * outer);
-  return use;
+  const auto use =
+      service_uses_of(nothing_kept, size_of(service_force), youngs_modulus, joint, strength);
+  return {use.bearing_inner, use.bearing_outer, use.bending, use.contact_inner, use.contact_outer};
 }
 
 Stress pin_contact_stress(Force force_on_plate, Length thickness, Stress youngs_modulus,
                           const PinJoint& joint) {
-  const double d = joint.diameter.value();
-  return si<Stress>(0.591 * std::sqrt(youngs_modulus.value() * force_on_plate.value() *
-                                      (joint.hole.value() - d) / (d * d * thickness.value())));
-}
-
-PinPlateEdges pin_plate_edges(Force force_on_plate, Length thickness, Length hole, Stress yield,
-                              double gamma_M0) {
-  const Length ligament = force_on_plate * gamma_M0 / (2.0 * thickness * yield);
-  return {ligament + hole * (2.0 / 3.0), ligament + hole / 3.0};
-}
-
-Length pin_plate_thickness(Force force_on_plate, Length hole, Stress yield, double gamma_M0) {
-  const double by_force = 0.7 * std::sqrt(force_on_plate.value() * gamma_M0 / yield.value());
-  return std::max(si<Length>(by_force), hole / 2.5);
+  return contact_stress_of(nothing_kept, force_on_plate, {thickness, {}, "t", "sigma_h"},
+                           youngs_modulus, joint);
 }
 
 }  // namespace boxbeam

@@ -40,14 +40,15 @@ Extreme largest_over(const Project& project, const SituationRun& run,
   return {si<Time>(peak.at), peak.value, index_of(project, *run.situation)};
 }
 
-/// The largest value over all situations, times their load factors.
+/// The largest value over all situations, times their load factors where these count.
 Extreme worst_of(const Project& project, const std::deque<SituationRun>& runs,
-                 const std::function<double(const SituationRun&, const planar::State&)>& f) {
+                 const std::function<double(const SituationRun&, const planar::State&)>& f,
+                 bool factored = true) {
   Extreme worst;
   for (const SituationRun& run : runs) {
     Extreme in =
         largest_over(project, run, [&](const planar::State& state) { return f(run, state); });
-    in.value *= run.situation->load_factor;
+    if (factored) in.value *= run.situation->load_factor;
     if (&run == &runs.front() || in.value > worst.value) worst = in;
   }
   return worst;
@@ -190,6 +191,21 @@ Check check_begun(Criterion criterion, const std::string& name, const Project& p
   return check;
 }
 
+/// A pin that is to be replaceable, under its largest force without load factors.
+NeighbourResult check_in_service(const Project& project, const PinInput& pin,
+                                 const Extreme& worst) {
+  const double largest = governing_utilisation(replaceable_pin_utilisation(
+      si<Force>(worst.value), youngs_modulus, pin.geometry, pin.strength));
+  NeighbourResult result{check_begun(Criterion::pin, pin.name + " in service", project, worst),
+                         ServedPin{pin.geometry, pin.strength, youngs_modulus}};
+  Check& check = result.check;
+  check.safety_factor = 1.0 / largest;
+  check.resisting = si<Force>(worst.value / largest);
+  check.required = pin.required;
+  check.source = "EN 1993-1-8:2005, 3.13.2(3), table 3.10, equations 3.14 to 3.16";
+  return result;
+}
+
 }  // namespace
 
 NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun>& runs) {
@@ -198,10 +214,10 @@ NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun
   const double nothing = negligible_force(project, runs);
   for (const PinInput& pin : project.pins) {
     check_unique(project, runs, pin.joint, "pin " + pin.name);
-    const Extreme worst =
-        worst_of(project, runs, [&](const SituationRun& run, const planar::State& state) {
-          return force_in(project, run, state, pin.joint);
-        });
+    const auto force = [&](const SituationRun& run, const planar::State& state) {
+      return force_in(project, run, state, pin.joint);
+    };
+    const Extreme worst = worst_of(project, runs, force);
     if (worst.value <= nothing) {
       checks.not_judged.push_back({Criterion::pin, "pin " + pin.name, "no force"});
       continue;
@@ -216,6 +232,9 @@ NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun
     check.required = pin.required;
     check.source = "EN 1993-1-8:2005, 3.13.2, table 3.10";
     checks.results.push_back(std::move(result));
+    if (pin.replaceable)
+      checks.results.push_back(
+          check_in_service(project, pin, worst_of(project, runs, force, false)));
   }
   return checks;
 }

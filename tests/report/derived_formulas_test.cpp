@@ -72,6 +72,30 @@ TEST_CASE("The derivation of a pin comes to the utilisation that decides its che
   }
 }
 
+TEST_CASE("The derivation of a replaceable pin comes to the utilisation that decides its check") {
+  Random between(11);
+  for (int i = 0; i < 200; ++i) {
+    const auto mm = [&](double low, double high) { return si<Length>(1e-3 * between(low, high)); };
+    const auto MPa = [&] { return si<Stress>(1e6 * between(200.0, 900.0)); };
+    const Length d = mm(10, 200);
+    const PinJoint joint{d, d + mm(0.1, 2), mm(5, 80), mm(5, 80), mm(0, 10)};
+    const PinStrength strength{MPa(), MPa(), MPa(), MPa(), 1.0, 1.25, between.factor(1.0, 1.2)};
+    const Force force = si<Force>(between(1e2, 1e6));
+    const Stress E = 210e9 * pascal;
+    Derivation steps;
+    derive_replaceable_pin_factor(steps, steps.given("F", force), E, joint, strength);
+    const auto use = replaceable_pin_utilisation(force, E, joint, strength);
+    CHECK(steps.steps().back().value.value() ==
+          Approx(1.0 / governing_utilisation(use)).epsilon(1e-14));
+    test::check_derivation(steps);
+    // It is a factor on the force: with it the joint is just used up.
+    const Force most = force / governing_utilisation(use);
+    const auto used_up = replaceable_pin_utilisation(most, E, joint, strength);
+    CHECK(std::max({used_up.bearing_inner, used_up.bearing_outer, used_up.bending,
+                    used_up.contact_inner, used_up.contact_outer}) == Approx(1.0).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("The derivation of a rod comes to the resistance that decides its check") {
   Random between(2);
   int of_class_4 = 0, stout = 0, no_reduction = 0;

@@ -135,6 +135,28 @@ TEST_CASE("the factor of a pin is one on the force: with it the joint is just us
         Approx(1.0).epsilon(1e-12));
 }
 
+TEST_CASE("a replaceable pin is judged in service too, without load factors") {
+  std::string lines = pin_lines;
+  lines.replace(lines.find("gap ="), 0, "hole = \"82 mm\"\nreplaceable = true\n");
+  Project project = read(lines);
+  project.situations.front().load_factor = 1.35;
+  const std::deque<SituationRun> runs = run_situations(project);
+  const std::vector<NeighbourResult> results = check_pins(project, runs).results;
+  REQUIRE(results.size() == 2);
+  const double factored = results[0].check.acting.value(), F = results[1].check.acting.value();
+  CHECK(factored == Approx(1.35 * F).epsilon(1e-12));
+  CHECK(results[1].check.id == "pin/hub-pin-in-service");
+  CHECK(results[1].check.required == 1.5);
+  // By hand, as above; 0.6 of bearing, 0.8 of bending, 2.5 f_y of Hertz's pressure.
+  const double d = 0.08, f_y = 325e6;
+  const double bearing = std::max(F / (0.6 * 0.06 * d * f_y), 0.5 * F / (0.6 * 0.03 * d * f_y));
+  const double moment = F * (0.06 + 4.0 * 0.002 + 2.0 * 0.03) / 8.0;
+  const double bending = moment / (0.8 * std::numbers::pi * d * d * d / 32.0 * f_y);
+  const double pressed = 0.591 * std::sqrt(210e9 * F * 0.002 / (d * d * 0.06)) / (2.5 * f_y);
+  CHECK(results[1].check.safety_factor ==
+        Approx(1.0 / std::max({bearing, bending, pressed * pressed})).epsilon(1e-9));
+}
+
 TEST_CASE("a rod is pressed by what its free body asks for, and buckles by EN 1993-1-1 6.3.1") {
   const Project project = read(rod_lines);
   const std::deque<SituationRun> runs = run_situations(project);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/remarks.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 #include "support/program.hpp"
@@ -254,6 +256,11 @@ TEST_CASE("the toe has the line of its length in its plate, the weakest where th
   CHECK(factor("attachment_length = \"900 mm\"\n") == Approx(56e6 / sigma).epsilon(1e-6));
   CHECK(factor("") == Approx(56e6 / sigma).epsilon(1e-6));
   CHECK(factor("stress_factor = 1.25\n") == Approx(56e6 / sigma / 1.25).epsilon(1e-6));
+  // EN 1993-1-9, 8(1): the range of that stress against 1.5 f_y.
+  const Verification ranges = verify(read(around_the_box + "stress_factor = 1.25\n"));
+  const CheckResult* range = find(ranges, Criterion::stress_range, "toe of weld splice");
+  REQUIRE(range != nullptr);
+  CHECK(range->check.safety_factor == Approx(1.5 * 355e6 / (1.25 * sigma)).epsilon(1e-6));
 }
 
 TEST_CASE("thick walls have a weaker toe: each wall by its own thickness") {
@@ -301,6 +308,23 @@ TEST_CASE("a weld whose forces change between situations at rest is searched as 
       CHECK(at_rest->check.safety_factor == Approx(a_moving->check.safety_factor).epsilon(1e-6));
     }
   }
+}
+
+TEST_CASE("a throat below 3 mm, and a toe whose length nobody gave, are said") {
+  const auto said = [](const std::string& throat, const std::string& more,
+                       const std::string& what) {
+    const Project project = read(with_throat(throat, more));
+    const std::vector<Remark> remarks = remarks_of(project, verify(project));
+    return std::any_of(remarks.begin(), remarks.end(), [&](const Remark& remark) {
+      return remark.text.find(what) != std::string::npos;
+    });
+  };
+  // EN 1993-1-8, 4.5.2(2).
+  CHECK(said("2.9 mm", "", "below 3 mm"));
+  CHECK_FALSE(said("3 mm", "", "below 3 mm"));
+  const std::string unknown = "to know: attachment_length";
+  CHECK(said("6 mm", "", unknown));
+  CHECK_FALSE(said("6 mm", "attachment_length = \"40 mm\"\n", unknown));
 }
 
 }  // namespace weld_checks_test

@@ -164,6 +164,7 @@ struct PinInput {
   int joint = 0;
   PinJoint geometry;
   PinStrength strength;
+  bool replaceable = false;  ///< in service, whose limits it keeps as well
   double required = 1.0;
 };
 

@@ -75,6 +75,15 @@ struct ReplaceablePinUtilisation {
   double contact_outer = 0.0;
 };
 
+/// The utilisation that grows with the force and is 1 where the joint is used up; the contact
+/// stress grows with its root, max(u_b, u_a, u_m, u_h^2). Source: as below.
+double governing_utilisation(const ReplaceablePinUtilisation& use);
+
+/// The factor on a service force, one over that, step by step.
+void derive_replaceable_pin_factor(Derivation& steps, const Traced& service_force,
+                                   Stress youngs_modulus, const PinJoint& joint,
+                                   const PinStrength& strength);
+
 /// Source: EN 1993-1-8:2005, 3.13.2(3), table 3.10 and equations 3.14 to 3.16.
 ReplaceablePinUtilisation replaceable_pin_utilisation(Force service_force, Stress youngs_modulus,
                                                       const PinJoint& joint,
@@ -87,26 +96,5 @@ ReplaceablePinUtilisation replaceable_pin_utilisation(Force service_force, Stres
 /// Source: EN 1993-1-8:2005, equation 3.15 (Hertz, both of steel, d_0 near d).
 Stress pin_contact_stress(Force force_on_plate, Length thickness, Stress youngs_modulus,
                           const PinJoint& joint);
-
-/// Least plate around the hole of a pin, measured in the direction of the force (end) and across it
-/// (side), from the edge of the hole.
-struct PinPlateEdges {
-  Length end;
-  Length side;
-};
-
-/// For a plate of given thickness.
-///
-///     end: F gamma_M0/(2 t f_y) + 2 d_0/3,  side: F gamma_M0/(2 t f_y) + d_0/3
-///
-/// Source: EN 1993-1-8:2005, table 3.9, type A.
-PinPlateEdges pin_plate_edges(Force force_on_plate, Length thickness, Length hole, Stress yield,
-                              double gamma_M0);
-
-/// Least thickness of a plate of the standard's outline (width 2.5 d_0; 1.6 d_0 from the middle of
-/// the hole to the end): the larger of 0.7 sqrt(F gamma_M0/f_y) and d_0/2.5 (0.7 recalled, but it
-/// follows from type A for this outline).
-/// Source: EN 1993-1-8:2005, table 3.9, type B.
-Length pin_plate_thickness(Force force_on_plate, Length hole, Stress yield, double gamma_M0);
 
 }  // namespace boxbeam

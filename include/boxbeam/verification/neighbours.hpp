@@ -18,10 +18,17 @@ struct LoadedPin {
   PinStrength strength;
 };
 
+/// The same of a pin that is to be replaceable, in service.
+struct ServedPin {
+  PinJoint geometry;
+  PinStrength strength;
+  Stress youngs_modulus;
+};
+
 /// A pin or rod of the mechanism, and what its factor follows from beside the acting force.
 struct NeighbourResult {
   Check check;
-  std::variant<LoadedPin, PulledRod, PressedRod> basis;
+  std::variant<LoadedPin, ServedPin, PulledRod, PressedRod> basis;
 };
 
 /// Checks of neighbours, what stands against them, and what bears no force at any time.
@@ -32,7 +39,8 @@ struct NeighbourChecks {
 };
 
 /// The pins a case names, under the largest force of their joint in any situation, times its load
-/// factor. The factor is one on the force. Valid for rigid bodies, see `model_gates_of`.
+/// factor; one that is to be replaceable in service too, where load factors do not count, as a
+/// check of its own. The factor is one on the force. Valid for rigid bodies, see `model_gates_of`.
 /// Source: EN 1993-1-8:2005, 3.13.2.
 NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun>& runs);
 
