@@ -421,6 +421,9 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
                         "for an estimate"
                       : "not checked here: warping and distortion of the box (diaphragms where "
                         "forces act are taken for granted)") +
+      (governing_of(verification.checks, Criterion::patch_loading) != nullptr
+           ? ""
+           : ", webs where forces come in ([[beam.load_introductions]])") +
       std::string(verification.model.second_order.lateral ? "" : ", lateral torsional buckling") +
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +
