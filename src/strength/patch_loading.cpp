@@ -26,7 +26,7 @@ Length flange_width_of(const PatchedWeb& web) {
 template <class Record>
 auto force_factor(Record& record, const PatchedWeb& web) {
   const auto depth = record.known("h_w", web.depth);
-  using Number = decltype(depth / depth * 1.0);
+  using Number = decltype(depth / record.known("t", web.thickness) * 1.0);
   const auto far = [&](double factor) -> Number {
     if (!web.length)
       return Number(record.given("k_F", factor, {ValueKind::factor}, "no stiffener is near"));
@@ -72,7 +72,7 @@ PatchNumbers<Number, Span, Load> numbers_of(Record& record, const PatchedWeb& we
       with_flange
           ? Number(record.define("m_2", 0.02 * slope * slope))
           : Number(record.given("m_2", 0.0, {ValueKind::factor}, "lambda_F is not above 0.5"));
-  const Span level(s_s + 2.0 * t_f * (1.0 + sqrt(m_1 + m_2)));
+  Span level(s_s + 2.0 * t_f * (1.0 + sqrt(m_1 + m_2)));
   const auto length = [&]() -> Span {
     if (web.entry != ForceEntry::near_end) {
       if (!web.length) return level;

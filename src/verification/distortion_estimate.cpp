@@ -535,7 +535,7 @@ std::vector<Gate> distortion_gates_of(const Project& project,
                                         "not in the checks, which leave room for it: {:.3g} of the "
                                         "strength with all of it added",
                                         *used);
-      gates.push_back({"", "", effects + ": " + why, false});
+      gates.push_back({"", "", fmt::format("{}: {}", effects, why), false});
       continue;
     }
     std::string why = "more than 10 % of it (EN 1993-2, 6.2.7)";
@@ -545,8 +545,9 @@ std::vector<Gate> distortion_gates_of(const Project& project,
                         of.bending_range.value() * 1e-6);
     else if (used)
       why += fmt::format(", {:.3g} of the strength with all of it added to the checks", *used);
-    gates.push_back(
-        {"", "", effects + ": " + why + "; it is in no check. " + remedy_text(of), true});
+    gates.push_back({"", "",
+                     fmt::format("{}: {}; it is in no check. {}", effects, why, remedy_text(of)),
+                     true});
   }
   return gates;
 }
