@@ -418,8 +418,8 @@ class Search {
       return;
     }
     const Length apart = beam.length() / static_cast<double>(passing->candidate + 1);
-    std::string name = fmt::format("{:.6g} mm diaphragms every {:.4g} m",
-                                   1e3 * thickness.value(), apart.value());
+    std::string name =
+        fmt::format("{:.6g} mm diaphragms every {:.4g} m", 1e3 * thickness.value(), apart.value());
     if (governing_.patch)
       name += fmt::format(" and at {:.4g} m", governing_.check.station.s.value());
     remedies_.found.push_back(

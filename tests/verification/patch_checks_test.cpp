@@ -318,8 +318,7 @@ TEST_CASE("twice the force, twice the use by it", "[patch]") {
 }
 
 TEST_CASE("what would bear a force that a web does not: a thicker web, a diaphragm", "[patch]") {
-  const std::string text =
-      beam(ends + introduction(place(4.5), 50.0), force("hook", 4.5, -900.0));
+  const std::string text = beam(ends + introduction(place(4.5), 50.0), force("hook", 4.5, -900.0));
   const Project project = project_of(text);
   const Verification of = verify(project, Figures::without, Advice::with);
   REQUIRE(of.verdict == Verdict::fail);
@@ -332,8 +331,8 @@ TEST_CASE("what would bear a force that a web does not: a thicker web, a diaphra
   const Remedy* const web = find(Remedy::What::webs);
   REQUIRE(web != nullptr);
   const auto verdict_with = [&](double thickness) {
-    return verify(parse_project("patch.toml", text,
-                                {fmt::format("sections.a.web={} mm", thickness)}))
+    return verify(
+               parse_project("patch.toml", text, {fmt::format("sections.a.web={} mm", thickness)}))
         .verdict;
   };
   CHECK(verdict_with(1e3 * web->value) == Verdict::pass);
