@@ -561,12 +561,22 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   for (const SituationRun& run : runs) PatchRun(project, search, run, worst).look();
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
+  const auto add = [&](CheckResult result) {
+    // A force that pushes to and fro comes in by either flange: the worse one stays.
+    const auto same =
+        std::find_if(found.checks.begin(), found.checks.end(),
+                     [&](const CheckResult& of) { return of.check.id == result.check.id; });
+    if (same == found.checks.end())
+      found.checks.push_back(std::move(result));
+    else if (result.check.utilisation() > same->check.utilisation())
+      *same = std::move(result);
+  };
   for (auto& [key, of] : worst) {
     if (!(of.use > no_use)) continue;
     if (!of.patch.given && of.use > 1.0)
       found.gates.push_back(gate_of(project, of));
     else
-      found.checks.push_back(check_of(project, search, std::move(of)));
+      add(check_of(project, search, std::move(of)));
   }
   for (const LoadIntroduction& of : project.beam.introductions) {
     if (!of.stiff_length) continue;

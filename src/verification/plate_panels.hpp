@@ -28,6 +28,7 @@ bool may_buckle_in_shear(const BoxWall& wall);
 /// What shear lag leaves of the plates of a section at a station.
 LagShares lag_shares_at(const std::vector<BendingZone>& zones, const Section& section,
                         const Station& station);
+
 /// How far the supports across the plates at a station are apart: diaphragms, and the ends of the
 /// beam.
 Length supported_length_at(const Project& project, Station station);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -344,6 +345,20 @@ TEST_CASE("what would bear a force that a web does not: a thicker web, a diaphra
   CHECK(diaphragms->name.find("at 4.5 m") != std::string::npos);
   CHECK(verify(project_of(beam(ends + diaphragm(4.5), force("hook", 4.5, -900.0)))).verdict ==
         Verdict::pass);
+}
+
+TEST_CASE("a force that pushes to and fro is one check, by the worse flange", "[patch]") {
+  const std::string both =
+      "[[situations]]\nname = \"down\"\nloads = { hook = 1.0 }\n"
+      "[[situations]]\nname = \"up\"\nloads = { hook = -0.8 }\n";
+  const Verification of = verify(project_of(
+      beam(ends + introduction(place(4.5), 200.0), force("hook", 4.5, -300.0), 1.0) + both));
+  const auto count = std::count_if(of.checks.begin(), of.checks.end(), [](const auto& result) {
+    return result.check.id == "patch-loading/4.5/web-under-hook";
+  });
+  CHECK(count == 1);
+  REQUIRE(patch_at(of, "hook") != nullptr);
+  CHECK(patch_at(of, "hook")->check.situation == "down");
 }
 
 TEST_CASE("introductions that cannot be are refused", "[patch]") {
