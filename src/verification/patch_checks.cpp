@@ -539,13 +539,12 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
   const PatchBasis& basis = worst.borne.basis;
   const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
   return {project.beam.segments[segment].name, plate_text(project, worst.borne),
-          fmt::format("at s = {:.4g} m it takes {:.4g} kN of \"{}\" and bears {:.4g} kN where "
-                      "nothing is known of how they come in (stiff length 0, EN 1993-1-5, clause "
-                      "6): write [[beam.diaphragms]] there, or [[beam.load_introductions]] with "
-                      "their stiff_length",
-                      worst.patch.s.value(),
-                      1e-3 * (basis.load_factor * basis.share * basis.force).value(),
-                      worst.patch.name, 1e-3 * basis.resistance.value()),
+          fmt::format(
+              "at s = {:.4g} m it takes {:.4g} kN of \"{}\" and bears {:.4g} kN under an edge "
+              "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it, or "
+              "[[beam.load_introductions]] say how it comes in",
+              worst.patch.s.value(), 1e-3 * (basis.load_factor * basis.share * basis.force).value(),
+              worst.patch.name, 1e-3 * basis.resistance.value()),
           true};
 }
 

@@ -420,8 +420,11 @@ class Search {
     const Length apart = beam.length() / static_cast<double>(passing->candidate + 1);
     std::string name =
         fmt::format("{:.6g} mm diaphragms every {:.4g} m", 1e3 * thickness.value(), apart.value());
-    if (governing_.patch)
-      name += fmt::format(" and at {:.4g} m", governing_.check.station.s.value());
+    const Length at = governing_.check.station.s;
+    const double panels = (at / apart).value();
+    constexpr double near = 1e-6;
+    if (governing_.patch && std::abs(panels - std::round(panels)) > near)
+      name += fmt::format(" and at {:.4g} m", at.value());
     remedies_.found.push_back(
         {Remedy::What::diaphragms, std::move(name), apart.value(), passing->utilisation});
   }

@@ -15,6 +15,7 @@
 #include "boxbeam/fatigue/rainflow.hpp"
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/section/shear_area.hpp"
+#include "boxbeam/strength/material.hpp"
 #include "boxbeam/verification/bending_zones.hpp"
 #include "instants.hpp"
 #include "rules.hpp"
@@ -803,6 +804,21 @@ bool Findings::fails() const {
                      [](const auto& each) { return each.second.utilisation > 1.0; });
 }
 
+namespace {
+
+/// A stiffened box with a web that may buckle in shear: judged by effective widths, of which the
+/// oracle knows nothing.
+bool has_slender_webs_and_bars(const Project& project, const Section& section) {
+  const auto* box = std::get_if<Box>(&section.outer);
+  if (box == nullptr || box->stiffeners.empty()) return false;
+  const Length depth = box->height - box->top_flange - box->bottom_flange;
+  const Length thinnest = std::min(box->left_web, box->right_web);
+  const auto yield = yield_strength_of(project.material, thinnest);
+  return !yield || depth / thinnest > 72.0 / 1.2 * std::sqrt(235e6 / yield->value());
+}
+
+}  // namespace
+
 bool covers(const Project& project) {
   if (!project.given_stresses.empty() || !project.points.empty()) return false;
   if (!project.welds.empty()) return false;
@@ -811,8 +827,11 @@ bool covers(const Project& project) {
     const Section section = section_at(project.beam, {at.s, Side::both});
     if (std::holds_alternative<Plate>(section.outer)) return false;
   }
-  return std::all_of(project.beam.segments.begin(), project.beam.segments.end(),
-                     [](const Segment& s) { return covers(s.from) && covers(s.to); });
+  return std::all_of(
+      project.beam.segments.begin(), project.beam.segments.end(), [&](const Segment& s) {
+        return covers(s.from) && covers(s.to) && !has_slender_webs_and_bars(project, s.from) &&
+               !has_slender_webs_and_bars(project, s.to);
+      });
 }
 
 Findings look_everywhere(const Project& project, const std::deque<SituationRun>& runs,

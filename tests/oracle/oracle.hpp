@@ -23,7 +23,7 @@
 ///
 /// It covers boxes, sharp rectangular tubes, round tubes, one in the other, and solid plates;
 /// not: stresses given in the case, named points, welds around a profile, holes in solid plates,
-/// the Newton chain.
+/// the Newton chain, stiffened boxes whose webs may buckle in shear.
 namespace oracle {
 
 /// How densely it looks.
