@@ -95,7 +95,7 @@ class PatchSearch {
   }
 
   /// What comes in under these loads.
-  std::vector<Patch> patches_of(const BeamLoads& loads) const {
+  std::vector<Patch> patches_of(const BeamLoads& loads) {
     const TaperedBeam& beam = project_->beam;
     std::vector<Patch> patches;
     for (const PointLoad& load : loads.points) {
@@ -147,9 +147,13 @@ class PatchSearch {
     return project_->strength.gamma_M0 * basis.corner.use;
   }
 
-  /// Why the case's introduction at a place is not judged; "" where it is.
-  std::string obstacle_at(const Station& station) {
-    return box_at(station) ? "" : "only boxes and rectangular tubes are";
+  /// Why an introduction of the case is not judged; "" where it is.
+  std::string obstacle_of(const LoadIntroduction& of) {
+    for (const Length& s : {of.from, of.to}) {
+      if (!box_at({s, s < project_->beam.length() ? Side::behind : Side::before}))
+        return "only boxes and rectangular tubes are";
+    }
+    return used_.count(&of) > 0 ? "" : "no force of the case is known to come in there";
   }
 
  private:
@@ -179,7 +183,7 @@ class PatchSearch {
   }
 
   /// Whether the patch is to be looked at.
-  bool say_how_it_comes_in(Patch& patch) const {
+  bool say_how_it_comes_in(Patch& patch) {
     const TaperedBeam& beam = project_->beam;
     const Length near = same_place * beam.length();
     const LoadIntroduction* const by = introduction_at(patch.s);
@@ -187,7 +191,10 @@ class PatchSearch {
     for (const Diaphragm& of : beam.diaphragms) {
       if (abs(of.s - patch.s) <= near) patch.diaphragm = &of;
     }
-    if (by != nullptr) patch.stiff_length = *by->stiff_length;
+    if (by != nullptr) {
+      patch.stiff_length = *by->stiff_length;
+      used_.insert(by);
+    }
     patch.given = by != nullptr || patch.diaphragm != nullptr;
     if (patch.given) return true;
     const Slender& of = slender_[segment_at(beam, {patch.s, Side::both})];
@@ -365,6 +372,7 @@ class PatchSearch {
   const std::vector<BendingZone>* zones_;
   std::vector<Slender> slender_;  ///< by segment
   std::set<std::string> clamps_;
+  std::set<const LoadIntroduction*> used_;  ///< by which a force has come in
   std::map<std::pair<double, Side>, std::shared_ptr<const EffectiveBox>> boxes_;
 };
 
@@ -578,15 +586,11 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
       add(check_of(project, search, std::move(of)));
   }
   for (const LoadIntroduction& of : project.beam.introductions) {
-    if (!of.stiff_length) continue;
-    for (const Length& s : {of.from, of.to}) {
-      const std::string why =
-          search.obstacle_at({s, s < project.beam.length() ? Side::behind : Side::before});
-      if (why.empty()) continue;
-      found.not_judged.push_back(
-          {Criterion::patch_loading, fmt::format("load introduction at {:.4g} m", s.value()), why});
-      break;
-    }
+    const std::string why = of.stiff_length ? search.obstacle_of(of) : "";
+    if (why.empty()) continue;
+    found.not_judged.push_back({Criterion::patch_loading,
+                                fmt::format("load introduction at {:.4g} m", of.from.value()),
+                                why});
   }
   return found;
 }

@@ -381,6 +381,14 @@ TEST_CASE("introductions that cannot be are refused", "[patch]") {
         std::string::npos);
 }
 
+TEST_CASE("a load introduction to which no force comes says that it is not judged", "[patch]") {
+  const Verification of =
+      verify(project_of(beam(ends + introduction(place(3.0), 50.0) + introduction(place(4.5), 50.0),
+                             force("hook", 4.5, -100.0))));
+  REQUIRE(of.not_judged.size() == 1);
+  CHECK(of.not_judged.front().what == "load introduction at 3 m");
+}
+
 TEST_CASE("a load introduction where no box is says that it is not judged", "[patch]") {
   const std::string text =
       "[case]\nname = \"patch\"\nkind = \"static\"\n[frame]\n"
