@@ -22,9 +22,7 @@ CheckResult check_of(const Project& project, double use, const std::string& poin
   check.on_beam = false;
   check.point = point;
   check.id = fmt::format("member-buckling/{}", basis.turns_over ? "sideways" : point);
-  for (char& c : check.id) {
-    if (c == ' ') c = '-';
-  }
+  std::replace(check.id.begin(), check.id.end(), ' ', '-');
   check.situation = project.situations[situation].name;
   check.time = when;
   check.acting = use;
