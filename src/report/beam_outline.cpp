@@ -37,7 +37,18 @@ Lines border_of(const TaperedBeam& beam, Plane plane) {
   return lines;
 }
 
-/// Thin lines inside: the inner faces of the flanges where they are seen, and an inner profile.
+/// Diaphragms across the profile, with a gap for an opening in their middle.
+void add_diaphragms(std::vector<Row4>& strokes, const TaperedBeam& beam, Plane plane) {
+  for (const Diaphragm& of : beam.diaphragms) {
+    const auto [low, high] = reach_of(section_at(beam, {of.s}).outer, plane);
+    const double s = of.s.value(), middle = 0.5 * (low + high), half = 0.5e3 * of.opening.value();
+    strokes.emplace_back(s, low, 0.0, middle - half - low);
+    strokes.emplace_back(s, middle + half, 0.0, high - middle - half);
+  }
+}
+
+/// Thin lines inside: the inner faces of the flanges where they are seen, an inner profile, and
+/// diaphragms.
 std::vector<Row4> inner_lines_of(const TaperedBeam& beam, Plane plane) {
   std::vector<Row4> strokes;
   for (const Segment& segment : beam.segments) {
@@ -59,6 +70,7 @@ std::vector<Row4> inner_lines_of(const TaperedBeam& beam, Plane plane) {
     add(from.first, to.first);
     add(from.second, to.second);
   }
+  add_diaphragms(strokes, beam, plane);
   return strokes;
 }
 
