@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/planar/beam_loads.hpp"
@@ -135,12 +136,15 @@ class PlanarMotion : public SolvedMotion {
                        project_->beam_body != planar::ground && freedom.undriven == 0 &&
                        freedom.redundant == 0 && obstacle_to_links(*mechanism_).empty();
     if (!holds) return {};
-    // Where loads break, the history has instants that the motion has not.
-    const planar::State state = planar::StateFinder(*mechanism_, motion).at(time.value());
-    MakePosture whole = [this, state, loads](double factor) {
+    if (!stopped_) {
       constexpr int parts = 16;
-      return loaded_posture(*mechanism_, state, elastic_body_of(*project_, parts), project_->beam,
-                            loads, factor);
+      stopped_.emplace(
+          Stopped{elastic_body_of(*project_, parts), planar::StateFinder(*mechanism_, motion)});
+    }
+    // Where loads break, the history has instants that the motion has not.
+    const planar::State state = stopped_->finder.at(time.value());
+    MakePosture whole = [this, state, loads](double factor) {
+      return loaded_posture(*mechanism_, state, stopped_->elastic, project_->beam, loads, factor);
     };
     try {
       stands(whole(0.0));
@@ -158,6 +162,12 @@ class PlanarMotion : public SolvedMotion {
   const Project* project_;
   const planar::Mechanism* mechanism_;
   ElasticModel model_;
+  /// What all postures in which it is stopped have in common, from the first of them on.
+  struct Stopped {
+    ElasticBody elastic;
+    planar::StateFinder finder;
+  };
+  mutable std::optional<Stopped> stopped_;
 };
 
 class PlanarFrontEnd : public FrontEnd {

@@ -184,13 +184,21 @@ StationSamples::StationSamples(const Project& project,
   }
 }
 
-std::vector<double> StationSamples::stresses_in(
-    const Run& run, const std::array<double, cut_force::count>& factors) const {
+void StationSamples::find_stresses(const Run& run,
+                                   const std::array<double, cut_force::count>& factors,
+                                   std::vector<double>& stresses) const {
   const std::size_t forces = acting_.size();
-  if (forces == 0) return std::vector<double>(run.instants.times.size(), 0.0);
   std::array<double, cut_force::count> of{};
-  for (std::size_t j = 0; j < forces; ++j) of[j] = factors[acting_[j]];
-  std::vector<double> stresses(run.cuts.size() / forces);
+  bool any = false;
+  for (std::size_t j = 0; j < forces; ++j) {
+    of[j] = factors[acting_[j]];
+    any = any || of[j] != 0.0;
+  }
+  stresses.resize(run.instants.times.size());
+  if (!any) {
+    std::fill(stresses.begin(), stresses.end(), 0.0);
+    return;
+  }
   const double* cut = run.cuts.data();
   for (double& stress : stresses) {
     double sum = 0.0;
@@ -198,15 +206,16 @@ std::vector<double> StationSamples::stresses_in(
     stress = sum;
     cut += forces;
   }
-  return stresses;
 }
 
 double StationSamples::largest_cut_force(cut_force::Index which, double sign) const {
   std::array<double, cut_force::count> factors{};
   factors[which] = sign;
   double largest = 0.0;
-  for (const Run& run : runs_)
-    largest = std::max(largest, largest_of(stresses_in(run, factors), run.instants));
+  for (const Run& run : runs_) {
+    find_stresses(run, factors, room_.normal);
+    largest = std::max(largest, largest_of(room_.normal, run.instants));
+  }
   return largest;
 }
 
@@ -236,7 +245,8 @@ Utilisations StationSamples::judge(const StressPoint& point,
 Utilisations StationSamples::judge(const StressPoint& point, const StressInfluence& influence,
                                    std::initializer_list<Criterion> by) const {
   const auto asked = [&](Criterion criterion) { return contains(by, criterion); };
-  const bool combined = asked(Criterion::combined_fatigue);
+  const bool combined = asked(Criterion::combined_fatigue) && point.detail != nullptr &&
+                        point.shear_detail != nullptr;
   const bool range = asked(Criterion::stress_range);
   const bool yield = asked(Criterion::yield) && point.yield && !point.on_throat;
   const bool weld = asked(Criterion::weld) && point.on_throat;
@@ -249,16 +259,16 @@ Utilisations StationSamples::judge(const StressPoint& point, const StressInfluen
   Turns shear_turns(along ? project_->situations.size() : 0);
   double equivalent = 0.0, throat = 0.0;
   for (const Run& run : runs_) {
-    std::vector<double> normal, shear;
-    if (direct || yield) normal = stresses_in(run, influence.normal);
-    if (along || yield || weld) shear = stresses_in(run, influence.shear);
+    auto& [normal, shear, of] = room_;
+    if (direct || yield) find_stresses(run, influence.normal, normal);
+    if (along || yield || weld) find_stresses(run, influence.shear, shear);
     if (yield) {
-      std::vector<double> of(normal.size());
+      of.resize(normal.size());
       for (std::size_t i = 0; i < of.size(); ++i) of[i] = equivalent_stress(normal[i], shear[i]);
       equivalent = std::max(equivalent, run.load_factor * largest_of(of, run.instants));
     }
     if (weld) {
-      std::vector<double> of(shear.size());
+      of.resize(shear.size());
       for (std::size_t i = 0; i < of.size(); ++i) of[i] = std::abs(shear[i]);
       throat = std::max(throat, run.load_factor * largest_of(of, run.instants));
     }

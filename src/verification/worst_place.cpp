@@ -191,6 +191,10 @@ StressPoint at_worst_edge(const StationSamples& samples, const StressPoint& poin
       values.push_back(judge(turn[static_cast<long>(k)].influence));
     values.push_back(values.front());
     const double largest = *std::max_element(values.begin(), values.end());
+    if (!(largest > 0.0)) {
+      take(*turn, largest);
+      continue;
+    }
     for (const std::size_t k : local_maxima_of(values, true)) {
       if (k + 1 == values.size() || values[k] < 0.9 * largest) continue;
       const double middle = AroundEdge::angle_of(k * step);

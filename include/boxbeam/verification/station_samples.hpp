@@ -45,7 +45,8 @@ struct SampledInstants {
 /// solved for but those of the parabola through each extreme instant and its neighbours, so that a
 /// place costs little; what lies between instants belongs to the loads and hardly changes from one
 /// place to the next. Places that come near the largest are then checked exactly. Of long records
-/// the fatigue is as far as it has been counted, and estimated from that.
+/// the fatigue is as far as it has been counted, and estimated from that. Not for several threads
+/// at once.
 class StationSamples {
  public:
   StationSamples(const Project& project, const std::vector<SituationHistory>& histories);
@@ -75,14 +76,20 @@ class StationSamples {
     std::vector<double> cuts;  ///< of each instant the cut forces that act
   };
 
-  std::vector<double> stresses_in(const Run& run,
-                                  const std::array<double, cut_force::count>& factors) const;
+  void find_stresses(const Run& run, const std::array<double, cut_force::count>& factors,
+                     std::vector<double>& stresses) const;
 
   const Project* project_;
   std::vector<Run> runs_;
   std::vector<std::size_t> acting_;                ///< the cut forces that are not always zero
   const WholeLife* whole_ = nullptr;               ///< of long records, which judges their fatigue
   std::vector<std::vector<CutForces>> unit_cuts_;  ///< then, of each run
+
+  /// Room for the stresses of one judgement, of which a station has thousands.
+  struct Room {
+    std::vector<double> normal, shear, together;
+  };
+  mutable Room room_;
 };
 
 }  // namespace boxbeam
