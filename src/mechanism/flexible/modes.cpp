@@ -20,8 +20,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// So many coordinates or fewer: all modes, by dense matrices.
+/// So many coordinates or fewer: all modes, by dense matrices, where few of them are not found.
 constexpr Index few = 150;
+/// So many or fewer: by these from the first, for nothing is faster.
+constexpr Index very_few = 24;
+/// Few of the modes: one in so many elasticities, and coordinates.
+constexpr Index one_in = 6;
 /// theta = |shift|/(omega^2 + |shift|) of a mode, over the largest, below which it is round-off.
 constexpr double no_mode = 1e-10;
 /// The same where no elasticity is left, so that all of them are.
@@ -394,6 +398,23 @@ Found lowest_modes(const Problem& problem, Index count) {
   fail("too many agree; ask for fewer");
 }
 
+Found found_modes(const Problem& problem, Index asked) {
+  const Index size = problem.coordinates.size();
+  const Index elasticities = elasticities_of(problem.structure);
+  if (size > very_few && size <= few && one_in * asked <= std::min(size, elasticities)) {
+    try {
+      return lowest_modes(problem, asked);
+    } catch (const AnalysisError&) {
+      // Masses that nothing moves, frequencies that repeat: all modes together tell.
+    }
+  }
+  if (size <= few || one_in * asked > size) return all_modes(whole_problem(problem));
+  if (elasticities <= few) {
+    if (const auto small = few_motions(problem, 2 * few)) return all_modes(*small);
+  }
+  return lowest_modes(problem, asked);
+}
+
 /// One more step of inverse iteration, that gives the joint forces and takes out motions without
 /// mass; Rayleigh's quotient for the frequency.
 Mode finished(const Problem& problem, const VectorXd& q) {
@@ -434,15 +455,8 @@ Mode finished(const Problem& problem, const VectorXd& q) {
 std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
   if (count == 0 || structure.elements() == 0) return {};
   const Problem problem = problem_of(structure);
-  const Index size = problem.coordinates.size();
   const auto asked = static_cast<Index>(count);
-  std::optional<SmallProblem> small;
-  if (size <= few || asked > size / 6) {
-    small = whole_problem(problem);
-  } else if (elasticities_of(structure) <= few) {
-    small = few_motions(problem, 2 * few);
-  }
-  const Found found = small ? all_modes(*small) : lowest_modes(problem, asked);
+  const Found found = found_modes(problem, asked);
   std::vector<Mode> modes;
   const Index wanted = std::min(asked, found.theta.size());
   for (Index i = 0; i < wanted; ++i) modes.push_back(finished(problem, found.q.col(i)));
