@@ -23,6 +23,17 @@ std::string both(const char* plates, Length one, Length other) {
   return fmt::format("{} of {} and {}", plates, mm(one), mm(other));
 }
 
+/// Thinner than this part of its profile a plate is none: its thickness has another unit.
+constexpr double thinnest = 1e-4;
+
+Defect too_thin(Length plate, Length size) {
+  if (plate >= thinnest * size) return std::nullopt;
+  return fmt::format(
+      "a plate of {} in a profile of {} is no plate, thinner than a ten thousandth "
+      "of it: look for a wrong unit",
+      mm(plate), mm(size));
+}
+
 /// An upright rectangle, for what must not overlap.
 struct Rectangle {
   double y_low, y_high, z_low, z_high;
@@ -57,6 +68,7 @@ Defect defect_of(const Box& box) {
   if (box.width <= zero || box.height <= zero) return "width and height must be above zero";
   for (const Length& plate : {box.top_flange, box.bottom_flange, box.left_web, box.right_web}) {
     if (plate <= zero) return "every plate thickness must be above zero";
+    if (Defect thin = too_thin(plate, std::max(box.width, box.height))) return thin;
   }
   if (box.seam_throat < zero) return "the throat of the seam must not be below zero";
   if (box.top_flange + box.bottom_flange >= box.height) {
@@ -91,6 +103,7 @@ Defect defect_of(const RectangularTube& tube) {
   const Length zero;
   if (tube.width <= zero || tube.height <= zero) return "width and height must be above zero";
   if (tube.wall <= zero) return "every plate thickness must be above zero";
+  if (Defect thin = too_thin(tube.wall, std::max(tube.width, tube.height))) return thin;
   const Length side = std::min(tube.width, tube.height);
   if (2.0 * tube.wall >= side) {
     return fmt::format("a wall of {} leaves no hollow in {}", mm(tube.wall), mm(side));
@@ -113,6 +126,7 @@ Defect defect_of(const RectangularTube& tube) {
 Defect defect_of(const RoundTube& tube) {
   const Length zero;
   if (tube.diameter <= zero || tube.wall <= zero) return "diameter and wall must be above zero";
+  if (Defect thin = too_thin(tube.wall, tube.diameter)) return thin;
   if (2.0 * tube.wall >= tube.diameter) {
     return fmt::format("a wall of {} leaves no hollow in a diameter of {}", mm(tube.wall),
                        mm(tube.diameter));

@@ -73,13 +73,11 @@ LoadHistory loads_after_start(const Project& project, const Situation& situation
          {},
          {}});
   }
-  auto modes = std::make_shared<const flexible::SuddenStartModes>(modal);
+  auto loads = std::make_shared<const flexible::StartLoads>(
+      *structure, project.beam_body, project.beam, flexible::SuddenStartModes(modal));
   const StartSpan start = start_span_of(modal);
   const LoadSpan span{Time{}, si<Time>(start.length), start.steps, false};
-  return {span, [&project, of, structure, modes](Time time) {
-            return flexible::beam_loads_after_start(*structure, project.beam_body, project.beam,
-                                                    *modes, time.value());
-          }};
+  return {span, [of, structure, loads](Time time) { return loads->at(time.value()); }};
 }
 
 }  // namespace boxbeam

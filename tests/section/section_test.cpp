@@ -41,6 +41,13 @@ TEST_CASE("dimensions and walls must be above zero") {
   CHECK_FALSE(possible({tube(200, 0), {}}));
 }
 
+TEST_CASE("a plate thinner than a ten thousandth of its profile is none") {
+  CHECK(possible({box(400, 600, 0.06, 0.061), {}}));
+  CHECK_FALSE(possible({box(400, 600, 10, 1e-5), {}}));
+  CHECK_FALSE(possible({box(400, 600, 0.059, 10), {}}));
+  CHECK(defect_of(Section{tube(200, 0.019), {}})->find("wrong unit") != std::string::npos);
+}
+
 TEST_CASE("walls must leave a hollow") {
   CHECK(possible({box(400, 600, 299, 199), {}}));
   CHECK_FALSE(possible({box(400, 600, 300, 50), {}}));

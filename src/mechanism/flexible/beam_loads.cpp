@@ -208,19 +208,6 @@ void add(Polynomial<Degree>& sum, double factor, const Polynomial<Degree>& p) {
   for (std::size_t i = 0; i < p.size; ++i) sum.c[i] += factor * p.c[i];
 }
 
-void add(BeamLoads& sum, double factor, const BeamLoads& loads) {
-  for (std::size_t i = 0; i < loads.points.size(); ++i) {
-    sum.points[i].force += factor * loads.points[i].force;
-    sum.points[i].moment += factor * loads.points[i].moment;
-  }
-  for (std::size_t i = 0; i < loads.lines.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      add(sum.lines[i].force[axis], factor, loads.lines[i].force[axis]);
-      add(sum.lines[i].couple[axis], factor, loads.lines[i].couple[axis]);
-    }
-  }
-}
-
 /// What the axial force that is there does to a part that bends, in the axes of the straight beam:
 /// the load across it d/ds (N w'), which gives the shear in the bent section. `N w'` of a part as a
 /// polynomial whose integral is the couple that its two nodes feel, so that all is in balance.
@@ -293,6 +280,19 @@ void add_second_order(const DividedLink& link, const std::vector<Length>& places
 }
 
 }  // namespace
+
+void add(BeamLoads& sum, double factor, const BeamLoads& loads) {
+  for (std::size_t i = 0; i < loads.points.size(); ++i) {
+    sum.points[i].force += factor * loads.points[i].force;
+    sum.points[i].moment += factor * loads.points[i].moment;
+  }
+  for (std::size_t i = 0; i < loads.lines.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      add(sum.lines[i].force[axis], factor, loads.lines[i].force[axis]);
+      add(sum.lines[i].couple[axis], factor, loads.lines[i].couple[axis]);
+    }
+  }
+}
 
 BeamResponse beam_response_of(const Structure& structure, int link, const TaperedBeam& beam,
                               const Response& response, const LinkColumns<Complex>& inertial) {

@@ -11,6 +11,7 @@
 namespace boxbeam::flexible {
 
 using Eigen::Index;
+using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
@@ -88,9 +89,9 @@ SuddenStart sudden_start_of(const ModalModel& model, double length, std::size_t 
 SuddenStartModes::SuddenStartModes(const ModalModel& model)
     : modes_(model.modes),
       constant_(static_response(*model.structure)),
-      omega_(omega_of(model.structure->mechanism->frequency)),
-      squares_(squares_of(model)) {
-  if (squares_.size() > 0 && squares_.minCoeff() <= 0.0) {
+      omega_(omega_of(model.structure->mechanism->frequency)) {
+  const VectorXd squares = squares_of(model);
+  if (squares.size() > 0 && squares.minCoeff() <= 0.0) {
     throw AnalysisError(
         {"the structure can move without strain: a sudden start of it is not known; hold it, or "
          "leave out sudden_start",
@@ -103,26 +104,29 @@ SuddenStartModes::SuddenStartModes(const ModalModel& model)
   of_loads_ = std::move(recovery.of_loads);
   of_speeds_ = std::move(recovery.of_speed);
   const StartEquations equations = start_equations_of(model);
-  rates_ = equations.accelerations();
-  scale_ = equations.scale;
-  size_ = equations.size;
   // No mode is without strain and none in resonance: the eigenvectors span the state.
   const Eigen::EigenSolver<MatrixXd> solver(equations.A);
   exponents_ = solver.eigenvalues();
-  eigenvectors_ = solver.eigenvectors();
-  VectorXcd start = VectorXcd::Zero(exponents_.size());
-  start[start.size() - 1] = 1.0;
-  eigenvectors_ = (eigenvectors_ * eigenvectors_.partialPivLu().solve(start).asDiagonal()).eval();
+  const Index size = exponents_.size(), count = squares.size();
+  VectorXcd start = VectorXcd::Zero(size);
+  start[size - 1] = 1.0;
+  const MatrixXcd vectors = solver.eigenvectors();
+  const MatrixXcd parts = vectors * vectors.partialPivLu().solve(start).asDiagonal();
+  MatrixXd states(size, 2 * size);  // of the waves' real and imaginary parts
+  states << parts.real(), -parts.imag();
+  of_waves_.resize(2 * count, 2 * size);
+  of_waves_ << -(squares.cwiseInverse().asDiagonal() * (equations.accelerations() * states)),
+      states.middleRows(count, count);
+  of_waves_ *= equations.size;
 }
 
 StartNow SuddenStartModes::at(double time) const {
-  const Index count = squares_.size();
-  const VectorXd state = (eigenvectors_ * (time * exponents_).array().exp().matrix()).real();
-  StartNow now;
-  now.turn = std::polar(1.0, omega_ * time);
-  now.speed = size_ * state.segment(count, count);
-  now.x = -(size_ * (rates_ * state)).cwiseQuotient(squares_);
-  return now;
+  const VectorXcd waves = (time * exponents_).array().exp();
+  VectorXd parts(2 * waves.size());
+  parts << waves.real(), waves.imag();
+  const VectorXd values = of_waves_ * parts;
+  const Index count = values.size() / 2;
+  return {std::polar(1.0, omega_ * time), values.head(count), values.tail(count)};
 }
 
 }  // namespace boxbeam::flexible

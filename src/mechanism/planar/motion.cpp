@@ -101,6 +101,7 @@ Misfit misfit_of(const Motion& motion, const RoughTimes& rough, Eigen::VectorXd 
   const std::vector<const State*> all = all_of(motion);
   const auto count = static_cast<std::ptrdiff_t>(motion.states.size());
   const Eigen::Index size = (all.front()->*values).size();
+  if (size == 0) return {};  // nothing holds a mechanism without joints and drivers
   Eigen::VectorXd low = all.front()->*values;
   Eigen::VectorXd high = low;
   for (const State* state : all) {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/verification/sudden_start.hpp"
 #include "catch.hpp"
@@ -20,15 +19,15 @@ TEST_CASE(
   const flexible::Mechanism& mechanism = flexible_of(project);
   const flexible::Structure structure = flexible::structure_of(mechanism);
   const flexible::ModalModel model = modal_model_beyond(structure, mechanism.frequency);
-  const flexible::SuddenStartModes modes(model);
+  const flexible::StartLoads after(structure, project.beam_body, project.beam,
+                                   flexible::SuddenStartModes(model));
   constexpr double length = 0.5;
   constexpr std::size_t steps = 100;
   // Another way to the same motion: steps by the exponential of the matrix.
   const flexible::SuddenStart start = flexible::sudden_start_of(model, length, steps);
   for (const std::size_t i : {std::size_t{0}, std::size_t{7}, std::size_t{41}, steps}) {
     CAPTURE(i);
-    const BeamLoads loads = flexible::beam_loads_after_start(structure, project.beam_body,
-                                                             project.beam, modes, start.times[i]);
+    const BeamLoads loads = after.at(start.times[i]);
     const Imbalance open = imbalance_of(loads);
     CHECK(open.force.norm() < 1e-6);
     CHECK(open.moment.norm() < 1e-6);

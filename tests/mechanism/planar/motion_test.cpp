@@ -215,6 +215,10 @@ TEST_CASE("a body that nothing holds has three freedoms") {
   mechanism.duration.length = 2.0;
   const Motion motion = solve_motion(mechanism, 8);
   CHECK(motion.end.q[1] == Approx(-0.5 * 9.81 * 4.0).epsilon(1e-10));
+  // No joint has a force that would ask for more instants.
+  const Motion resolved = solve_motion(mechanism);
+  CHECK(resolved.states.front().lambda.size() == 0);
+  CHECK(resolved.end.q[1] == Approx(-0.5 * 9.81 * 4.0).epsilon(1e-10));
 }
 
 TEST_CASE("multipliers are called unique only where they are so all along the motion") {

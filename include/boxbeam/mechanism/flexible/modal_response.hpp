@@ -74,12 +74,9 @@ class SuddenStartModes {
   Deformation<Complex> of_loads_;
   std::vector<Deformation<double>> of_speeds_;
   double omega_ = 0.0;
-  Eigen::VectorXd squares_;
-  Eigen::MatrixXd rates_;  ///< eta'' = rates state, state as in sudden_start_of
-  Eigen::VectorXd scale_;
-  double size_ = 1.0;
-  Eigen::VectorXcd exponents_;     ///< eigenvalues of the state's equations
-  Eigen::MatrixXcd eigenvectors_;  ///< each times its part of the state at the start
+  Eigen::VectorXcd exponents_;  ///< eigenvalues of the state's equations
+  /// What makes x and the speeds of the real, then the imaginary parts of e^(exponents t).
+  Eigen::MatrixXd of_waves_;
 };
 
 }  // namespace boxbeam::flexible

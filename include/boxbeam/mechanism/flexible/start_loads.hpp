@@ -1,14 +1,27 @@
 #pragma once
 
-#include "boxbeam/beam/beam_loads.hpp"
+#include <vector>
+
+#include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/mechanism/flexible/modal_response.hpp"
 
 namespace boxbeam::flexible {
 
-/// Loads on the beam that is a link at a time after the harmonic loads are switched on: joints,
-/// loads, weight, and the inertia of the modes, in balance to round-off.
-/// Precondition: `modes` are of this structure; the link's axis is that of the beam.
-BeamLoads beam_loads_after_start(const Structure& structure, int link, const TaperedBeam& beam,
-                                 const SuddenStartModes& modes, double time);
+/// Loads on the beam that is a link after the harmonic loads are switched on: joints, loads,
+/// weight, and the inertia of the modes, in balance to round-off. Those of each mode are found
+/// once; at a time they are added up. Precondition: `modes` are of this structure, which stays; the
+/// link's axis is that of the beam.
+class StartLoads {
+ public:
+  StartLoads(const Structure& structure, int link, const TaperedBeam& beam, SuddenStartModes modes);
+
+  BeamLoads at(double time) const;
+
+ private:
+  SuddenStartModes modes_;
+  BeamResponse driven_;  ///< without vibration; `sine` and `cosine` of the drive's angle
+  std::vector<BeamLoads> of_modes_;  ///< with x_j = 1
+  std::vector<BeamLoads> of_speeds_;
+};
 
 }  // namespace boxbeam::flexible
