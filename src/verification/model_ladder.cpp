@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/mechanism/flexible/modal_response.hpp"
+#include "boxbeam/mechanism/flexible/modes.hpp"
 
 namespace boxbeam {
 namespace {
@@ -16,17 +16,15 @@ namespace {
 using flexible::LinkKind;
 
 constexpr std::array divisions{2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
-/// The coarse division, and the finer one whose modes decide.
+/// The division by which rungs are estimated, with one half and one twice as fine.
 constexpr int scout_parts = 8;
-constexpr int fine_parts = 16;
+constexpr int fine_parts = 2 * scout_parts;
 /// Of the better model by which one is verified, at least.
 constexpr int better_parts = 32;
 /// Estimates are sums of what may cancel: models up to so many tolerances are tried all the same.
 constexpr double doubt = 2.0;
-/// Rather another mode than a finer division than this.
-constexpr int most_parts_of_few = 32;
-
-bool is_elastic(const flexible::Link& link) { return link.kind != LinkKind::rigid; }
+/// Natural frequencies that are said at most.
+constexpr std::size_t most_frequencies = 12;
 
 bool has_bending_links(const flexible::Mechanism& mechanism) {
   return std::any_of(mechanism.links.begin(), mechanism.links.end(),
@@ -52,16 +50,6 @@ bool rigid_links_determine_joints(const flexible::Mechanism& mechanism) {
                             [](double k) { return std::isinf(k); });
       });
   return elastic || is_determinate(mechanism);
-}
-
-int elastic_links(const flexible::Mechanism& mechanism) {
-  return static_cast<int>(
-      std::count_if(mechanism.links.begin(), mechanism.links.end(), is_elastic));
-}
-
-/// Modes beyond which all elements of a coarse division are no larger a model.
-std::size_t most_modes(const flexible::Mechanism& mechanism) {
-  return static_cast<std::size_t>(std::min(12, 4 + 4 * elastic_links(mechanism)));
 }
 
 ElasticModel all_elements(int parts, bool axial) {
@@ -91,24 +79,13 @@ DivisionError division_error(double first_step, double second_step) {
 /// What is known of a case before any model is chosen.
 struct Scouting {
   std::vector<double> frequencies;  ///< [Hz]
-  /// Error of k modes, k = 0, 1, ..., with bending links as they are.
-  std::vector<double> of_modes;
-  std::vector<double> of_axial_modes;  ///< with their elasticity along the axis
-  DivisionError division;              ///< of all elements
-  DivisionError static_division;       ///< of elastic statics
-  double axial = 0.0;                  ///< error of axially rigid bending links
-  double shear = 0.0;                  ///< error of links rigid in shear
+  DivisionError division;           ///< of all elements
+  double axial = 0.0;               ///< error of axially rigid bending links
+  double shear = 0.0;               ///< error of links rigid in shear
   /// Error of rigid links on the joints as they are; nothing where joints without play repeat each
   /// other, which rigid links cannot share a load between.
   std::optional<double> rigid;
 };
-
-flexible::ModalModel truncated(const flexible::ModalModel& model, std::size_t modes) {
-  const auto count = static_cast<Eigen::Index>(modes);
-  return {model.structure,
-          {model.modes.begin(), model.modes.begin() + count},
-          model.damping.topLeftCorner(count, count)};
-}
 
 VibratingStress stresses_of(const LadderCase& of, const ModelResponse& by,
                             const flexible::Structure& structure,
@@ -117,21 +94,14 @@ VibratingStress stresses_of(const LadderCase& of, const ModelResponse& by,
       flexible::beam_response_of(structure, of.link, *of.beam, by.response, by.inertial), places);
 }
 
-/// Errors by ever more modes of the finer division.
-std::vector<double> errors_of_modes(const LadderCase& of, bool axial,
-                                    const std::vector<ComparedPlace>& places,
-                                    const VibratingStress& all, std::vector<double>& frequencies) {
-  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(fine_parts, axial));
-  const flexible::Structure structure = flexible::structure_of(mechanism);
-  const flexible::ModalModel model = flexible::modal_model_of(structure, most_modes(mechanism));
-  frequencies.clear();
-  for (const flexible::Mode& mode : model.modes) frequencies.push_back(mode.frequency);
-  std::vector<double> errors;
-  for (std::size_t k = 0; k <= model.modes.size(); ++k) {
-    errors.push_back(difference_between(
-        stresses_of(of, modal_response(truncated(model, k)), structure, places), all));
-  }
-  return errors;
+/// The lowest natural frequencies by the finer division [Hz].
+std::vector<double> frequencies_of(const LadderCase& of) {
+  const flexible::Mechanism mechanism = modelled(*of.mechanism, all_elements(fine_parts, true));
+  std::vector<double> frequencies;
+  for (const flexible::Mode& mode :
+       flexible::modes_of(flexible::structure_of(mechanism), most_frequencies))
+    frequencies.push_back(mode.frequency);
+  return frequencies;
 }
 
 /// The same links, as good as rigid in shear.
@@ -146,21 +116,12 @@ Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
   const auto by = [&](int parts, bool axial) {
     return stresses_by(of, all_elements(parts, axial), places);
   };
-  const auto statically = [&](int parts, bool axial) {
-    ElasticModel model = all_elements(parts, axial);
-    model.level = ModelLevel::quasi_static;
-    return stresses_by(of, model, places);
-  };
   Scouting scouting;
   const VibratingStress coarse = by(scout_parts / 2, true);
   const VibratingStress middle = by(scout_parts, true);
   const VibratingStress fine = by(fine_parts, true);
   scouting.division =
       division_error(difference_between(coarse, middle), difference_between(middle, fine));
-  const VibratingStress static_middle = statically(scout_parts, true);
-  scouting.static_division =
-      division_error(difference_between(statically(scout_parts / 2, true), static_middle),
-                     difference_between(static_middle, statically(fine_parts, true)));
   if (rigid_links_determine_joints(*of.mechanism)) {
     scouting.rigid = difference_between(stresses_by(of, {}, places), fine);
   }
@@ -170,11 +131,7 @@ Scouting scout(const LadderCase& of, const std::vector<ComparedPlace>& places) {
   const flexible::Mechanism stiff = rigid_in_shear(*of.mechanism);
   scouting.shear = difference_between(
       stresses_by({&stiff, of.link, of.beam}, all_elements(scout_parts, true), places), middle);
-  if (has_bending_links(*of.mechanism)) {
-    scouting.of_modes = errors_of_modes(of, false, places, fine, scouting.frequencies);
-  }
-  scouting.of_axial_modes = errors_of_modes(of, true, places, fine, scouting.frequencies);
-  if (scouting.of_modes.empty()) scouting.of_modes = scouting.of_axial_modes;
+  scouting.frequencies = frequencies_of(of);
   return scouting;
 }
 
@@ -186,22 +143,11 @@ ModelEstimate estimate_of(const ElasticModel& model, const Scouting& scouting) {
     estimate.basis = "rigid links against elastic ones";
     return estimate;
   }
-  const std::vector<double>& of_modes = model.axial ? scouting.of_axial_modes : scouting.of_modes;
-  double division = scouting.division(model.parts);
-  if (model.level == ModelLevel::flexible) {
-    const double axial = model.axial ? 0.0 : scouting.axial;
-    estimate.error = division + axial;
-    estimate.basis = fmt::format("division {}", percent_text(division));
-    if (axial > 0.0) estimate.basis += fmt::format(", axial rigidity {}", percent_text(axial));
-    return estimate;
-  }
-  if (model.level == ModelLevel::quasi_static) division = scouting.static_division(model.parts);
-  const double left_out = of_modes[static_cast<std::size_t>(model.modes)];
-  estimate.error = left_out + division;
-  estimate.basis =
-      fmt::format("{}{} {}, division {}", model.modes > 0 ? "modes left out" : "vibration",
-                  model.axial || scouting.axial == 0.0 ? "" : " and axial rigidity",
-                  percent_text(left_out), percent_text(division));
+  const double division = scouting.division(model.parts);
+  const double axial = model.axial ? 0.0 : scouting.axial;
+  estimate.error = division + axial;
+  estimate.basis = fmt::format("division {}", percent_text(division));
+  if (axial > 0.0) estimate.basis += fmt::format(", axial rigidity {}", percent_text(axial));
   return estimate;
 }
 
@@ -210,22 +156,17 @@ std::vector<ElasticModel> rungs_of(const LadderCase& of, const Scouting& scoutin
   std::vector<ElasticModel> rungs;
   if (scouting.rigid) rungs.push_back({});
   const bool both_kinds = has_bending_links(*of.mechanism);
-  const auto add = [&](ModelLevel level, int modes) {
-    for (const int parts : divisions) {
-      if (parts * elastic_links(*of.mechanism) < modes ||
-          (level != ModelLevel::flexible && parts > most_parts_of_few))
-        continue;
-      if (both_kinds) rungs.push_back({level, modes, parts, flexible::Element::corrected, false});
-      rungs.push_back({level, modes, parts, flexible::Element::corrected, both_kinds});
-    }
-  };
-  // Where balance decides, elastic statics give the forces of rigid links.
-  if (!is_determinate(*of.mechanism)) add(ModelLevel::quasi_static, 0);
-  for (std::size_t k = 1; k < scouting.of_axial_modes.size(); ++k) {
-    add(ModelLevel::modal, static_cast<int>(k));
+  for (const int parts : divisions) {
+    if (both_kinds) rungs.push_back(all_elements(parts, false));
+    rungs.push_back(all_elements(parts, both_kinds));
   }
-  add(ModelLevel::flexible, 0);
   return rungs;
+}
+
+/// What a model costs: its rigid elements, over which its equations are eliminated once.
+double cost_of(const LadderCase& of, const ElasticModel& model) {
+  const flexible::Mechanism mechanism = modelled(*of.mechanism, model);
+  return static_cast<double>(flexible::structure_of(mechanism).elements());
 }
 
 std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Scouting& scouting) {
@@ -239,6 +180,12 @@ std::string reason_of(const ModelChoice& choice, const LadderCase& of, const Sco
     const ModelEstimate& cheaper = choice.weighed[choice.weighed.size() - 2];
     reason += fmt::format("; the next cheaper, {}, would miss by {}", describe(cheaper.model),
                           percent_text(cheaper.found.value_or(cheaper.error)));
+  }
+  if (chosen.model.parts > 0) {
+    ElasticModel better = chosen.model;
+    better.parts *= 2;
+    const double more = cost_of(of, better) / cost_of(of, chosen.model);
+    reason += fmt::format("; twice as many parts would cost {:.2g} times as much", more);
   }
   if (of.mechanism->frequency > 0.0 && !scouting.frequencies.empty()) {
     reason += fmt::format("; the load's {:.4g} Hz stand against natural frequencies of",
@@ -278,10 +225,9 @@ std::string why_none(const LadderCase& of, const Scouting& scouting) {
     frequencies.push_back(fmt::format("{:.4g}", frequency));
   }
   return fmt::format(
-      "at {:.6g} Hz, with natural frequencies of {} Hz, {} modes and {} parts of every link run "
-      "out "
-      "before; ask for a larger tolerance",
-      drive, fmt::join(frequencies, ", "), scouting.frequencies.size(), divisions.back());
+      "at {:.6g} Hz, with natural frequencies of {} Hz, {} parts of every link run out before; ask "
+      "for a larger tolerance",
+      drive, fmt::join(frequencies, ", "), divisions.back());
 }
 
 }  // namespace
@@ -336,12 +282,6 @@ ModelChoice climb_ladder(const LadderCase& of, double tolerance) {
   choice.frequencies = scouting.frequencies;
   if (of.mechanism->frequency > 0.0) choice.harmonics = {{of.mechanism->frequency, 1.0}};
   for (const ElasticModel& rung : rungs_of(of, scouting)) {
-    // Where the finest division is not enough, the coarser ones need no word.
-    if (rung.parts > 0 && rung.parts < most_parts_of_few && rung.level != ModelLevel::flexible) {
-      ElasticModel finest = rung;
-      finest.parts = most_parts_of_few;
-      if (estimate_of(finest, scouting).error > doubt * tolerance) continue;
-    }
     ModelEstimate& estimate = choice.weighed.emplace_back(estimate_of(rung, scouting));
     if (estimate.error > doubt * tolerance) continue;
     const int better = std::max(2 * rung.parts, better_parts);

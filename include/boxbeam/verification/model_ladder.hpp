@@ -34,22 +34,20 @@ std::vector<ComparedPlace> places_of(const LadderCase& of);
 double error_of(const LadderCase& of, const ElasticModel& model);
 
 /// Climbs from the cheapest model to the first that is estimated to be within the tolerance, solves
-/// it, and goes on where a better model finds it wrong. Cheap is what has few equations of motion:
+/// it, and goes on where a better model finds it wrong:
 ///
 ///     rigid             rigid links on joints as they are
-///     quasi-static      none: elastic statics; where balance does not determine the joint forces
-///     modal             k = 1, 2, 3, ... of the lowest modes, with static correction
 ///     flexible          all rigid elements
 ///
 /// with n = 2, 3, 4, 6, 8, 12, ... parts per elastic link, bending links as they are or with their
-/// elasticity along the axis. Estimated error of the stresses (`difference_between`): the sum of
-/// what the modes left out contribute beyond their static part, by the modes of a division into 16
-/// parts (corrected), axial rigidity of bending links included; and of the division, C n^-p from 4,
-/// 8 and 16 parts. These may cancel, so that a model is tried where their sum is below twice the
-/// tolerance. Verified against all elements of twice as many parts (at least 32) with all
-/// deformations; twice what that itself is estimated to err is added.
-/// Throws AnalysisError at a resonance without damping, and where no division up to 256 parts is
-/// good enough.
+/// elasticity along the axis. Under a harmonic load all elements are eliminated once, at a cost in
+/// proportion to their number; its modes, however few, cost more than that (chart `model-cost`),
+/// and are no rung. Estimated error of the stresses (`difference_between`): of the division, C n^-p
+/// from 4, 8 and 16 parts, and of axial rigidity of bending links. These may cancel, so that a
+/// model is tried where their sum is below twice the tolerance. Verified against all elements of
+/// twice as many parts (at least 32) with all deformations; twice what that itself is estimated to
+/// err is added. Throws AnalysisError at a resonance without damping, and where no division up to
+/// 256 parts is good enough.
 ModelChoice climb_ladder(const LadderCase& of, double tolerance);
 
 }  // namespace boxbeam
