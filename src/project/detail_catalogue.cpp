@@ -85,8 +85,8 @@ FactRange read_range(TableReader table, FactDefinition::Kind kind) {
   return range;
 }
 
-Interpolation read_interpolation(TableReader table, double from) {
-  Interpolation read{table.text("fact"), from, table.number("to")};
+CategoryInterpolation read_interpolation(TableReader table, double from) {
+  CategoryInterpolation read{table.text("fact"), from, table.number("to")};
   table.finish();
   return read;
 }

@@ -42,7 +42,7 @@ bool allows(const Allowed& allowed, const FactValue& value);
 
 /// A category between two lines of a table: linear along the range that the row's conditions have
 /// of a fact. Source: EN 1993-1-9:2005, table 8.7.
-struct Interpolation {
+struct CategoryInterpolation {
   std::string fact;
   double from = 0.0, to = 0.0;  ///< categories at the ends of the range [MPa]
 };
@@ -56,7 +56,7 @@ struct DetailRow {
   double slope = 0.0;  ///< of its line without bend, where its row gives one; 0: as its kind has it
   bool endless = false;  ///< that line has no cut-off
   /// Where the category grows with a fact; it is the least one until that fact is known.
-  std::optional<Interpolation> interpolation = {};
+  std::optional<CategoryInterpolation> interpolation = {};
   StressPlace where = StressPlace::gross;
   SizeEffect size_effect = SizeEffect::none;
   bool welded = true;
