@@ -191,7 +191,7 @@ MUTATIONS = [
          ("stud-without-end", "if (row.endless) curve.cut_off.reset();", "",
           "studs have no cut-off (EN 1994-2, 6.8.3)", "detail_catalogue_test")),
     *_in("src/fatigue", "hot_spot.cpp",
-         ("hot-spot", "first / (second - first)", "second / (second - first)",
+         ("hot-spot", "near / (far - near)", "far / (far - near)",
           "linear to the toe from 0.4 t and 1.0 t", "hot_spot_test")),
     *_in("src/strength", "pin.cpp",
          ("pin-contact", "2.5 * f_b / gamma", "1.5 * f_b / gamma",
