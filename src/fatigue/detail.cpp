@@ -22,6 +22,17 @@ bool excluded(const DetailRow& row, const Facts& facts) {
   });
 }
 
+/// Along the range of the fact by which a row's category grows, where it is known.
+void interpolate(DetailRow& row, const Facts& facts) {
+  if (!row.interpolation) return;
+  const auto& [fact, from, to] = *row.interpolation;
+  const auto known = facts.find(fact);
+  if (known == facts.end()) return;
+  const auto& range = std::get<FactRange>(row.conditions.at(fact));
+  const double along = (std::get<double>(known->second) - range.from) / (range.to - range.from);
+  row.category = from + (to - from) * std::clamp(along, 0.0, 1.0);
+}
+
 /// With the size effect where it is known.
 double strength_of(const DetailRow& row, const Facts& facts) {
   return row.category * size_factor_of(row, facts).value_or(1.0);
@@ -33,6 +44,7 @@ std::vector<DetailRow> candidates_of(const std::vector<DetailRow>& rows, StressK
   std::vector<DetailRow> left;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(left),
                [&](const DetailRow& row) { return row.kind == kind && !excluded(row, facts); });
+  for (DetailRow& row : left) interpolate(row, facts);
   const auto key = [&](const DetailRow& row) {
     return std::tuple(strength_of(row, facts), row.size_effect == SizeEffect::none,
                       !row.unconfirmed);
@@ -138,7 +150,7 @@ bool allows(const Allowed& allowed, const FactValue& value) {
 }
 
 std::string category_name_of(const DetailRow& row) {
-  return fmt::format("{:g}{}", row.category, row.asterisk ? "*" : "");
+  return fmt::format("{:.4g}{}", row.category, row.asterisk ? "*" : "");
 }
 
 std::optional<double> size_factor_of(const DetailRow& row, const Facts& facts) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/project/sn_catalogue.hpp"
@@ -34,10 +35,8 @@ const char* judged_stress(StressPlace where) {
   return "";
 }
 
-/// What a wheel presses into the web below its rail: no stress of a section, whose rows are told
-/// apart by this word alone.
-constexpr const char* wheel_place = "local";
-constexpr std::size_t wheel_at = 4;
+/// No place of a section: such rows are told apart by their word for the stress alone.
+constexpr std::size_t local_at = 4;
 
 FactDefinition read_fact(const std::string& name, TableReader& table) {
   FactDefinition fact;
@@ -86,6 +85,12 @@ FactRange read_range(TableReader table, FactDefinition::Kind kind) {
   return range;
 }
 
+CategoryInterpolation read_interpolation(TableReader table, double from) {
+  CategoryInterpolation read{table.text("fact"), from, table.number("to")};
+  table.finish();
+  return read;
+}
+
 DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts) {
   DetailRow row;
   row.id = table.text("id");
@@ -93,10 +98,13 @@ DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts)
   row.asterisk = table.boolean("asterisk", false);
   row.kind = static_cast<StressKind>(table.choice("kind", {"direct", "shear"}, 0));
   row.slope = table.number("slope", 0.0);
+  row.endless = table.boolean("endless", false);
+  if (table.has("interpolate"))
+    row.interpolation = read_interpolation(table.table("interpolate"), row.category);
   const std::size_t where =
-      table.choice("where", {"gross", "net", "throat", "hot spot", wheel_place}, 0);
-  const bool wheel = where == wheel_at;
-  if (!wheel) row.where = static_cast<StressPlace>(where);
+      table.choice("where", {"gross", "net", "throat", "hot spot", local_stress}, 0);
+  const bool local = where == local_at;
+  if (!local) row.where = static_cast<StressPlace>(where);
   row.size_effect = static_cast<SizeEffect>(
       table.choice("size_effect", {"none", "butt", "eccentric butt", "bolt"}, 0));
   row.welded = table.boolean("welded", true);
@@ -105,7 +113,7 @@ DetailRow read_row(TableReader& table, const std::vector<FactDefinition>& facts)
   row.workmanship = table.text("workmanship", "");
   row.note = table.text("note", "");
   row.conditions.emplace(stress_fact,
-                         std::vector<std::string>{wheel ? wheel_stress : judged_stress(row.where)});
+                         std::vector<std::string>{local ? local_stress : judged_stress(row.where)});
   TableReader conditions = table.table("facts");
   for (const Node::Member& member : conditions.members()) {
     const auto fact = std::find_if(facts.begin(), facts.end(), [&](const FactDefinition& each) {
@@ -174,17 +182,21 @@ std::vector<std::string> fixed_facts() {
 }
 
 SnCurve curve_of(const DetailRow& row, bool raise_asterisk) {
+  if (row.slope > 0.0) {
+    SnCurve curve = row.kind == StressKind::direct ? en_1993_1_9_direct(row.category)
+                                                   : en_1993_1_9_shear(row.category);
+    curve.name = fmt::format("{}, m = {:g}", category_name_of(row), row.slope);
+    curve.constant_amplitude_limit.reset();
+    if (row.endless) curve.cut_off.reset();
+    curve.branches = {{row.slope, curve.cut_off.value_or(std::numeric_limits<double>::infinity())}};
+    curve.source = "table " + row.id.substr(0, row.id.find('/'));
+    return curve;
+  }
   const char* family = row.where == StressPlace::hot_spot ? "EN 1993-1-9 hot spot" : "EN 1993-1-9";
   const std::string name =
       raise_asterisk && row.asterisk ? category_name_of(row) : fmt::format("{:g}", row.category);
-  auto curve = find_curve(family, name, row.kind);
+  const auto curve = find_curve(family, name, row.kind);
   assert(curve);
-  if (row.slope > 0.0) {
-    curve->name += fmt::format(", m = {:g}", row.slope);
-    curve->branches = {{row.slope, *curve->cut_off}};
-    curve->constant_amplitude_limit.reset();
-    curve->source = "table " + row.id.substr(0, row.id.find('/'));
-  }
   return *curve;
 }
 

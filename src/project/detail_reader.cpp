@@ -126,12 +126,14 @@ void read_from_tables(TableReader& table, StressKind kind, bool raise_asterisk,
     add_implied(facts, rows, kind);
   }
   facts.emplace("stress", "nominal");
-  if (facts.at("stress") == FactValue(wheel_stress)) {
-    table.problem(
-        key,
-        "what wheels press into the web below a rail is no stress of the beam's sections, "
-        "and no case has it",
-        "judge its history by itself: boxbeam fatigue HISTORY.csv --detail 8.10/2");
+  if (facts.at("stress") == FactValue(local_stress)) {
+    const std::vector<DetailRow> local = assess(rows, kind, facts).candidates;
+    const std::string id = local.empty() ? "8.10/2" : local.front().id;
+    table.problem(key,
+                  "what wheels press into a web or a deck, what a stud shears and what there is "
+                  "beside a cut-out are no stresses of the beam's sections, and no case has them",
+                  fmt::format("judge its history by itself: boxbeam fatigue HISTORY.csv --{} {}",
+                              kind == StressKind::shear ? "shear-detail" : "detail", id));
   }
   if (table.problems().size() != before) return;
   DetailInPlates known{facts, assess(rows, kind, facts).candidates, raise_asterisk,

@@ -141,13 +141,16 @@ TEST_CASE("what is wrong is said with what to write", "[detail_reader]") {
   CHECK(contains(complaint("row = \"8.2/6\"\nsize = 1\n"), "unknown key \"size\""));
 }
 
-TEST_CASE("a row for the stress of wheels is no detail of a beam", "[detail_reader]") {
+TEST_CASE("a row for a stress of no section is no detail of a beam", "[detail_reader]") {
   for (const char* text :
-       {"row = \"8.10/2\"\n", "facts = { part = \"rail web\", stress = \"wheel\" }\n"}) {
+       {"row = \"8.10/2\"\n",
+        "facts = { part = \"rail web\", weld = \"butt\", stress = \"local\" }\n"}) {
     const std::string said = complaint(text);
-    CHECK(contains(said, "no stress of the beam's sections"));
+    CHECK(contains(said, "no stresses of the beam's sections"));
     CHECK(contains(said, "boxbeam fatigue HISTORY.csv --detail 8.10/2"));
   }
+  CHECK(contains(complaint("row = \"8.9/2\"\n"), "--detail 8.9/2"));
+  CHECK(contains(complaint("kind = \"shear\"\nrow = \"8.5/10\"\n"), "--shear-detail 8.5/10"));
 }
 
 }  // namespace detail_reader_test

@@ -40,6 +40,13 @@ using Allowed = std::variant<std::vector<std::string>, FactRange>;
 
 bool allows(const Allowed& allowed, const FactValue& value);
 
+/// A category between two lines of a table: linear along the range that the row's conditions have
+/// of a fact. Source: EN 1993-1-9:2005, table 8.7.
+struct CategoryInterpolation {
+  std::string fact;
+  double from = 0.0, to = 0.0;  ///< categories at the ends of the range [MPa]
+};
+
 /// One entry of the tables of details: a row, or that part of a row which has one category.
 struct DetailRow {
   std::string id;         ///< table and row, "8.2/6"
@@ -47,6 +54,9 @@ struct DetailRow {
   bool asterisk = false;  ///< 36*, 45*, 50*: may be raised by 7.1, note 3
   StressKind kind = StressKind::direct;
   double slope = 0.0;  ///< of its line without bend, where its row gives one; 0: as its kind has it
+  bool endless = false;  ///< that line has no cut-off
+  /// Where the category grows with a fact; it is the least one until that fact is known.
+  std::optional<CategoryInterpolation> interpolation = {};
   StressPlace where = StressPlace::gross;
   SizeEffect size_effect = SizeEffect::none;
   bool welded = true;
@@ -84,7 +94,7 @@ struct DetailAssessment {
 /// The rows for one kind of stress that the facts do not exclude. An unknown fact excludes nothing,
 /// so that the less is known, the more rows stay and the lower the weakest of them is; where a
 /// table leaves a gap or overlaps, the weaker of the neighbours governs likewise. Strength counts
-/// with the size effect where the facts give the size.
+/// with the size effect where the facts give the size, and interpolated where they give its fact.
 DetailAssessment assess(const std::vector<DetailRow>& rows, StressKind kind, const Facts& facts);
 
 /// What would give a detail a row of a higher category.

@@ -20,9 +20,10 @@ struct FactDefinition {
   std::string means;               ///< what the name does not say; may be empty
 };
 
-/// The word of the fact "stress" of rows for what wheels press into the web below a rail, table
-/// 8.10, which is no stress of a section.
-inline constexpr const char* wheel_stress = "wheel";
+/// The word of the fact "stress" of rows for what is no stress of a section: what wheels press into
+/// the web below a rail or bend in a plate over its ribs, the shear of a stud, the stress beside a
+/// cut-out.
+inline constexpr const char* local_stress = "local";
 
 const std::vector<FactDefinition>& fact_definitions();
 const std::vector<DetailRow>& detail_rows();
