@@ -387,6 +387,8 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::shear_buckling: ends_with("V_bw,Rd", check.resisting); break;
       case Criterion::interaction: ends_with("factor", check.safety_factor); break;
       case Criterion::patch_loading: ends_with("factor", check.safety_factor); break;
+      case Criterion::distortion: ends_with("sigma_v", check.acting); break;
+      case Criterion::distortion_fatigue: ends_with("D", check.acting); break;
       case Criterion::member: ends_with("use", check.acting); break;
       case Criterion::deflection:
         ends_with("w", check.acting);
