@@ -107,7 +107,7 @@ TEST_CASE("an eccentric load distorts a long box as by hand", "[distortion]") {
   CHECK(of.used == Approx((of.along + of.across).value() / 355e6).epsilon(1e-3));
   // M = 1 kN 100 m at the wall.
   const double I_y = (0.608 * std::pow(1.212, 3) - 0.592 * std::pow(1.188, 3)) / 12.0;
-  CHECK(of.bending.value() == Approx(1e5 * 0.5 * h / I_y).epsilon(1e-6));
+  CHECK(of.bending.value() == Approx(1e5 * 0.606 / I_y).epsilon(1e-6));
   REQUIRE(of.places.size() == 2);
   CHECK(of.places.back().value() == Approx(50.0));
 
@@ -155,8 +155,8 @@ TEST_CASE("what torques do together is the most of all ways in which they come",
 
 TEST_CASE("a box that an eccentric load distorts gets no verdict without diaphragms",
           "[distortion]") {
-  // 34 MPa along, 75 MPa across in the middle and four times that at the wall.
-  const std::string load = twist("eccentric", 50.0, 60e3);
+  // 23 MPa along, 50 MPa across in the middle and four times that at the wall.
+  const std::string load = twist("eccentric", 50.0, 40e3);
   const Verification without = verify(beam(load, one_segment, -20e3));
   CHECK(without.verdict == Verdict::not_applicable);
   REQUIRE(gate_of(without) != nullptr);
@@ -248,12 +248,11 @@ ByHand by_hand(double torque) {
 
 constexpr double I_stout = (0.62 * 0.62 * 0.62 * 0.62 - 0.58 * 0.58 * 0.58 * 0.58) / 12.0;
 
-const CheckResult& result_of(const Verification& of, Criterion criterion,
-                             const std::string& ending = "") {
+const CheckResult& result_of(const Verification& of, Criterion criterion, bool across = false) {
   for (const CheckResult& result : of.checks) {
-    if (result.check.criterion == criterion && result.check.point.ends_with(ending)) return result;
+    if (result.check.criterion == criterion && result.distortion->across == across) return result;
   }
-  FAIL("no check of " << to_text(criterion) << ending);
+  FAIL("no check of " << to_text(criterion));
   return of.checks.front();
 }
 
@@ -271,7 +270,7 @@ double yield_at(const Verification& of, double s) {
 
 TEST_CASE("a corner is used by bending, what stretches its edges and what bends it across",
           "[distortion]") {
-  const double torque = 500e3, tip = -10e3;
+  const double torque = 300e3, tip = -10e3;
   const Verification of =
       verify(stout_beam(twist("eccentric", 50.0, torque) + diaphragm(0.0, "50 mm"), tip));
   CHECK(of.verdict == Verdict::pass);
@@ -280,12 +279,15 @@ TEST_CASE("a corner is used by bending, what stretches its edges and what bends 
   const CheckResult& result = result_of(of, Criterion::distortion);
   const Check& check = result.check;
   CHECK(check.station.s.value() == Approx(50.0));
-  CHECK(check.point.starts_with("corner"));
+  CHECK(std::abs(result.distortion->stress.point.y.value()) >= 0.29);
+  CHECK(std::abs(result.distortion->stress.point.z.value()) >= 0.29);
   const ByHand hand = by_hand(torque);
   const double bending = -tip * 50.0 * 0.31 / I_stout;
   const double x = bending + hand.along, t = hand.across;
-  // Shear of the plates, left out by hand, changes 3 % here.
-  CHECK(check.acting.value() == Approx(std::sqrt(x * x + t * t + x * t)).epsilon(0.03));
+  const double shear = torque / (2.0 * side * side * thick);
+  // Shear of distortion, left out by hand, changes 3 % here.
+  CHECK(check.acting.value() ==
+        Approx(std::sqrt(x * x + t * t + x * t + 3.0 * shear * shear)).epsilon(0.03));
   CHECK(check.resisting.value() == Approx(345e6));
   CHECK(result.distortion->torque.value() == Approx(torque));
   CHECK(check.utilisation() > yield_at(of, 50.0));
@@ -338,9 +340,9 @@ TEST_CASE("no way in which torques come uses a box more than the check says", "[
       }
     }
   }
-  // The shear of distortion and ends of webs are left out here.
+  // Shear, of torsion and of distortion, is left out here.
   CHECK(check.acting.value() >= most * (1.0 - 1e-6));
-  CHECK(check.acting.value() <= most * 1.03);
+  CHECK(check.acting.value() <= most * 1.05);
 }
 
 TEST_CASE("a seam that is thinner than its plates is bent across in its throat", "[distortion]") {
@@ -407,7 +409,7 @@ TEST_CASE("a case may say by which plates torque comes", "[distortion]") {
         Approx(estimates_of(stout_beam(one)).front().across.value()));
 }
 
-TEST_CASE("diaphragms every 0.5/lambda leave a sixth of what stretches edges", "[distortion]") {
+TEST_CASE("diaphragms every 0.5/lambda leave a third of what stretches edges", "[distortion]") {
   // Rigid, with the torque between two: a beam over many supports without foundation, M = 0.171 P L
   // (three equal spans in the middle of many; EI alone), of P/(4 lambda): 0.34 at L = 0.5/lambda.
   const double torque = 400e3;
@@ -449,7 +451,7 @@ TEST_CASE("ranges of distortion join those of their point, and bend corners acro
       stout_beam(load + by_category_100 + in_situations({{1.0, 1.0}, {0.0, 0.0}}) +
                      "[[situations]]\nname = \"change\"\nbetween = [\"0\", \"1\"]\ncycles = 1e5\n",
                  tip));
-  const CheckResult& joined = result_of(of, Criterion::distortion_fatigue, "z");
+  const CheckResult& joined = result_of(of, Criterion::distortion_fatigue);
   const DistortionEstimate estimate = estimate_of(stout_beam(load, tip));
   REQUIRE(joined.distortion->stress.spectrum.size() >= 1);
   CHECK(joined.check.station.s.value() == Approx(50.0));
@@ -460,7 +462,7 @@ TEST_CASE("ranges of distortion join those of their point, and bend corners acro
   // The end of a web lies 10 mm inside the corner.
   CHECK(largest == Approx(bending + estimate.along.value()).epsilon(0.05));
   // 36 at 1e5 cycles: 36 (2e6/1e5)^(1/3).
-  const CheckResult& across = result_of(of, Criterion::distortion_fatigue, "across");
+  const CheckResult& across = result_of(of, Criterion::distortion_fatigue, true);
   CHECK(across.check.safety_factor ==
         Approx(36e6 * std::cbrt(20.0) / estimate.across.value()).epsilon(1e-6));
   const Verification better = verify(
@@ -468,7 +470,7 @@ TEST_CASE("ranges of distortion join those of their point, and bend corners acro
                      in_situations({{1.0, 1.0}, {0.0, 0.0}}) +
                      "[[situations]]\nname = \"change\"\nbetween = [\"0\", \"1\"]\ncycles = 1e5\n",
                  tip));
-  CHECK(result_of(better, Criterion::distortion_fatigue, "across").check.safety_factor ==
+  CHECK(result_of(better, Criterion::distortion_fatigue, true).check.safety_factor ==
         Approx(71.0 / 36.0 * across.check.safety_factor));
   // A torque that stays does no damage.
   const Verification steady = verify(
@@ -495,7 +497,8 @@ TEST_CASE("no order of loads does more damage than the check of distortion says"
   }
   text += fmt::format("[[situations]]\nname = \"all\"\nsequence = [{}]\ncycles = 1e5\n", names);
   const Project project = stout_beam(text, tip);
-  const CheckResult& result = result_of(verify(project), Criterion::distortion_fatigue, "z");
+  const Verification of = verify(project);
+  const CheckResult& result = result_of(of, Criterion::distortion_fatigue);
 
   DistortedBeam model = distorted_beam(
       {0.0, 48.0, 51.0, 100.0}, [](double) { return stout_cell(); }, E, nu);
@@ -506,10 +509,10 @@ TEST_CASE("no order of loads does more damage than the check of distortion says"
   double most = 0.0;
   for (int ways = 0; ways < 4; ++ways) {
     std::vector<Distortion> found;
-    for (const auto& of : factors) {
+    for (const auto& at : factors) {
       std::vector<double> loads(model.nodes.size(), 0.0);
-      loads[model.nearest(48.0)] = (ways & 1 ? 0.5 : -0.5) * of[1] * torque;
-      loads[model.nearest(51.0)] = (ways & 2 ? 0.5 : -0.5) * of[2] * torque;
+      loads[model.nearest(48.0)] = (ways & 1 ? 0.5 : -0.5) * at[1] * torque;
+      loads[model.nearest(51.0)] = (ways & 2 ? 0.5 : -0.5) * at[2] * torque;
       found.push_back(solver.solve(loads));
     }
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
@@ -529,7 +532,7 @@ TEST_CASE("no order of loads does more damage than the check of distortion says"
 }
 
 TEST_CASE("what a distorted box lacks is said", "[distortion]") {
-  const std::string load = twist("eccentric", 50.0, 6e6) + diaphragm(0.0, "50 mm");
+  const std::string load = twist("eccentric", 50.0, 1e6) + diaphragm(0.0, "50 mm");
   const Project project = stout_beam(load, -1e3);
   const Verification of = verify(project, Figures::without, Advice::with);
   CHECK(of.verdict == Verdict::fail);
