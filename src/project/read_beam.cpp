@@ -296,6 +296,14 @@ void read_introduction(TableReader table, TaperedBeam& beam) {
     table.choice({"into", "bosses or plates lead them into the webs over their depth"}, {"webs"},
                  0);
   }
+  if (table.has("torque_by")) {
+    constexpr TorqueBy ways[] = {TorqueBy::webs, TorqueBy::flanges, TorqueBy::flow};
+    introduction.torque_by =
+        ways[table.choice({"torque_by",
+                           "forces of which plates of a box its torque is; the worse where not "
+                           "said; \"flow\" by all four, as torsion bears it"},
+                          {"webs", "flanges", "flow"})];
+  }
   table.finish();
   beam.introductions.push_back(introduction);
 }

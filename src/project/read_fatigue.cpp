@@ -68,6 +68,26 @@ std::vector<std::string> read_codes(TableReader& table) {
   return codes;
 }
 
+/// A detail for plates of boxes bent across in their corners under its key, or the least.
+Detail read_corner_detail(TableReader& table) {
+  const Key key{"corner", "of plates of boxes bent across by distortion, at the seams in corners"};
+  if (!table.has(key)) {
+    Detail detail;
+    detail.name = "seam in a corner bent across (36* as its root, 8.5/3, not confirmed)";
+    detail.curve = en_1993_1_9_direct(36.0);
+    detail.unconfirmed = true;
+    return detail;
+  }
+  TableReader given = table.table(key);
+  Detail detail = read_detail(given);
+  if (given.problems().empty() && detail.curve.kind == StressKind::shear) {
+    given.problem("", "\"corner\" wants a detail for direct stress",
+                  "write category = 71, or a row of table 8.5");
+  }
+  given.finish();
+  return detail;
+}
+
 /// A detail for shear stress under a key, or a category of it that is there by default.
 Detail read_shear_detail(TableReader& table, const Key& key, double category, const char* name) {
   if (!table.has(key)) {
@@ -202,6 +222,7 @@ FatigueInput read_fatigue(TableReader table, const TaperedBeam& beam) {
                                   "plate under shear (8.1/6)");
   input.throat = read_shear_detail(table, {"throat", "of the throats of seams, shear along them"},
                                    80.0, "throat of a seam (8.5/8)");
+  input.corner = read_corner_detail(table);
   input.codes = read_codes(table);
   for (TableReader& detail :
        table.tables({"details", "of stretches of the beam, where they are not as the rest"})) {

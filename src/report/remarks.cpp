@@ -417,10 +417,11 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
              : std::string()));
   remarks.push_back(
       std::string(project.in_space
-                      ? "not checked here: warping; distortion, of boxes and rectangular tubes but "
-                        "for an estimate"
+                      ? "not checked here: warping, distortion but of boxes and rectangular tubes"
                       : "not checked here: warping and distortion of the box (diaphragms where "
-                        "forces act are taken for granted)") +
+                        "forces act are taken for granted; a case in the plane has no torque, and "
+                        "forces beside the middle of a box, as of an eccentric rail, are a case in "
+                        "space)") +
       (governing_of(verification.checks, Criterion::patch_loading) != nullptr
            ? ""
            : ", webs where forces come in ([[beam.load_introductions]])") +

@@ -12,6 +12,7 @@
 #include "boxbeam/strength/yield.hpp"
 #include "curve_steps.hpp"
 #include "derivation_text.hpp"
+#include "distortion_steps.hpp"
 #include "fatigue_steps.hpp"
 #include "neighbour_steps.hpp"
 #include "plate_steps.hpp"
@@ -270,6 +271,8 @@ Steps steps_of_check(const Project& project, const Verification& verification,
     case Criterion::shear_buckling:
     case Criterion::interaction: return plate_steps(project, result);
     case Criterion::patch_loading: return patch_steps(project, result);
+    case Criterion::distortion:
+    case Criterion::distortion_fatigue: return distortion_steps(project, result);
     case Criterion::member: return member_steps(project, result);
     default: break;
   }

@@ -65,27 +65,42 @@ constexpr std::array gauss_place{0.5 * (1.0 - outer_point), 0.5 * (1.0 - inner_p
 constexpr double outer_weight = 0.5 * 0.3478548451374538, inner_weight = 0.5 * 0.6521451548625461;
 constexpr std::array gauss_weight{outer_weight, inner_weight, inner_weight, outer_weight};
 
+/// The flow of distortion and what the cell is worth in shear by it.
+struct ShearOfDistortion {
+  double stiffness = 0.0;
+  std::array<double, 4> flow{};  ///< at the corners
+};
+
+/// Along a plate, of Q = 1, beyond what it is at its start.
+double flow_along(const BoxCell& cell, const CellDistortion& of, std::size_t plate, double part) {
+  const double from = of.warping[plate], to = of.warping[(plate + 1) % 4];
+  const double per = -2.0 * thickness_of(cell, around[plate].plate) *
+                     length_of(cell, around[plate]) / of.warping_inertia;
+  return per * part * (from + 0.5 * part * (to - from));
+}
+
 /// S: of M_D' = 1 the shear flow q' = -2 t omega/I_w around the cell, plus what leaves no torque.
-double shear_stiffness_of(const BoxCell& cell, const AtCorners& warping, double warping_inertia,
-                          double G) {
+ShearOfDistortion shear_of(const BoxCell& cell, const CellDistortion& warped, double G) {
   const double lever_web = 0.5 * cell.width.value(), lever_flange = 0.5 * cell.height.value();
   double start = 0.0, torque = 0.0, by_flow = 0.0, by_even = 0.0, even = 0.0;
+  ShearOfDistortion of;
   for (std::size_t p = 0; p < 4; ++p) {
-    const double from = warping[static_cast<Eigen::Index>(p)], to = warping[next_corner(p)];
     const double L = length_of(cell, around[p]), t = thickness_of(cell, around[p].plate);
-    const double per = -2.0 * t * L / warping_inertia;
+    of.flow[p] = start;
     for (std::size_t g = 0; g < gauss_place.size(); ++g) {
-      const double x = gauss_place[g], q = start + per * x * (from + 0.5 * x * (to - from));
+      const double q = start + flow_along(cell, warped, p, gauss_place[g]);
       const double length = gauss_weight[g] * L;
       torque += length * q * (around[p].web ? lever_web : lever_flange);
       by_flow += length * q * q / (G * t);
       by_even += length * q / (G * t);
       even += length / (G * t);
     }
-    start += 0.5 * per * (from + to);
+    start += flow_along(cell, warped, p, 1.0);
   }
   const double added = -torque / (2.0 * cell.width.value() * cell.height.value());
-  return 1.0 / (by_flow + 2.0 * added * by_even + added * added * even);
+  of.stiffness = 1.0 / (by_flow + 2.0 * added * by_even + added * added * even);
+  for (double& q : of.flow) q += added;
+  return of;
 }
 
 /// Moments at the ends of the webs when the cell is racked by gamma = 1.
@@ -134,7 +149,7 @@ struct Shapes {
 };
 
 /// gamma' - theta, the same all along the element.
-Eigen::Vector4d shear_of(double L, double phi) {
+Eigen::Vector4d turning_apart(double L, double phi) {
   return phi / (1.0 + phi) * Eigen::Vector4d(-1.0 / L, -0.5, 1.0 / L, -0.5);
 }
 
@@ -165,6 +180,60 @@ std::optional<BoxCell> box_cell_of(const Profile& profile) {
   return std::nullopt;
 }
 
+std::vector<CellPlace> places_in_cell(const Profile& profile, Length y, Length z) {
+  const std::optional<BoxCell> cell = box_cell_of(profile);
+  if (!cell) return {};
+  const auto t = [&](BoxPlate plate) { return thickness_of(*cell, plate); };
+  const auto* const tube = std::get_if<RectangularTube>(&profile);
+  const double round = tube != nullptr ? tube->outer_radius.value() : 0.0;
+  const Extent extent = extent_of(profile);
+  constexpr double round_off = 1e-9;
+  // How far a place lies inside the outer face of each plate.
+  const double left = (extent.y_high - y).value(), right = (y - extent.y_low).value();
+  const double top = (extent.z_high - z).value(), bottom = (z - extent.z_low).value();
+  const auto in = [&](double depth, BoxPlate plate) { return depth <= t(plate) + round_off; };
+  const auto near = [&](double depth, BoxPlate plate) {
+    return depth <= std::max(t(plate), round) + round_off;
+  };
+  using enum BoxPlate;
+  const bool by_left = near(left, left_web), by_right = near(right, right_web);
+  const bool by_top = near(top, top_flange), by_bottom = near(bottom, bottom_flange);
+  if ((by_left || by_right) && (by_top || by_bottom)) {
+    const std::size_t corner = by_left ? (by_top ? 0 : 1) : (by_top ? 3 : 2);
+    return {{corner, 0.0}, {(corner + 3) % 4, 1.0}};
+  }
+  const double b = cell->width.value(), h = cell->height.value();
+  const auto part = [&](double depth, BoxPlate from, double length) {
+    return std::clamp((depth - 0.5 * t(from)) / length, 0.0, 1.0);
+  };
+  if (in(left, left_web)) return {{0, part(top, top_flange, h)}};
+  if (in(bottom, bottom_flange)) return {{1, part(left, left_web, b)}};
+  if (in(right, right_web)) return {{2, part(bottom, bottom_flange, h)}};
+  if (in(top, top_flange)) return {{3, part(right, right_web, b)}};
+  return {};
+}
+
+DistortionInfluence distortion_at(const BoxCell& cell, const CellDistortion& of,
+                                  const CellPlace& place) {
+  const std::size_t next = (place.plate + 1) % 4;
+  const double t = thickness_of(cell, around[place.plate].plate);
+  DistortionInfluence at;
+  at.along =
+      2.0 * std::lerp(of.warping[place.plate], of.warping[next], place.part) / of.warping_inertia;
+  at.moment = std::abs((1.0 - place.part) * of.corner_moments[place.plate] -
+                       place.part * of.corner_moments[next]);
+  at.across = 6.0 * at.moment / (t * t);
+  at.flow = of.flow[place.plate] + flow_along(cell, of, place.plate, place.part);
+  at.shear = at.flow / t;
+  at.thickness = si<Length>(t);
+  return at;
+}
+
+DistortionInfluence DistortionInfluence::in_throat(Length throat) const {
+  const double a = throat.value();
+  return {0.0, moment, 6.0 * moment / (a * a), flow, flow / a, throat};
+}
+
 CellDistortion cell_distortion_of(const BoxCell& cell, double E, double nu) {
   const AtCorners warping = warping_of(cell), moments = moments_of(cell, E, nu);
   CellDistortion of;
@@ -172,9 +241,11 @@ CellDistortion cell_distortion_of(const BoxCell& cell, double E, double nu) {
   // The work of the racked webs: corners turn without any, for moments there are in balance.
   of.frame_stiffness = moments.sum();
   of.decay = std::pow(of.frame_stiffness / (E * of.warping_inertia), 0.25);
-  of.shear_stiffness = shear_stiffness_of(cell, warping, of.warping_inertia, 0.5 * E / (1.0 + nu));
   std::copy(warping.begin(), warping.end(), of.warping.begin());
   std::copy(moments.begin(), moments.end(), of.corner_moments.begin());
+  const ShearOfDistortion shear = shear_of(cell, of, 0.5 * E / (1.0 + nu));
+  of.shear_stiffness = shear.stiffness;
+  of.flow = shear.flow;
   return of;
 }
 
@@ -269,7 +340,7 @@ DistortionSolver::DistortionSolver(DistortedBeam beam) : beam_(std::move(beam)) 
   beside_.assign(count, Eigen::Matrix2d::Zero());
   for (std::size_t e = 0; e + 1 < count; ++e) {
     const double L = beam_.nodes[e + 1] - beam_.nodes[e], phi = phi_of(beam_, e);
-    const Eigen::Vector4d sheared = shear_of(L, phi);
+    const Eigen::Vector4d sheared = turning_apart(L, phi);
     Eigen::Matrix4d& K = elements_.emplace_back(Eigen::Matrix4d::Zero());
     for (std::size_t g = 0; g < DistortedBeam::gauss_points; ++g) {
       const Shapes shapes(gauss_place[g], L, phi);
@@ -355,6 +426,7 @@ Distortion DistortionSolver::solve(const std::vector<double>& loads,
     const Eigen::Vector4d ends = elements_[e] * at - on_elements[e];
     distortion.moment[e] = ends[1];
     distortion.moment[e + 1] = -ends[3];
+    distortion.shear.push_back({-ends[0], ends[2]});
     borne[e] += ends[0];
     borne[e + 1] += ends[2];
   }

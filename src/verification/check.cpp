@@ -16,6 +16,8 @@ const char* to_text(Criterion criterion) {
     case Criterion::shear_buckling: return "shear buckling";
     case Criterion::interaction: return "interaction";
     case Criterion::patch_loading: return "patch loading";
+    case Criterion::distortion: return "distortion";
+    case Criterion::distortion_fatigue: return "distortion fatigue";
     case Criterion::member: return "member buckling";
     case Criterion::pin: return "pin";
     case Criterion::rod: return "rod";

@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
 #include <string>
-#include <string_view>
-#include <tuple>
-#include <unordered_map>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/fatigue/range_limit.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/drawn_samples.hpp"
 #include "boxbeam/verification/life_cycles.hpp"
+#include "channel_life.hpp"
 #include "check_sources.hpp"
 
 namespace boxbeam {
@@ -91,8 +87,9 @@ std::vector<SpectrumRow> spectrum_of(const Project& project,
                                      const std::vector<SituationCycles>& life, StressKind kind) {
   std::vector<SpectrumRow> spectrum;
   for (const SituationCycles& of : life) {
-    for (const Cycle& cycle : of.cycles)
-      spectrum.push_back({project.situations[of.situation].name, kind, cycle});
+    const std::vector<SpectrumRow> rows =
+        rows_of(project.situations[of.situation].name, kind, of.cycles);
+    spectrum.insert(spectrum.end(), rows.begin(), rows.end());
   }
   return spectrum;
 }
@@ -103,48 +100,10 @@ double largest_range_of(const std::vector<SpectrumRow>& spectrum) {
   return largest;
 }
 
-/// A spectrum of many sizes in classes: each has the range of its largest cycle, and the life that
-/// all of its cycles together take.
-std::vector<SpectrumRow> in_classes(std::vector<SpectrumRow> spectrum) {
-  constexpr std::size_t most_sizes = 1000, classes = 1000;
-  if (spectrum.size() <= most_sizes) return spectrum;
-  double largest = 0.0;
-  for (const SpectrumRow& row : spectrum) largest = std::max(largest, row.cycle.range.value());
-  std::map<std::tuple<std::string, StressKind, std::size_t>, SpectrumRow> merged;
-  for (const SpectrumRow& row : spectrum) {
-    const double part = std::ceil(row.cycle.range.value() / largest * classes);
-    SpectrumRow& of = merged[{row.situation, row.kind, static_cast<std::size_t>(part)}];
-    const double count = of.cycle.count + row.cycle.count;
-    if (!(count > 0.0)) continue;
-    // Sums of life first, the cycles endured behind the loop.
-    of.situation = row.situation;
-    of.kind = row.kind;
-    of.endured += row.cycle.count / row.endured;
-    of.damage += row.damage;
-    of.cycle.mean += row.cycle.count / count * (row.cycle.mean - of.cycle.mean);
-    of.cycle.range = std::max(of.cycle.range, row.cycle.range);
-    of.cycle.count = count;
-  }
-  std::vector<SpectrumRow> rows;
-  for (auto& [key, row] : merged) {
-    if (!(row.cycle.count > 0.0)) continue;
-    row.endured = row.cycle.count / row.endured;
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
 /// A stress of a point, its cycles and what resists them.
 struct Channel {
   Turns turns;
-  std::vector<SpectrumRow> spectrum;
-  SnCurve curve;
-
-  FatigueChannel for_damage() const {
-    FatigueChannel channel{{}, curve};
-    for (const SpectrumRow& row : spectrum) channel.cycles.push_back(row.cycle);
-    return channel;
-  }
+  LifeChannel life;
 };
 
 WholePlace whole_place_of(const WholeLife& whole, const std::vector<SituationHistory>& histories,
@@ -164,14 +123,14 @@ std::vector<Channel> channels_of(const Project& project,
                        bool compression_reduced) {
     Channel channel;
     channel.turns = turns_of(project, histories, stress.at);
-    channel.curve = curve_of(detail);
+    channel.life.curve = curve_of(detail);
     const WholeLife* const whole = whole_life_of(histories);
     const std::vector<SituationCycles> life =
         whole == nullptr ? life_cycles_of(project, channel.turns, compression_reduced)
                          : whole->cycles_of(whole_place_of(*whole, histories, point, stress.kind),
-                                            channel.curve);
-    channel.spectrum = spectrum_of(project, life, stress.kind);
-    if (largest_range_of(channel.spectrum) >= no_stress_at(point))
+                                            channel.life.curve);
+    channel.life.spectrum = spectrum_of(project, life, stress.kind);
+    if (largest_range_of(channel.life.spectrum) >= no_stress_at(point))
       channels.push_back(std::move(channel));
   };
   if (point.detail != nullptr && criterion != Criterion::shear_fatigue) {
@@ -182,27 +141,6 @@ std::vector<Channel> channels_of(const Project& project,
     add(shear_stress(point), *point.shear_detail, false);
   }
   return channels;
-}
-
-/// The situation whose cycles take the largest part of the life, or have the largest range where
-/// none does damage; of equal ones the first.
-std::size_t governing_situation(const Project& project, const std::vector<SpectrumRow>& spectrum) {
-  std::unordered_map<std::string_view, std::pair<double, double>> shares;
-  for (const SpectrumRow& row : spectrum) {
-    auto& [life, range] = shares[row.situation];
-    life += row.cycle.count / row.endured;
-    range = std::max(range, row.cycle.range.value());
-  }
-  std::size_t worst = 0;
-  std::pair<double, double> most{-1.0, -1.0};
-  for (std::size_t i = 0; i < project.situations.size(); ++i) {
-    const auto share = shares.find(project.situations[i].name);
-    const auto of = share == shares.end() ? std::pair{0.0, 0.0} : share->second;
-    if (of <= most) continue;
-    most = of;
-    worst = i;
-  }
-  return worst;
 }
 
 const SituationHistory& history_of(const std::vector<SituationHistory>& histories,
@@ -269,27 +207,10 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   const bool together = criterion == Criterion::combined_fatigue;
   if (channels.size() < (together ? 2 : 1)) return std::nullopt;
 
-  const FatigueDemand& demand = project.fatigue.demand;
-  std::vector<FatigueChannel> loads;
-  for (const Channel& channel : channels) loads.push_back(channel.for_damage());
-  const double factor = largest_factor(loads, demand);
-  const auto spectrum_at = [&](double k) {
-    std::vector<SpectrumRow> rows;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      const auto endured_at = [&](double times) {
-        return cycles_to_failure_in(loads[i].cycles, loads[i].curve, demand, times);
-      };
-      const std::vector<double> endured = endured_at(k), as_it_is = endured_at(1.0);
-      for (std::size_t j = 0; j < endured.size(); ++j) {
-        SpectrumRow& row = rows.emplace_back(channels[i].spectrum[j]);
-        row.endured = endured[j];
-        row.damage = row.cycle.count / as_it_is[j];
-      }
-    }
-    return rows;
-  };
-  // Just above the factor, where the life is used up: at it a range may stand below the cut-off.
-  const std::size_t governing = governing_situation(project, spectrum_at(factor * (1.0 + 1e-9)));
+  std::vector<LifeChannel> lives;
+  for (Channel& channel : channels) lives.push_back(std::move(channel.life));
+  const ChannelLife life = life_of(project, lives);
+  const std::size_t governing = life.governing;
   const auto [highest, lowest] = extremes_in(project, governing, channels.front().turns);
   const bool upper = std::abs(highest.value) >= std::abs(lowest.value);
   const auto in = [&](const Extreme& extreme) -> const SituationHistory& {
@@ -304,13 +225,7 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   CheckBasis& basis = *result.basis;
   check.situation = project.situations[governing].name;
   check.time = (upper ? highest : lowest).time;
-  check.safety_factor = factor;
-  check.required = project.fatigue.required;
-  for (const Channel& channel : channels) basis.curves.push_back(channel.curve);
-  check.source = fatigue_source(project.fatigue, basis.curves);
-  for (const FatigueChannel& load : loads) {
-    basis.damage += damage_of(load.cycles, load.curve, demand);
-  }
+  take_life(project, lives, life, check, basis);
   if (together) {
     check.acting = basis.damage;
     check.resisting = 1.0;
@@ -318,8 +233,7 @@ std::optional<CheckResult> check_fatigue(const Project& project,
     // The range that the life allows, partial factors applied; of a spectrum, its largest range.
     const Stress range = si<Stress>(highest.value - lowest.value);
     check.acting = range;
-    check.resisting = factor * range;
-    basis.equivalent = equivalent_range(basis.damage, basis.curves.front(), demand);
+    check.resisting = life.factor * range;
   }
   basis.highest = highest;
   basis.lowest = lowest;
@@ -327,10 +241,6 @@ std::optional<CheckResult> check_fatigue(const Project& project,
   basis.cut_at_lowest = in(lowest).history.at(lowest.time);
   basis.cut_at_time = upper ? basis.cut_at_highest : basis.cut_at_lowest;
   basis.stress_at_time = stress_at(point.influence, basis.cut_at_time);
-  basis.spectrum = in_classes(spectrum_at(factor));
-  FatigueDemand constant = demand;
-  constant.loading = Loading::constant_amplitude;
-  basis.constant_amplitude_factor = largest_factor(loads, constant);
   return result;
 }
 

@@ -149,9 +149,10 @@ class Search {
     const bool by_strength = criterion == Criterion::yield || criterion == Criterion::stress_range;
     const bool by_throat = criterion == Criterion::weld;
     const bool by_buckling = governing_.plates.has_value() || governing_.patch.has_value();
-    if (!is_by_fatigue(criterion) && !by_strength && !by_throat && !by_buckling)
+    const bool by_distortion = governing_.distortion.has_value();
+    if (!is_by_fatigue(criterion) && !by_strength && !by_throat && !by_buckling && !by_distortion)
       return std::move(remedies_);
-    if (!governing_.basis && !by_buckling) {
+    if (!governing_.basis && !by_buckling && !by_distortion) {
       remedies_.not_searched.emplace_back("what would pass (the stresses are given)");
       return std::move(remedies_);
     }
@@ -161,6 +162,18 @@ class Search {
     }
     if (by_buckling) {
       look_at_buckling();
+      return std::move(remedies_);
+    }
+    if (by_distortion) {
+      look_at_diaphragms();
+      const Profile& profile =
+          project_.beam.segments[segment_at(project_.beam, governing_.check.station)].from.outer;
+      if (std::holds_alternative<Box>(profile)) {
+        look_at_plates(PlateGroup::flanges);
+        look_at_plates(PlateGroup::webs);
+      } else {
+        look_at_plates(PlateGroup::walls);
+      }
       return std::move(remedies_);
     }
     const StressPoint& point = governing_.basis->point;
@@ -382,6 +395,13 @@ class Search {
                        [&](const Diaphragm& of) { return abs(of.s - s) <= near; });
   }
 
+  /// Where the force comes in that governs, or the torque that does most of it.
+  std::optional<Length> place_that_governs() const {
+    if (governing_.patch) return governing_.check.station.s;
+    if (governing_.distortion) return governing_.distortion->introduced;
+    return std::nullopt;
+  }
+
   /// From few to many; no closer than half the depth of the beam.
   void look_at_diaphragms() {
     const TaperedBeam& beam = project_.beam;
@@ -403,11 +423,9 @@ class Search {
         const Length s = place_near(places_of(beam), share * beam.length());
         if (!stands_at(beam, s, near)) copy.beam.diaphragms.push_back({s, thickness, {}});
       }
-      // One takes the force that governs.
-      if (governing_.patch) {
-        const Length s = governing_.check.station.s;
-        if (!stands_at(copy.beam, s, near)) copy.beam.diaphragms.push_back({s, thickness, {}});
-      }
+      // One takes the force, or the torque, that governs.
+      if (const auto s = place_that_governs(); s && !stands_at(copy.beam, *s, near))
+        copy.beam.diaphragms.push_back({*s, thickness, {}});
       std::sort(copy.beam.diaphragms.begin(), copy.beam.diaphragms.end(),
                 [](const Diaphragm& a, const Diaphragm& b) { return a.s < b.s; });
       return judged(copy);
@@ -420,11 +438,12 @@ class Search {
     const Length apart = beam.length() / static_cast<double>(passing->candidate + 1);
     std::string name =
         fmt::format("{:.6g} mm diaphragms every {:.4g} m", 1e3 * thickness.value(), apart.value());
-    const Length at = governing_.check.station.s;
-    const double panels = (at / apart).value();
     constexpr double near = 1e-6;
-    if (governing_.patch && std::abs(panels - std::round(panels)) > near)
-      name += fmt::format(" and at {:.4g} m", at.value());
+    if (const auto at = place_that_governs()) {
+      const double panels = (*at / apart).value();
+      if (std::abs(panels - std::round(panels)) > near)
+        name += fmt::format(" and at {:.4g} m", at->value());
+    }
     remedies_.found.push_back(
         {Remedy::What::diaphragms, std::move(name), apart.value(), passing->utilisation});
   }

@@ -6,7 +6,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/verification/deflection.hpp"
-#include "boxbeam/verification/distortion_estimate.hpp"
+#include "boxbeam/verification/distortion_checks.hpp"
 #include "boxbeam/verification/member_checks.hpp"
 #include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
@@ -120,6 +120,10 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
       project.given_stresses.empty() ? check_patches(project, runs, zones) : PatchChecks{};
   append(std::move(patches.checks), beam.checks);
   append(std::move(patches.gates), beam.gates);
+  DistortionChecks distortion = project.given_stresses.empty()
+                                    ? check_distortion(project, runs, zones, stations)
+                                    : DistortionChecks{};
+  append(std::move(distortion.checks), beam.checks);
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
   std::vector<CheckResult> checks =
@@ -131,7 +135,7 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));
   append(material_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
-  append(distortion_gates_of(project, estimate_distortion(project, runs), checks), gates);
+  append(distortion_gates_of(project, distortion.estimates, checks), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(patches.not_judged), not_judged);

@@ -170,6 +170,59 @@ TEST_CASE("A pocket calculator comes to what the sheets of rods and deflections 
   }
 }
 
+TEST_CASE("A pocket calculator comes to what the sheets of distorted boxes say",
+          "[report][sheet]") {
+  const auto box = [](const std::string& seam) {
+    return parse_project(
+        "box.toml",
+        "[case]\nname = \"box\"\nkind = \"static\"\n[frame]\nspace = true\ngravity = [\"0 m/s^2\", "
+        "\"0 m/s^2\", \"0 m/s^2\"]\n[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n"
+        "[sections.a]\nkind = \"box\"\nwidth = \"620 mm\"\nheight = \"620 mm\"\nflange = \"20 "
+        "mm\"\nweb = \"20 mm\"\n" +
+            seam +
+            "[supports.wall]\nkind = \"fixed\"\nat = \"0 m\"\n[loads.tip]\nkind = \"force\"\nat = "
+            "\"20 m\"\nforce = [\"0 N\", \"5 kN\", \"-20 kN\"]\n[loads.eccentric]\nkind = "
+            "\"force\"\nat = \"10 m\"\nforce = [\"0 N\", \"0 N\", \"0 N\"]\nmoment = [\"150 kN "
+            "m\", \"0 N m\", \"0 N m\"]\n[beam]\ndensity = \"7850 kg/m^3\"\nfrom = [\"0 m\", \"0 "
+            "m\", \"0 m\"]\naxis = \"x\"\nz = \"z\"\n[[beam.segments]]\nlength = \"20 "
+            "m\"\nsection = \"a\"\n[[beam.diaphragms]]\nstation = \"0 m\"\nthickness = \"20 mm\"\n"
+            "[fatigue]\ncategory = 100\nloading = \"spectrum\"\ngamma_Ff = 1.0\ngamma_Mf = 1.35\n"
+            "required = 1.0\n[[situations]]\nname = \"up\"\nload_factor = 1.2\nloads = { tip = "
+            "1.0, "
+            "eccentric = 1.0 }\n[[situations]]\nname = \"down\"\nloads = { tip = 0.0, eccentric = "
+            "-0.5 }\n[[situations]]\nname = \"change\"\nbetween = [\"up\", \"down\"]\ncycles = "
+            "2e5\n");
+  };
+  for (const char* const seam : {"", "seam_throat = \"7 mm\"\n"}) {
+    const Project project = box(seam);
+    const Verification verification = verify(project);
+    int sheets = 0;
+    for (const CheckResult& result : verification.checks) {
+      if (!result.distortion) continue;
+      ++sheets;
+      const Sheet sheet = sheet_of(project, verification, result);
+      INFO(report::text_of(sheet).text);
+      for (const Step& step : sheet.steps) {
+        CHECK(report::is_formula(step.symbol));
+        for (const std::string& formula : step.formulas) {
+          INFO(formula);
+          CHECK(report::is_formula(formula));
+        }
+      }
+      const Recalculation again = recalculated(sheet);
+      CHECK(again.compared >= 2);
+      CHECK(again.wrong == std::vector<std::string>{});
+      const Step* const factor = find(sheet, "factor");
+      REQUIRE(factor != nullptr);
+      const auto said = test::value_of(factor->formulas.back());
+      const auto wanted = test::value_of(text::significant(result.check.safety_factor, 4));
+      REQUIRE(said);
+      CHECK(test::agree(*said, *wanted));
+    }
+    CHECK(sheets == 3);
+  }
+}
+
 TEST_CASE("A pocket calculator comes to what every step of every sheet says", "[report][sheet]") {
   // Interval arithmetic over what the rounding of the printed numbers leaves open, with units.
   int compared = 0;
@@ -387,6 +440,8 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::shear_buckling: ends_with("V_bw,Rd", check.resisting); break;
       case Criterion::interaction: ends_with("factor", check.safety_factor); break;
       case Criterion::patch_loading: ends_with("factor", check.safety_factor); break;
+      case Criterion::distortion: ends_with("sigma_v", check.acting); break;
+      case Criterion::distortion_fatigue: ends_with("D", check.acting); break;
       case Criterion::member: ends_with("use", check.acting); break;
       case Criterion::deflection:
         ends_with("w", check.acting);
@@ -394,9 +449,11 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
         break;
     }
   });
-  // In no shipped case shear and normal stress together are more than either alone, and no beam
-  // buckles as a member; the sheets of both are looked at beside their checks.
+  // In no shipped case shear and normal stress together are more than either alone, no beam
+  // buckles as a member and no box is distorted; their sheets are looked at beside their checks.
   seen.insert(Criterion::interaction);
+  seen.insert(Criterion::distortion);
+  seen.insert(Criterion::distortion_fatigue);
   seen.insert(Criterion::member);
   CHECK(seen.size() == criteria.size());
 }

@@ -461,4 +461,94 @@ TEST_CASE("a diaphragm is a plate in shear, with an opening the frame around it"
         Approx(24.0 / (2.0 * (1.0 - c) / bar)).epsilon(1e-3));
 }
 
+TEST_CASE("the shear flow of distortion balances its edges and turns webs against flanges",
+          "[distortion]") {
+  // Of any four thicknesses: no force, no torque, (T_w - T_f)/2 = Q; along each plate the flow
+  // changes as the stress along it asks, q' = -t sigma', sigma' = 2 omega/I_w of Q = 1.
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> size(0.2, 1.5), wall(0.005, 0.03);
+  for (int trial = 0; trial < 50; ++trial) {
+    const double b = size(random), h = size(random);
+    const BoxCell cell = cell_of(b, h, {wall(random), wall(random), wall(random), wall(random)});
+    const CellDistortion of = distortion_of(cell);
+    double torque_webs = 0.0, torque_flanges = 0.0;
+    std::array<double, 4> force{};
+    double largest = 0.0;
+    for (std::size_t plate = 0; plate < 4; ++plate) {
+      const bool web = plate % 2 == 0;
+      const double L = web ? h : b;
+      const auto flow = [&](double part) { return distortion_at(cell, of, {plate, part}).flow; };
+      // Simpson's rule is exact for a parabola.
+      force[plate] = L / 6.0 * (flow(0.0) + 4.0 * flow(0.5) + flow(1.0));
+      (web ? torque_webs : torque_flanges) += force[plate] * 0.5 * (web ? b : h);
+      largest = std::max(largest, std::abs(force[plate]));
+      CHECK(distortion_at(cell, of, {(plate + 1) % 4, 0.0}).flow ==
+            Approx(flow(1.0)).margin(1e-9 / (b * h)));
+      const DistortionInfluence at = distortion_at(cell, of, {plate, 0.25});
+      const double slope = (flow(0.26) - flow(0.24)) / (0.02 * L);
+      CHECK(slope == Approx(-at.thickness.value() * at.along).epsilon(1e-6));
+    }
+    CHECK(force[0] == Approx(force[2]).margin(1e-9 * largest));
+    CHECK(force[1] == Approx(force[3]).margin(1e-9 * largest));
+    CHECK(torque_webs == Approx(-torque_flanges));
+    CHECK(std::abs(torque_webs - torque_flanges) / 2.0 == Approx(1.0));
+  }
+}
+
+TEST_CASE("places of a box lie on its plates and in its corners", "[distortion]") {
+  const Box box{si<Length>(0.66),  si<Length>(1.224), si<Length>(0.010),
+                si<Length>(0.014), si<Length>(0.008), si<Length>(0.012)};
+  const auto at = [&](double y, double z) {
+    return places_in_cell(box, si<Length>(y), si<Length>(z));
+  };
+  CHECK(at(0.0, 0.0).empty());
+  REQUIRE(at(0.33, 0.602 - 0.006 - 0.303).size() == 1);
+  // From the middle of the top flange down the left web: 1212 mm between the flanges' middles.
+  CHECK(at(0.33, 0.612 - 0.005 - 0.303).front().plate == 0);
+  CHECK(at(0.33, 0.612 - 0.005 - 0.303).front().part == Approx(0.25));
+  CHECK(at(-0.33, -0.612 + 0.007 + 0.303).front().plate == 2);
+  CHECK(at(-0.33, -0.612 + 0.007 + 0.303).front().part == Approx(0.25));
+  CHECK(at(0.33 - 0.004 - 0.1625, -0.612).front().plate == 1);
+  CHECK(at(0.33 - 0.004 - 0.1625, -0.612).front().part == Approx(0.25));
+  CHECK(at(-0.33 + 0.006 + 0.1625, 0.612).front().plate == 3);
+  CHECK(at(-0.33 + 0.006 + 0.1625, 0.612).front().part == Approx(0.25));
+  for (const double y : {0.33, -0.33}) {
+    for (const double z : {0.612, -0.612}) {
+      const std::vector<CellPlace> corner = at(y, z);
+      REQUIRE(corner.size() == 2);
+      CHECK(corner[0].part == 0.0);
+      CHECK(corner[1].part == 1.0);
+      const auto i = static_cast<std::size_t>(
+          y > 0.0 ? (z > 0.0 ? CellCorner::top_left : CellCorner::bottom_left)
+                  : (z > 0.0 ? CellCorner::top_right : CellCorner::bottom_right));
+      CHECK(corner[0].plate == i);
+      CHECK((corner[1].plate + 1) % 4 == i);
+    }
+  }
+  const RectangularTube tube{si<Length>(0.2), si<Length>(0.2), si<Length>(0.005), si<Length>(0.03),
+                             si<Length>(0.025)};
+  CHECK(places_in_cell(tube, si<Length>(0.0975), si<Length>(0.08)).size() == 2);
+  CHECK(places_in_cell(tube, si<Length>(0.0975), si<Length>(0.06)).size() == 1);
+  CHECK(places_in_cell(RoundTube{si<Length>(0.2), si<Length>(0.01)}, si<Length>(0.1), {}).empty());
+}
+
+TEST_CASE("a plate is bent across most in its corners", "[distortion]") {
+  const BoxCell box = equal_cell(0.6, 1.2, 0.012, 0.008);
+  const CellDistortion of = distortion_of(box);
+  // Racked alike at both ends, the middle of a plate is not bent.
+  const double corner = of.frame_stiffness / 4.0;
+  for (std::size_t plate = 0; plate < 4; ++plate) {
+    const double t = plate % 2 == 0 ? 0.008 : 0.012;
+    const DistortionInfluence end = distortion_at(box, of, {plate, 0.0});
+    CHECK(end.moment == Approx(corner));
+    CHECK(end.across == Approx(6.0 * corner / (t * t)));
+    CHECK(distortion_at(box, of, {plate, 0.25}).moment == Approx(0.5 * corner));
+    CHECK(distortion_at(box, of, {plate, 0.5}).moment == Approx(0.0).margin(1e-9 * corner));
+    const DistortionInfluence throat = end.in_throat(si<Length>(0.004));
+    CHECK(throat.across == Approx(6.0 * corner / (0.004 * 0.004)));
+    CHECK(throat.shear == Approx(end.flow / 0.004));
+    CHECK(throat.along == 0.0);
+  }
+}
+
 }  // namespace box_distortion_test

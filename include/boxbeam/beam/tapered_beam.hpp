@@ -49,12 +49,17 @@ struct Diaphragm {
   Length opening;  ///< width of its access hole; zero: none
 };
 
+/// By which plates of a box a torque comes: forces on its webs or on its flanges, or all around
+/// as the flow of torsion, which does not distort it.
+enum class TorqueBy { webs, flanges, flow };
+
 /// How forces come into the beam where no diaphragm takes them.
 struct LoadIntroduction {
   Length from, to;  ///< the stretch on which it holds; the same: at one place
   /// Along the beam, over which a flange takes them; nothing: bosses or plates lead them into the
   /// webs over their depth.
   std::optional<Length> stiff_length;
+  std::optional<TorqueBy> torque_by;  ///< nothing: not known, so that the worse counts
 };
 
 /// A beam along x of sections in a row, from s = 0 to its length.

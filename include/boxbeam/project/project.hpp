@@ -92,6 +92,8 @@ struct FatigueInput {
   BeamDetail beam;  ///< of the whole beam, unless one of the details says otherwise
   /// Plates under shear stress, and the throats of seams, anywhere on the beam.
   Detail shear, throat;
+  /// Plates of boxes bent across, in their corners.
+  Detail corner;
   /// The thesis' arithmetic instead of the standard's curve, for comparison only.
   bool published_step = false;
   /// Fatigue strengths are rounded to a multiple of this where given (published arithmetic).

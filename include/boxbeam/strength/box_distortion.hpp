@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -58,7 +59,68 @@ struct CellDistortion {
 
   double decay = 0.0;            ///< lambda [1/m]
   double shear_stiffness = 0.0;  ///< S [N m^2]
+  /// Shear flow of Q = 1 at the corners, on the plate that begins there [1/m^2].
+  std::array<double, 4> flow{};
 };
+
+/// A place on a plate of a cell: plate k leads from corner k to the next one, its part from 0 to 1.
+struct CellPlace {
+  std::size_t plate = 0;
+  double part = 0.0;
+};
+
+/// Where in its cell a place of a box or rectangular tube lies: on one plate, in a corner on both
+/// that meet there, and on none inside or in other profiles. A rounded corner is all corner.
+std::vector<CellPlace> places_in_cell(const Profile& profile, Length y, Length z);
+
+/// What distortion does at a place, by size where its sign changes from face to face.
+struct DistortionInfluence {
+  double along = 0.0;   ///< stress along the beam of M_D = 1, 2 omega/I_w [1/m^4]
+  double moment = 0.0;  ///< that bends the plate across, of gamma = 1 [N m/m]
+  double across = 0.0;  ///< its stress, 6 m/t^2 [Pa]
+  double flow = 0.0;    ///< shear flow of Q = 1 [1/m^2]
+  double shear = 0.0;   ///< its stress, q/t [1/m^3]
+  Length thickness;     ///< t
+
+  /// The same in a weld that is as thick as this, which no stress along it counts in.
+  DistortionInfluence in_throat(Length throat) const;
+};
+
+/// What distorts a place at most, by size.
+struct DistortionSize {
+  double angle = 0.0;   ///< gamma [rad]
+  double moment = 0.0;  ///< M_D [N m^2]
+  double shear = 0.0;   ///< Q [N m]
+};
+
+/// How far it comes over a history that repeats: from lowest to highest, and the sum of all by
+/// which it rises.
+struct DistortionTravel {
+  DistortionSize range, rise;
+};
+
+/// Equivalent stress of a plate that is stretched along the beam and bent across it: on one of its
+/// faces both stresses have unlike signs.
+///
+///     sigma_v = sqrt(sigma_x^2 + sigma_t^2 + |sigma_x sigma_t| + 3 tau^2)
+///
+/// Sizes of all. Source: EN 1993-1-1:2005, 6.2.1(5), equation 6.1.
+template <class Value>
+Value bent_across_stress(const Value& sigma_x, const Value& sigma_t, const Value& tau) {
+  using std::sqrt;
+  return sqrt(sigma_x * sigma_x + sigma_t * sigma_t + sigma_x * sigma_t + 3.0 * tau * tau);
+}
+
+/// The same in the throat of a weld, whose plane the moment across bends: sigma_perp = sigma_t.
+///
+///     sigma_v = sqrt(sigma_t^2 + 3 tau_par^2)
+///
+/// Source: EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1.
+template <class Value>
+Value bent_throat_stress(const Value& sigma_t, const Value& tau_par) {
+  using std::sqrt;
+  return sqrt(sigma_t * sigma_t + 3.0 * tau_par * tau_par);
+}
 
 /// Of four plates of any thickness: the frame by slope and deflection, plates of stiffness
 ///
@@ -68,6 +130,10 @@ struct CellDistortion {
 /// k = 24/(h/D_w + b/D_f), the corner moment k/4 and I_w = b^2 h^2 (b t_f + h t_w)/24. S by the
 /// energy of the shear flow that balances the warping stresses and has no torque. E [Pa].
 CellDistortion cell_distortion_of(const BoxCell& cell, double E, double nu);
+
+/// Warping stresses and the moments across are linear along a plate, the shear flow a parabola.
+DistortionInfluence distortion_at(const BoxCell& cell, const CellDistortion& of,
+                                  const CellPlace& place);
 
 /// Of a plate across the cell, in shear in its plane [N m/rad]:
 ///
@@ -113,6 +179,8 @@ struct Distortion {
   std::vector<double> angle;   ///< gamma [rad]
   std::vector<double> moment;  ///< M_D [N m^2]
   std::vector<double> held;    ///< what the diaphragms take of d [N m]
+  /// Q at both ends of each element [N m].
+  std::vector<std::array<double, 2>> shear;
 
   /// Stress along the beam at a corner, 2 M_D omega/I_w [Pa], tension positive.
   double warping_stress(std::size_t node, const CellDistortion& cell, CellCorner corner) const;

@@ -33,21 +33,23 @@ class Amount {
 };
 
 enum class Criterion {
-  yield,              ///< equivalent stress against the yield strength
-  fatigue,            ///< normal stress ranges against a detail category
-  shear_fatigue,      ///< shear stress ranges likewise
-  combined_fatigue,   ///< both together
-  stress_range,       ///< the largest range against 1.5 times the yield strength
-  weld,               ///< throat of a weld
-  effective_section,  ///< normal stress on what of the plates works once they buckle
-  shear_buckling,     ///< of a plate
-  interaction,        ///< of both
-  patch_loading,      ///< of a web, by a force that a flange leads into it
-  member,             ///< flexural or lateral torsional buckling of the whole beam
-  pin,                ///< a pin and its bearing
-  rod,                ///< a rod under tension
-  buckling,           ///< a rod under compression
-  deflection,         ///< of the beam
+  yield,               ///< equivalent stress against the yield strength
+  fatigue,             ///< normal stress ranges against a detail category
+  shear_fatigue,       ///< shear stress ranges likewise
+  combined_fatigue,    ///< both together
+  stress_range,        ///< the largest range against 1.5 times the yield strength
+  weld,                ///< throat of a weld
+  effective_section,   ///< normal stress on what of the plates works once they buckle
+  shear_buckling,      ///< of a plate
+  interaction,         ///< of both
+  patch_loading,       ///< of a web, by a force that a flange leads into it
+  distortion,          ///< a box that is racked: its plates stretched along and bent across
+  distortion_fatigue,  ///< ranges of the same
+  member,              ///< flexural or lateral torsional buckling of the whole beam
+  pin,                 ///< a pin and its bearing
+  rod,                 ///< a rod under tension
+  buckling,            ///< a rod under compression
+  deflection,          ///< of the beam
 };
 
 /// All criteria, in the order of a report.
@@ -61,6 +63,8 @@ inline constexpr std::array criteria{Criterion::yield,
                                      Criterion::shear_buckling,
                                      Criterion::interaction,
                                      Criterion::patch_loading,
+                                     Criterion::distortion,
+                                     Criterion::distortion_fatigue,
                                      Criterion::member,
                                      Criterion::pin,
                                      Criterion::rod,

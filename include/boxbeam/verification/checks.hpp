@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/strength/effective_box.hpp"
 #include "boxbeam/strength/member_buckling.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
@@ -84,6 +85,19 @@ struct PatchBasis {
   double load_factor = 1.0;
 };
 
+/// What the check of a box that is distorted rests on.
+struct DistortionBasis {
+  /// Of the point without distortion; in fatigue the cycles with it, and what resists them.
+  CheckBasis stress;
+  DistortionInfluence at;  ///< of the plate that is used most there, or of the throat of its seam
+  bool in_throat = false;  ///< strength
+  bool across = false;     ///< fatigue: by what bends the plate across, alone
+  DistortionSize size;     ///< at the check's instant; in fatigue the range
+  double load_factor = 1.0;
+  Length introduced;  ///< where the torque comes that does most of it
+  Moment torque;      ///< that comes there
+};
+
 /// What the check of the beam as a member rests on, all of it with load factors.
 struct MemberBasis {
   bool turns_over = false;  ///< laterally and by torsion; else it bends
@@ -105,6 +119,7 @@ struct CheckResult {
   std::optional<DeflectionBasis> deflection = {};
   std::optional<PlateBasis> plates = {};
   std::optional<PatchBasis> patch = {};
+  std::optional<DistortionBasis> distortion = {};
   std::optional<MemberBasis> member = {};
   /// Of a throat: the least with which all checks of its weld, of a seam those of its place, pass;
   /// not below 3 mm (EN 1993-1-8:2005, 4.5.2(2)). Nothing where none does.

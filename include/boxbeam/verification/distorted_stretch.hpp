@@ -1,0 +1,119 @@
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "boxbeam/strength/box_distortion.hpp"
+#include "boxbeam/verification/situation_run.hpp"
+
+namespace boxbeam {
+
+/// Segments of boxes and rectangular tubes in a row, by their indices.
+struct BoxStretch {
+  std::size_t first = 0, last = 0;
+};
+
+std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam);
+
+/// Whether anything twists the beam at any instant.
+bool is_twisted(const std::deque<SituationRun>& runs);
+
+/// A stretch of boxes in a row under the torques of a case.
+///
+/// How a torque comes into a box, nobody knows from its cut forces: wherever T jumps, or a torque
+/// passes an end of the stretch, it comes by its webs alone or by its flanges alone, d = +-T/2
+/// each, all of them so that their effects add up; where the case says how (`torque_by`), so. What
+/// comes along the beam, dT/ds, comes alike everywhere, likewise; the part of a taper and of a jump
+/// of b/h is known, d = T/2 d(ln(h/b)). Forces at the beam axis are taken to come evenly by both
+/// webs or both flanges and do not distort. Ends and joints of the beam hold nothing in shape;
+/// diaphragms do, and what comes where one stands is taken by it. Stiffeners and inner profiles are
+/// left out, on the safe side.
+class DistortedStretch {
+ public:
+  /// Looks at what is given, which stays. `stations`: places that are to be among its own.
+  DistortedStretch(const Project& project, const std::deque<SituationRun>& runs,
+                   const BoxStretch& stretch, const std::vector<Station>& stations);
+
+  /// A place is an end of an element; where nothing jumps, of both the one.
+  struct Place {
+    Station station;
+    std::size_t element = 0, end = 0;
+  };
+  const std::vector<Place>& places() const { return places_; }
+  Length from() const { return si<Length>(from_); }
+  Length to() const { return si<Length>(to_); }
+  /// Where torque comes, ascending: at most 64 of them, for wheels move.
+  const std::vector<Length>& introduced() const { return introduced_; }
+  /// Whether any torque comes at any instant.
+  bool is_distorted() const { return distorted_; }
+  /// The cell at a place, and what it resists with.
+  const BoxCell& cell(std::size_t place) const { return cells_[place]; }
+  const CellDistortion& stiffness(std::size_t place) const { return stiffness_[place]; }
+
+  /// Of an instant of a run, and of any loads.
+  DistortionSize size_at(std::size_t place, std::size_t run, std::size_t instant) const;
+  DistortionSize size_at(std::size_t place, const CutForceDiagram& diagram) const;
+
+  /// What comes at one place.
+  struct Torque {
+    Length s;
+    Moment torque;
+  };
+  /// The one that does most of a sum of effects, of M_D = 1 and of gamma = 1, at a place.
+  Torque most_at(std::size_t place, const CutForceDiagram& diagram, double of_moment,
+                 double of_angle) const;
+
+  /// Of each place, in situations that run one after the other: each part is that of one torque,
+  /// whose sign stays; never above twice the most that all do.
+  std::vector<DistortionTravel> travels(const std::vector<std::size_t>& runs) const;
+
+ private:
+  using Effects = std::vector<DistortionSize>;  ///< of each place, with signs
+
+  struct NodeLoad {
+    std::size_t node = 0;
+    double d = 0.0;
+  };
+  struct Loads {
+    std::vector<NodeLoad> nodes;           ///< whose signs are not known
+    std::optional<Effects> lines, tapers;  ///< what comes along the beam; what is known of sign
+  };
+
+  struct Introduced {
+    double s = 0.0, torque = 0.0;
+  };
+  std::vector<Introduced> introduced_in(const CutForceDiagram& diagram) const;
+  DistortedBeam beam_under(const std::vector<Station>& stations);
+  void find_introduced();
+  void add_places();
+  const LoadIntroduction* introduction_at(double s) const;
+  Loads loads_of(const CutForceDiagram& diagram, double least) const;
+  std::optional<Effects> line_effects(const CutForceDiagram& diagram, double least) const;
+  std::optional<Effects> known_effects(const CutForceDiagram& diagram,
+                                       std::vector<double> known) const;
+  /// `load` shared by the nodes beside s.
+  std::vector<NodeLoad> shared(double s, double load) const;
+  Effects effects_of(const Distortion& of) const;
+  const Effects& of_node(std::size_t node) const;
+  DistortionSize size_at(std::size_t place, const Loads& loads) const;
+  double least_of(const SituationRun& run) const;
+
+  const Project* project_;
+  const std::deque<SituationRun>* runs_;
+  BoxStretch stretch_;
+  double from_, to_, near_;
+  bool slides_ = false;  ///< so many places of torque that something slides along
+  std::vector<Length> introduced_;
+  std::vector<double> jumps_;  ///< places where something may jump
+  DistortionSolver solver_;
+  std::vector<Place> places_;
+  std::vector<BoxCell> cells_;
+  std::vector<CellDistortion> stiffness_;
+  std::vector<std::vector<Loads>> loads_;           ///< of each run at its instants
+  mutable std::map<std::size_t, Effects> of_node_;  ///< of d = 1 at a node
+  bool distorted_ = false;
+};
+
+}  // namespace boxbeam

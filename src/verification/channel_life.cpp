@@ -1,0 +1,137 @@
+#include "channel_life.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "check_sources.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// A spectrum of many sizes in classes: each has the range of its largest cycle, and the life that
+/// all of its cycles together take.
+std::vector<SpectrumRow> in_classes(std::vector<SpectrumRow> spectrum) {
+  constexpr std::size_t most_sizes = 1000, classes = 1000;
+  if (spectrum.size() <= most_sizes) return spectrum;
+  double largest = 0.0;
+  for (const SpectrumRow& row : spectrum) largest = std::max(largest, row.cycle.range.value());
+  std::map<std::tuple<std::string, StressKind, std::size_t>, SpectrumRow> merged;
+  for (const SpectrumRow& row : spectrum) {
+    const double part = std::ceil(row.cycle.range.value() / largest * classes);
+    SpectrumRow& of = merged[{row.situation, row.kind, static_cast<std::size_t>(part)}];
+    const double count = of.cycle.count + row.cycle.count;
+    if (!(count > 0.0)) continue;
+    // Sums of life first, the cycles endured behind the loop.
+    of.situation = row.situation;
+    of.kind = row.kind;
+    of.endured += row.cycle.count / row.endured;
+    of.damage += row.damage;
+    of.cycle.mean += row.cycle.count / count * (row.cycle.mean - of.cycle.mean);
+    of.cycle.range = std::max(of.cycle.range, row.cycle.range);
+    of.cycle.count = count;
+  }
+  std::vector<SpectrumRow> rows;
+  for (auto& [key, row] : merged) {
+    if (!(row.cycle.count > 0.0)) continue;
+    row.endured = row.cycle.count / row.endured;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// The situation whose cycles take the largest part of the life, or have the largest range where
+/// none does damage; of equal ones the first.
+std::size_t governing_situation(const Project& project, const std::vector<SpectrumRow>& spectrum) {
+  std::unordered_map<std::string_view, std::pair<double, double>> shares;
+  for (const SpectrumRow& row : spectrum) {
+    auto& [life, range] = shares[row.situation];
+    life += row.cycle.count / row.endured;
+    range = std::max(range, row.cycle.range.value());
+  }
+  std::size_t worst = 0;
+  std::pair<double, double> most{-1.0, -1.0};
+  for (std::size_t i = 0; i < project.situations.size(); ++i) {
+    const auto share = shares.find(project.situations[i].name);
+    const auto of = share == shares.end() ? std::pair{0.0, 0.0} : share->second;
+    if (of <= most) continue;
+    most = of;
+    worst = i;
+  }
+  return worst;
+}
+
+std::vector<FatigueChannel> loads_of(const std::vector<LifeChannel>& channels) {
+  std::vector<FatigueChannel> loads;
+  for (const LifeChannel& channel : channels) loads.push_back(channel.for_damage());
+  return loads;
+}
+
+/// With the cycles that they endure, the loads taken k times.
+std::vector<SpectrumRow> spectrum_at(const Project& project,
+                                     const std::vector<LifeChannel>& channels,
+                                     const std::vector<FatigueChannel>& loads, double k) {
+  std::vector<SpectrumRow> rows;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const auto endured_at = [&](double times) {
+      return cycles_to_failure_in(loads[i].cycles, loads[i].curve, project.fatigue.demand, times);
+    };
+    const std::vector<double> endured = endured_at(k), as_it_is = endured_at(1.0);
+    for (std::size_t j = 0; j < endured.size(); ++j) {
+      SpectrumRow& row = rows.emplace_back(channels[i].spectrum[j]);
+      row.endured = endured[j];
+      row.damage = row.cycle.count / as_it_is[j];
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+FatigueChannel LifeChannel::for_damage() const {
+  FatigueChannel channel{{}, curve};
+  for (const SpectrumRow& row : spectrum) channel.cycles.push_back(row.cycle);
+  return channel;
+}
+
+std::vector<SpectrumRow> rows_of(const std::string& situation, StressKind kind,
+                                 const std::vector<Cycle>& cycles) {
+  std::vector<SpectrumRow> rows;
+  for (const Cycle& cycle : cycles) rows.push_back({situation, kind, cycle});
+  return rows;
+}
+
+ChannelLife life_of(const Project& project, const std::vector<LifeChannel>& channels) {
+  const std::vector<FatigueChannel> loads = loads_of(channels);
+  ChannelLife life;
+  life.factor = largest_factor(loads, project.fatigue.demand);
+  // Just above the factor, where the life is used up: at it a range may stand below the cut-off.
+  life.governing = governing_situation(
+      project, spectrum_at(project, channels, loads, life.factor * (1.0 + 1e-9)));
+  return life;
+}
+
+void take_life(const Project& project, const std::vector<LifeChannel>& channels,
+               const ChannelLife& life, Check& check, CheckBasis& basis) {
+  const FatigueDemand& demand = project.fatigue.demand;
+  const std::vector<FatigueChannel> loads = loads_of(channels);
+  check.safety_factor = life.factor;
+  check.required = project.fatigue.required;
+  for (const LifeChannel& channel : channels) basis.curves.push_back(channel.curve);
+  check.source = fatigue_source(project.fatigue, basis.curves);
+  for (const FatigueChannel& load : loads)
+    basis.damage += damage_of(load.cycles, load.curve, demand);
+  if (channels.size() == 1)
+    basis.equivalent = equivalent_range(basis.damage, basis.curves.front(), demand);
+  basis.spectrum = in_classes(spectrum_at(project, channels, loads, life.factor));
+  FatigueDemand constant = demand;
+  constant.loading = Loading::constant_amplitude;
+  basis.constant_amplitude_factor = largest_factor(loads, constant);
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,411 @@
+#include "boxbeam/verification/distorted_stretch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace boxbeam {
+namespace {
+
+constexpr double one_place = 1e-9;       ///< of the beam's length
+constexpr double no_torque = 1e-6;       ///< of the largest moment
+constexpr std::size_t most_places = 64;  ///< where torque comes that get nodes: wheels move
+
+/// -dT/ds, what comes per length.
+double line_torque_at(const CutForceDiagram& diagram, double s) {
+  for (const CutForcePiece& piece : diagram.pieces) {
+    if (s <= piece.end().value()) return -derivative_of(piece.T)(s - piece.start.value());
+  }
+  return 0.0;
+}
+
+/// Lowest and highest of a value, and by how much it has risen.
+class Travel {
+ public:
+  void take(double value) {
+    if (!any_) first_ = lowest_ = highest_ = last_ = value;
+    any_ = true;
+    rise_ += std::max(0.0, value - last_);
+    lowest_ = std::min(lowest_, value);
+    highest_ = std::max(highest_, value);
+    last_ = value;
+  }
+  double range() const { return highest_ - lowest_; }
+  /// Back to where it began.
+  double rise() const { return rise_ + std::max(0.0, first_ - last_); }
+
+ private:
+  bool any_ = false;
+  double first_ = 0.0, last_ = 0.0, lowest_ = 0.0, highest_ = 0.0, rise_ = 0.0;
+};
+
+/// Of the three of a place.
+struct Travels {
+  Travel angle, moment, shear;
+
+  void take(const DistortionSize& of) {
+    angle.take(of.angle);
+    moment.take(of.moment);
+    shear.take(of.shear);
+  }
+  DistortionTravel travel() const {
+    return {{angle.range(), moment.range(), shear.range()},
+            {angle.rise(), moment.rise(), shear.rise()}};
+  }
+};
+
+/// a + factor |b|, each for itself.
+void add_size(DistortionSize& a, const DistortionSize& b, double factor = 1.0) {
+  a.angle += factor * std::abs(b.angle);
+  a.moment += factor * std::abs(b.moment);
+  a.shear += factor * std::abs(b.shear);
+}
+
+void take_least(DistortionSize& a, const DistortionSize& most, double times) {
+  a.angle = std::min(a.angle, times * most.angle);
+  a.moment = std::min(a.moment, times * most.moment);
+  a.shear = std::min(a.shear, times * most.shear);
+}
+
+void take_most(DistortionSize& a, const DistortionSize& b) {
+  a.angle = std::max(a.angle, b.angle);
+  a.moment = std::max(a.moment, b.moment);
+  a.shear = std::max(a.shear, b.shear);
+}
+
+}  // namespace
+
+std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam) {
+  std::vector<BoxStretch> stretches;
+  bool before = false;
+  for (std::size_t i = 0; i < beam.segments.size(); ++i) {
+    const bool box = box_cell_of(beam.segments[i].from.outer).has_value();
+    if (box && before) stretches.back().last = i;
+    if (box && !before) stretches.push_back({i, i});
+    before = box;
+  }
+  return stretches;
+}
+
+bool is_twisted(const std::deque<SituationRun>& runs) {
+  for (const SituationRun& run : runs) {
+    const double least = no_torque * run.loads.largest_moment();
+    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+      for (const CutForcePiece& piece : run.loads.diagram(i).pieces) {
+        for (const double part : {0.0, 0.5, 1.0})
+          if (std::abs(piece.T(part * piece.length.value())) > least) return true;
+      }
+    }
+  }
+  return false;
+}
+
+DistortedStretch::DistortedStretch(const Project& project, const std::deque<SituationRun>& runs,
+                                   const BoxStretch& stretch, const std::vector<Station>& stations)
+    : project_(&project),
+      runs_(&runs),
+      stretch_(stretch),
+      from_(project.beam.segments[stretch.first].start.value()),
+      to_(project.beam.segments[stretch.last].end().value()),
+      near_(one_place * project.beam.length().value()),
+      solver_(beam_under(stations)) {
+  add_places();
+  for (const SituationRun& run : runs) {
+    std::vector<Loads>& of = loads_.emplace_back();
+    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+      of.push_back(loads_of(run.loads.diagram(i), least_of(run)));
+      distorted_ = distorted_ || !of.back().nodes.empty() || of.back().lines || of.back().tapers;
+    }
+  }
+}
+
+double DistortedStretch::least_of(const SituationRun& run) const {
+  return no_torque * run.loads.largest_moment();
+}
+
+/// What comes between its ends and, as torque that passes, at these.
+std::vector<DistortedStretch::Introduced> DistortedStretch::introduced_in(
+    const CutForceDiagram& diagram) const {
+  std::vector<Introduced> all;
+  const auto jump = [&](double s, double before, double behind) {
+    if (before != behind) all.push_back({s, before - behind});
+  };
+  double before = 0.0;
+  for (const CutForcePiece& piece : diagram.pieces) {
+    const double start = piece.start.value(), length = piece.length.value();
+    if (start > from_ + near_ && start < to_ - near_) jump(start, before, piece.T(0.0));
+    before = piece.T(length);
+  }
+  jump(from_, 0.0, diagram.at({si<Length>(from_), Side::behind}).T.value());
+  jump(to_, diagram.at({si<Length>(to_), Side::before}).T.value(), 0.0);
+  return all;
+}
+
+void DistortedStretch::find_introduced() {
+  for (const SituationRun& run : *runs_) {
+    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+      for (const Introduced& of : introduced_in(run.loads.diagram(i))) {
+        const auto same = [&](Length s) { return std::abs(s.value() - of.s) <= near_; };
+        if (std::abs(of.torque) <= least_of(run) ||
+            std::any_of(introduced_.begin(), introduced_.end(), same))
+          continue;
+        slides_ = introduced_.size() >= most_places;
+        if (slides_) return;
+        introduced_.push_back(si<Length>(of.s));
+      }
+    }
+  }
+}
+
+DistortedBeam DistortedStretch::beam_under(const std::vector<Station>& stations) {
+  const TaperedBeam& beam = project_->beam;
+  jumps_ = {from_, to_};
+  for (std::size_t i = stretch_.first; i < stretch_.last; ++i)
+    jumps_.push_back(beam.segments[i].end().value());
+  for (const Diaphragm& of : beam.diaphragms)
+    if (of.s.value() >= from_ - near_ && of.s.value() <= to_ + near_)
+      jumps_.push_back(std::clamp(of.s.value(), from_, to_));
+  find_introduced();
+  for (const Length& s : introduced_) jumps_.push_back(s.value());
+  std::sort(introduced_.begin(), introduced_.end());
+  std::sort(jumps_.begin(), jumps_.end());
+  const auto alike = [&](double a, double b) { return b - a <= near_; };
+  jumps_.erase(std::unique(jumps_.begin(), jumps_.end(), alike), jumps_.end());
+  jumps_.back() = to_;
+  // Elements far shorter than the others would spoil the elimination.
+  constexpr double apart = 1e-4;
+  std::vector<double> places = jumps_;
+  for (const Station& at : stations) {
+    const double s = at.s.value();
+    if (s <= from_ || s >= to_) continue;
+    const auto close = [&](double other) { return std::abs(other - s) < apart * (to_ - from_); };
+    if (std::none_of(places.begin(), places.end(), close)) {
+      places.push_back(s);
+      jumps_.push_back(s);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  std::sort(jumps_.begin(), jumps_.end());
+
+  const double E = project_->model.youngs_modulus;
+  const double nu = 0.5 * E / project_->model.shear_modulus - 1.0;
+  const auto cell_at = [&](double s) {
+    const Side side = s > to_ - near_ ? Side::before : Side::behind;
+    return *box_cell_of(section_at(beam, {si<Length>(s), side}).outer);
+  };
+  DistortedBeam of = distorted_beam(places, cell_at, E, nu);
+  for (const Diaphragm& diaphragm : beam.diaphragms) {
+    const double s = diaphragm.s.value();
+    if (s < from_ - near_ || s > to_ + near_) continue;
+    of.diaphragms[of.nearest(s)] += diaphragm_stiffness(
+        cell_at(std::clamp(s, from_, to_)), diaphragm.thickness, diaphragm.opening, E, nu);
+  }
+  return of;
+}
+
+void DistortedStretch::add_places() {
+  const std::vector<double>& nodes = solver_.beam().nodes;
+  const double E = project_->model.youngs_modulus;
+  const double nu = 0.5 * E / project_->model.shear_modulus - 1.0;
+  const auto add = [&](double s, Side side, std::size_t element, std::size_t end) {
+    places_.push_back({{si<Length>(s), side}, element, end});
+    cells_.push_back(*box_cell_of(section_at(project_->beam, places_.back().station).outer));
+    stiffness_.push_back(cell_distortion_of(cells_.back(), E, nu));
+  };
+  for (std::size_t e = 0; e + 1 < nodes.size(); ++e) {
+    add(nodes[e], Side::behind, e, 0);
+    const double end = nodes[e + 1];
+    const bool jumps = std::binary_search(jumps_.begin(), jumps_.end(), end);
+    if (jumps || slides_) add(end, Side::before, e, 1);
+  }
+}
+
+std::vector<DistortedStretch::NodeLoad> DistortedStretch::shared(double s, double load) const {
+  const std::vector<double>& at = solver_.beam().nodes;
+  const auto above =
+      std::clamp<std::ptrdiff_t>(std::lower_bound(at.begin(), at.end(), s - near_) - at.begin(), 1,
+                                 static_cast<std::ptrdiff_t>(at.size()) - 1);
+  const auto next = static_cast<std::size_t>(above);
+  const double part = std::clamp((s - at[next - 1]) / (at[next] - at[next - 1]), 0.0, 1.0);
+  constexpr double all = 1e-6;
+  std::vector<NodeLoad> loads;
+  if (part < 1.0 - all) loads.push_back({next - 1, (1.0 - part) * load});
+  if (part > all) loads.push_back({next, part * load});
+  return loads;
+}
+
+/// Of the narrowest stretch.
+const LoadIntroduction* DistortedStretch::introduction_at(double s) const {
+  const LoadIntroduction* narrowest = nullptr;
+  for (const LoadIntroduction& of : project_->beam.introductions) {
+    if (!of.torque_by || s < of.from.value() - near_ || s > of.to.value() + near_) continue;
+    if (narrowest == nullptr || of.to - of.from < narrowest->to - narrowest->from) narrowest = &of;
+  }
+  return narrowest;
+}
+
+DistortedStretch::Loads DistortedStretch::loads_of(const CutForceDiagram& diagram,
+                                                   double least) const {
+  Loads loads;
+  std::vector<double> known(solver_.beam().nodes.size(), 0.0);
+  bool any = false;
+  for (const Introduced& of : introduced_in(diagram)) {
+    if (std::abs(of.torque) <= least) continue;
+    any = true;
+    const LoadIntroduction* const by = introduction_at(of.s);
+    for (const NodeLoad& at : shared(of.s, 0.5 * of.torque)) {
+      if (by == nullptr) {
+        const auto same =
+            std::find_if(loads.nodes.begin(), loads.nodes.end(),
+                         [&](const NodeLoad& other) { return other.node == at.node; });
+        if (same != loads.nodes.end())
+          same->d += at.d;
+        else
+          loads.nodes.push_back(at);
+      } else if (*by->torque_by != TorqueBy::flow) {
+        known[at.node] += *by->torque_by == TorqueBy::webs ? at.d : -at.d;
+      }
+    }
+  }
+  loads.lines = line_effects(diagram, least);
+  if (any || loads.lines) loads.tapers = known_effects(diagram, std::move(known));
+  return loads;
+}
+
+std::optional<DistortedStretch::Effects> DistortedStretch::line_effects(
+    const CutForceDiagram& diagram, double least) const {
+  const DistortedBeam& beam = solver_.beam();
+  std::vector<DistortedBeam::AtGauss> lines(beam.nodes.size() - 1);
+  double largest = 0.0;
+  for (std::size_t e = 0; e < lines.size(); ++e) {
+    const DistortedBeam::AtGauss at = beam.places(e);
+    for (std::size_t g = 0; g < at.size(); ++g) {
+      lines[e][g] = 0.5 * line_torque_at(diagram, at[g]);
+      largest = std::max(largest, std::abs(lines[e][g]));
+    }
+  }
+  if (largest * (to_ - from_) <= least) return std::nullopt;
+  return effects_of(solver_.solve(std::vector<double>(beam.nodes.size(), 0.0), lines));
+}
+
+/// T d(ln(h/b))/2, and `known` at the nodes; nothing where neither is there.
+std::optional<DistortedStretch::Effects> DistortedStretch::known_effects(
+    const CutForceDiagram& diagram, std::vector<double> known) const {
+  const DistortedBeam& beam = solver_.beam();
+  std::vector<DistortedBeam::AtGauss> lines = beam.of_torque;
+  bool any = std::any_of(known.begin(), known.end(), [](double d) { return d != 0.0; });
+  for (std::size_t e = 0; e < lines.size(); ++e) {
+    const DistortedBeam::AtGauss at = beam.places(e);
+    for (std::size_t g = 0; g < at.size(); ++g) {
+      if (lines[e][g] == 0.0) continue;
+      lines[e][g] *= diagram.at({si<Length>(at[g])}).T.value();
+      any = any || lines[e][g] != 0.0;
+    }
+  }
+  for (std::size_t i = stretch_.first; i < stretch_.last; ++i) {
+    const Length s = project_->beam.segments[i].end();
+    const BoxCell a = *box_cell_of(section_at(project_->beam, {s, Side::before}).outer);
+    const BoxCell b = *box_cell_of(section_at(project_->beam, {s, Side::behind}).outer);
+    const double jump = std::log((b.height / b.width).value() / (a.height / a.width).value());
+    if (std::abs(jump) < 1e-12) continue;
+    known[beam.nearest(s.value())] += 0.5 * jump * diagram.at({s, Side::before}).T.value();
+    any = true;
+  }
+  if (!any) return std::nullopt;
+  return effects_of(solver_.solve(known, lines));
+}
+
+DistortedStretch::Effects DistortedStretch::effects_of(const Distortion& of) const {
+  Effects effects;
+  effects.reserve(places_.size());
+  for (const Place& place : places_) {
+    const std::size_t node = place.element + place.end;
+    effects.push_back({of.angle[node], of.moment[node], of.shear[place.element][place.end]});
+  }
+  return effects;
+}
+
+const DistortedStretch::Effects& DistortedStretch::of_node(std::size_t node) const {
+  const auto found = of_node_.find(node);
+  if (found != of_node_.end()) return found->second;
+  std::vector<double> loads(solver_.beam().nodes.size(), 0.0);
+  loads[node] = 1.0;
+  return of_node_.emplace(node, effects_of(solver_.solve(loads))).first->second;
+}
+
+DistortionSize DistortedStretch::size_at(std::size_t place, const Loads& loads) const {
+  DistortionSize size;
+  for (const NodeLoad& at : loads.nodes) add_size(size, of_node(at.node)[place], std::abs(at.d));
+  if (loads.lines) add_size(size, (*loads.lines)[place]);
+  if (loads.tapers) add_size(size, (*loads.tapers)[place]);
+  return size;
+}
+
+DistortionSize DistortedStretch::size_at(std::size_t place, std::size_t run,
+                                         std::size_t instant) const {
+  return size_at(place, loads_[run][instant]);
+}
+
+DistortionSize DistortedStretch::size_at(std::size_t place, const CutForceDiagram& diagram) const {
+  return size_at(place, loads_of(diagram, 0.0));
+}
+
+DistortedStretch::Torque DistortedStretch::most_at(std::size_t place,
+                                                   const CutForceDiagram& diagram, double of_moment,
+                                                   double of_angle) const {
+  Torque found;
+  double most = 0.0;
+  for (const Introduced& of : introduced_in(diagram)) {
+    double effect = 0.0;
+    for (const NodeLoad& at : shared(of.s, of.torque)) {
+      const DistortionSize& unit = of_node(at.node)[place];
+      effect +=
+          std::abs(at.d) * (of_moment * std::abs(unit.moment) + of_angle * std::abs(unit.angle));
+    }
+    if (effect <= most) continue;
+    most = effect;
+    found = {si<Length>(of.s), si<Moment>(std::abs(of.torque))};
+  }
+  return found;
+}
+
+std::vector<DistortionTravel> DistortedStretch::travels(
+    const std::vector<std::size_t>& runs) const {
+  std::map<std::size_t, Travel> of_nodes;
+  std::vector<Travels> lines(places_.size()), tapers(places_.size());
+  std::vector<DistortionSize> most(places_.size());
+  for (const std::size_t run : runs) {
+    for (const Loads& loads : loads_[run])
+      for (const NodeLoad& at : loads.nodes) of_nodes[at.node];
+  }
+  for (const std::size_t run : runs) {
+    for (const Loads& loads : loads_[run]) {
+      for (auto& [node, travel] : of_nodes) {
+        double d = 0.0;
+        for (const NodeLoad& at : loads.nodes)
+          if (at.node == node) d = at.d;
+        travel.take(d);
+      }
+      for (std::size_t k = 0; k < places_.size(); ++k) {
+        lines[k].take(loads.lines ? (*loads.lines)[k] : DistortionSize{});
+        tapers[k].take(loads.tapers ? (*loads.tapers)[k] : DistortionSize{});
+        take_most(most[k], size_at(k, loads));
+      }
+    }
+  }
+  std::vector<DistortionTravel> all(places_.size());
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    for (const auto& [node, travel] : of_nodes) {
+      add_size(all[k].range, of_node(node)[k], travel.range());
+      add_size(all[k].rise, of_node(node)[k], travel.rise());
+    }
+    for (const Travels& of : {lines[k], tapers[k]}) {
+      add_size(all[k].range, of.travel().range);
+      add_size(all[k].rise, of.travel().rise);
+    }
+    take_least(all[k].range, most[k], 2.0);
+  }
+  return all;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,243 @@
+#include "boxbeam/verification/distortion_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "boxbeam/numerics/extremum.hpp"
+#include "boxbeam/verification/distorted_stretch.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
+#include "check_sources.hpp"
+#include "counts_in_fatigue.hpp"
+#include "distortion_ranges.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Stresses of distortion below this part of the yield strength are none, as far as places are
+/// searched for.
+constexpr double no_effect = 1e-4;
+
+/// Searches one stretch.
+class DistortionSearch {
+ public:
+  DistortionSearch(const Project& project, const std::deque<SituationRun>& runs,
+                   const std::vector<BendingZone>& zones, const DistortedStretch& stretch,
+                   const BoxStretch& segments)
+      : project_(&project),
+        runs_(&runs),
+        zones_(&zones),
+        stretch_(&stretch),
+        ranges_(project, runs, stretch) {
+    found_.from = stretch.from();
+    found_.to = stretch.to();
+    found_.places = stretch.introduced();
+    for (std::size_t i = segments.first; i <= segments.last; ++i)
+      found_.segments += (i > segments.first ? ", " : "") + project.beam.segments[i].name;
+    found_.spacing = si<Length>(0.5 / stretch.stiffness(0).decay);
+    for (std::size_t k = 0; k < stretch.places().size(); ++k) look_at(k);
+    refine();
+    found_.ranges_judged = ranges_.judged();
+    found_.along_range = si<Stress>(ranges_.largest()[0]);
+    found_.across_range = si<Stress>(ranges_.largest()[1]);
+  }
+
+  const DistortionEstimate& estimate() const { return found_; }
+
+  std::vector<CheckResult> checks() {
+    std::vector<CheckResult> all;
+    if (worst_.used > 0.0) all.push_back(strength_check());
+    for (CheckResult& of : ranges_.checks()) all.push_back(std::move(of));
+    return all;
+  }
+
+ private:
+  struct Worst {
+    double used = 0.0;
+    std::size_t place = 0, point = 0, run = 0, instant = 0;
+    Time time;
+    PointUse use;
+  };
+
+  const Station& station_of(std::size_t place) const { return stretch_->places()[place].station; }
+
+  void look_at(std::size_t place) {
+    const std::vector<DistortedPoint> points =
+        distorted_points_at(*project_, *zones_, *stretch_, place);
+    double along = 0.0, across = 0.0, shear = 0.0;
+    double yield = std::numeric_limits<double>::infinity();
+    for (const DistortedPoint& of : points) {
+      for (const DistortionInfluence& at : of.at) {
+        along = std::max(along, std::abs(at.along));
+        across = std::max(across, at.across);
+        shear = std::max(shear, std::abs(at.shear));
+      }
+      yield = std::min(yield, of.point.yield_strength.value());
+    }
+    found_.spacing =
+        std::min(found_.spacing, si<Length>(0.5 / stretch_->stiffness(place).decay), std::less<>());
+    std::vector<std::vector<CutForces>> cuts;
+    for (const SituationRun& run : *runs_) cuts.push_back(run.loads.cuts_at(station_of(place)));
+    look_at_bending(points, cuts);
+    const bool slender = slender_plates_at(*project_, *zones_, station_of(place)) != nullptr;
+    for (std::size_t r = 0; r < cuts.size(); ++r) {
+      const double factor = (*runs_)[r].situation->load_factor;
+      for (std::size_t i = 0; factor > 0.0 && i < cuts[r].size(); ++i) {
+        const DistortionSize size = stretch_->size_at(place, r, i);
+        const double stretched = factor * along * size.moment, bent = factor * across * size.angle;
+        if (stretched + bent + factor * shear * size.shear < no_effect * yield) continue;
+        note_size(place, r, i, {stretched, bent}, yield, slender);
+        for (std::size_t p = 0; p < points.size(); ++p) {
+          if (points[p].resisting == 0.0) continue;
+          const PointUse use =
+              use_of(points[p], stress_at(points[p].point.influence, cuts[r][i]), size, factor);
+          if (use.use() > worst_.used)
+            worst_ = {use.use(), place, p, r, i, (*runs_)[r].loads.time_of(i), use};
+        }
+      }
+    }
+    if (project_->fatigue.asked)
+      ranges_.look_at(place, points, cuts, {along, across}, no_effect * yield);
+  }
+
+  void note_size(std::size_t place, std::size_t run, std::size_t instant,
+                 const DistortionStresses& of, double yield, bool slender) {
+    found_.along = std::max(found_.along, si<Stress>(of[0]), std::less<>());
+    found_.across = std::max(found_.across, si<Stress>(of[1]), std::less<>());
+    const double used = (of[0] + of[1]) * project_->strength.gamma_M0 / yield;
+    if (slender) found_.used_where_slender = std::max(found_.used_where_slender, used);
+    if (used <= found_.used) return;
+    const SituationRun& by = (*runs_)[run];
+    found_.used = used;
+    found_.station = station_of(place);
+    found_.when = by.loads.time_of(instant);
+    found_.situation = index_of(*project_, *by.situation);
+    const DistortedStretch::Torque torque = torque_at(*stretch_, place, by.loads.diagram(instant));
+    found_.introduced = torque.s;
+    found_.torque = torque.torque;
+  }
+
+  void look_at_bending(const std::vector<DistortedPoint>& points,
+                       const std::vector<std::vector<CutForces>>& cuts) {
+    for (const DistortedPoint& of : points) {
+      if (of.at.size() < 2 || of.point.on_throat) continue;
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+      for (std::size_t r = 0; r < cuts.size(); ++r) {
+        const Situation& situation = *(*runs_)[r].situation;
+        const bool counts = project_->fatigue.asked && counts_in_fatigue(*project_, situation);
+        for (CutForces cut : cuts[r]) {
+          cut.N = Force{};
+          const Stress stress = stress_at(of.point.influence, cut).normal;
+          found_.bending =
+              std::max(found_.bending, Stress(situation.load_factor * abs(stress)), std::less<>());
+          if (!counts) continue;
+          lowest = std::min(lowest, stress.value());
+          highest = std::max(highest, stress.value());
+        }
+      }
+      if (highest > lowest)
+        found_.bending_range =
+            std::max(found_.bending_range, si<Stress>(highest - lowest), std::less<>());
+    }
+  }
+
+  /// The maximum between the instants beside the worst, at its place.
+  void refine() {
+    if (worst_.used == 0.0) return;
+    const SituationRun& run = (*runs_)[worst_.run];
+    const LoadHistory& history = run.loads;
+    if (history.is_recorded()) return;
+    const std::size_t i = worst_.instant, last = history.instants() - 1;
+    const Time at = history.time_of(i);
+    const Time low = i > 0 && !history.begins_piece(i) ? history.time_of(i - 1) : at;
+    const Time high = i < last && !history.begins_piece(i + 1) ? history.time_of(i + 1) : at;
+    if (!(high > low)) return;
+    points_ = distorted_points_at(*project_, *zones_, *stretch_, worst_.place);
+    constexpr int bits = 14;
+    find_maximum(
+        [&](double time) {
+          const CutForceDiagram diagram = history.diagram_at(si<Time>(time));
+          const PointUse use = use_in(diagram);
+          if (use.use() > worst_.used) {
+            worst_.used = use.use();
+            worst_.use = use;
+            worst_.time = si<Time>(time);
+          }
+          return use.use();
+        },
+        low.value(), high.value(), bits);
+  }
+
+  PointUse use_in(const CutForceDiagram& diagram) const {
+    const DistortedPoint& of = points_[worst_.point];
+    const CutForces cut = diagram.at(station_of(worst_.place));
+    return use_of(of, stress_at(of.point.influence, cut), stretch_->size_at(worst_.place, diagram),
+                  (*runs_)[worst_.run].situation->load_factor);
+  }
+
+  CheckResult strength_check() {
+    if (points_.empty()) points_ = distorted_points_at(*project_, *zones_, *stretch_, worst_.place);
+    const DistortedPoint& of = points_[worst_.point];
+    const SituationRun& run = (*runs_)[worst_.run];
+    const CutForceDiagram diagram = run.loads.diagram_at(worst_.time);
+    CheckResult result;
+    Check& check = result.check;
+    check.criterion = Criterion::distortion;
+    check.station = station_of(worst_.place);
+    check.point = of.point.name;
+    check.id = id_of(check.criterion, check.station, check.point);
+    check.situation = run.situation->name;
+    check.time = worst_.time;
+    check.acting = si<Stress>(worst_.use.acting);
+    check.resisting = si<Stress>(worst_.use.resisting);
+    check.required = project_->strength.required;
+    check.safety_factor = check.resisting / check.acting;
+    check.source = of.point.on_throat ? "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1"
+                                      : yield_source(*of.point.first_to_yield.material);
+    DistortionBasis& basis = result.distortion.emplace();
+    basis.in_throat = of.point.on_throat;
+    basis.load_factor = run.situation->load_factor;
+    basis.size = stretch_->size_at(worst_.place, diagram);
+    basis.stress.point = of.point;
+    basis.stress.weld = of.weld;
+    basis.stress.cut_at_time = diagram.at(check.station);
+    basis.stress.stress_at_time = stress_at(of.point.influence, basis.stress.cut_at_time);
+    basis.stress.running = index_of(*project_, *run.situation);
+    const PointUse use = use_of(of, basis.stress.stress_at_time, basis.size, basis.load_factor);
+    basis.at = *use.at;
+    const DistortedStretch::Torque torque = torque_at(*stretch_, worst_.place, diagram);
+    basis.introduced = torque.s;
+    basis.torque = torque.torque;
+    return result;
+  }
+
+  const Project* project_;
+  const std::deque<SituationRun>* runs_;
+  const std::vector<BendingZone>* zones_;
+  const DistortedStretch* stretch_;
+  DistortionRanges ranges_;
+  DistortionEstimate found_;
+  Worst worst_;
+  std::vector<DistortedPoint> points_;  ///< at the worst place
+};
+
+}  // namespace
+
+DistortionChecks check_distortion(const Project& project, const std::deque<SituationRun>& runs,
+                                  const std::vector<BendingZone>& zones,
+                                  const std::vector<Station>& stations) {
+  DistortionChecks found;
+  if (!project.in_space || !is_twisted(runs)) return found;
+  for (const BoxStretch& segments : box_stretches_of(project.beam)) {
+    const DistortedStretch stretch(project, runs, segments, stations);
+    if (!stretch.is_distorted()) continue;
+    DistortionSearch search(project, runs, zones, stretch, segments);
+    for (CheckResult& check : search.checks()) found.checks.push_back(std::move(check));
+    found.estimates.push_back(search.estimate());
+  }
+  return found;
+}
+
+}  // namespace boxbeam

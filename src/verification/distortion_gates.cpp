@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "boxbeam/verification/distortion_checks.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// What is judged without distortion in a stretch, and how much of it is used.
+struct Beside {
+  std::string names;
+  double used = 0.0;  ///< with distortion
+  bool has_ranges = false;
+
+  void add(const std::string& name, double with) {
+    if (names.find(name) == std::string::npos) names += (names.empty() ? "" : ", ") + name;
+    used = std::max(used, with);
+  }
+};
+
+Beside beside(const Project& project, const DistortionEstimate& of,
+              const std::vector<CheckResult>& checks) {
+  constexpr double edge_of_hole = 3.0;  // of a round hole in a plate under tension
+  const double distorted = project.strength.required * of.used;
+  const auto lies_in = [&](Length s) { return s >= of.from && s <= of.to; };
+  Beside found;
+  for (const CheckResult& result : checks) {
+    const Check& check = result.check;
+    const double used = check.utilisation();
+    if (check.criterion == Criterion::member) {
+      found.add("the buckling of the beam", used + distorted);
+    } else if (check.criterion == Criterion::patch_loading) {
+      if (lies_in(check.station.s)) found.add("forces that come into webs", used + distorted);
+    } else if (result.basis && lies_in(check.station.s)) {
+      const bool strength =
+          check.criterion == Criterion::yield || check.criterion == Criterion::weld;
+      const bool at_hole = result.basis->point.concentration.has_value();
+      const bool at_weld = check.point.find("of weld ") != std::string::npos;
+      if (!at_hole && !at_weld) continue;
+      found.has_ranges = found.has_ranges || !strength;
+      found.add(at_hole ? "edges of holes" : "welds around profiles",
+                strength ? used + (at_hole ? edge_of_hole : 1.0) * distorted : 0.0);
+    }
+  }
+  return found;
+}
+
+std::string effects_text(const Project& project, const DistortionEstimate& of) {
+  const std::string& name = project.situations[of.situation].name;
+  return fmt::format(
+      "distortion of the box between s = {:.4g} m and {:.4g} m: its torques, most of all {:.3g} "
+      "kN m at s = {:.4g} m, each led in {}, bend its plates across by {:.3g} MPa and stretch its "
+      "edges by {:.3g} MPa at most (t = {:.6g} s{}), bending by {:.3g} MPa",
+      of.from.value() + 0.0, of.to.value(), of.torque.value() * 1e-3, of.introduced.value() + 0.0,
+      std::any_of(project.beam.introductions.begin(), project.beam.introductions.end(),
+                  [](const LoadIntroduction& by) { return by.torque_by.has_value(); })
+          ? "as the case says, else by its webs or its flanges alone"
+          : "by its webs or its flanges alone",
+      of.across.value() * 1e-6, of.along.value() * 1e-6, of.when.value(),
+      name.empty() ? "" : fmt::format(" of situation \"{}\"", name), of.bending.value() * 1e-6);
+}
+
+std::string remedy_text(const DistortionEstimate& of) {
+  constexpr std::size_t few = 4;
+  std::string where;
+  if (of.places.size() <= few) {
+    for (const Length& s : of.places)
+      where += fmt::format("{}{:.4g} m", where.empty() ? "at s = " : ", ", s.value() + 0.0);
+    where += ", ";
+  }
+  return fmt::format(
+      "Plates across the box that keep it in shape are [[beam.diaphragms]]: {}where torque comes, "
+      "no farther apart than {:.3g} m (0.5/lambda) where it comes between them",
+      where, of.spacing.value());
+}
+
+}  // namespace
+
+std::vector<Gate> distortion_gates_of(const Project& project,
+                                      const std::vector<DistortionEstimate>& estimates,
+                                      const std::vector<CheckResult>& checks) {
+  constexpr double disregarded = 0.1, next_to_nothing = 0.01, worth_saying = 1e-3;
+  // Category 36 at 1e8 cycles: (2/5)^(1/3) (5/100)^(1/5) of it. Source: EN 1993-1-9, 7.1(2), (3).
+  const FatigueDemand& demand = project.fatigue.demand;
+  const double cut_off = 36e6 * std::cbrt(0.4) * std::pow(0.05, 0.2) / demand.gamma_Mf;
+  std::vector<Gate> gates;
+  for (const DistortionEstimate& of : estimates) {
+    const bool small = std::max(of.along, of.across, std::less<>()) <= disregarded * of.bending;
+    const auto slight = [&](double used) {
+      return project.strength.required * used <= next_to_nothing;
+    };
+    const auto small_range = [&](Stress range, double of_cut_off) {
+      const double limit = of_cut_off * cut_off / (demand.gamma_Ff * project.fatigue.required);
+      return range <= std::max(disregarded * of.bending_range, si<Stress>(limit), std::less<>());
+    };
+    const bool small_ranges = !project.fatigue.asked || (small_range(of.along_range, disregarded) &&
+                                                         small_range(of.across_range, 1.0));
+    const Beside without = beside(project, of, checks);
+    std::vector<std::string> reasons;
+    if (!small && !slight(of.used_where_slender))
+      reasons.push_back(fmt::format(
+          "plates that may buckle bear more than 10 % of bending (EN 1993-2, 6.2.7), {:.3g} of "
+          "their strength, without being judged for both",
+          project.strength.required * of.used_where_slender));
+    if (!small && !slight(of.used) && without.used > 1.0)
+      reasons.push_back(fmt::format("it is in no check of {}, which with it would use {:.3g}",
+                                    without.names, without.used));
+    if (!small_ranges && !of.ranges_judged)
+      reasons.push_back(fmt::format(
+          "in the fatigue of a long record it is in no check, with ranges of {:.3g} and {:.3g} "
+          "MPa, bending {:.3g} MPa",
+          of.across_range.value() * 1e-6, of.along_range.value() * 1e-6,
+          of.bending_range.value() * 1e-6));
+    else if (!small_ranges && without.has_ranges)
+      reasons.push_back(fmt::format("it is in no check of the fatigue of {}", without.names));
+    const std::string effects = effects_text(project, of);
+    if (!reasons.empty()) {
+      gates.push_back(
+          {"", "", fmt::format("{}: {}. {}", effects, fmt::join(reasons, "; "), remedy_text(of)),
+           true});
+    } else if (of.used >= worth_saying) {
+      gates.push_back({"", "", effects + ": it is in the checks of distortion", false});
+    }
+  }
+  return gates;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/life_cycles.hpp"
+#include "channel_life.hpp"
+#include "distorted_points.hpp"
+
+namespace boxbeam {
+
+/// Stresses along and across [Pa].
+using DistortionStresses = std::array<double, 2>;
+
+/// The fatigue of a stretch that is distorted, place by place.
+class DistortionRanges {
+ public:
+  /// Looks at what is given, which stays. Of long records no cycles are counted.
+  DistortionRanges(const Project& project, const std::deque<SituationRun>& runs,
+                   const DistortedStretch& stretch);
+
+  /// Takes a place: its points, of each run the cut forces at its instants, the largest stresses of
+  /// M_D = 1 and gamma = 1; ranges below `least` are none.
+  void look_at(std::size_t place, const std::vector<DistortedPoint>& points,
+               const std::vector<std::vector<CutForces>>& cuts, const DistortionStresses& of_unit,
+               double least);
+
+  /// Whether they are judged by checks.
+  bool judged() const { return counted_; }
+  /// The largest ranges.
+  const DistortionStresses& largest() const { return largest_; }
+  /// The worst by the details of the points and by `corner`.
+  std::vector<CheckResult> checks() const;
+
+ private:
+  /// Situations that repeat, or change into each other, in the wanted life.
+  struct Sequence {
+    std::size_t situation = 0;
+    std::vector<std::size_t> runs;  ///< one after the other
+    std::vector<DistortionTravel> travels;
+  };
+
+  const Sequence& sequence_of(std::size_t situation) const;
+  std::vector<SpectrumRow> spectrum_of(
+      StressKind kind,
+      const std::function<std::vector<Cycle>(const Sequence&, const Situation&)>& cycles_of) const;
+  bool may_be_worse(std::size_t place, const DistortedPoint& of,
+                    const std::vector<std::vector<CutForces>>& cuts) const;
+  CheckResult fatigue_check(std::size_t place, const DistortedPoint& of, const std::string& name,
+                            const std::vector<LifeChannel>& channels,
+                            const ChannelLife& life) const;
+  void look_along(std::size_t place, const DistortedPoint& of,
+                  const std::vector<SituationHistory>& histories);
+  void look_across(std::size_t place, const DistortedPoint& of);
+
+  const Project* project_;
+  const std::deque<SituationRun>* runs_;
+  const DistortedStretch* stretch_;
+  bool counted_ = false;
+  std::vector<Sequence> sequences_;
+  DistortionStresses largest_{};
+  std::optional<CheckResult> along_, across_;
+};
+
+/// The torque that does most of the stresses of a place.
+DistortedStretch::Torque torque_at(const DistortedStretch& stretch, std::size_t place,
+                                   const CutForceDiagram& diagram);
+
+}  // namespace boxbeam
