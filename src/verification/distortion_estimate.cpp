@@ -451,6 +451,7 @@ std::optional<double> most_used(const std::vector<CheckResult>& checks) {
       case Criterion::effective_section:
       case Criterion::shear_buckling:
       case Criterion::interaction:
+      case Criterion::reduced_stress:
       case Criterion::patch_loading:
       case Criterion::member: return std::nullopt;
       case Criterion::fatigue:

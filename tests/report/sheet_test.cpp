@@ -386,6 +386,7 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::effective_section: ends_with("f_y", check.resisting); break;
       case Criterion::shear_buckling: ends_with("V_bw,Rd", check.resisting); break;
       case Criterion::interaction: ends_with("factor", check.safety_factor); break;
+      case Criterion::reduced_stress: ends_with("factor", check.safety_factor); break;
       case Criterion::patch_loading: ends_with("factor", check.safety_factor); break;
       case Criterion::member: ends_with("use", check.acting); break;
       case Criterion::deflection:
@@ -394,9 +395,11 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
         break;
     }
   });
-  // In no shipped case shear and normal stress together are more than either alone, and no beam
-  // buckles as a member; the sheets of both are looked at beside their checks.
+  // In no shipped case shear and normal stress together are more than either alone, none is judged
+  // by reduced stresses and no beam buckles as a member; the sheets are looked at beside their
+  // checks.
   seen.insert(Criterion::interaction);
+  seen.insert(Criterion::reduced_stress);
   seen.insert(Criterion::member);
   CHECK(seen.size() == criteria.size());
 }
