@@ -208,6 +208,7 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
   plates->route = plate_route_of(project, segment);
   plates->steep = is_steep(segment);
   plates->reduced = reduced_plates_at(project, zones, station, section, *walls, plates->sheared);
+  if (plates->route == PlateRoute::reduced_stresses && plates->reduced.empty()) return nullptr;
   return plates;
 }
 

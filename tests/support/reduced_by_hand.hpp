@@ -9,6 +9,7 @@ namespace reduced_by_hand {
 struct Plate {
   double b, t, f_y;
   double a = 0.0;  ///< 0: long
+  bool rigid_end_post = false;
 };
 
 struct Acting {
@@ -52,7 +53,8 @@ inline double use(const Plate& of, const Acting& on) {
     const double chi_c = lambda <= 0.2 ? 1.0 : 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda));
     rho_x = (rho_x - chi_c) * xi * (2.0 - xi) + chi_c;
   }
-  const double chi_w = lambda < 0.83 ? 1.0 : 0.83 / lambda;
+  double chi_w = lambda < 0.83 ? 1.0 : 0.83 / lambda;
+  if (of.rigid_end_post && lambda >= 1.08) chi_w = 1.37 / (0.7 + lambda);
   const double phi_p = 0.5 * (1.0 + 0.34 * (lambda - 0.8) + lambda);
   const double rho_z = lambda <= 0.8 ? 1.0 : 1.0 / (phi_p + std::sqrt(phi_p * phi_p - lambda));
   const auto x = [&](double stress) { return stress > 0.0 ? stress / rho_x : stress; };
