@@ -31,20 +31,26 @@ report::MarkedText list_of(const Verification& verification) {
   return list;
 }
 
-/// The check of an id; or the worst one of those whose ids begin with its parts, "fatigue/4.2"; or
-/// of those whose criteria's names begin so: "shear", "combined".
-const CheckResult* find_check(const Verification& verification, const std::string& id) {
-  if (id == "governing") return &verification.checks.front();
-  const auto same = std::find_if(verification.checks.begin(), verification.checks.end(),
+const CheckResult* find_in(const std::vector<CheckResult>& checks, const std::string& id) {
+  const auto same = std::find_if(checks.begin(), checks.end(),
                                  [&](const CheckResult& result) { return result.check.id == id; });
-  if (same != verification.checks.end()) return &*same;
+  if (same != checks.end()) return &*same;
   for (const std::string& begin : {id + "/", id}) {
-    const auto below =
-        std::find_if(verification.checks.begin(), verification.checks.end(),
-                     [&](const CheckResult& result) { return result.check.id.starts_with(begin); });
-    if (!id.empty() && below != verification.checks.end()) return &*below;
+    const auto below = std::find_if(checks.begin(), checks.end(), [&](const CheckResult& result) {
+      return result.check.id.starts_with(begin);
+    });
+    if (!id.empty() && below != checks.end()) return &*below;
   }
   return nullptr;
+}
+
+/// The check of an id; or the worst one of those whose ids begin with its parts, "fatigue/4.2"; or
+/// of those whose criteria's names begin so: "shear", "combined". Else one that stands beside the
+/// verdict.
+const CheckResult* find_check(const Verification& verification, const std::string& id) {
+  if (id == "governing") return &verification.checks.front();
+  const CheckResult* const found = find_in(verification.checks, id);
+  return found != nullptr ? found : find_in(verification.beside, id);
 }
 
 InputError unknown(const Verification& verification, const std::string& id) {

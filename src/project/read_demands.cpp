@@ -17,6 +17,12 @@ StrengthDemand read_strength(TableReader table) {
   demand.gamma_M2 = table.number({"gamma_M2", "on welds, pins and net sections"}, 1.25);
   demand.shear_lag =
       table.boolean({"shear_lag", "wide flanges are reduced, EN 1993-1-5, 3.2"}, true);
+  demand.plates = static_cast<PlateRoute>(table.choice(
+      {"plates",
+       "how boxes and rectangular tubes whose plates buckle are judged: by effective widths (EN "
+       "1993-1-5, 4 to 7), or plate by plate on the gross section (10); segments whose edges are "
+       "inclined by more than 10 deg by reduced stresses anyway"},
+      {"effective widths", "reduced stresses"}, 0));
   demand.required = table.number({"required", "wanted safety factor"});
   table.finish();
   return demand;

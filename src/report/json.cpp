@@ -5,6 +5,7 @@
 
 #include "beam_json.hpp"
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "document_fields.hpp"
 #include "load_model_json.hpp"
@@ -191,6 +192,26 @@ void put_instant(Fields& to, const Project& project, const CriticalInstant& inst
   to.number_in("value", units.value(instant.quantity(), "1"), "quantity", instant.value, units);
 }
 
+/// Slender plates, where there are some.
+void put_plates(Fields& to, const Verification& verification) {
+  if (!to.is_describing() && verification.routes.empty()) return;
+  to.optional().object(
+      {"plates", "slender ones, by which route of EN 1993-1-5 they are judged; absent without"},
+      [&](Fields& of) {
+        of.list(
+            "segments", "{segment}", verification.routes,
+            [](Fields& segment, const SegmentRoute& route) {
+              segment.text("segment", route.segment);
+              segment.word("route", to_text(route.route), {"effective widths", "reduced stresses"});
+              segment.text({"reason", "of a route that the case does not ask for"}, route.reason);
+            });
+        of.list({"beside",
+                 "the worst check of each criterion of the other route, no part of the verdict, "
+                 "without forces that come into webs"},
+                "{id}", verification.beside, put_check);
+      });
+}
+
 /// What is found of one of several beams.
 void put_beam_of_several(Fields& to, const VerifiedBeam& beam) {
   const Verification& of = beam.verification;
@@ -204,6 +225,7 @@ void put_beam_of_several(Fields& to, const VerifiedBeam& beam) {
   } else {
     put_beam(to, beam.project, of);
   }
+  put_plates(to, of);
   to.object("governing", [&](Fields& governing) {
     for (const Criterion criterion : {Criterion::yield, Criterion::fatigue})
       governing.object_or_null(to_text(criterion),
@@ -261,6 +283,7 @@ void put_results(Fields& to, const Project& project, const Verification& verific
   put_sections(to, project, verification);
   put_concentrations(to, verification);
   put_sn(to, project, verification);
+  put_plates(to, verification);
   to.text({"verdict_text",
            "the verdict with what it leaves out and why it is not applicable: \"PASS for strength; "
            "fatigue: no stress range\""},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <variant>
 
 #include "boxbeam/report/format.hpp"
@@ -66,6 +67,78 @@ ShearSteps derive_shear(Derivation& steps, const Project& project, const Check& 
           derive_shear_resistance(steps, plate.panel, project.strength.gamma_M1)};
 }
 
+/// Normal stress of the gross section at an edge of a plate, compression positive.
+Traced derive_plate_edge(Derivation& steps, const char* symbol, const ReducedPlate& plate,
+                         bool high, const CutForces& cut, bool pulled, const char* note) {
+  const StressInfluence& at = plate.ends.at(high);
+  const auto part = [&](const char* force, const char* resists, auto index, auto acting,
+                        auto unit) -> std::optional<Traced> {
+    const double influence = at.normal[index];
+    if (acting.value() == 0.0 || influence == 0.0) return std::nullopt;
+    return steps.known(force, acting) / steps.given(resists, unit / influence);
+  };
+  std::optional<Traced> sum;
+  const auto add = [&](const std::optional<Traced>& of) {
+    if (of) sum.emplace(sum ? *sum + *of : *of);
+  };
+  add(part("N", "A", cut_force::N, cut.N, si<Area>(1.0)));
+  add(part("M_y", "W_y", cut_force::M_y, cut.M_y, si<SectionModulus>(1.0)));
+  add(part("M_z", "W_z", cut_force::M_z, cut.M_z, si<SectionModulus>(1.0)));
+  const Traced stress = pulled ? *sum : Traced(-*sum);
+  if (plate.along_edge == 1.0) return steps.define(symbol, stress, note);
+  const Traced along = steps.given("1/cos^2", plate.along_edge, {ValueKind::number},
+                                   "along the steepest edge, inclined by more than 10 deg");
+  return steps.define(symbol, along * stress, note);
+}
+
+/// What acts on a plate of the gross section, without load factor.
+void say_stresses(Derivation& steps, const ReducedPlate& plate, const PanelStress& stress,
+                  const CutForces& cut, const Check& check) {
+  if (cut.N.value() != 0.0) steps.given("N", cut.N);
+  if (cut.M_y.value() != 0.0) steps.given("M_y", cut.M_y);
+  if (cut.M_z.value() != 0.0) steps.given("M_z", cut.M_z);
+  const auto [low, high] = plate.edges_under(cut);
+  const bool more_at_high = high > low;
+  if (stress.compression > Stress{}) {
+    derive_plate_edge(steps, "sigma_x", plate, more_at_high, cut, false,
+                      "along the beam, of the edge compressed more, gross section");
+  }
+  if (stress.tension > Stress{}) {
+    derive_plate_edge(steps, "sigma_t", plate, !more_at_high, cut, true,
+                      "of the edge stretched most");
+  }
+  steps.given("tau", Stress(abs(stress.shear)),
+              "the shear flow of the section over the clear width of the plate, mean");
+  if (is_flange(plate.sheared.plate))
+    steps.note([] { return "at least half of its largest shear stress, as 7.1(5)"; });
+  steps.note([&] { return plate.sheared.name; });
+  steps.note([&] { return instant_of(check); });
+}
+
+void derive_reduced_factor(Derivation& steps, const Project& project, const ReducedPlate& plate,
+                           const PanelStress& stress, double load_factor) {
+  if (plate.panel.depth > plate.sheared.panel.depth) {
+    steps.given("b_s", plate.sheared.panel.depth,
+                "here; taken for a rectangle of its largest width, 2.3(1)");
+  }
+  const Traced use = derive_reduced_use(steps, plate.panel, stress, project.strength.gamma_M1);
+  steps.define("factor", 1.0 / loaded(steps, load_factor, use));
+}
+
+void derive_reduced_web(Derivation& steps, const Project& project, const Check& check,
+                        const ReducedWeb& of, const PatchBasis& basis, const Traced& F) {
+  const EdgeForce& across = *of.stress.across;
+  say_stresses(steps, *of.plate, of.stress, basis.cut, check);
+  const Traced l =
+      steps.given("l", loaded_length_of(of.web), "of the edge, s_s + 2 t_f, at most a");
+  steps.define("sigma_z", F / (l * steps.given("t", of.web.thickness)));
+  steps.given("sigma_x,F", across.along[0], "sigma_x where it comes in, compression positive");
+  if (across.along[1] != across.along[0])
+    steps.given("sigma_x,G", across.along[1], "where it goes out");
+  derive_critical_force(steps, of.web);
+  derive_reduced_factor(steps, project, *of.plate, of.stress, basis.load_factor);
+}
+
 }  // namespace
 
 Steps plate_steps(const Project& project, const CheckResult& result) {
@@ -80,6 +153,13 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
     case Criterion::shear_buckling: {
       const ShearSteps of = derive_shear(steps, project, result.check, basis);
       steps.define("factor", of.resisting / of.acting);
+      break;
+    }
+    case Criterion::reduced_stress: {
+      const ReducedPlate& plate = *basis.reduced;
+      const PanelStress stress = plate.under(basis.cut);
+      say_stresses(steps, plate, stress, basis.cut, result.check);
+      derive_reduced_factor(steps, project, plate, stress, basis.load_factor);
       break;
     }
     default: {
@@ -102,6 +182,10 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
   const Traced all = steps.given("F", basis.force, "what comes in");
   steps.note([&] { return instant_of(result.check); });
   const Traced share = steps.given("p", basis.share, {}, "of this web, by the lever between both");
+  if (const auto* const web = std::get_if<ReducedWeb>(&basis.bears)) {
+    derive_reduced_web(steps, project, result.check, *web, basis, steps.define("F_w", share * all));
+    return steps_of(steps);
+  }
   const Traced F = steps.define("F_w", loaded(steps, basis.load_factor, Traced(share * all)));
   if (const auto* const stiffener = std::get_if<BearingStiffener>(&basis.bears)) {
     steps.define("factor", derive_bearing_resistance(steps, *stiffener, gamma_M1) / F);

@@ -96,18 +96,36 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
 
 void add_slender_plates(const Project& project, const Verification& verification,
                         std::vector<std::string>& remarks) {
-  const bool judged =
-      std::any_of(verification.checks.begin(), verification.checks.end(),
-                  [](const CheckResult& result) { return result.plates.has_value(); });
-  if (!judged) return;
-  remarks.push_back(
-      "plates with c/t above 42 eps are judged by effective widths under N, M_y and M_z, each by "
-      "the section where it acts alone (EN 1993-1-5, clause 4, one pass), and in shear (clause 5), "
-      "without the flanges' part, " +
-      std::string(project.beam.diaphragms.size() > 1
-                      ? "as panels between diaphragms"
-                      : "as panels as long as the beam with end posts that are not rigid: "
-                        "[[beam.diaphragms]] would only help"));
+  const auto judged_by = [&](PlateRoute route) {
+    return std::any_of(verification.routes.begin(), verification.routes.end(),
+                       [&](const SegmentRoute& of) { return of.route == route; });
+  };
+  const std::string panels =
+      project.beam.diaphragms.size() > 1
+          ? "as panels between diaphragms"
+          : "as panels as long as the beam with end posts that are not rigid: "
+            "[[beam.diaphragms]] would only help";
+  if (judged_by(PlateRoute::effective_widths)) {
+    remarks.push_back(
+        "plates with c/t above 42 eps are judged by effective widths under N, M_y and M_z, each by "
+        "the section where it acts alone (EN 1993-1-5, clause 4, one pass), and in shear (clause "
+        "5), without the flanges' part, " +
+        panels);
+  }
+  if (judged_by(PlateRoute::reduced_stresses)) {
+    remarks.push_back(
+        "boxes with plates of c/t above 42 eps are judged by reduced stresses (EN 1993-1-5, clause "
+        "10): each plate on the gross section under all that acts on it at an instant, where "
+        "forces come into a web with them (6.4, annex B.1, recalled), " +
+        panels);
+  }
+  for (const SegmentRoute& of : verification.routes) {
+    if (of.reason.empty()) continue;
+    remarks.push_back(fmt::format(
+        "segment {} is judged by reduced stresses, for {}: its plates as rectangles of their "
+        "largest width between diaphragms, normal stress along the edge, sigma/cos^2",
+        of.segment, of.reason));
+  }
 }
 
 void add_tapers(const Verification& verification, std::vector<std::string>& remarks) {
@@ -422,7 +440,8 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
                         "forces act are taken for granted; a case in the plane has no torque, and "
                         "forces beside the middle of a box, as of an eccentric rail, are a case in "
                         "space)") +
-      (governing_of(verification.checks, Criterion::patch_loading) != nullptr
+      (std::any_of(verification.checks.begin(), verification.checks.end(),
+                   [](const CheckResult& of) { return of.patch.has_value(); })
            ? ""
            : ", webs where forces come in ([[beam.load_introductions]])") +
       std::string(verification.model.second_order.lateral ? "" : ", lateral torsional buckling") +

@@ -9,6 +9,7 @@
 #include "boxbeam/report/verdict_sentence.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "front_end_text.hpp"
+#include "plate_routes.hpp"
 #include "report_parts.hpp"
 #include "version.hpp"
 
@@ -34,6 +35,8 @@ report::Facts title_facts(const Project& project, const Verification& verificati
                                              ? report::front_end_text_of(project)->source_of_loads()
                                              : "the published Newton chain");
   facts.entries.emplace_back("model", to_text(verification.model.chosen.level));
+  if (std::string plates = plate_routes_text(verification); !plates.empty())
+    facts.entries.emplace_back("plates", std::move(plates));
   facts.entries.emplace_back(
       "checks", fmt::format("{}, the worst used {}", verification.checks.size(),
                             text::percent(verification.checks.front().check.utilisation())));

@@ -190,6 +190,15 @@ Chapter checks_chapter(const Source& source) {
   if (much_used < all.size()) {
     chapter.blocks.emplace_back(rest_table(source.verification, much_used));
   }
+  if (!source.verification.beside.empty()) {
+    std::vector<const Check*> beside;
+    for (const CheckResult& result : source.verification.beside) beside.push_back(&result.check);
+    chapter.blocks.emplace_back(checks_table(
+        source,
+        "Slender plates by the route of EN 1993-1-5 that is no part of the verdict, at the "
+        "stations of the checks, without forces that come into webs",
+        beside));
+  }
   if (shown < all.size()) {
     chapter.blocks.emplace_back(
         Paragraph{"All checks stand in results.json, and with --level full in this report."});

@@ -270,6 +270,8 @@ Steps steps_of_check(const Project& project, const Verification& verification,
     case Criterion::effective_section:
     case Criterion::shear_buckling:
     case Criterion::interaction: return plate_steps(project, result);
+    case Criterion::reduced_stress:
+      return result.patch ? patch_steps(project, result) : plate_steps(project, result);
     case Criterion::patch_loading: return patch_steps(project, result);
     case Criterion::distortion:
     case Criterion::distortion_fatigue: return distortion_steps(project, result);

@@ -10,6 +10,7 @@
 #include "boxbeam/report/verdict_sentence.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
 #include "plain_text.hpp"
+#include "plate_routes.hpp"
 #include "report_parts.hpp"
 #include "text_layout.hpp"
 #include "text_table.hpp"
@@ -61,6 +62,8 @@ report::MarkedText summary(const Project& project, const Verification& verificat
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
   out += layout::entry("in short", verdict_sentence_of(project, verification)) + "\n";
   out += layout::entry("model", verification.model.reason) + "\n";
+  if (const std::string plates = report::plate_routes_text(verification); !plates.empty())
+    out += layout::entry("plates", plates) + "\n";
   out += report::table_text(governing, layout::width());
   out += "\nRemarks:\n" + remarks_summary(project, verification);
   return out;

@@ -185,8 +185,12 @@ PlateEnds::PlateEnds(const FourWalls& box, BoxPlate plate, const AreaSums& secti
   high_ = at(wall.high);
 }
 
+std::array<Stress, 2> PlateEnds::compression_under(const CutForces& cut) const {
+  return {-stress_at(low_, cut).normal, -stress_at(high_, cut).normal};
+}
+
 PlateStress PlateEnds::under(const CutForces& cut) const {
-  const Stress low = -stress_at(low_, cut).normal, high = -stress_at(high_, cut).normal;
+  const auto [low, high] = compression_under(cut);
   const Stress most = std::max(low, high), least = std::min(low, high);
   constexpr double lowest = -3.0;
   PlateStress of{std::max(Stress{}, most), std::max(Stress{}, Stress(-least))};

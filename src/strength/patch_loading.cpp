@@ -44,6 +44,13 @@ auto force_factor(Record& record, const PatchedWeb& web) {
       record.define("k_F", least_of<Number>({Number(2.0 + 6.0 * reach / depth), Number(6.0)})));
 }
 
+template <class Record, class Number>
+auto patch_critical_force(Record& record, const PatchedWeb& web, const Number& k_F) {
+  const auto t = record.known("t", web.thickness);
+  return record.define("F_cr", 0.9 * k_F * record.constant("210 GPa", steel * pascal) * t * t * t /
+                                   record.known("h_w", web.depth));
+}
+
 /// All numbers of a web, whatever they are recorded by.
 template <class Number, class Span, class Load>
 struct PatchNumbers {
@@ -62,7 +69,7 @@ PatchNumbers<Number, Span, Load> numbers_of(Record& record, const PatchedWeb& we
   const auto s_s = record.known("s_s", std::min(web.stiff_length, web.depth));
   const auto E = record.constant("210 GPa", steel * pascal);
   const Number k_F(force_factor(record, web));
-  const Load F_cr(record.define("F_cr", 0.9 * k_F * E * t * t * t / depth));
+  const Load F_cr(patch_critical_force(record, web, k_F));
   const auto b_f = record.given("b_f", flange_width_of(web),
                                 "of the flange, at most 15 eps t_f beside each face of the web");
   const Number m_1(
@@ -145,11 +152,23 @@ auto bearing(Record& record, const BearingStiffener& of, double gamma_M1) {
 
 }  // namespace
 
+Length loaded_length_of(const PatchedWeb& web) {
+  const Length length =
+      std::min(web.stiff_length, web.depth, std::less<>()) + 2.0 * web.flange_thickness;
+  return web.length ? std::min(length, *web.length, std::less<>()) : length;
+}
+
 PatchResistance patch_resistance_of(const PatchedWeb& web, double gamma_M1) {
   constexpr NoDerivation plainly;
   const auto of = numbers_of<double, Length, Force>(plainly, web, counts_flange(web));
   return {of.k_F,   of.m_1,  of.m_2, of.lambda_F,
           of.chi_F, of.F_cr, of.l_y, resistance(plainly, web, of.chi_F, of.l_y, gamma_M1)};
+}
+
+Traced derive_critical_force(Derivation& steps, const PatchedWeb& web) {
+  steps.given("h_w", web.depth);
+  steps.given("t", web.thickness);
+  return patch_critical_force(steps, web, force_factor(steps, web));
 }
 
 Traced derive_patch_resistance(Derivation& steps, const PatchedWeb& web, double gamma_M1) {

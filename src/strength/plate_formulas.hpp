@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "boxbeam/core/derivation.hpp"
 
@@ -55,6 +56,19 @@ template <class Record, class Ratio>
 auto shear_factor(Record& record, Symbol symbol, const Ratio& depth_to_length, bool longer) {
   const auto square = depth_to_length * depth_to_length;
   return record.define(symbol, longer ? 5.34 + 4.0 * square : 4.0 + 5.34 * square);
+}
+
+/// k_tau of a plate of some depth, without stiffeners; `again`: its length has been said.
+template <class Number, class Record, class L>
+Number bare_shear_factor(Record& record, const char* symbol, const L& depth, Length known_depth,
+                         const std::optional<Length>& length, bool again = false) {
+  if (!length) {
+    return Number(record.given(symbol, 5.34, {ValueKind::factor},
+                               "between the ends of the beam: nothing shortens the panel"));
+  }
+  const auto a =
+      again ? record.known("a", *length) : record.given("a", *length, "between diaphragms");
+  return Number(shear_factor(record, symbol, depth / a, *length >= known_depth));
 }
 
 /// What stiffeners add to it, theta = I_sl/(t^3 h_w); for a panel without length the least.

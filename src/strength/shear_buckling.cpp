@@ -16,19 +16,6 @@ struct PanelNumbers {
   Number k_tau, lambda_w, chi_w;
 };
 
-/// k_tau of a plate of some depth, without stiffeners; `again`: its length has been said.
-template <class Number, class Record, class L>
-Number bare_factor(Record& record, const char* symbol, const L& depth, Length known_depth,
-                   const std::optional<Length>& length, bool again = false) {
-  if (!length) {
-    return Number(record.given(symbol, 5.34, {ValueKind::factor},
-                               "between the ends of the beam: nothing shortens the panel"));
-  }
-  const auto a =
-      again ? record.known("a", *length) : record.given("a", *length, "between diaphragms");
-  return Number(plate::shear_factor(record, symbol, depth / a, *length >= known_depth));
-}
-
 /// k_tau of a plate with its stiffeners. Source: EN 1993-1-5:2006, A.3.
 template <class Number, class Record, class L>
 Number stiffened_factor(Record& record, const ShearPanel& panel, const L& depth,
@@ -42,7 +29,8 @@ Number stiffened_factor(Record& record, const ShearPanel& panel, const L& depth,
     const Number ratio(depth / record.given("a", *panel.length, "between diaphragms"));
     return plate::few_stiffeners_shear_factor(record, theta, ratio);
   }
-  const Number bare = bare_factor<Number>(record, "k_tau,0", depth, panel.depth, panel.length);
+  const Number bare =
+      plate::bare_shear_factor<Number>(record, "k_tau,0", depth, panel.depth, panel.length);
   if (!panel.length) {
     return record.define("k_tau",
                          Number(bare + plate::shear_factor_of_stiffeners<Number>(record, theta)));
@@ -59,7 +47,8 @@ PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double 
   const auto ratio = depth / thickness;
   const auto epsilon = plate::epsilon(record, record.known("f_y", panel.yield_strength));
   if (panel.stiffeners.count == 0) {
-    const Number k_tau = bare_factor<Number>(record, "k_tau", depth, panel.depth, panel.length);
+    const Number k_tau =
+        plate::bare_shear_factor<Number>(record, "k_tau", depth, panel.depth, panel.length);
     const Number lambda_w(plate::shear_slenderness(record, "lambda_w", ratio, epsilon, k_tau));
     return {k_tau, lambda_w, plate::shear_reduction(record, lambda_w, eta, panel.rigid_end_post)};
   }
@@ -68,7 +57,7 @@ PanelNumbers<Number> numbers_of(Record& record, const ShearPanel& panel, double 
   const Length widest = panel.stiffeners.widest_subpanel;
   const auto subpanel = record.given("h_w,i", widest, "the widest subpanel");
   const Number k_tau_i =
-      bare_factor<Number>(record, "k_tau,i", subpanel, widest, panel.length, true);
+      plate::bare_shear_factor<Number>(record, "k_tau,i", subpanel, widest, panel.length, true);
   const Number part(plate::shear_slenderness(record, "lambda_w,i", Number(subpanel / thickness),
                                              Number(epsilon), k_tau_i));
   const Number lambda_w = record.define("lambda_w", largest_of({whole, part}),

@@ -87,18 +87,44 @@ class StationChecks {
   StationSamples samples_;
 };
 
+void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
+  std::move(more.begin(), more.end(), std::back_inserter(checks));
+}
+
+/// Keeps the worst of each criterion.
+void keep_worst(std::vector<CheckResult> of_station, std::vector<CheckResult>& worst) {
+  for (CheckResult& result : of_station) {
+    const auto same = std::find_if(worst.begin(), worst.end(), [&](const CheckResult& of) {
+      return of.check.criterion == result.check.criterion;
+    });
+    if (same == worst.end())
+      worst.push_back(std::move(result));
+    else if (result.check.utilisation() > same->check.utilisation())
+      *same = std::move(result);
+  }
+}
+
+void add_route(const Project& project, const Station& station, const SlenderPlates& plates,
+               std::vector<SegmentRoute>& routes) {
+  const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
+  if (!routes.empty() && routes.back().segment == segment.name) return;
+  routes.push_back(
+      {segment.name, plates.route, plates.steep ? steepness_text(segment) : std::string()});
+}
+
 /// Every criterion at every point of a station.
-std::vector<CheckResult> check_station(const Project& project,
-                                       const std::vector<BendingZone>& zones,
-                                       const Station& station,
-                                       const std::vector<SituationHistory>& histories) {
+void check_station(const Project& project, const std::vector<BendingZone>& zones,
+                   const Station& station, const std::vector<SituationHistory>& histories,
+                   BeamChecks& beam) {
   StationChecks checks(project, histories);
   checks.look_at(stress_points_at(project, zones, station));
+  append(std::move(checks.results), beam.checks);
   if (const auto plates = slender_plates_at(project, zones, station)) {
-    for (CheckResult& result : check_plates(project, station, plates, histories))
-      checks.results.push_back(std::move(result));
+    PlateChecks of = check_plates(project, station, plates, histories);
+    append(std::move(of.checks), beam.checks);
+    keep_worst(std::move(of.beside), beam.beside);
+    add_route(project, station, *plates, beam.routes);
   }
-  return std::move(checks.results);
 }
 
 /// The throats with which the checks of each place of a seam would pass: its shear stress is the
@@ -220,10 +246,6 @@ void count_near_largest(const Project& project, const std::deque<SituationRun>& 
   }
 }
 
-void append(std::vector<CheckResult> more, std::vector<CheckResult>& checks) {
-  std::move(more.begin(), more.end(), std::back_inserter(checks));
-}
-
 }  // namespace
 
 BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& runs,
@@ -240,7 +262,7 @@ BeamChecks check_beam(const Project& project, const std::deque<SituationRun>& ru
     const std::vector<SituationHistory> histories = histories_at(runs, station);
     beam.stations.push_back(envelope_at(project, station, histories));
     if (!computed) continue;
-    append(check_station(project, zones, station, histories), beam.checks);
+    check_station(project, zones, station, histories, beam);
     gates.look_at(station, histories);
   }
   add_outside({project.beam.length(), Side::behind});

@@ -15,6 +15,7 @@ const char* to_text(Criterion criterion) {
     case Criterion::effective_section: return "effective section";
     case Criterion::shear_buckling: return "shear buckling";
     case Criterion::interaction: return "interaction";
+    case Criterion::reduced_stress: return "reduced stress";
     case Criterion::patch_loading: return "patch loading";
     case Criterion::distortion: return "distortion";
     case Criterion::distortion_fatigue: return "distortion fatigue";

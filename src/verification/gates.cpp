@@ -222,8 +222,7 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
   const Project& project = *project_;
   const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
   const bool class_4_judged = judged != nullptr && !member_buckles_;
-  const std::string why_not =
-      obstacle.empty() ? "" : "; it is not judged by effective widths: " + obstacle;
+  const std::string why_not = obstacle.empty() ? "" : "; its buckling is not judged: " + obstacle;
   for (const SlenderPlate& plate : slender_plates_of(profile, materials)) {
     if (!class_4_judged) {
       add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, why_not), true},
@@ -359,9 +358,9 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
     if (judged != nullptr || !may_buckle_with_stiffeners(*project_, station, plate)) continue;
     add("stiffened",
         {segment, to_text(plate),
-         fmt::format("its stiffeners may buckle with it (EN 1993-1-5, 4.5); it is not judged by "
-                     "effective widths: {}",
-                     obstacle),
+         fmt::format(
+             "its stiffeners may buckle with it (EN 1993-1-5, 4.5), which is not judged: {}",
+             obstacle),
          true},
         1.0);
   }

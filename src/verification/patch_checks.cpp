@@ -125,9 +125,9 @@ class PatchSearch {
     for (const Side side : {Side::before, Side::behind}) {
       if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
       const Station station{patch.s, side};
-      const std::shared_ptr<const EffectiveBox>& box = box_at(station);
-      if (!box) continue;
-      for (Borne& of : ways_at(patch, station, box, diagram)) {
+      const JudgedBox& judged = box_at(station);
+      if (!judged.box) continue;
+      for (Borne& of : ways_at(patch, station, judged, diagram)) {
         const double factor = factor_of(of.basis);
         if (worst && factor >= least) continue;
         least = factor;
@@ -139,9 +139,9 @@ class PatchSearch {
 
   /// On all loads, without the situation's own.
   double factor_of(const PatchBasis& basis) const {
-    const bool alone = std::holds_alternative<BearingStiffener>(basis.bears);
+    const bool beside = std::holds_alternative<PatchedWeb>(basis.bears);
     return patch_factor(basis.share * basis.force / basis.resistance,
-                        alone ? 0.0 : eta_1_of(basis));
+                        beside ? eta_1_of(basis) : 0.0);
   }
   double eta_1_of(const PatchBasis& basis) const {
     return project_->strength.gamma_M0 * basis.corner.use;
@@ -150,7 +150,7 @@ class PatchSearch {
   /// Why an introduction of the case is not judged; "" where it is.
   std::string obstacle_of(const LoadIntroduction& of) {
     for (const Length& s : {of.from, of.to}) {
-      if (!box_at({s, s < project_->beam.length() ? Side::behind : Side::before}))
+      if (!box_at({s, s < project_->beam.length() ? Side::behind : Side::before}).box)
         return "only boxes and rectangular tubes are";
     }
     return used_.count(&of) > 0 ? "" : "no force of the case is known to come in there";
@@ -159,6 +159,13 @@ class PatchSearch {
  private:
   struct Slender {
     bool along_z = false, along_y = false;
+  };
+
+  /// The section of a station by its effective widths and, where these do not judge it, by reduced
+  /// stresses.
+  struct JudgedBox {
+    std::shared_ptr<const EffectiveBox> box;
+    std::vector<std::shared_ptr<const ReducedPlate>> reduced;
   };
 
   std::optional<FourWalls> walls_at(const Station& station) const {
@@ -248,26 +255,41 @@ class PatchSearch {
     return walls->of(patch.along_z ? BoxPlate::left_web : BoxPlate::top_flange).clear();
   }
 
-  const std::shared_ptr<const EffectiveBox>& box_at(const Station& station) {
+  const JudgedBox& box_at(const Station& station) {
     const auto key = std::pair(station.s.value(), station.side);
     const auto known = boxes_.find(key);
     if (known != boxes_.end()) return known->second;
     // Of what slides along the beam the places never end.
     constexpr std::size_t most = 4096;
     if (boxes_.size() >= most) boxes_.clear();
-    std::shared_ptr<const EffectiveBox> box;
+    JudgedBox of;
     if (const auto walls = walls_at(station)) {
       const Section section = judged_section_at(*project_, station);
-      box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
+      of.box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
+      of.reduced = reduced_at(station, section, *walls);
     }
-    return boxes_.emplace(key, std::move(box)).first->second;
+    return boxes_.emplace(key, std::move(of)).first->second;
   }
 
-  std::vector<Borne> ways_at(const Patch& patch, const Station& station,
-                             const std::shared_ptr<const EffectiveBox>& box,
+  std::vector<std::shared_ptr<const ReducedPlate>> reduced_at(const Station& station,
+                                                              const Section& section,
+                                                              const FourWalls& walls) const {
+    const TaperedBeam& beam = project_->beam;
+    const Segment& segment = beam.segments[segment_at(beam, station)];
+    if (plate_route_of(*project_, segment) != PlateRoute::reduced_stresses) return {};
+    std::vector<ShearedPlate> sheared = sheared_plates_of(
+        section, walls, taper_at(beam, station), !project_->in_space, project_->strength.gamma_M1);
+    divide_into_panels(*project_, station, sheared);
+    std::vector<std::shared_ptr<const ReducedPlate>> plates;
+    for (ReducedPlate& of : reduced_plates_at(*project_, *zones_, station, section, walls, sheared))
+      plates.push_back(std::make_shared<const ReducedPlate>(std::move(of)));
+    return plates;
+  }
+
+  std::vector<Borne> ways_at(const Patch& patch, const Station& station, const JudgedBox& judged,
                              const CutForceDiagram& diagram) const {
     using enum BoxPlate;
-    const FourWalls& walls = box->box();
+    const FourWalls& walls = judged.box->box();
     const std::array webs =
         patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
     const Length high = walls.of(webs[0]).middle, low = walls.of(webs[1]).middle;
@@ -277,9 +299,9 @@ class PatchSearch {
     Borne of;
     PatchBasis& basis = of.basis;
     basis.force = abs(patch.force);
-    basis.box = box;
+    basis.box = judged.box;
     basis.cut = diagram.at(station);
-    basis.corner = box->worst_corner(basis.cut);
+    basis.corner = judged.box->worst_corner(basis.cut);
     std::vector<Borne> ways;
     for (const std::size_t k : {0U, 1U}) {
       basis.share = std::abs(k == 0 ? by_first : 1.0 - by_first);
@@ -292,12 +314,47 @@ class PatchSearch {
         continue;
       }
       for (const PatchedWeb& web : webs_of(walls, webs[k], patch, station)) {
-        basis.resistance = patch_resistance_of(web, project_->strength.gamma_M1).resistance;
-        basis.bears = web;
+        const auto plate = reduced_plate_of(judged, webs[k]);
+        if (plate != nullptr && basis.share > 0.0)
+          bear_by_reduced_stresses(plate, web, patch.force.value() < 0.0, basis);
+        else
+          bear_by_effective_widths(web, basis);
         ways.push_back(of);
       }
     }
     return ways;
+  }
+
+  /// Of webs that are stressed alike the one there is.
+  static std::shared_ptr<const ReducedPlate> reduced_plate_of(const JudgedBox& judged,
+                                                              BoxPlate plate) {
+    std::shared_ptr<const ReducedPlate> alike;
+    for (const auto& of : judged.reduced) {
+      if (of->sheared.plate == plate) return of;
+      if (is_flange(of->sheared.plate) == is_flange(plate)) alike = of;
+    }
+    return alike;
+  }
+
+  void bear_by_effective_widths(const PatchedWeb& web, PatchBasis& basis) const {
+    basis.resistance = patch_resistance_of(web, project_->strength.gamma_M1).resistance;
+    basis.bears = web;
+  }
+
+  void bear_by_reduced_stresses(const std::shared_ptr<const ReducedPlate>& plate, PatchedWeb web,
+                                bool onto_high, PatchBasis& basis) const {
+    web.depth = plate->panel.depth;
+    const Force acting = basis.share * basis.force;
+    const double gamma_M1 = project_->strength.gamma_M1;
+    PanelStress stress = plate->under(basis.cut);
+    const auto [low, high] = plate->edges_under(basis.cut);
+    const Stress loaded = onto_high ? high : low;
+    const bool through = web.entry == ForceEntry::both_flanges;
+    stress.across = {acting / (web.thickness * loaded_length_of(web)),
+                     patch_resistance_of(web, gamma_M1).F_cr / acting,
+                     {loaded, through ? (onto_high ? low : high) : loaded}};
+    basis.resistance = acting / reduced_stress_of(plate->panel, stress, gamma_M1).use;
+    basis.bears = ReducedWeb{web, plate, onto_high, stress};
   }
 
   /// A web as a force comes to it, in every way that may be meant.
@@ -373,7 +430,7 @@ class PatchSearch {
   std::vector<Slender> slender_;  ///< by segment
   std::set<std::string> clamps_;
   std::set<const LoadIntroduction*> used_;  ///< by which a force has come in
-  std::map<std::pair<double, Side>, std::shared_ptr<const EffectiveBox>> boxes_;
+  std::map<std::pair<double, Side>, JudgedBox> boxes_;
 };
 
 /// Where a patch is used most.
@@ -517,7 +574,8 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
   Check& check = result.check;
   const PatchBasis& basis = worst.borne.basis;
   const bool by_column = std::holds_alternative<BearingStiffener>(basis.bears);
-  check.criterion = Criterion::patch_loading;
+  const bool reduced = std::holds_alternative<ReducedWeb>(basis.bears);
+  check.criterion = reduced ? Criterion::reduced_stress : Criterion::patch_loading;
   check.station = {worst.patch.s, Side::both};
   check.point = fmt::format("{}{} under {}", plate_text(project, worst.borne),
                             by_column ? " with diaphragm" : "", worst.patch.name);
@@ -529,7 +587,12 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
   const double eta_2 = basis.share * basis.force / basis.resistance;
   const double use = basis.load_factor / search.factor_of(basis);
   // By the force alone, or with the beam's own stress.
-  if (use <= (1.0 + 1e-12) * basis.load_factor * eta_2) {
+  if (reduced) {
+    const auto& web = std::get<ReducedWeb>(basis.bears);
+    check.resisting = Stress(web.plate->panel.yield_strength / project.strength.gamma_M1);
+    check.acting = Stress(use * check.resisting.value() * pascal);
+    check.source = "EN 1993-1-5:2006, clause 10, equation 10.5, with 6.4 and annex B";
+  } else if (use <= (1.0 + 1e-12) * basis.load_factor * eta_2) {
     check.resisting = basis.resistance;
     check.acting = Force(basis.load_factor * basis.share * basis.force);
     check.source = by_column ? "EN 1993-1-5:2006, 9.4 (stiffener as a column)"

@@ -55,22 +55,26 @@ bool is_rigid(const Project& project, BoxPlate web, const Diaphragm& a, const Di
 
 }  // namespace
 
-Length supported_length_at(const Project& project, Station station) {
-  const TaperedBeam& beam = project.beam;
+Supports supports_around(const TaperedBeam& beam, Station station) {
   if (station.s.value() == 0.0) station.side = Side::behind;
   if (station.s == beam.length()) station.side = Side::before;
   const Length near = 1e-9 * beam.length();
-  Length from, to = beam.length();
+  Supports supports;
   for (const Diaphragm& of : beam.diaphragms) {
     const bool here = of.s >= station.s - near && of.s <= station.s + near;
     const bool before = here ? station.side == Side::behind : of.s < station.s;
     if (here && station.side == Side::both) continue;
     if (before)
-      from = std::max(from, of.s);
-    else
-      to = std::min(to, of.s);
+      supports.before = of.s;
+    else if (!supports.behind)
+      supports.behind = of.s;
   }
-  return to - from;
+  return supports;
+}
+
+Length supported_length_at(const Project& project, const Station& station) {
+  const Supports of = supports_around(project.beam, station);
+  return of.behind.value_or(project.beam.length()) - of.before.value_or(Length{});
 }
 
 void divide_into_panels(const Project& project, const Station& station,

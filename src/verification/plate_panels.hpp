@@ -18,9 +18,21 @@ void divide_into_panels(const Project& project, const Station& station,
 /// How long the panel at a station is; nothing where it is not between two diaphragms.
 std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& station);
 
+/// The plates of both ends of the segment of a station, between which c/t has its largest value at
+/// one of them: what is judged does not come and go within a segment.
+std::vector<FourWalls> walls_of_segment(const Project& project, const Station& station);
+
 /// The plates of a station with what supports them across. Stiffeners of a plate that would do
 /// without them are left out, they count as area alone.
 std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station);
+std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station,
+                                         const std::vector<FourWalls>& ends);
+
+/// c/t above the limit of class 3 in even compression.
+bool may_buckle(const BoxWall& wall);
+
+/// Whether a plate has stiffeners at one of the ends of its segment and may buckle without them.
+bool may_buckle_with_stiffeners(const std::vector<FourWalls>& ends, BoxPlate plate);
 
 /// Whether a plate without stiffeners is so slender that it may buckle in shear (5.1(2)).
 bool may_buckle_in_shear(const BoxWall& wall);
@@ -29,8 +41,20 @@ bool may_buckle_in_shear(const BoxWall& wall);
 LagShares lag_shares_at(const std::vector<BendingZone>& zones, const Section& section,
                         const Station& station);
 
+/// How steep the edges of a segment are: those that move along y, and along z.
+struct EdgeSlopes {
+  double along_y = 0.0, along_z = 0.0;
+};
+EdgeSlopes edge_slopes_of(const Segment& segment);
+
+/// The diaphragms before and behind a station.
+struct Supports {
+  std::optional<Length> before, behind;
+};
+Supports supports_around(const TaperedBeam& beam, Station station);
+
 /// How far the supports across the plates at a station are apart: diaphragms, and the ends of the
 /// beam.
-Length supported_length_at(const Project& project, Station station);
+Length supported_length_at(const Project& project, const Station& station);
 
 }  // namespace boxbeam

@@ -42,8 +42,10 @@ SectionUnderForces section_under(const Section& section, const Material& steel,
     plate.sheared = sheared;
     plate.web = !is_flange(sheared.plate);
     plate.shear_use = V / sheared.resists.resistance;
-    plate.reduced = reduced_stress_of(sheared.panel, stress.compression, stress.tension, stress.psi,
-                                      V / (wall.clear() * wall.thickness), 1.0);
+    plate.reduced = reduced_stress_of(sheared.panel,
+                                      {stress.compression, stress.tension, stress.psi,
+                                       Stress(V / (wall.clear() * wall.thickness))},
+                                      1.0);
     of.interaction_use =
         std::max(of.interaction_use, 1.0 / interaction_factor(of.corner.use, plate.shear_use));
   }

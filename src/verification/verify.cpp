@@ -131,6 +131,7 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
                  check_deflection(project, runs));
   require_numbers(beam.stations, checks, model);
   sort_worst_first(checks);
+  sort_worst_first(beam.beside);
   std::vector<Gate> gates =
       all_gates(std::move(beam.gates), std::move(neighbours.gates), model_gates_of(project, model));
   append(material_gates_of(project), gates);
@@ -153,6 +154,8 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
           .motions = std::move(motions),
           .stations = std::move(beam.stations),
           .checks = std::move(checks),
+          .beside = std::move(beam.beside),
+          .routes = std::move(beam.routes),
           .neighbours = std::move(neighbours.results),
           .gates = std::move(gates),
           .not_judged = std::move(not_judged),

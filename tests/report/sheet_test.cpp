@@ -439,6 +439,7 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::effective_section: ends_with("f_y", check.resisting); break;
       case Criterion::shear_buckling: ends_with("V_bw,Rd", check.resisting); break;
       case Criterion::interaction: ends_with("factor", check.safety_factor); break;
+      case Criterion::reduced_stress: ends_with("factor", check.safety_factor); break;
       case Criterion::patch_loading: ends_with("factor", check.safety_factor); break;
       case Criterion::distortion: ends_with("sigma_v", check.acting); break;
       case Criterion::distortion_fatigue: ends_with("D", check.acting); break;
@@ -449,9 +450,11 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
         break;
     }
   });
-  // In no shipped case shear and normal stress together are more than either alone, no beam
-  // buckles as a member and no box is distorted; their sheets are looked at beside their checks.
+  // In no shipped case shear and normal stress together are more than either alone, none is judged
+  // by reduced stresses, no beam buckles as a member and no box is distorted; their sheets are looked
+  // at beside their checks.
   seen.insert(Criterion::interaction);
+  seen.insert(Criterion::reduced_stress);
   seen.insert(Criterion::distortion);
   seen.insert(Criterion::distortion_fatigue);
   seen.insert(Criterion::member);

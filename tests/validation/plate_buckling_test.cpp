@@ -137,7 +137,7 @@ TEST_CASE("alpha_cr of stresses together against the Ritz solution", "[validatio
     const ShearPanel panel{1.0 * metre, 0.01 * metre, 355e6 * pascal, {}};
     const Stress sigma = plate_euler_stress(100.0);
     const double alpha =
-        reduced_stress_of(panel, sigma, std::max(0.0, -psi) * sigma, psi, tau * sigma, 1.0)
+        reduced_stress_of(panel, {sigma, std::max(0.0, -psi) * sigma, psi, tau * sigma}, 1.0)
             .alpha_cr;
     double most = 0.0;
     for (double aspect = 0.4; aspect < 2.0; aspect += 0.05)

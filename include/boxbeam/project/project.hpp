@@ -77,11 +77,18 @@ struct BeamDetail {
 /// What resists a range: the detail's curve with its size effect.
 SnCurve curve_of(const Detail& detail);
 
+/// The two ways of EN 1993-1-5 to judge plates that buckle, which are never mixed in one section.
+enum class PlateRoute {
+  effective_widths,  ///< clauses 4 to 7: what buckles sheds its load to what does not
+  reduced_stresses,  ///< clause 10: gross section, each plate by itself
+};
+
 struct StrengthDemand {
   double gamma_M0 = 1.0;
   double gamma_M1 = 1.0;   ///< of plates that buckle
   double gamma_M2 = 1.25;  ///< of welds and pins
   bool shear_lag = true;   ///< whether wide flanges are reduced, EN 1993-1-5 3.2
+  PlateRoute plates = PlateRoute::effective_widths;  ///< steep segments by reduced stresses anyway
   double required = 1.0;
 };
 

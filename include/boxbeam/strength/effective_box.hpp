@@ -69,6 +69,9 @@ class PlateEnds {
  public:
   PlateEnds(const FourWalls& box, BoxPlate plate, const AreaSums& section);
   PlateStress under(const CutForces& cut) const;
+  const StressInfluence& at(bool high) const { return high ? high_ : low_; }
+  /// Compression at the low and at the high end.
+  std::array<Stress, 2> compression_under(const CutForces& cut) const;
 
  private:
   StressInfluence low_, high_;

@@ -34,6 +34,12 @@ struct PatchedWeb {
   Length to_end;  ///< c, from the stiff length to the end of the beam; of `near_end` only
 };
 
+/// The width of a web's edge over which a force comes in, s_s + 2 t_f <= a.
+///
+/// By a slope of 1:1 through the flange, EN 1993-1-5, 6.3 and 3.2.3 (the spread beyond the edge
+/// left out).
+Length loaded_length_of(const PatchedWeb& web);
+
 /// What a web bears under a force across the beam.
 struct PatchResistance {
   double k_F = 0.0, m_1 = 0.0, m_2 = 0.0, lambda_F = 0.0, chi_F = 0.0;
@@ -56,6 +62,9 @@ struct PatchResistance {
 /// E = 210 GPa. Stiffeners along the web are left out, on the safe side (6.4(2)). Where m_2 ends,
 /// at lambda_F = 0.5, F_Rd jumps, as the standard's own does. Source: EN 1993-1-5:2006, 6.2 to 6.5.
 PatchResistance patch_resistance_of(const PatchedWeb& web, double gamma_M1);
+
+/// F_cr step by step.
+Traced derive_critical_force(Derivation& steps, const PatchedWeb& web);
 
 /// F_Rd step by step.
 Traced derive_patch_resistance(Derivation& steps, const PatchedWeb& web, double gamma_M1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "boxbeam/verification/bending_zones.hpp"
@@ -11,12 +12,22 @@
 
 namespace boxbeam {
 
+/// By which route of EN 1993-1-5 the slender plates of a segment were judged, and why.
+struct SegmentRoute {
+  std::string segment;
+  PlateRoute route = PlateRoute::effective_widths;
+  std::string reason;  ///< of a steep one; "" where the case says so
+};
+
 /// What was found along the beam.
 struct BeamChecks {
   /// In order, at both ends also outside, where nothing is cut: the jump to zero there is part of
   /// the diagram.
   std::vector<StationEnvelope> stations;
   std::vector<CheckResult> checks;
+  /// The worst of each criterion of the route that does not judge, at the same stations.
+  std::vector<CheckResult> beside;
+  std::vector<SegmentRoute> routes;  ///< of segments with slender plates that are judged
   std::vector<Gate> gates;
 };
 

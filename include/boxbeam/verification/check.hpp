@@ -42,6 +42,7 @@ enum class Criterion {
   effective_section,   ///< normal stress on what of the plates works once they buckle
   shear_buckling,      ///< of a plate
   interaction,         ///< of both
+  reduced_stress,      ///< all stresses of a plate together, as it buckles
   patch_loading,       ///< of a web, by a force that a flange leads into it
   distortion,          ///< a box that is racked: its plates stretched along and bent across
   distortion_fatigue,  ///< ranges of the same
@@ -62,6 +63,7 @@ inline constexpr std::array criteria{Criterion::yield,
                                      Criterion::effective_section,
                                      Criterion::shear_buckling,
                                      Criterion::interaction,
+                                     Criterion::reduced_stress,
                                      Criterion::patch_loading,
                                      Criterion::distortion,
                                      Criterion::distortion_fatigue,

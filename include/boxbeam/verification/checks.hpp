@@ -10,6 +10,7 @@
 #include "boxbeam/strength/effective_box.hpp"
 #include "boxbeam/strength/member_buckling.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
+#include "boxbeam/strength/reduced_stress.hpp"
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/check.hpp"
 #include "boxbeam/verification/situation_run.hpp"
@@ -61,23 +62,33 @@ struct GivenBasis {
 
 struct SlenderPlates;
 struct ShearedPlate;
+struct ReducedPlate;
 
 /// What the check of plates that buckle rests on.
 struct PlateBasis {
   std::shared_ptr<const SlenderPlates> plates;
-  const ShearedPlate* plate = nullptr;  ///< of them; nothing of the section
-  CutForces cut;                        ///< at the check's instant
-  CornerUse corner;                     ///< the one used most then
+  const ShearedPlate* plate = nullptr;    ///< of them; nothing of the section
+  const ReducedPlate* reduced = nullptr;  ///< the same, where it is judged by reduced stresses
+  CutForces cut;                          ///< at the check's instant
+  CornerUse corner;                       ///< the one used most then
   double load_factor = 1.0;
+};
+
+/// A web under a force and all else that acts on it, by reduced stresses.
+struct ReducedWeb {
+  PatchedWeb web;  ///< by which the force alone would buckle it
+  std::shared_ptr<const ReducedPlate> plate;
+  bool onto_high = false;  ///< the edge that the force comes in by
+  PanelStress stress;
 };
 
 /// What the check of a force that comes into a web rests on.
 struct PatchBasis {
   /// What bears it: the web itself, or with a diaphragm at the place both as a column.
-  std::variant<PatchedWeb, BearingStiffener> bears;
+  std::variant<PatchedWeb, BearingStiffener, ReducedWeb> bears;
   Force force;         ///< of all that stands so close together, on both webs
   double share = 0.5;  ///< of this web
-  Force resistance;
+  Force resistance;  ///< by reduced stresses that with which, all else in proportion, it is used up
   /// Which the stress of the beam there is by: its effective sections, whole where none buckles.
   std::shared_ptr<const EffectiveBox> box;
   CutForces cut;

@@ -30,10 +30,10 @@ struct Gate {
 /// compressed, all four plates in shear (V_y, T). A web counts as compressed in an instant where
 /// its compression is more than 1 % of its largest stress. Where the beam as a member may buckle
 /// (N/N_cr above 0.04) the limits of table 5.2 hold as they are, 5.5.2(10). Of plates that are
-/// judged by effective widths and for shear buckling
-/// (`slender_plates_at`) neither class nor shear stops a check, but for beams that may buckle as
-/// members; their fatigue is stopped where less than half of a plate is effective, 2.2(5), or it
-/// breathes, EN 1993-2, 7.4. Forces that come into webs are looked at elsewhere (`check_patches`).
+/// judged by a route of EN 1993-1-5 (`slender_plates_at`) neither class nor shear stops a check,
+/// but for beams that may buckle as members; their fatigue is stopped where less than half of a
+/// plate is effective, 2.2(5), or it breathes, EN 1993-2, 7.4. Forces that come into webs are
+/// looked at elsewhere (`check_patches`).
 class PlateGates {
  public:
   /// Looks at what is given, which stays.

@@ -28,7 +28,11 @@ struct Verification {
   SearchSummary search;                ///< of the governing places along the beam
   std::vector<MotionSummary> motions;  ///< at least one; the first situation runs
   std::vector<StationEnvelope> stations;
-  std::vector<CheckResult> checks;          ///< worst utilisation first
+  std::vector<CheckResult> checks;  ///< worst utilisation first
+  /// Slender plates by the route of EN 1993-1-5 that does not judge them, the worst of each
+  /// criterion at the stations of the checks, without forces that come into webs.
+  std::vector<CheckResult> beside;
+  std::vector<SegmentRoute> routes;         ///< of segments with slender plates that are judged
   std::vector<NeighbourResult> neighbours;  ///< what the checks of pins and rods rest on
   std::vector<Gate> gates;  ///< what stands against believing the stresses, or changes them
   std::vector<NotJudged> not_judged;
