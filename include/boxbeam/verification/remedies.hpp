@@ -44,9 +44,10 @@ struct Remedies {
 /// segment, all by one factor of at most 4 and up to whole millimetres; throats go up to half
 /// millimetres. Plates that buckle, and webs that forces come into, likewise by thicker plates, and
 /// by diaphragms at equal distances, of the thickness of those that are there, else of the plate,
-/// as few as will do; a box that is distorted by such diaphragms and by thicker plates. Each is the least found by bisection, and passes as a whole case. Nothing
-/// where the case does not fail. With another category or steel the loads stay those of `runs`,
-/// whose situations change while it searches.
+/// as few as will do; a box that is distorted by such diaphragms and by thicker plates. Each is the
+/// least found by bisection, and passes as a whole case. Nothing where the case does not fail. With
+/// another category or steel the loads stay those of `runs`, whose situations change while it
+/// searches.
 Remedies remedies_of(const Project& project, std::deque<SituationRun>& runs,
                      const Verification& verification);
 
