@@ -13,7 +13,8 @@ namespace {
 StrengthDemand read_strength(TableReader table) {
   StrengthDemand demand;
   demand.gamma_M0 = table.number({"gamma_M0", "on yielding, EN 1993-1-1"}, 1.0);
-  demand.gamma_M1 = table.number({"gamma_M1", "on plates that buckle in shear, EN 1993-1-5"}, 1.0);
+  demand.gamma_M1 = table.number(
+      {"gamma_M1", "on plates that buckle, in shear and by reduced stresses, EN 1993-1-5"}, 1.0);
   demand.gamma_M2 = table.number({"gamma_M2", "on welds, pins and net sections"}, 1.25);
   demand.shear_lag =
       table.boolean({"shear_lag", "wide flanges are reduced, EN 1993-1-5, 3.2"}, true);

@@ -123,6 +123,8 @@ class ReducedPanel {
         "p", m + sqrt(m * m + (1.0 - psi) / 2.0 * p_x * p_x + p_tau * p_tau), "1/alpha_cr, 10.6"));
   }
 
+  Number known_psi() const { return Number(record_->known("psi", on_->psi, {ValueKind::number})); }
+
   double k_sigma() const { return *internal_buckling_factor(on_->psi); }
 
   Number unreduced(const char* symbol, std::string_view note) {
@@ -132,9 +134,8 @@ class ReducedPanel {
   Number along(const Number& lambda) {
     if (!pressed_) return Number(1.0);
     const bool slender = internal_reduction(plain(lambda), on_->psi) < 1.0;
-    const Number rho = slender
-                           ? Number(plate::internal_reduction(*record_, lambda, Number(on_->psi)))
-                           : unreduced("rho", "of sigma_x: not slender, 4.4(2)");
+    const Number rho = slender ? Number(plate::internal_reduction(*record_, lambda, known_psi()))
+                               : unreduced("rho", "of sigma_x: not slender, 4.4(2)");
     const auto column = short_plate_of(panel_->depth, panel_->thickness, k_sigma(),
                                        panel_->yield_strength, panel_->length);
     if (!column) return rho;
