@@ -29,7 +29,7 @@ void give_torque(Derivation& steps, const CheckResult& result) {
 Traced derive_across(Derivation& steps, const char* symbol, const DistortionBasis& basis,
                      bool throat) {
   const Traced m =
-      steps.given("m", si<Force>(basis.at.moment * basis.size.angle),
+      steps.given("m_t", si<Force>(basis.at.moment * basis.size.angle),
                   "moment across per length of the beam, N m/m: the cell as a frame of its plates");
   steps.note([&] { return fmt::format("racked by gamma = {:.4g} mrad", 1e3 * basis.size.angle); });
   const char* const letter = throat ? "a" : "t";
