@@ -113,6 +113,15 @@ struct BeamHole {
   std::optional<BeamDetail> detail;  ///< of its own; none: that of the beam
 };
 
+/// What holds the beam at a station, as the case says it: of each way that it is held in anywhere
+/// the case says all, in place of what the program would take from the mechanism.
+struct Restraint {
+  Length s;
+  bool along_y = false, along_z = false;  ///< its axis stays there
+  bool turning = false;                   ///< and it does not turn about it
+  bool clamped = false;                   ///< along y and z it keeps its direction, too
+};
+
 /// A stress taken from a published calculation instead of being computed.
 struct GivenStress {
   std::string name;
@@ -298,6 +307,7 @@ struct Project {
   std::vector<std::string> beam_names;  ///< of all beams; none where the case has only one
   TaperedBeam beam;                     ///< whose marks are the places of the holes
   std::vector<BeamHole> holes;
+  std::vector<Restraint> restraints;  ///< in stability alone
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
   Dynamics dynamics = Dynamics::rigorous;
