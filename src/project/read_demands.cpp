@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "boxbeam/project/plate_material.hpp"
@@ -17,6 +18,10 @@ StrengthDemand read_strength(TableReader table) {
   demand.gamma_M2 = table.number({"gamma_M2", "on welds, pins and net sections"}, 1.25);
   demand.shear_lag =
       table.boolean({"shear_lag", "wide flanges are reduced, EN 1993-1-5, 3.2"}, true);
+  constexpr std::array rules{WidthRule::at_yield, WidthRule::below_yield, WidthRule::annex_E};
+  demand.effective_widths =
+      rules[table.choice({"effective_widths", "stress by which plates buckle, EN 1993-1-5, 4.4(4)"},
+                         {"at yield", "below yield", "annex E"}, 0)];
   demand.required = table.number({"required", "wanted safety factor"});
   table.finish();
   return demand;

@@ -36,12 +36,6 @@ std::vector<FourWalls> walls_of_segment(const Project& project, const Station& s
   return walls;
 }
 
-/// c/t above the limit of class 3 in even compression.
-bool may_buckle(const BoxWall& wall) {
-  return wall.clear() / wall.thickness >
-         internal_part_limits(1.0, 1.0, epsilon_of(wall.class_strength)).class_3;
-}
-
 /// The plates of a station. Stiffeners of a plate that would do without them count as area alone.
 std::optional<FourWalls> four_walls_at(const Project& project, const Station& station,
                                        const std::vector<FourWalls>& ends) {
@@ -57,29 +51,6 @@ std::optional<FourWalls> four_walls_at(const Project& project, const Station& st
     if (!slender) walls->of(plate).stiffeners.clear();
   }
   return walls;
-}
-
-/// Why stiffened plates of a segment are not judged, by both its ends.
-std::string stiffener_obstacle(const std::vector<FourWalls>& ends) {
-  for (const FourWalls& of : ends) {
-    for (const BoxPlate plate : box_plates) {
-      const BoxWall& wall = of.of(plate);
-      const auto twists = [&](const FlatStiffener& bar) {
-        return !resists_torsional_buckling(bar, wall.class_strength);
-      };
-      const auto bar = std::find_if(wall.stiffeners.begin(), wall.stiffeners.end(), twists);
-      if (bar != wall.stiffeners.end()) {
-        return fmt::format("a stiffener of the {} twists: d/t = {:.3g}, above 13 eps (9.2.1(8))",
-                           to_text(plate), (bar->depth / bar->thickness).value());
-      }
-      const StiffenedPlate as_plate = stiffened_plate_of(wall, {});
-      if (!wall.stiffeners.empty() && may_buckle(wall) && !are_stiff_enough(as_plate)) {
-        return fmt::format("the stiffeners of the {} are too weak, gamma = {:.3g} below 25",
-                           to_text(plate), relative_stiffness(as_plate));
-      }
-    }
-  }
-  return "";
 }
 
 /// The steepest edge of a segment's outline [rad].
@@ -154,22 +125,40 @@ ShearedPlate::Piece piece_of(const StressField& field, const WallStretch& stretc
   return piece;
 }
 
+/// The box below yield, where it settles and is used less.
+std::optional<EffectiveBox> lower_box(const EffectiveBox& box, const CutForces& cut, WidthRule rule,
+                                      double at_yield) {
+  auto below = box.below_yield(cut, rule == WidthRule::annex_E);
+  if (below && below->use(cut) > at_yield) below.reset();
+  return below;
+}
+
 /// The uses of a station's plates under cut forces, with gamma_M0 and gamma_M1.
 class PlateUses {
  public:
   PlateUses(const Project& project, const SlenderPlates& plates)
-      : gamma_M0_(project.strength.gamma_M0), plates_(&plates) {}
+      : gamma_M0_(project.strength.gamma_M0),
+        rule_(project.strength.effective_widths),
+        plates_(&plates) {}
 
-  double normal(const CutForces& cut) const { return gamma_M0_ * plates_->box.use(cut); }
+  double normal(const CutForces& cut) const { return gamma_M0_ * corner(cut).use; }
   static double shear(const ShearedPlate& plate, const CutForces& cut) {
     return plate.force_of(cut) / plate.resists.resistance;
   }
-  double together(const ShearedPlate& plate, const CutForces& cut) const {
-    return 1.0 / interaction_factor(normal(cut), shear(plate, cut));
+  WebInteraction together(const ShearedPlate& plate, const CutForces& cut) const {
+    return interaction_of(plate, plates_->plastic, corner(cut), cut, gamma_M0_);
   }
 
  private:
+  CornerUse corner(const CutForces& cut) const {
+    const CornerUse at_yield = plates_->box.worst_corner(cut);
+    if (rule_ == WidthRule::at_yield) return at_yield;
+    const auto below = lower_box(plates_->box, cut, rule_, at_yield.use);
+    return below ? below->worst_corner(cut) : at_yield;
+  }
+
   double gamma_M0_;
+  WidthRule rule_;
   const SlenderPlates* plates_;
 };
 
@@ -212,6 +201,31 @@ constexpr double no_use = 1e-6;
 
 }  // namespace
 
+bool may_buckle(const BoxWall& wall) {
+  return wall.clear() / wall.thickness >
+         internal_part_limits(1.0, 1.0, epsilon_of(wall.class_strength)).class_3;
+}
+
+std::string stiffener_obstacle(const FourWalls& of) {
+  for (const BoxPlate plate : box_plates) {
+    const BoxWall& wall = of.of(plate);
+    const auto twists = [&](const FlatStiffener& bar) {
+      return !resists_torsional_buckling(bar, wall.class_strength);
+    };
+    const auto bar = std::find_if(wall.stiffeners.begin(), wall.stiffeners.end(), twists);
+    if (bar != wall.stiffeners.end()) {
+      return fmt::format("a stiffener of the {} twists: d/t = {:.3g}, above 13 eps (9.2.1(8))",
+                         to_text(plate), (bar->depth / bar->thickness).value());
+    }
+    const StiffenedPlate as_plate = stiffened_plate_of(wall, {});
+    if (!wall.stiffeners.empty() && may_buckle(wall) && !are_stiff_enough(as_plate)) {
+      return fmt::format("the stiffeners of the {} are too weak, gamma = {:.3g} below 25",
+                         to_text(plate), relative_stiffness(as_plate));
+    }
+  }
+  return "";
+}
+
 std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station) {
   return four_walls_at(project, station, walls_of_segment(project, station));
 }
@@ -237,6 +251,25 @@ Force ShearedPlate::force_of(const CutForces& cut) const {
   if (is_flange(plate)) mean = std::max(mean, 0.5 * most);
   if (is_flange(plate) && pieces.size() > 1) mean = std::max(mean, most_of_pieces);
   return si<Stress>(mean) * (panel.depth * panel.thickness);
+}
+
+std::shared_ptr<const EffectiveBox> box_under(const std::shared_ptr<const SlenderPlates>& plates,
+                                              const CutForces& cut, WidthRule rule) {
+  const EffectiveBox& box = plates->box;
+  if (rule != WidthRule::at_yield) {
+    if (auto below = lower_box(box, cut, rule, box.use(cut)))
+      return std::make_shared<EffectiveBox>(std::move(*below));
+  }
+  return {plates, &box};
+}
+
+WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plastic,
+                              const CornerUse& corner, const CutForces& cut, double gamma_M0) {
+  const double eta_1 = gamma_M0 * corner.use;
+  const double eta_3 = plate.force_of(cut) / plate.resists.resistance;
+  if (!is_flange(plate.plate)) return plastic.web_under(cut, corner, gamma_M0, eta_1, eta_3);
+  const double factor = interaction_factor(eta_1, eta_3);
+  return {1.0 / factor, 0.0, factor, corner.M_y};
 }
 
 std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWalls& walls,
@@ -273,8 +306,8 @@ std::string plates_obstacle(const Project& project, const Station& station) {
   if (section.inner) return "a profile inside another shares its buckling";
   const auto walls = four_walls_of(section.outer, materials_of(project, index));
   if (!walls) return "only boxes and rectangular tubes are";
-  if (std::string why = stiffener_obstacle(walls_of_segment(project, station)); !why.empty())
-    return why;
+  for (const FourWalls& end : walls_of_segment(project, station))
+    if (std::string why = stiffener_obstacle(end); !why.empty()) return why;
   if (const double slope = slope_of(segment); slope > steepest) {
     return fmt::format("its edges are inclined by {:.3g} deg, above 10 deg (2.3)",
                        slope * 180.0 / std::numbers::pi);
@@ -316,7 +349,8 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
   if (!walls) return nullptr;
   const Section section = judged_section_at(project, station);
   const LagShares lag = lag_shares_at(zones, section, station);
-  auto plates = std::make_shared<SlenderPlates>(SlenderPlates{EffectiveBox(*walls, lag), lag, {}});
+  const EffectiveBox box(*walls, lag);
+  auto plates = std::make_shared<SlenderPlates>(SlenderPlates{box, PlasticBox(box), lag, {}});
   plates->sheared = sheared_plates_of(section, *walls, taper_at(project.beam, station),
                                       !project.in_space, project.strength.gamma_M1);
   divide_into_panels(project, station, plates->sheared);
@@ -343,7 +377,8 @@ Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
       look(Criterion::shear_buckling,
            [&](const CutForces& cut) { return PlateUses::shear(plate, cut); });
     }
-    look(Criterion::interaction, [&](const CutForces& cut) { return uses.together(plate, cut); });
+    look(Criterion::interaction,
+         [&](const CutForces& cut) { return uses.together(plate, cut).use; });
   }
   return found;
 }
@@ -359,7 +394,9 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     PlateBasis& basis = result.plates.emplace();
     basis.plates = plates;
     basis.cut = worst.at->history.at(worst.largest.time);
-    basis.corner = plates->box.worst_corner(basis.cut);
+    const WidthRule rule = project.strength.effective_widths;
+    basis.box = box_under(plates, basis.cut, rule);
+    basis.corner = basis.box->worst_corner(basis.cut);
     basis.load_factor = worst.at->situation->load_factor;
     basis.plate = plate;
     Check& check = result.check;
@@ -376,7 +413,11 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     if (criterion == Criterion::effective_section) {
       check.resisting = Stress(basis.corner.yield_strength / project.strength.gamma_M0);
       check.acting = Stress(check.resisting.value() * worst.use * pascal);
-      check.source = "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, 4.4)";
+      const bool below = basis.box.get() != &plates->box;
+      check.source = fmt::format("EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, {})",
+                                 !below                       ? "4.4"
+                                 : rule == WidthRule::annex_E ? "annex E"
+                                                              : "4.4(4)");
     } else if (criterion == Criterion::shear_buckling) {
       check.resisting = plate->resists.resistance;
       check.acting = Force(worst.use * plate->resists.resistance);
@@ -384,7 +425,9 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
     } else {
       check.resisting = 1.0;
       check.acting = worst.use;
-      check.source = "EN 1993-1-5:2006, 7.1(5), equation 7.1";
+      check.source = uses.together(*plate, basis.cut).share > 0.0
+                         ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
+                         : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
     }
     results.push_back(std::move(result));
   };
@@ -400,7 +443,7 @@ std::vector<CheckResult> check_plates(const Project& project, const Station& sta
           &plate);
     }
     const Worst of =
-        worst_of(histories, [&](const CutForces& cut) { return uses.together(plate, cut); });
+        worst_of(histories, [&](const CutForces& cut) { return uses.together(plate, cut).use; });
     if (!(of.use > no_use)) continue;
     // Where shear is small all plates are alike: the one that has most of it is named.
     const double shear = PlateUses::shear(plate, of.at->history.at(of.largest.time));
@@ -447,7 +490,7 @@ void leave_out_covered(const Project& project, std::vector<CheckResult>& checks)
          return 2.0 * shear > normal && !(basis.plate->may_buckle && normal <= no_use);
        });
   drop(Criterion::effective_section, yield,
-       [](const PlateBasis& basis) { return buckles_under(basis.plates->box, basis.cut); });
+       [](const PlateBasis& basis) { return buckles_under(*basis.box, basis.cut); });
 }
 
 }  // namespace boxbeam

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
@@ -21,6 +22,13 @@ std::optional<Length> panel_length_at(const TaperedBeam& beam, const Station& st
 /// The plates of a station with what supports them across. Stiffeners of a plate that would do
 /// without them are left out, they count as area alone.
 std::optional<FourWalls> judged_walls_at(const Project& project, const Station& station);
+
+/// Whether the c/t of a plate without its stiffeners is above the limit of class 3 in even
+/// compression.
+bool may_buckle(const BoxWall& wall);
+
+/// Why the stiffened plates of a section are not judged, "" where they are.
+std::string stiffener_obstacle(const FourWalls& of);
 
 /// Whether a plate without stiffeners is so slender that it may buckle in shear (5.1(2)).
 bool may_buckle_in_shear(const BoxWall& wall);

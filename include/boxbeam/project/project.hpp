@@ -20,6 +20,7 @@
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/section/plate_kind.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
+#include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
 #include "boxbeam/strength/material.hpp"
 #include "boxbeam/strength/pin.hpp"
@@ -81,7 +82,8 @@ struct StrengthDemand {
   double gamma_M0 = 1.0;
   double gamma_M1 = 1.0;   ///< of plates that buckle
   double gamma_M2 = 1.25;  ///< of welds and pins
-  bool shear_lag = true;   ///< whether wide flanges are reduced, EN 1993-1-5 3.2
+  WidthRule effective_widths = WidthRule::at_yield;
+  bool shear_lag = true;  ///< whether wide flanges are reduced, EN 1993-1-5 3.2
   double required = 1.0;
 };
 

@@ -64,9 +64,10 @@ struct ShearedPlate;
 /// What the check of plates that buckle rests on.
 struct PlateBasis {
   std::shared_ptr<const SlenderPlates> plates;
-  const ShearedPlate* plate = nullptr;  ///< of them; nothing of the section
-  CutForces cut;                        ///< at the check's instant
-  CornerUse corner;                     ///< the one used most then
+  std::shared_ptr<const EffectiveBox> box;  ///< by which the stress is, of them or below yield
+  const ShearedPlate* plate = nullptr;      ///< of them; nothing of the section
+  CutForces cut;                            ///< at the check's instant
+  CornerUse corner;                         ///< the one used most then
   double load_factor = 1.0;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/plastic_box.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/station_samples.hpp"
@@ -48,9 +49,19 @@ std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWa
 /// The four plates of a section at a station, as far as one of them may buckle before it yields.
 struct SlenderPlates {
   EffectiveBox box;
+  PlasticBox plastic;
   LagShares lag;
   std::vector<ShearedPlate> sheared;
 };
+
+/// Their box under cut forces: below yield where the case asks for that, it settles and is used
+/// less, which 4.4(4) leaves free.
+std::shared_ptr<const EffectiveBox> box_under(const std::shared_ptr<const SlenderPlates>& plates,
+                                              const CutForces& cut, WidthRule rule);
+
+/// How far a plate is used by bending and shear together, and by which rule of 7.1.
+WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plastic,
+                              const CornerUse& corner, const CutForces& cut, double gamma_M0);
 
 /// Why the plates of the section at a station are not judged by effective widths (EN 1993-1-5,
 /// clauses 4 and 5), "" where they are: only boxes and rectangular tubes, by themselves, inclined
@@ -75,7 +86,7 @@ Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
 
 /// The checks of a station's plates, each at the instant that is worst for it: the effective
 /// section under N, M_y and M_z together; shear buckling of each plate that may; both together in
-/// the plate that is used most by them. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1(5).
+/// the plate that is used most by them. Source: EN 1993-1-5:2006, 4.6, 5.5, 7.1.
 std::vector<CheckResult> check_plates(const Project& project, const Station& station,
                                       const std::shared_ptr<const SlenderPlates>& plates,
                                       const std::vector<SituationHistory>& histories);
