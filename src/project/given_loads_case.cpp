@@ -173,7 +173,7 @@ std::string given_loads_case(const Project& project, const GivenLoads& loads) {
   }
   keep(root, "beam",
        {"density", "rotary_inertia", "segments", "diaphragms", "load_introductions", "places",
-        "holes"},
+        "holes", "restraints"},
        of);
   keep(root, "model", {"youngs_modulus", "shear_modulus"}, of);
   if (project.deflection) put(of, "deflection", deflection_of(*project.deflection));

@@ -22,6 +22,7 @@ constexpr Count table_of_counts[] = {
     {"sections.*.stiffeners", 60},
     {"beam.segments", 500},
     {"beam.holes", 200},
+    {"beam.restraints", 100},
     {"beam.points", 300},
     {"fatigue.details", 500},
     {"situations", 500},

@@ -345,6 +345,7 @@ void read_beam(TableReader& table, const Sections& sections, Project& project) {
   for (TableReader& hole : table.tables({"holes", "through webs or flanges"}))
     read_hole(hole, project);
   check_bending_widths(table, project);
+  project.restraints = read_restraints(table, beam);
 }
 
 }  // namespace boxbeam::readers

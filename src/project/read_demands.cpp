@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "boxbeam/project/plate_material.hpp"
@@ -24,6 +25,10 @@ StrengthDemand read_strength(TableReader table) {
        "1993-1-5, 4 to 7), or plate by plate on the gross section (10); segments whose edges are "
        "inclined by more than 10 deg by reduced stresses anyway"},
       {"effective widths", "reduced stresses"}, 0));
+  constexpr std::array rules{WidthRule::at_yield, WidthRule::below_yield, WidthRule::annex_E};
+  demand.effective_widths =
+      rules[table.choice({"effective_widths", "stress by which plates buckle, EN 1993-1-5, 4.4(4)"},
+                         {"at yield", "below yield", "annex E"}, 0)];
   demand.required = table.number({"required", "wanted safety factor"});
   table.finish();
   return demand;

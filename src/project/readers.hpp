@@ -196,6 +196,9 @@ int body_of(TableReader& table, const Key& key, const planar::Mechanism& mechani
 int body_of(TableReader& table, const Key& key, const spatial::Mechanism& mechanism);
 int joint_of(TableReader& table, const Key& key, const planar::Mechanism& mechanism);
 
+/// [[beam.restraints]] of a beam that is read. Refuses those that do not hold it.
+std::vector<Restraint> read_restraints(TableReader& table, const TaperedBeam& beam);
+
 /// A station given as a length along the beam, within it.
 Length station_of(TableReader& table, const Key& key, const TaperedBeam& beam);
 

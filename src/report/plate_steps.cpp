@@ -146,7 +146,7 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
   Derivation steps;
   switch (result.check.criterion) {
     case Criterion::effective_section: {
-      const CornerSteps of = derive_corner(steps, project, result.check, basis, basis.plates->box);
+      const CornerSteps of = derive_corner(steps, project, result.check, basis, *basis.box);
       steps.define("factor", of.resisting / of.acting);
       break;
     }
@@ -163,13 +163,16 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
       break;
     }
     default: {
-      const CornerSteps normal =
-          derive_corner(steps, project, result.check, basis, basis.plates->box);
+      const CornerSteps normal = derive_corner(steps, project, result.check, basis, *basis.box);
       const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
       const ShearSteps shear = derive_shear(steps, project, result.check, basis);
       const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
-      derive_interaction_factor(steps, eta_1, eta_3);
-      steps.note([] { return "f eta_1 + (2 f eta_3 - 1)^2 = 1"; });
+      const double gamma_M0 = project.strength.gamma_M0;
+      WebInteraction of =
+          interaction_of(*basis.plate, basis.plates->plastic, basis.corner, basis.cut, gamma_M0);
+      of.factor /= basis.load_factor;
+      derive_web_interaction(steps, basis.plates->plastic, of, basis.cut,
+                             basis.load_factor * gamma_M0, eta_1, eta_3);
     }
   }
   return steps_of(steps);

@@ -391,6 +391,9 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   for (const std::string& assumption : project.assumptions) {
     all.push_back({Kind::assumed, assumption});
   }
+  const SecondOrderEstimate& stability = verification.model.second_order;
+  for (std::string& assumption : assumed_holds_of(stability, project.in_space))
+    all.push_back({Kind::assumed, std::move(assumption)});
   for (const std::string& remark : project.header.remarks) all.push_back({Kind::other, remark});
   for (std::string& odd : odd_things(project, verification)) {
     all.push_back({Kind::other, std::move(odd)});
@@ -426,7 +429,14 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   add_joined_profiles(project, remarks);
   add_nested_profiles(project, remarks);
   add_slender_plates(project, verification, remarks);
-  if (const auto& lateral = verification.model.second_order.lateral)
+  const bool held_in_plane =
+      std::any_of(project.restraints.begin(), project.restraints.end(),
+                  [](const Restraint& restraint) { return restraint.along_z; });
+  if (held_in_plane && stability.whole)
+    remarks.push_back(
+        "what [[beam.restraints]] hold along z does not count: the mechanism holds the beam in the "
+        "plane of motion");
+  if (const auto& lateral = stability.lateral)
     remarks.push_back(
         lateral_text(*lateral) +
         (lateral->part <= no_turning_over_below

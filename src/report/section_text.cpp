@@ -64,12 +64,15 @@ void put_under(Fields& to, const SectionUnderForces* under) {
     put_shear(of, "webs", under, true);
     put_shear(of, "flanges", under, false);
   });
-  to.optional().object({"interaction", "7.1(5); absent without forces"}, [&](Fields& of) {
+  to.optional().object({"interaction", "7.1; absent without forces"}, [&](Fields& of) {
     of.number("utilisation", "1",
               value([](const SectionUnderForces& u) { return u.interaction_use; }));
   });
+  if (under != nullptr && under->reduced == nullptr) return;
   to.optional().object(
-      {"reduced_stress", "clause 10, the plate that is used most; absent without forces"},
+      {"reduced_stress",
+       "clause 10, the plate that is used most; absent without forces, and where stiffeners divide "
+       "a plate"},
       [&](Fields& of) {
         of.text("plate",
                 value([](const SectionUnderForces& u) { return u.reduced->sheared.name; }));
@@ -109,13 +112,18 @@ std::string under_text(const SectionUnderForces& under) {
                text::amount(plate.sheared.resists.resistance.value(), "N"),
                percent(plate.shear_use), "5.2"});
   }
-  table.row({"interaction", "", "", percent(under.interaction_use), "7.1(5)"});
-  table.row({"reduced stress", under.reduced->sheared.name, "", percent(under.reduced->reduced.use),
-             "10"});
+  table.row({"interaction", "", "", percent(under.interaction_use), "7.1"});
+  const PlateUnderForces* const reduced = under.reduced;
+  if (reduced != nullptr) {
+    table.row({"reduced stress", reduced->sheared.name, "", percent(reduced->reduced.use), "10"});
+  }
   return out + "\n" + table.text() +
-         "  partial factors 1; panels without diaphragms, end posts not rigid. Two routes: "
-         "effective widths with\n"
-         "  interaction, or reduced stress, which lets nothing yield elsewhere\n";
+         "  partial factors 1; panels without diaphragms, end posts not rigid. " +
+         (reduced != nullptr
+              ? "Two routes: effective widths with\n"
+                "  interaction, or reduced stress, which lets nothing yield elsewhere\n"
+              : "Reduced stresses (10) are not\n"
+                "  computed of plates that stiffeners divide\n");
 }
 
 }  // namespace

@@ -69,7 +69,8 @@ void take_out(AreaSums& sums, const BoxWall& wall, bool flange, double lag, Wall
 }
 
 EffectiveWidth bare_width_of(const BoxWall& wall, double psi, std::optional<Length> length) {
-  return *panel_effective_width(wall.clear(), wall.thickness, psi, wall.class_strength, length);
+  return *panel_effective_width(wall.clear(), wall.thickness, psi, wall.class_strength, length,
+                                wall.level);
 }
 
 /// A plate whose compression is even, or, in tension, what shear lag leaves of it: a strip in its
@@ -297,7 +298,7 @@ SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagSh
 }
 
 EffectiveBox::EffectiveBox(const FourWalls& box, const LagShares& lag, int most_passes)
-    : box_(box) {
+    : box_(box), lag_(lag), most_passes_(most_passes) {
   for (std::size_t k = 0; k < sections_.size(); ++k)
     sections_[k] = section_alone(box, static_cast<ActingAlone>(k), lag, most_passes);
   const AreaSums& gross = box.gross;
@@ -363,20 +364,57 @@ CornerUse EffectiveBox::use_of(const Corner& corner, const CutForces& cut, Shift
   return of;
 }
 
-CornerUse EffectiveBox::worst_corner(const CutForces& cut) const {
-  CornerUse worst;
-  worst.use = -1.0;
+template <class Look>
+void EffectiveBox::look_at_corners(const CutForces& cut, const Look& look) const {
   for (const Corner& corner : corners_) {
     for (unsigned k = 0; k < 8; ++k) {
       const Shifts shifts{(k & 1U) != 0, (k & 2U) != 0, (k & 4U) != 0};
       if (k != 0 && !(cut.N.value() < 0.0)) continue;
       if (shifts.along_y && shift_y_.value() == 0.0) continue;
       if (shifts.along_z && shift_z_.value() == 0.0) continue;
-      const CornerUse of = use_of(corner, cut, shifts);
-      if (of.use > worst.use) worst = of;
+      look(use_of(corner, cut, shifts));
     }
   }
+}
+
+CornerUse EffectiveBox::worst_corner(const CutForces& cut) const {
+  CornerUse worst;
+  worst.use = -1.0;
+  look_at_corners(cut, [&](const CornerUse& of) {
+    if (of.use > worst.use) worst = of;
+  });
   return worst;
+}
+
+std::array<double, 4> EffectiveBox::compressed_shares(const CutForces& cut) const {
+  std::array<double, 4> most{};
+  look_at_corners(cut, [&](const CornerUse& of) {
+    for (const BoxPlate plate : {of.corner.flange, of.corner.web}) {
+      double& share = most[static_cast<std::size_t>(plate)];
+      share = std::max(share, -(of.stress / box_.of(plate).class_strength).value());
+    }
+  });
+  const double yielding = use(cut);
+  for (double& share : most) share = yielding > 0.0 ? std::min(1.0, share / yielding) : 1.0;
+  return most;
+}
+
+std::optional<EffectiveBox> EffectiveBox::below_yield(const CutForces& cut, bool annex_E) const {
+  constexpr int most_steps = 60;
+  constexpr double close = 1e-9;
+  EffectiveBox of = *this;
+  for (int i = 0; i < most_steps; ++i) {
+    FourWalls walls = of.box_;
+    const std::array<double, 4> shares = of.compressed_shares(cut);
+    bool settled = true;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      settled = settled && std::abs(shares[k] - walls.walls[k].level.share) < close;
+      walls.walls[k].level = {shares[k], annex_E};
+    }
+    if (settled) return of;
+    of = EffectiveBox(walls, lag_, most_passes_);
+  }
+  return std::nullopt;
 }
 
 double EffectiveBox::use(const CutForces& cut) const { return worst_corner(cut).use; }

@@ -46,6 +46,14 @@ double internal_reduction(double lambda_p, double psi) {
   return plate::internal_reduction(record, lambda_p, psi);
 }
 
+double internal_reduction(double lambda_p, double psi, const StressLevel& level) {
+  const double lambda_red = lambda_p * std::sqrt(level.share);
+  const double rho = internal_reduction(lambda_red, psi);
+  if (!level.annex_E || rho == 1.0) return rho;
+  constexpr NoDerivation record;
+  return std::min(1.0, plate::annex_E_reduction(record, lambda_p, lambda_red, psi));
+}
+
 double outstand_reduction(double lambda_p) {
   if (lambda_p <= 0.748) return 1.0;
   return std::min(1.0, (lambda_p - 0.188) / (lambda_p * lambda_p));

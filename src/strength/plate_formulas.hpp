@@ -28,6 +28,14 @@ auto internal_reduction(Record& record, const Number& lambda_p, const Psi& psi) 
   return record.define("rho", (lambda_p - 0.055 * (3.0 + psi)) / (lambda_p * lambda_p));
 }
 
+/// The same below yield, by annex E.
+template <class Record, class Number, class Psi>
+auto annex_E_reduction(Record& record, const Number& lambda_p, const Number& lambda_red,
+                       const Psi& psi) {
+  return record.define("rho", (1.0 - 0.055 * (3.0 + psi) / lambda_red) / lambda_red +
+                                  0.18 * (lambda_p - lambda_red) / (lambda_p - 0.6));
+}
+
 /// Stress at a corner of effective sections, and with bending about one axis.
 template <class N, class A, class M, class W>
 auto corner_stress(const N& force, const A& area, const M& M_y, const W& W_y) {
@@ -49,6 +57,15 @@ auto shifted_moment(const M& moment, const N& force, const L& arm) {
 template <class Number>
 auto interaction_factor(const Number& eta_1, const Number& eta_3) {
   return (4.0 * eta_3 - eta_1) / (4.0 * eta_3 * eta_3);
+}
+
+/// That at which f eta_1 + p (2 f eta_3 - 1)^2 = 1, p of the whole moment being the webs'.
+template <class Number>
+Number interaction_factor(const Number& eta_1, const Number& eta_3, const Number& part) {
+  using std::sqrt;
+  const Number b = 4.0 * part * eta_3 - eta_1;
+  return (b + sqrt(b * b + 16.0 * part * (1.0 - part) * eta_3 * eta_3)) /
+         (8.0 * part * eta_3 * eta_3);
 }
 
 /// k_tau = 5.34 + 4 (h/a)^2 of a panel that is longer than deep, else 4 + 5.34 (h/a)^2.

@@ -101,11 +101,12 @@ Traced derive_shear_resistance(Derivation& steps, const ShearPanel& panel, doubl
                                  gamma_M1);
 }
 
-double interaction_factor(double eta_1, double eta_3) {
+double interaction_factor(double eta_1, double eta_3, double part) {
   constexpr double none = std::numeric_limits<double>::infinity();
   // Up to half of the resistance to shear the normal stress is alone.
   if (eta_1 >= 2.0 * eta_3) return eta_1 > 0.0 ? 1.0 / eta_1 : none;
-  return plate::interaction_factor(eta_1, eta_3);
+  return part < 1.0 ? plate::interaction_factor(eta_1, eta_3, part)
+                    : plate::interaction_factor(eta_1, eta_3);
 }
 
 Traced derive_interaction_factor(Derivation& steps, const Traced& eta_1, const Traced& eta_3) {

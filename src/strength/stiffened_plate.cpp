@@ -419,12 +419,13 @@ std::optional<ShortPlate> short_plate_of(Length width, Length thickness, double 
 
 std::optional<EffectiveWidth> panel_effective_width(Length width, Length thickness, double psi,
                                                     Stress yield_strength,
-                                                    std::optional<Length> length) {
+                                                    std::optional<Length> length,
+                                                    const StressLevel& level) {
   auto of = internal_effective_width(width, thickness, psi, epsilon_of(yield_strength));
   if (!of) return std::nullopt;
   const auto column = short_plate_of(width, thickness, of->k_sigma, yield_strength, length);
-  if (!column) return of;
-  const double rho = interpolated_reduction(of->rho, column->chi_c, column->xi);
+  const double rho = column ? interpolated_reduction(of->rho, column->chi_c, column->xi)
+                            : internal_reduction(of->lambda_p, psi, level);
   const double change = rho / of->rho;
   of->rho = rho;
   of->b_eff = change * of->b_eff;

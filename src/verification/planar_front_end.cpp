@@ -77,13 +77,21 @@ ClosureSummary closure_of(const planar::Mechanism& mechanism, const planar::Moti
   return closure;
 }
 
-std::vector<double> places_of_loads(const BeamLoads& loads) {
+/// Where joints and springs that bear something take hold; a force that comes from nowhere does
+/// not.
+std::vector<double> places_of_holds(const planar::Mechanism& mechanism, const BeamLoads& loads) {
+  const auto only_acts = [&](const PointLoad& load) {
+    return std::any_of(
+        mechanism.forces.begin(), mechanism.forces.end(), [&](const planar::AppliedForce& force) {
+          return force.name == load.name && std::holds_alternative<planar::PointForce>(force.kind);
+        });
+  };
   double largest = 0.0;
   for (const PointLoad& load : loads.points) largest = std::max(largest, load.force.norm());
   std::vector<double> places;
   constexpr double nothing = 1e-9;
   for (const PointLoad& load : loads.points) {
-    if (load.force.norm() > nothing * largest) places.push_back(load.s.value());
+    if (load.force.norm() > nothing * largest && !only_acts(load)) places.push_back(load.s.value());
   }
   return places;
 }
@@ -127,7 +135,7 @@ class PlanarMotion : public SolvedMotion {
   }
 
   std::vector<double> supports(const BeamLoads& loads) const override {
-    return places_of_loads(loads);
+    return places_of_holds(*mechanism_, loads);
   }
 
   MakePosture stopped(Time time, const BeamLoads& loads) const override {

@@ -10,27 +10,44 @@
 namespace boxbeam {
 namespace {
 
+/// The box below yield, where it settles and is used less.
+std::optional<EffectiveBox> lower_box(const EffectiveBox& box, const CutForces& cut, WidthRule rule,
+                                      double at_yield) {
+  auto below = box.below_yield(cut, rule == WidthRule::annex_E);
+  if (below && below->use(cut) > at_yield) below.reset();
+  return below;
+}
+
 /// The uses of a station's plates under cut forces, with gamma_M0 and gamma_M1.
 class PlateUses {
  public:
   PlateUses(const Project& project, const SlenderPlates& plates)
       : gamma_M0_(project.strength.gamma_M0),
         gamma_M1_(project.strength.gamma_M1),
+        rule_(project.strength.effective_widths),
         plates_(&plates) {}
 
-  double normal(const CutForces& cut) const { return gamma_M0_ * plates_->box.use(cut); }
+  double normal(const CutForces& cut) const { return gamma_M0_ * corner(cut).use; }
   static double shear(const ShearedPlate& plate, const CutForces& cut) {
     return plate.force_of(cut) / plate.resists.resistance;
   }
-  double together(const ShearedPlate& plate, const CutForces& cut) const {
-    return 1.0 / interaction_factor(normal(cut), shear(plate, cut));
+  WebInteraction together(const ShearedPlate& plate, const CutForces& cut) const {
+    return interaction_of(plate, plates_->plastic, corner(cut), cut, gamma_M0_);
   }
   double reduced(const ReducedPlate& plate, const CutForces& cut) const {
     return plate.use(cut, gamma_M1_);
   }
 
  private:
+  CornerUse corner(const CutForces& cut) const {
+    const CornerUse at_yield = plates_->box.worst_corner(cut);
+    if (rule_ == WidthRule::at_yield) return at_yield;
+    const auto below = lower_box(plates_->box, cut, rule_, at_yield.use);
+    return below ? below->worst_corner(cut) : at_yield;
+  }
+
   double gamma_M0_, gamma_M1_;
+  WidthRule rule_;
   const SlenderPlates* plates_;
 };
 
@@ -92,7 +109,7 @@ class StationPlates {
     for (const ShearedPlate& plate : plates_->sheared) {
       const auto shear = [&](const CutForces& cut) { return PlateUses::shear(plate, cut); };
       if (plate.may_buckle) add(Criterion::shear_buckling, worst(shear), &plate);
-      const Worst of = worst([&](const CutForces& cut) { return uses_.together(plate, cut); });
+      const Worst of = worst([&](const CutForces& cut) { return uses_.together(plate, cut).use; });
       if (!(of.use > no_use)) continue;
       // Where shear is small all plates are alike: the one that has most of it is named.
       const double sheared = shear(of.at->history.at(of.largest.time));
@@ -130,7 +147,8 @@ class StationPlates {
     PlateBasis& basis = result.plates.emplace();
     basis.plates = plates_;
     basis.cut = worst.at->history.at(worst.largest.time);
-    basis.corner = plates_->box.worst_corner(basis.cut);
+    basis.box = box_under(plates_, basis.cut, project_->strength.effective_widths);
+    basis.corner = basis.box->worst_corner(basis.cut);
     basis.load_factor = worst.at->situation->load_factor;
     basis.plate = plate;
     basis.reduced = reduced;
@@ -154,7 +172,8 @@ class StationPlates {
       case Criterion::effective_section:
         check.resisting = Stress(basis.corner.yield_strength / project_->strength.gamma_M0);
         check.acting = Stress(check.resisting.value() * use * pascal);
-        check.source = "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, 4.4)";
+        check.source = fmt::format("EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, {})",
+                                   rule_of(*basis.box));
         break;
       case Criterion::shear_buckling:
         check.resisting = basis.plate->resists.resistance;
@@ -169,8 +188,16 @@ class StationPlates {
       default:
         check.resisting = 1.0;
         check.acting = use;
-        check.source = "EN 1993-1-5:2006, 7.1(5), equation 7.1";
+        check.source = uses_.together(*basis.plate, basis.cut).share > 0.0
+                           ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
+                           : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
     }
+  }
+
+  /// The clause by which the plates of a box are reduced.
+  const char* rule_of(const EffectiveBox& box) const {
+    if (&box == &plates_->box) return "4.4";
+    return project_->strength.effective_widths == WidthRule::annex_E ? "annex E" : "4.4(4)";
   }
 
   const Project* project_;
@@ -182,6 +209,25 @@ class StationPlates {
 };
 
 }  // namespace
+
+std::shared_ptr<const EffectiveBox> box_under(const std::shared_ptr<const SlenderPlates>& plates,
+                                              const CutForces& cut, WidthRule rule) {
+  const EffectiveBox& box = plates->box;
+  if (rule != WidthRule::at_yield) {
+    if (auto below = lower_box(box, cut, rule, box.use(cut)))
+      return std::make_shared<EffectiveBox>(std::move(*below));
+  }
+  return {plates, &box};
+}
+
+WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plastic,
+                              const CornerUse& corner, const CutForces& cut, double gamma_M0) {
+  const double eta_1 = gamma_M0 * corner.use;
+  const double eta_3 = plate.force_of(cut) / plate.resists.resistance;
+  if (!is_flange(plate.plate)) return plastic.web_under(cut, corner, gamma_M0, eta_1, eta_3);
+  const double factor = interaction_factor(eta_1, eta_3);
+  return {1.0 / factor, 0.0, factor, corner.M_y};
+}
 
 std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
                                                        const std::vector<BendingZone>& zones,
@@ -195,7 +241,8 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
   if (!walls) return nullptr;
   const Section section = judged_section_at(project, station);
   const LagShares lag = lag_shares_at(zones, section, station);
-  auto plates = std::make_shared<SlenderPlates>(SlenderPlates{EffectiveBox(*walls, lag), lag, {}});
+  const EffectiveBox box(*walls, lag);
+  auto plates = std::make_shared<SlenderPlates>(SlenderPlates{box, PlasticBox(box), lag, {}});
   plates->sheared = sheared_plates_of(section, *walls, taper_at(project.beam, station),
                                       !project.in_space, project.strength.gamma_M1);
   divide_into_panels(project, station, plates->sheared);
@@ -234,7 +281,8 @@ Utilisations plate_uses_of(const Project& project, const SlenderPlates& plates,
       look(Criterion::shear_buckling,
            [&](const CutForces& cut) { return PlateUses::shear(plate, cut); });
     }
-    look(Criterion::interaction, [&](const CutForces& cut) { return uses.together(plate, cut); });
+    look(Criterion::interaction,
+         [&](const CutForces& cut) { return uses.together(plate, cut).use; });
   }
   return found;
 }
@@ -282,7 +330,7 @@ void leave_out_covered(const Project& project, std::vector<CheckResult>& checks)
          return 2.0 * shear > normal && !(basis.plate->may_buckle && normal <= no_use);
        });
   drop(Criterion::effective_section, yield,
-       [](const PlateBasis& basis) { return buckles_under(basis.plates->box, basis.cut); });
+       [](const PlateBasis& basis) { return buckles_under(*basis.box, basis.cut); });
   drop(Criterion::reduced_stress, yield, [&](const PlateBasis& basis) {
     const ReducedPlate& plate = *basis.reduced;
     return reduced_stress_of(plate.panel, plate.under(basis.cut), project.strength.gamma_M1)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
@@ -33,6 +34,9 @@ bool may_buckle(const BoxWall& wall);
 
 /// Whether a plate has stiffeners at one of the ends of its segment and may buckle without them.
 bool may_buckle_with_stiffeners(const std::vector<FourWalls>& ends, BoxPlate plate);
+
+/// Why the stiffened plates of a section are not judged, "" where they are.
+std::string stiffener_obstacle(const FourWalls& of);
 
 /// Whether a plate without stiffeners is so slender that it may buckle in shear (5.1(2)).
 bool may_buckle_in_shear(const BoxWall& wall);

@@ -22,29 +22,6 @@ constexpr double steepest = 10.0 * std::numbers::pi / 180.0;
 /// Up to this part of a plate's width an opening does not count. Source: EN 1993-1-5:2006, 2.3(1).
 constexpr double widest_opening = 0.05;
 
-/// Why stiffened plates of a segment are not judged, by both its ends.
-std::string stiffener_obstacle(const std::vector<FourWalls>& ends) {
-  for (const FourWalls& of : ends) {
-    for (const BoxPlate plate : box_plates) {
-      const BoxWall& wall = of.of(plate);
-      const auto twists = [&](const FlatStiffener& bar) {
-        return !resists_torsional_buckling(bar, wall.class_strength);
-      };
-      const auto bar = std::find_if(wall.stiffeners.begin(), wall.stiffeners.end(), twists);
-      if (bar != wall.stiffeners.end()) {
-        return fmt::format("a stiffener of the {} twists: d/t = {:.3g}, above 13 eps (9.2.1(8))",
-                           to_text(plate), (bar->depth / bar->thickness).value());
-      }
-      const StiffenedPlate as_plate = stiffened_plate_of(wall, {});
-      if (!wall.stiffeners.empty() && may_buckle(wall) && !are_stiff_enough(as_plate)) {
-        return fmt::format("the stiffeners of the {} are too weak, gamma = {:.3g} below 25",
-                           to_text(plate), relative_stiffness(as_plate));
-      }
-    }
-  }
-  return "";
-}
-
 /// The steepest edge of a segment [rad].
 double slope_of(const Segment& segment) {
   const EdgeSlopes of = edge_slopes_of(segment);
@@ -80,6 +57,26 @@ const char* to_text(PlateRoute route) {
 bool may_buckle(const BoxWall& wall) {
   return wall.clear() / wall.thickness >
          internal_part_limits(1.0, 1.0, epsilon_of(wall.class_strength)).class_3;
+}
+
+std::string stiffener_obstacle(const FourWalls& of) {
+  for (const BoxPlate plate : box_plates) {
+    const BoxWall& wall = of.of(plate);
+    const auto twists = [&](const FlatStiffener& bar) {
+      return !resists_torsional_buckling(bar, wall.class_strength);
+    };
+    const auto bar = std::find_if(wall.stiffeners.begin(), wall.stiffeners.end(), twists);
+    if (bar != wall.stiffeners.end()) {
+      return fmt::format("a stiffener of the {} twists: d/t = {:.3g}, above 13 eps (9.2.1(8))",
+                         to_text(plate), (bar->depth / bar->thickness).value());
+    }
+    const StiffenedPlate as_plate = stiffened_plate_of(wall, {});
+    if (!wall.stiffeners.empty() && may_buckle(wall) && !are_stiff_enough(as_plate)) {
+      return fmt::format("the stiffeners of the {} are too weak, gamma = {:.3g} below 25",
+                         to_text(plate), relative_stiffness(as_plate));
+    }
+  }
+  return "";
 }
 
 std::vector<FourWalls> walls_of_segment(const Project& project, const Station& station) {
@@ -141,7 +138,8 @@ std::string plates_obstacle(const Project& project, const Station& station) {
   const auto walls = four_walls_of(section.outer, materials_of(project, index));
   if (!walls) return "only boxes and rectangular tubes are";
   const std::vector<FourWalls> ends = walls_of_segment(project, station);
-  if (std::string why = stiffener_obstacle(ends); !why.empty()) return why;
+  for (const FourWalls& end : ends)
+    if (std::string why = stiffener_obstacle(end); !why.empty()) return why;
   if (plate_route_of(project, segment) == PlateRoute::reduced_stresses) {
     for (const BoxPlate plate : box_plates) {
       if (!may_buckle_with_stiffeners(ends, plate)) continue;

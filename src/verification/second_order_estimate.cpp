@@ -7,8 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "beam_holds.hpp"
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/project/link_profile.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
@@ -24,36 +24,8 @@ namespace boxbeam {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr int parts = 16;
 constexpr std::size_t spread = 48;  ///< instants looked at
 constexpr std::size_t peaks = 3;    ///< and of largest compression
-
-/// A plane of bending of the beam's own axes.
-enum class Plane { z, y };
-
-/// Stretches of a beam that bends in a plane.
-std::vector<flexible::LinkStretch> stretches_in(const Project& project, Plane plane) {
-  const double E = project.model.youngs_modulus;
-  std::vector<flexible::LinkStretch> stretches =
-      link_stretches_of(project.beam, E, project.model.shear_modulus);
-  if (plane == Plane::z) return stretches;
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Segment& segment = project.beam.segments[i];
-    const double length = segment.length.value();
-    stretches[i].EI = interpolate<4>(
-        [&](double x) {
-          const SectionProperties of =
-              properties_of(interpolate(segment.from, segment.to, x / length));
-          const double I_yz = of.I_yz.value();
-          return E * (of.I_z.value() - I_yz * I_yz / of.I_y.value());
-        },
-        length);
-    // Shear across a box bends its flanges as it does its webs: of little effect, and left out.
-    for (double& c : stretches[i].GA.c) c = 0.0;
-    stretches[i].GA.c[0] = 1e6 * stretches[i].EA(0.5 * length);
-  }
-  return stretches;
-}
 
 /// The loads of one plane as those of the plane of motion.
 BeamLoads in_plane(BeamLoads loads, Plane plane) {
@@ -69,74 +41,27 @@ BeamLoads in_plane(BeamLoads loads, Plane plane) {
   return loads;
 }
 
-/// The beam alone on the ground, clamped at one place or pinned at two.
-flexible::Mechanism beam_alone(const Project& project, Plane plane, const std::vector<double>& at) {
-  flexible::Mechanism mechanism;
-  flexible::Link& link = mechanism.links.emplace_back();
-  link.name = "beam";
-  link.length = project.beam.length().value();
-  link.stretches = stretches_in(project, plane);
-  link.parts = parts;
-  const auto hold = [&](double s, const std::array<double, 3>& stiffness) {
-    flexible::Joint& joint = mechanism.joints.emplace_back();
-    joint.name = "support";
-    joint.a = {0, {s, 0.0}};
-    joint.b = {flexible::ground, {s, 0.0}};
-    joint.stiffness = stiffness;
-  };
-  if (at.size() == 1) {
-    hold(at.front(), {unbounded, unbounded, unbounded});
-  } else {
-    hold(at.front(), {unbounded, unbounded, 0.0});
-    hold(at.back(), {0.0, unbounded, 0.0});
-  }
-  return mechanism;
-}
-
-/// The two outermost of some places, or one clamp where they are too near each other to hold.
-std::vector<double> outermost(std::vector<double> places, double length) {
-  if (places.empty()) return {0.0};
-  const auto [low, high] = std::minmax_element(places.begin(), places.end());
-  constexpr double near = 0.02;
-  if (*high - *low < near * length) return {*low};
-  return {*low, *high};
-}
-
-std::string words_of(const std::vector<double>& at) {
-  // Without the sign of a zero.
-  return at.size() == 1 ? fmt::format("clamped at s = {:.3g} m and free elsewhere", at[0] + 0.0)
-                        : fmt::format("pinned at s = {:.3g} m and {:.3g} m", at[0] + 0.0, at[1]);
-}
-
 /// How a beam is held at an instant, in both planes.
 struct Held {
   MakePosture in_plane, across;
-  std::string in_plane_words, across_words;
-  std::vector<double> at;  ///< alone, and across
-  bool whole = false;
+  BeamHolds alone;
+  bool whole = false;  ///< in the plane by its mechanism
 };
 
-MakePosture alone(const Project& project, Plane plane, const std::vector<double>& at,
+MakePosture alone(const Project& project, Plane plane, const std::vector<Hold>& holds,
                   const BeamLoads& loads) {
-  return [&project, plane, at, loads = in_plane(loads, plane)](double factor) {
-    return loaded_beam(beam_alone(project, plane, at), project.beam, loads, factor);
+  return [&project, plane, holds, loads = in_plane(loads, plane)](double factor) {
+    return loaded_beam(beam_alone(project, plane, holds), project.beam, loads, factor);
   };
 }
 
 Held held_at(const Project& project, const SituationRun& run, Time time, const BeamLoads& loads) {
-  const std::vector<double> at =
-      outermost(run.motion->supports(loads), project.beam.length().value());
   Held held;
-  held.at = at;
-  held.across = alone(project, Plane::y, at, loads);
-  held.across_words = words_of(at);
-  held.in_plane = alone(project, Plane::z, at, loads);
-  held.in_plane_words = words_of(at);
-  if (MakePosture whole = run.motion->stopped(time, loads)) {
-    held.in_plane = std::move(whole);
-    held.in_plane_words = "held as its mechanism holds it";
-    held.whole = true;
-  }
+  held.alone = holds_of(project, run.motion->supports(loads));
+  held.across = alone(project, Plane::y, held.alone.along_y.at, loads);
+  held.in_plane = run.motion->stopped(time, loads);
+  held.whole = static_cast<bool>(held.in_plane);
+  if (!held.whole) held.in_plane = alone(project, Plane::z, held.alone.along_z.at, loads);
   return held;
 }
 
@@ -249,16 +174,20 @@ class Estimating {
       if (!held.whole) result_.whole = false;
       const std::size_t situation = index_of(*project_, *run.situation);
       const CutForceDiagram diagram = cut_forces_of(loads);
-      const auto raise = [&](BucklingLoad& load, const MakePosture& make,
-                             const std::string& words) {
+      const auto raise = [&](BucklingLoad& load, const MakePosture& make, const std::string& words,
+                             bool assumed) {
         const double part = part_of_critical(make, load.part);
         // Of an instant whose part is not above the largest so far, no more than that is known.
         const double factored = std::max(load.factored, factor * part);
-        if (part > load.part) load = {part, time, situation, words};
+        if (part > load.part) load = {part, time, situation, words, assumed};
         load.factored = factored;
       };
-      raise(result_.in_plane, held.in_plane, held.in_plane_words);
-      raise(*result_.across, held.across, held.across_words);
+      const BeamHolds& alone = held.alone;
+      if (held.whole)
+        raise(result_.in_plane, held.in_plane, "held as its mechanism holds it", false);
+      else
+        raise(result_.in_plane, held.in_plane, alone.along_z.words, !alone.along_z.said);
+      raise(*result_.across, held.across, alone.along_y.words, !alone.along_y.said);
       look_sideways(diagram, loads, held, time, situation, factor);
       result_.bending = std::max(result_.bending, factor * bending_of_yield(diagram));
       if (result_.in_plane.part >= 1.0 || result_.across->part >= 1.0) {
@@ -305,9 +234,10 @@ class Estimating {
                      Time time, std::size_t situation, double factor) {
     if (!result_.lateral) return;
     LateralLoad& load = *result_.lateral;
-    const double part = factor * lateral_.part(diagram, loads, held.at, load.part / factor);
+    const HeldAt<std::vector<double>>& turning = held.alone.turning;
+    const double part = factor * lateral_.part(diagram, loads, turning.at, load.part / factor);
     if (part <= load.part) return;
-    load = {part, time, situation, held.across_words};
+    load = {part, time, situation, turning.words, !turning.said};
   }
 
   void compare(const MakePosture& make, const BeamLoads& loads, double factor, Compared& compared) {
@@ -370,10 +300,30 @@ SecondOrderEstimate estimate_second_order(const Project& project,
   return estimating.result();
 }
 
+std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in_space) {
+  std::vector<std::string> texts;
+  const auto say = [&](const char* way, const char* key, const auto& load, double least,
+                       const char* part) {
+    if (!load.assumed || load.part <= least) return;
+    texts.push_back(
+        fmt::format("{} the beam is {}, by which {} = {:.3g}; [[beam.restraints]] "
+                    "with holds = [\"{}\"] say otherwise",
+                    way, load.held, part, load.part, key));
+  };
+  say(in_space ? "along z" : "in the plane of motion", "along z", of.in_plane, no_buckling_below,
+      "N/N_cr");
+  if (of.across)
+    say(in_space ? "along y" : "across the plane of motion", "along y", *of.across,
+        no_buckling_below, "N/N_cr");
+  if (of.lateral)
+    say("against turning over", "turning over", *of.lateral, no_turning_over_below, "M/M_cr");
+  return texts;
+}
+
 std::string lateral_text(const LateralLoad& of) {
   return fmt::format(
-      "lateral torsional buckling: M/M_cr = {:.3g} at most, the beam {} sideways and "
-      "against turning, forces at the edge where they turn it over",
+      "lateral torsional buckling: M/M_cr = {:.3g} at most, the beam {}, forces at the edge where "
+      "they turn it over",
       of.part, of.held);
 }
 

@@ -4,6 +4,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/strength/section_class.hpp"
+#include "plate_panels.hpp"
 
 namespace boxbeam {
 namespace {
@@ -22,17 +23,23 @@ SectionUnderForces section_under(const Section& section, const Material& steel,
                                  const CutForces& forces) {
   std::optional<FourWalls> walls;
   if (!section.inner) walls = four_walls_of(section.outer, steel);
-  const bool stiffened =
-      walls && std::any_of(walls->walls.begin(), walls->walls.end(),
-                           [](const BoxWall& of) { return !of.stiffeners.empty(); });
-  if (!walls || stiffened) {
+  if (!walls) {
     throw InputError(
-        "forces are judged on boxes without stiffeners and rectangular tubes whose plates are as "
-        "thin as their steel has a strength for",
+        "forces are judged on boxes and rectangular tubes whose plates are as thin as their steel "
+        "has a strength for",
         "leave out --forces, or write for example \"box 600x1224 flange 12 web 8\"");
+  }
+  if (const std::string why = stiffener_obstacle(*walls); !why.empty())
+    throw InputError("forces are not judged on this box: " + why, "leave out --forces");
+  bool stiffened = false;
+  for (BoxWall& wall : walls->walls) {
+    // Those of a plate that would do without them count as area alone.
+    if (!may_buckle(wall)) wall.stiffeners.clear();
+    stiffened = stiffened || !wall.stiffeners.empty();
   }
   SectionUnderForces of{forces, 1, EffectiveBox(*walls), {}, {}, 0.0, nullptr};
   of.corner = of.box.worst_corner(forces);
+  const PlasticBox plastic(of.box);
   for (const ShearedPlate& sheared : sheared_plates_of(section, *walls, {}, false, 1.0)) {
     const BoxWall& wall = walls->of(sheared.plate);
     const PlateStress stress = PlateEnds(*walls, sheared.plate, walls->gross).under(forces);
@@ -47,8 +54,9 @@ SectionUnderForces section_under(const Section& section, const Material& steel,
                                        Stress(V / (wall.clear() * wall.thickness))},
                                       1.0);
     of.interaction_use =
-        std::max(of.interaction_use, 1.0 / interaction_factor(of.corner.use, plate.shear_use));
+        std::max(of.interaction_use, interaction_of(sheared, plastic, of.corner, forces, 1.0).use);
   }
+  if (stiffened) return of;
   of.reduced = &*std::max_element(
       of.plates.begin(), of.plates.end(),
       [](const auto& a, const auto& b) { return a.reduced.use < b.reduced.use; });

@@ -71,15 +71,27 @@ TEST_CASE("a web of 1200 x 8 mm gets a verdict: effective section, shear and bot
 }
 
 TEST_CASE("shear above half of the resistance takes from the moment", "[plates]") {
-  const Verification of = verified(
-      cantilever(box("a", 600.0, 1224.0, 12.0, 8.0), segment(2.0, "a"), tip(2.0, -1000.0)));
+  Project project = parse_project("slender.toml", cantilever(box("a", 600.0, 1224.0, 12.0, 8.0),
+                                                             segment(2.0, "a"), tip(2.0, -1000.0)));
+  project.strength.shear_lag = false;
+  const Verification of = verify(project);
   const CheckResult* const both = of.governing(Criterion::interaction);
   REQUIRE(both != nullptr);
+  CHECK(both->check.source == "EN 1993-1-5:2006, 7.1(1), equation 7.1");
   const double eta_1 = use_of(of, Criterion::effective_section);
   const double eta_3 = use_of(of, Criterion::shear_buckling);
   CHECK(eta_3 > 0.5);
-  CHECK(1.0 / both->check.utilisation() == Approx(interaction_factor(eta_1, eta_3)).epsilon(1e-9));
   CHECK(both->check.utilisation() > std::max(eta_1, eta_3));
+  // 7.1(1): of the compressed flange 584 x 0.7512 + 16 mm work, see above; kN and m.
+  const double F_c = (584.0 * 0.75124 + 16.0) * 12.0 * 0.355, F_t = 600.0 * 12.0 * 0.355;
+  const double W = 2.0 * 1200.0 * 8.0 * 0.355, w = F_c - F_t;
+  const double M_f = F_c * 1.212;
+  const double M_pl = (F_c + F_t) * 0.606 + W * 1.2 / 4.0 * (1.0 - w * w / (W * W));
+  const double f = 1.0 / both->check.utilisation();
+  CHECK(f * 2000.0 / M_pl + (1.0 - M_f / M_pl) * std::pow(2.0 * f * eta_3 - 1.0, 2) ==
+        Approx(1.0).epsilon(1e-4));
+  // Milder than 7.1(5), in which flanges bear nothing of the moment beside the webs.
+  CHECK(both->check.utilisation() < 0.98 / interaction_factor(eta_1, eta_3));
 }
 
 TEST_CASE("torsion puts shear into all four plates: q = T/(2 A_m)", "[plates]") {
@@ -339,7 +351,11 @@ TEST_CASE("no place between the stations is used more than what is reported", "[
     const std::string webs =
         "[[part_materials]]\nplates = [\"left web\", \"right web\"]\nsteel = \"S235\"\n";
     CAPTURE(i);
-    judged += look_along(parse_project("slender.toml", i % 2 == 0 ? text : text + webs), 1500);
+    Project project = parse_project("slender.toml", i % 2 == 0 ? text : text + webs);
+    judged += look_along(project, 1500);
+    if (i % 6 != 1) continue;
+    project.strength.effective_widths = i % 4 == 1 ? WidthRule::below_yield : WidthRule::annex_E;
+    judged += look_along(project, 300);
   }
   CHECK(judged > 10'000);
 }

@@ -20,6 +20,7 @@
 #include "boxbeam/project/case_document.hpp"
 #include "boxbeam/section/plate_kind.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
+#include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
 #include "boxbeam/strength/material.hpp"
 #include "boxbeam/strength/pin.hpp"
@@ -87,7 +88,8 @@ struct StrengthDemand {
   double gamma_M0 = 1.0;
   double gamma_M1 = 1.0;   ///< of plates that buckle
   double gamma_M2 = 1.25;  ///< of welds and pins
-  bool shear_lag = true;   ///< whether wide flanges are reduced, EN 1993-1-5 3.2
+  WidthRule effective_widths = WidthRule::at_yield;
+  bool shear_lag = true;  ///< whether wide flanges are reduced, EN 1993-1-5 3.2
   PlateRoute plates = PlateRoute::effective_widths;  ///< steep segments by reduced stresses anyway
   double required = 1.0;
 };
@@ -120,6 +122,15 @@ struct BeamHole {
   /// Which problem its concentration is; none where its detail is one for the net section.
   std::optional<HoleCase> concentration;
   std::optional<BeamDetail> detail;  ///< of its own; none: that of the beam
+};
+
+/// What holds the beam at a station, as the case says it: of each way that it is held in anywhere
+/// the case says all, in place of what the program would take from the mechanism.
+struct Restraint {
+  Length s;
+  bool along_y = false, along_z = false;  ///< its axis stays there
+  bool turning = false;                   ///< and it does not turn about it
+  bool clamped = false;                   ///< along y and z it keeps its direction, too
 };
 
 /// A stress taken from a published calculation instead of being computed.
@@ -307,6 +318,7 @@ struct Project {
   std::vector<std::string> beam_names;  ///< of all beams; none where the case has only one
   TaperedBeam beam;                     ///< whose marks are the places of the holes
   std::vector<BeamHole> holes;
+  std::vector<Restraint> restraints;  ///< in stability alone
   /// The beam's body or link; ground: the beam is no body, only the chain can load it.
   int beam_body = planar::ground;
   Dynamics dynamics = Dynamics::rigorous;

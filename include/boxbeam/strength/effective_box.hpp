@@ -26,6 +26,7 @@ struct BoxWall {
   Stress yield_strength;  ///< the least of its own and of its stiffeners'
   Stress class_strength;  ///< by which it buckles: of a web that of the stronger flange
   std::vector<FlatStiffener> stiffeners = {};  ///< on its inner face, by place
+  StressLevel level = {};                      ///< at which it buckles, where it has no stiffeners
 
   Length clear() const { return high - low; }
 };
@@ -166,6 +167,11 @@ class EffectiveBox {
   double use(const CutForces& cut) const;
   CornerUse worst_corner(const CutForces& cut) const;
 
+  /// The same box, its plates buckling by the stress that they have where all these cut forces grow
+  /// until the worst corner yields: then, too, the use is proportional to the forces. Found step by
+  /// step from yield on; nothing where that does not settle. Source: EN 1993-1-5:2006, 4.4(4).
+  std::optional<EffectiveBox> below_yield(const CutForces& cut, bool annex_E) const;
+
   const FourWalls& box() const { return box_; }
   const SectionAlone& alone(ActingAlone acting) const {
     return sections_[static_cast<std::size_t>(acting)];
@@ -182,8 +188,14 @@ class EffectiveBox {
     Stress flange_strength, least_strength;
   };
   CornerUse use_of(const Corner& corner, const CutForces& cut, Shifts shifts) const;
+  template <class Look>
+  void look_at_corners(const CutForces& cut, const Look& look) const;
+  /// The largest compression of each plate over what it buckles by, where the worst corner yields.
+  std::array<double, 4> compressed_shares(const CutForces& cut) const;
 
   FourWalls box_;
+  LagShares lag_;
+  int most_passes_;
   std::array<SectionAlone, 5> sections_;
   std::array<Corner, 4> corners_;
   Length centroid_y_, centroid_z_;  ///< gross

@@ -48,6 +48,30 @@ double relative_plate_slenderness(double width_to_thickness, double epsilon, dou
 /// Valid for -3 <= psi <= 1. Source: EN 1993-1-5:2006 + AC:2009, 4.4(2), equation 4.2.
 double internal_reduction(double lambda_p, double psi);
 
+/// By which stress plates are taken to buckle.
+enum class WidthRule {
+  at_yield,     ///< 4.4(2)
+  below_yield,  ///< the one that is there, 4.4(4)
+  annex_E,      ///< the same, by annex E
+};
+
+/// The stress that is there.
+struct StressLevel {
+  double share = 1.0;    ///< sigma_com,Ed/(f_y/gamma_M0), at most 1
+  bool annex_E = false;  ///< else 4.4(4)
+};
+
+/// Reduction factor of a part supported at both edges below yield, lambda_red = lambda_p
+/// sqrt(share).
+///
+///     4.4(4):  that of lambda_red
+///     annex E: [1 - 0.055 (3 + psi)/lambda_red]/lambda_red + 0.18 (lambda_p -
+///     lambda_red)/(lambda_p
+///              - 0.6) <= 1; 1 where that of lambda_red is
+///
+/// Source: EN 1993-1-5:2006, 4.4(4), E.1, equation E.1.
+double internal_reduction(double lambda_p, double psi, const StressLevel& level);
+
 /// Reduction factor of an outstand part, at most 1.
 ///
 ///     lambda_p <= 0.748: 1,  else (lambda_p - 0.188)/lambda_p^2

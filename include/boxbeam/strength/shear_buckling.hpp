@@ -92,14 +92,13 @@ Traced derive_shear_resistance(Derivation& steps, const ShearPanel& panel, doubl
 
 /// The factor on all loads at which a plate under normal stress and shear is used up.
 ///
-///     eta_3 <= 0.5: eta_1 <= 1,  else eta_1 + (2 eta_3 - 1)^2 <= 1
+///     eta_3 <= 0.5: eta_1 <= 1,  else eta_1 + part (2 eta_3 - 1)^2 <= 1
 ///
-/// eta_1  use of the section by normal stress, of effective widths; eta_3 = V/V_bw,Rd
-///
-/// 7.1(5), for flanges and for webs that are compressed all over, where the flanges bear nothing of
-/// the moment beside; for other webs, 7.1(1), it is on the safe side. Infinity where nothing acts.
-/// Source: EN 1993-1-5:2006, 7.1, equation 7.1 with M_f,Rd = 0.
-double interaction_factor(double eta_1, double eta_3);
+/// 7.1(5), for flanges and for webs that are compressed all over, part = 1: eta_1 the use of the
+/// section by normal stress, of effective widths; on the safe side for other webs. 7.1(1): eta_1 =
+/// M/M_pl, part = 1 - M_f/M_pl above zero (`PlasticBox`). eta_3 = V/V_bw,Rd. Infinity where nothing
+/// acts. Source: EN 1993-1-5:2006, 7.1, equation 7.1.
+double interaction_factor(double eta_1, double eta_3, double part = 1.0);
 Traced derive_interaction_factor(Derivation& steps, const Traced& eta_1, const Traced& eta_3);
 
 }  // namespace boxbeam

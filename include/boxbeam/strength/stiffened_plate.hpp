@@ -123,10 +123,12 @@ struct ShortPlate {
 };
 
 /// Effective width of a bare plate between supports across: as `internal_effective_width`, its rho
-/// the interpolated one where xi < 1. Source: EN 1993-1-5:2006, 4.4(6), 4.5.4.
+/// the interpolated one where xi < 1, at yield whatever the level. Source: EN 1993-1-5:2006,
+/// 4.4(6), 4.5.4.
 std::optional<EffectiveWidth> panel_effective_width(Length width, Length thickness, double psi,
                                                     Stress yield_strength,
-                                                    std::optional<Length> length);
+                                                    std::optional<Length> length,
+                                                    const StressLevel& level = {});
 
 /// What makes the width above less than that of a long plate; nothing where xi is 1.
 std::optional<ShortPlate> short_plate_of(Length width, Length thickness, double k_sigma,

@@ -67,10 +67,11 @@ struct ReducedPlate;
 /// What the check of plates that buckle rests on.
 struct PlateBasis {
   std::shared_ptr<const SlenderPlates> plates;
-  const ShearedPlate* plate = nullptr;    ///< of them; nothing of the section
-  const ReducedPlate* reduced = nullptr;  ///< the same, where it is judged by reduced stresses
-  CutForces cut;                          ///< at the check's instant
-  CornerUse corner;                       ///< the one used most then
+  std::shared_ptr<const EffectiveBox> box;  ///< by which the stress is, of them or below yield
+  const ShearedPlate* plate = nullptr;      ///< of them; nothing of the section
+  const ReducedPlate* reduced = nullptr;    ///< the same, where it is judged by reduced stresses
+  CutForces cut;                            ///< at the check's instant
+  CornerUse corner;                         ///< the one used most then
   double load_factor = 1.0;
 };
 

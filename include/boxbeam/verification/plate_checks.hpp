@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/plastic_box.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/reduced_plates.hpp"
 #include "boxbeam/verification/sheared_plates.hpp"
@@ -33,12 +34,22 @@ PlateRoute plate_route_of(const Project& project, const Segment& segment);
 /// The four plates of a section at a station, as far as one of them may buckle before it yields.
 struct SlenderPlates {
   EffectiveBox box;
+  PlasticBox plastic;
   LagShares lag;
   std::vector<ShearedPlate> sheared;
   std::vector<ReducedPlate> reduced = {};  ///< the same by reduced stresses; none with stiffeners
   PlateRoute route = PlateRoute::effective_widths;  ///< that judges
   bool steep = false;                               ///< no rectangles: effective widths say nothing
 };
+
+/// Their box under cut forces: below yield where the case asks for that, it settles and is used
+/// less, which 4.4(4) leaves free.
+std::shared_ptr<const EffectiveBox> box_under(const std::shared_ptr<const SlenderPlates>& plates,
+                                              const CutForces& cut, WidthRule rule);
+
+/// How far a plate is used by bending and shear together, and by which rule of 7.1.
+WebInteraction interaction_of(const ShearedPlate& plate, const PlasticBox& plastic,
+                              const CornerUse& corner, const CutForces& cut, double gamma_M0);
 
 /// Why the plates of the section at a station are not judged by the route of their segment, ""
 /// where they are: only boxes and rectangular tubes, by themselves, without openings above 0.05 of
@@ -70,7 +81,7 @@ struct PlateChecks {
 /// Each at the instant that is worst for it. By effective widths: the effective section under N,
 /// M_y and M_z together; shear buckling of each plate that may; both together in the plate that is
 /// used most by them. By reduced stresses: each plate under all that acts on it. Source: EN
-/// 1993-1-5:2006, 4.6, 5.5, 7.1(5), clause 10.
+/// 1993-1-5:2006, 4.6, 5.5, 7.1, clause 10.
 PlateChecks check_plates(const Project& project, const Station& station,
                          const std::shared_ptr<const SlenderPlates>& plates,
                          const std::vector<SituationHistory>& histories);

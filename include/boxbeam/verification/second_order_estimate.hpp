@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "boxbeam/core/units.hpp"
 
@@ -18,6 +19,7 @@ struct BucklingLoad {
   Time when;          ///< of it
   std::size_t situation = 0;
   std::string held;       ///< how the beam is taken to be held, in words
+  bool assumed = false;   ///< neither the case nor the mechanism says so
   double factored = 0.0;  ///< the largest with the load factors of its situation
 };
 
@@ -27,6 +29,7 @@ struct LateralLoad {
   Time when;          ///< of it
   std::size_t situation = 0;
   std::string held;  ///< where the beam is taken to be held sideways and against turning, in words
+  bool assumed = false;  ///< the case does not say so
 };
 
 /// What bending under its axial force changes in a beam that was computed as a straight one.
@@ -34,8 +37,9 @@ struct LateralLoad {
 /// N_cr is the factor on all forces of an instant at which the tapered beam with its axial force as
 /// it is distributed buckles, by the count of negative eigenvalues of K + K_g (`LoadedPosture`).
 /// In a planar mechanism that balance determines the beam is held as the mechanism holds it; else,
-/// and across the plane, by pins at its two outermost joints, which is on the safe side where
-/// joints do not give way. In space it is clamped at the joint that carries its body.
+/// and across the plane, as the restraints of the case say, or where they say nothing by pins at
+/// its two outermost joints, which is on the safe side where joints do not give way; in space
+/// clamped at the joint that carries its body.
 /// Sources: EN 1993-1-1, 5.2.1; Timoshenko, Gere, Theory of Elastic Stability (1961), chapter 2.
 struct SecondOrderEstimate {
   BucklingLoad in_plane;
@@ -62,6 +66,10 @@ inline constexpr double no_buckling_below = 0.04;
 inline constexpr double first_order_below = 0.1;
 /// Of M/M_cr: 6.3.2.2(4) with lambda_LT,0 = 0.2, the plateau of its curves; 6.3.2.3 has 0.4.
 inline constexpr double no_turning_over_below = 0.04;
+
+/// How the beam is taken to be held, wherever this counts and nobody has said so: "across the plane
+/// of motion the beam is pinned at s = 0 m and 3 m, by which N/N_cr = 0.2; [[beam.restraints]] ..".
+std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in_space);
 
 /// "lateral torsional buckling: M/M_cr = 0.012 at most, held ..".
 std::string lateral_text(const LateralLoad& of);

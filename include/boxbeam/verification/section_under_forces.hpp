@@ -25,12 +25,14 @@ struct SectionUnderForces {
   EffectiveBox box;
   CornerUse corner;  ///< of the effective section, used most
   std::vector<PlateUnderForces> plates;
-  double interaction_use = 0.0;               ///< 7.1(5), of the plate that is used most
-  const PlateUnderForces* reduced = nullptr;  ///< of `plates`, by reduced stresses used most
+  double interaction_use = 0.0;  ///< 7.1, of the plate that is used most
+  /// Of `plates`, by reduced stresses used most; nothing where stiffeners divide one of them, whose
+  /// critical stress under all that acts is not computed.
+  const PlateUnderForces* reduced = nullptr;
 };
 
-/// Throws InputError where the section has not four plates without stiffeners, or the steel no
-/// strength for one of them.
+/// Throws InputError where the section has not four plates, stiffeners do not divide theirs, or the
+/// steel has no strength for one of them.
 SectionUnderForces section_under(const Section& section, const Material& steel,
                                  const CutForces& forces);
 
