@@ -15,6 +15,10 @@ enum class Plane { z, y };
 struct Hold {
   double s = 0.0;  ///< [m]
   bool clamped = false;
+
+  friend bool operator==(const Hold& a, const Hold& b) {
+    return a.s == b.s && a.clamped == b.clamped;
+  }
 };
 
 /// How a beam by itself is held in one way.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "beam_holds.hpp"
 #include "boxbeam/core/error.hpp"
@@ -48,22 +49,26 @@ struct Held {
   bool whole = false;  ///< in the plane by its mechanism
 };
 
-MakePosture alone(const Project& project, Plane plane, const std::vector<Hold>& holds,
-                  const BeamLoads& loads) {
-  return [&project, plane, holds, loads = in_plane(loads, plane)](double factor) {
-    return loaded_beam(beam_alone(project, plane, holds), project.beam, loads, factor);
-  };
-}
+/// The beam by itself in a plane, made anew only where it is held in another way.
+class BeamAlone {
+ public:
+  BeamAlone(const Project& project, Plane plane) : project_(&project), plane_(plane) {}
 
-Held held_at(const Project& project, const SituationRun& run, Time time, const BeamLoads& loads) {
-  Held held;
-  held.alone = holds_of(project, run.motion->supports(loads));
-  held.across = alone(project, Plane::y, held.alone.along_y.at, loads);
-  held.in_plane = run.motion->stopped(time, loads);
-  held.whole = static_cast<bool>(held.in_plane);
-  if (!held.whole) held.in_plane = alone(project, Plane::z, held.alone.along_z.at, loads);
-  return held;
-}
+  MakePosture under(const BeamLoads& loads, const std::vector<Hold>& holds) {
+    if (!mechanism_ || holds != holds_) {
+      mechanism_ = beam_alone(*project_, plane_, holds);
+      holds_ = holds;
+    }
+    return [beam = &project_->beam, mechanism = *mechanism_, loads = in_plane(loads, plane_)](
+               double factor) { return loaded_beam(mechanism, *beam, loads, factor); };
+  }
+
+ private:
+  const Project* project_;
+  Plane plane_;
+  std::vector<Hold> holds_;
+  std::optional<flexible::Mechanism> mechanism_;
+};
 
 /// Whether a beam stands under so many times its loads; at the load that buckles it does not.
 bool stands_under(const MakePosture& make, double factor) {
@@ -146,7 +151,11 @@ struct Compared {
 class Estimating {
  public:
   explicit Estimating(const Project& project)
-      : project_(&project), places_(compared_places_of(project.beam)), lateral_(project) {
+      : project_(&project),
+        places_(compared_places_of(project.beam)),
+        lateral_(project),
+        in_plane_(project, Plane::z),
+        across_(project, Plane::y) {
     for (const ComparedPlace& place : places_) {
       const Section section = section_at(project.beam, place.station);
       const Length half = 0.5 * height_of(section.outer);
@@ -170,7 +179,7 @@ class Estimating {
     for (const std::size_t i : instants_of(run.loads)) {
       const Time time = run.loads.time_of(i);
       const BeamLoads loads = run.loads.loads_at(time);
-      const Held held = held_at(*project_, run, time, loads);
+      const Held held = held_at(run, time, loads);
       if (!held.whole) result_.whole = false;
       const std::size_t situation = index_of(*project_, *run.situation);
       const CutForceDiagram diagram = cut_forces_of(loads);
@@ -230,6 +239,16 @@ class Estimating {
   const SecondOrderEstimate& result() const { return result_; }
 
  private:
+  Held held_at(const SituationRun& run, Time time, const BeamLoads& loads) {
+    Held held;
+    held.alone = holds_of(*project_, run.motion->supports(loads));
+    held.across = across_.under(loads, held.alone.along_y.at);
+    held.in_plane = run.motion->stopped(time, loads);
+    held.whole = static_cast<bool>(held.in_plane);
+    if (!held.whole) held.in_plane = in_plane_.under(loads, held.alone.along_z.at);
+    return held;
+  }
+
   void look_sideways(const CutForceDiagram& diagram, const BeamLoads& loads, const Held& held,
                      Time time, std::size_t situation, double factor) {
     if (!result_.lateral) return;
@@ -287,6 +306,7 @@ class Estimating {
   std::vector<double> yield_;           ///< of the flanges there [Pa]
   std::vector<double> modulus_across_;  ///< W_z there [m^3]
   LateralEstimate lateral_;
+  BeamAlone in_plane_, across_;
   SecondOrderEstimate result_;
 };
 
