@@ -96,9 +96,13 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
 
 void add_slender_plates(const Project& project, const Verification& verification,
                         std::vector<std::string>& remarks) {
+  // Where nothing is used more than by yielding no plate is among the checks.
   const auto judged_by = [&](PlateRoute route) {
-    return std::any_of(verification.routes.begin(), verification.routes.end(),
-                       [&](const SegmentRoute& of) { return of.route == route; });
+    const bool reduced = route == PlateRoute::reduced_stresses;
+    return std::any_of(verification.checks.begin(), verification.checks.end(),
+                       [&](const CheckResult& of) {
+                         return of.plates && (of.plates->reduced != nullptr) == reduced;
+                       });
   };
   const std::string panels =
       project.beam.diaphragms.size() > 1
