@@ -12,7 +12,7 @@ namespace {
 
 bool is_by_fatigue(Criterion criterion) {
   return criterion == Criterion::fatigue || criterion == Criterion::shear_fatigue ||
-         criterion == Criterion::combined_fatigue;
+         criterion == Criterion::combined_fatigue || criterion == Criterion::distortion_fatigue;
 }
 
 /// "at 4.2 m, fibre +z (transverse weld)", "of rod hanger".
@@ -53,16 +53,23 @@ std::string other_failures(const Verification& verification) {
   return others;
 }
 
-/// The check that governs; of fatigue by direct stress and together with shear, where both say the
-/// same, the former, whose place is a point and whose detail is known.
+/// What a check says that another one may say as well, whose place is a point and whose detail is
+/// known.
+Criterion plainer_than(Criterion criterion) {
+  if (criterion == Criterion::distortion) return Criterion::yield;
+  return is_by_fatigue(criterion) ? Criterion::fatigue : criterion;
+}
+
+/// The check that governs; of two that say the same, as fatigue together with shear or with
+/// distortion may, the plainer one.
 const CheckResult& governing_of(const Verification& verification) {
   const CheckResult& worst = verification.checks.front();
-  const CheckResult* direct = verification.governing(Criterion::fatigue);
+  const CheckResult* plain = verification.governing(plainer_than(worst.check.criterion));
   const bool tied =
-      direct != nullptr && worst.check.criterion == Criterion::combined_fatigue &&
-      direct->check.station == worst.check.station &&
-      text::percent(direct->check.utilisation()) == text::percent(worst.check.utilisation());
-  return tied ? *direct : worst;
+      plain != nullptr && worst.check.criterion != Criterion::shear_fatigue &&
+      plain->check.station == worst.check.station &&
+      text::percent(plain->check.utilisation()) == text::percent(worst.check.utilisation());
+  return tied ? *plain : worst;
 }
 
 std::string remedies_text(const Remedies& remedies) {
