@@ -8,7 +8,7 @@
 
 #include "boxbeam/strength/effective_width.hpp"
 #include "catch.hpp"
-#include "reduced_by_hand.hpp"
+#include "support/reduced_by_hand.hpp"
 
 namespace reduced_stress_test {
 

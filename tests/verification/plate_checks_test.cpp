@@ -13,7 +13,7 @@
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
-#include "slender_cases.hpp"
+#include "support/slender_cases.hpp"
 
 namespace plate_checks_test {
 

@@ -12,8 +12,8 @@
 #include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
-#include "reduced_by_hand.hpp"
-#include "slender_cases.hpp"
+#include "support/reduced_by_hand.hpp"
+#include "support/slender_cases.hpp"
 
 namespace reduced_plates_test {
 
