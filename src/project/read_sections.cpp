@@ -163,6 +163,11 @@ Section sound_or_none(const std::string& name, TableReader& reader, std::size_t 
                    "change its dimensions so that all plates and profiles have their place");
     return {};
   }
+  if (auto foil = foil_in(section)) {
+    reader.problem("", fmt::format("section \"{}\" has a plate {}", name, *foil),
+                   "no plate is so thin: look for a wrong unit");
+    return {};
+  }
   return section;
 }
 

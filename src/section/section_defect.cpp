@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace boxbeam {
@@ -21,17 +22,6 @@ std::string mm(Length x) { return fmt::format("{:.6g} mm", x.value() * 1e3); }
 std::string both(const char* plates, Length one, Length other) {
   if (one == other) return fmt::format("two {} of {}", plates, mm(one));
   return fmt::format("{} of {} and {}", plates, mm(one), mm(other));
-}
-
-/// Thinner than this part of its profile a plate is none: its thickness has another unit.
-constexpr double thinnest = 1e-4;
-
-Defect too_thin(Length plate, Length size) {
-  if (plate >= thinnest * size) return std::nullopt;
-  return fmt::format(
-      "a plate of {} in a profile of {} is no plate, thinner than a ten thousandth "
-      "of it: look for a wrong unit",
-      mm(plate), mm(size));
 }
 
 /// An upright rectangle, for what must not overlap.
@@ -68,7 +58,6 @@ Defect defect_of(const Box& box) {
   if (box.width <= zero || box.height <= zero) return "width and height must be above zero";
   for (const Length& plate : {box.top_flange, box.bottom_flange, box.left_web, box.right_web}) {
     if (plate <= zero) return "every plate thickness must be above zero";
-    if (Defect thin = too_thin(plate, std::max(box.width, box.height))) return thin;
   }
   if (box.seam_throat < zero) return "the throat of the seam must not be below zero";
   if (box.top_flange + box.bottom_flange >= box.height) {
@@ -103,7 +92,6 @@ Defect defect_of(const RectangularTube& tube) {
   const Length zero;
   if (tube.width <= zero || tube.height <= zero) return "width and height must be above zero";
   if (tube.wall <= zero) return "every plate thickness must be above zero";
-  if (Defect thin = too_thin(tube.wall, std::max(tube.width, tube.height))) return thin;
   const Length side = std::min(tube.width, tube.height);
   if (2.0 * tube.wall >= side) {
     return fmt::format("a wall of {} leaves no hollow in {}", mm(tube.wall), mm(side));
@@ -126,7 +114,6 @@ Defect defect_of(const RectangularTube& tube) {
 Defect defect_of(const RoundTube& tube) {
   const Length zero;
   if (tube.diameter <= zero || tube.wall <= zero) return "diameter and wall must be above zero";
-  if (Defect thin = too_thin(tube.wall, tube.diameter)) return thin;
   if (2.0 * tube.wall >= tube.diameter) {
     return fmt::format("a wall of {} leaves no hollow in a diameter of {}", mm(tube.wall),
                        mm(tube.diameter));
@@ -331,6 +318,30 @@ Defect defect_of(const Section& section) {
   if (!section.inner) return std::nullopt;
   if (auto defect = defect_of(*section.inner)) return "inner profile: " + *defect;
   return misfit_of(section.outer, *section.inner);
+}
+
+std::optional<std::string> foil_in(const Section& section) {
+  constexpr double thinnest = 1e-4;
+  const auto thin = [&](const Profile& profile) {
+    const Extent extent = extent_of(profile);
+    const Length size = std::max(extent.y_high - extent.y_low, extent.z_high - extent.z_low);
+    Length least = size;
+    if (const auto* box = std::get_if<Box>(&profile))
+      least = std::min({box->top_flange, box->bottom_flange, box->left_web, box->right_web},
+                       std::less<>());
+    else if (const auto* tube = std::get_if<RectangularTube>(&profile))
+      least = tube->wall;
+    else if (const auto* pipe = std::get_if<RoundTube>(&profile))
+      least = pipe->wall;
+    else if (const auto* path = std::get_if<ThinWalled>(&profile))
+      for (const ThinWall& wall : path->walls) least = std::min(least, wall.thickness);
+    return least < thinnest * size
+               ? std::optional(fmt::format("{} thin in a profile of {}", mm(least), mm(size)))
+               : std::nullopt;
+  };
+  auto found = thin(section.outer);
+  if (!found && section.inner) found = thin(*section.inner);
+  return found;
 }
 
 }  // namespace boxbeam

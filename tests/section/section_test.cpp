@@ -41,11 +41,12 @@ TEST_CASE("dimensions and walls must be above zero") {
   CHECK_FALSE(possible({tube(200, 0), {}}));
 }
 
-TEST_CASE("a plate thinner than a ten thousandth of its profile is none") {
-  CHECK(possible({box(400, 600, 0.06, 0.061), {}}));
-  CHECK_FALSE(possible({box(400, 600, 10, 1e-5), {}}));
-  CHECK_FALSE(possible({box(400, 600, 0.059, 10), {}}));
-  CHECK(defect_of(Section{tube(200, 0.019), {}})->find("wrong unit") != std::string::npos);
+TEST_CASE("a plate thinner than a ten thousandth of its profile is a foil") {
+  CHECK_FALSE(foil_in({box(400, 600, 0.061, 10), {}}));
+  CHECK(foil_in({box(400, 600, 0.059, 10), {}}));
+  CHECK(*foil_in({box(400, 600, 10, 1e-5), {}}) == "1e-05 mm thin in a profile of 600 mm");
+  CHECK_FALSE(foil_in({tube(200, 0.021), {}}));
+  CHECK(foil_in({box(400, 600, 10, 10), tube(200, 0.019)}));
 }
 
 TEST_CASE("walls must leave a hollow") {

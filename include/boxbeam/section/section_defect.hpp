@@ -13,4 +13,8 @@ namespace boxbeam {
 /// the clear space.
 std::optional<std::string> defect_of(const Section& section);
 
+/// Where a plate is thinner than a ten thousandth of its profile: no plate is, it has another unit.
+/// "1e-05 mm thin in a profile of 300 mm", or nothing. Precondition: no defect.
+std::optional<std::string> foil_in(const Section& section);
+
 }  // namespace boxbeam
