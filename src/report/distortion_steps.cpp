@@ -39,8 +39,8 @@ Traced derive_across(Derivation& steps, const char* symbol, const DistortionBasi
 
 /// q/t of the shear of distortion.
 Traced give_shear(Derivation& steps, const DistortionBasis& basis) {
-  const Traced tau = steps.given("tau_D", si<Stress>(std::abs(basis.at.shear) * basis.size.shear),
-                                 "of the flow q by which the stress along the edges changes");
+  Traced tau = steps.given("tau_D", si<Stress>(std::abs(basis.at.shear) * basis.size.shear),
+                           "of the flow q by which the stress along the edges changes");
   steps.note([&] {
     return fmt::format("Q = {:.4g} kN m, q = {:.4g} kN/m", 1e-3 * basis.size.shear,
                        1e-3 * std::abs(basis.at.flow) * basis.size.shear);
@@ -51,7 +51,7 @@ Traced give_shear(Derivation& steps, const DistortionBasis& basis) {
 /// 2 M_D omega/I_w.
 Traced give_along(Derivation& steps, const char* symbol, const DistortionBasis& basis) {
   const double factor = basis.stress.stress_factor;
-  const Traced sigma =
+  Traced sigma =
       steps.given(symbol, si<Stress>(factor * std::abs(basis.at.along) * basis.size.moment),
                   "2 M_D omega/I_w, the edges bent with both their plates");
   steps.note([&] {

@@ -133,7 +133,7 @@ Traced derive_web_interaction(Derivation& steps, const PlasticBox& box, const We
                               const CutForces& cut, double acting, const Traced& eta_1,
                               const Traced& eta_3) {
   if (!(of.share > 0.0)) {
-    const Traced factor = derive_interaction_factor(steps, eta_1, eta_3);
+    Traced factor = derive_interaction_factor(steps, eta_1, eta_3);
     steps.note([] { return "f eta_1 + (2 f eta_3 - 1)^2 = 1, 7.1(5)"; });
     return factor;
   }

@@ -32,7 +32,7 @@ Beside beside(const Project& project, const DistortionEstimate& of,
     const double used = check.utilisation();
     if (check.criterion == Criterion::member) {
       found.add("the buckling of the beam", used + distorted);
-    } else if (result.patch) {
+    } else if (check.criterion == Criterion::patch_loading || result.patch) {
       if (lies_in(check.station.s)) found.add("forces that come into webs", used + distorted);
     } else if (result.basis && lies_in(check.station.s)) {
       const bool strength =

@@ -400,16 +400,8 @@ Found lowest_modes(const Problem& problem, Index count) {
 
 Found found_modes(const Problem& problem, Index asked) {
   const Index size = problem.coordinates.size();
-  const Index elasticities = elasticities_of(problem.structure);
-  if (size > very_few && size <= few && one_in * asked <= std::min(size, elasticities)) {
-    try {
-      return lowest_modes(problem, asked);
-    } catch (const AnalysisError&) {
-      // Masses that nothing moves, frequencies that repeat: all modes together tell.
-    }
-  }
   if (size <= few || one_in * asked > size) return all_modes(whole_problem(problem));
-  if (elasticities <= few) {
+  if (elasticities_of(problem.structure) <= few) {
     if (const auto small = few_motions(problem, 2 * few)) return all_modes(*small);
   }
   return lowest_modes(problem, asked);
@@ -450,19 +442,31 @@ Mode finished(const Problem& problem, const VectorXd& q) {
   return mode;
 }
 
-}  // namespace
-
-std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
-  if (count == 0 || structure.elements() == 0) return {};
-  const Problem problem = problem_of(structure);
-  const auto asked = static_cast<Index>(count);
-  const Found found = found_modes(problem, asked);
+std::vector<Mode> finished(const Problem& problem, const Found& found, Index asked) {
   std::vector<Mode> modes;
   const Index wanted = std::min(asked, found.theta.size());
   for (Index i = 0; i < wanted; ++i) modes.push_back(finished(problem, found.q.col(i)));
   std::stable_sort(modes.begin(), modes.end(),
                    [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
   return modes;
+}
+
+}  // namespace
+
+std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
+  if (count == 0 || structure.elements() == 0) return {};
+  const Problem problem = problem_of(structure);
+  const Index size = problem.coordinates.size();
+  const auto asked = static_cast<Index>(count);
+  const Index most = std::min(size, elasticities_of(structure));
+  if (size > very_few && size <= few && one_in * asked <= most) {
+    try {
+      return finished(problem, lowest_modes(problem, asked), asked);
+    } catch (const AnalysisError&) {
+      // Stiffnesses or masses far apart, frequencies that repeat: all modes together tell.
+    }
+  }
+  return finished(problem, found_modes(problem, asked), asked);
 }
 
 }  // namespace boxbeam::flexible
