@@ -134,8 +134,8 @@ class ReducedPanel {
   Number along(const Number& lambda) {
     if (!pressed_) return Number(1.0);
     const bool slender = internal_reduction(plain(lambda), on_->psi) < 1.0;
-    const Number rho = slender ? Number(plate::internal_reduction(*record_, lambda, known_psi()))
-                               : unreduced("rho", "of sigma_x: not slender, 4.4(2)");
+    Number rho = slender ? Number(plate::internal_reduction(*record_, lambda, known_psi()))
+                         : unreduced("rho", "of sigma_x: not slender, 4.4(2)");
     const auto column = short_plate_of(panel_->depth, panel_->thickness, k_sigma(),
                                        panel_->yield_strength, panel_->length);
     if (!column) return rho;

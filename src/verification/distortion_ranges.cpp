@@ -52,7 +52,7 @@ Joining joining(const DistortedPoint& of, StressKind kind, const DistortionTrave
 std::array<double, cut_force::count> factors_of(const DistortedPoint& of, StressKind kind) {
   std::array<double, cut_force::count> factors =
       kind == StressKind::direct ? of.point.influence.normal : of.point.influence.shear;
-  if (kind == StressKind::direct)
+  if (kind == StressKind::direct && of.point.detail != nullptr)
     for (double& factor : factors) factor *= of.point.detail->stress_factor;
   return factors;
 }

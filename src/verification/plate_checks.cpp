@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "boxbeam/verification/judged_section.hpp"
 #include "plate_panels.hpp"
@@ -40,7 +41,7 @@ class PlateUses {
 
  private:
   CornerUse corner(const CutForces& cut) const {
-    const CornerUse at_yield = plates_->box.worst_corner(cut);
+    CornerUse at_yield = plates_->box.worst_corner(cut);
     if (rule_ == WidthRule::at_yield) return at_yield;
     const auto below = lower_box(plates_->box, cut, rule_, at_yield.use);
     return below ? below->worst_corner(cut) : at_yield;
@@ -122,7 +123,7 @@ class StationPlates {
       in_plate = &plate;
     }
     if (in_plate != nullptr) add(Criterion::interaction, together, in_plate);
-    return std::move(results_);
+    return std::exchange(results_, {});
   }
 
   std::vector<CheckResult> by_reduced_stresses() {
@@ -131,7 +132,7 @@ class StationPlates {
           worst([&](const CutForces& cut) { return uses_.reduced(plate, cut); }), &plate.sheared,
           &plate);
     }
-    return std::move(results_);
+    return std::exchange(results_, {});
   }
 
  private:
