@@ -20,7 +20,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// So many coordinates or fewer: all modes, by dense matrices, where few of them are not found.
+/// So many coordinates, or elasticities, or fewer: all modes, by dense matrices, where a few of
+/// them are not found by themselves.
 constexpr Index few = 150;
 /// So many or fewer: by these from the first, for nothing is faster.
 constexpr Index very_few = 24;
@@ -458,8 +459,8 @@ std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
   const Problem problem = problem_of(structure);
   const Index size = problem.coordinates.size();
   const auto asked = static_cast<Index>(count);
-  const Index most = std::min(size, elasticities_of(structure));
-  if (size > very_few && size <= few && one_in * asked <= most) {
+  const Index fewer = std::min(size, elasticities_of(structure));
+  if (size > very_few && fewer <= few && one_in * asked <= fewer) {
     try {
       return finished(problem, lowest_modes(problem, asked), asked);
     } catch (const AnalysisError&) {
