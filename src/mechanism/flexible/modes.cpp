@@ -314,7 +314,7 @@ Index elasticities_of(const Structure& structure) {
 
 /// Adds the `more` lowest modes beyond those found, of a repeated frequency perhaps only one. False
 /// where the search does not come to an end in so large a space.
-bool add_lanczos_modes(const Problem& problem, Index more, Index space, Found& found) {
+bool add_lanczos_modes(const Problem& problem, Index more, Index space, double work, Found& found) {
   const Index size = problem.coordinates.size();
   Inverse inverse(problem, found.q, found.theta);
   Mass mass(problem);
@@ -328,7 +328,6 @@ bool add_lanczos_modes(const Problem& problem, Index more, Index space, Found& f
   if (!std::isfinite(moved_mass)) fail("stiffnesses and masses are too far apart");
   if (!(moved_mass > 0.0)) fail("there are fewer than are asked for: no mass moves any more");
   // A restart takes the eigenvectors of a matrix as large as the space.
-  constexpr double work = 2e9;
   const double cube = std::pow(static_cast<double>(space), 3);
   const auto restarts = static_cast<Index>(std::clamp(work / cube, 10.0, 1000.0));
   try {
@@ -377,13 +376,17 @@ Count count_beyond(const Problem& problem, double square) {
 }
 
 /// The lowest modes; none is left out below the last: the frequencies below it are counted.
-Found lowest_modes(const Problem& problem, Index count) {
+/// `patient`: however long it takes; else it gives up where all modes by dense matrices are sooner.
+Found lowest_modes(const Problem& problem, Index count, bool patient = true) {
+  const double work = patient ? 2e9 : 2e5;
+  const int runs = patient ? most_runs : 3;
   Found found{MatrixXd(problem.coordinates.size(), 0), VectorXd(0)};
   Index missing = count;
   const Index size = problem.coordinates.size();
-  for (int run = 0; run < most_runs; ++run) {
+  for (int run = 0; run < runs; ++run) {
     Index space = std::min(size, std::max<Index>(2 * missing + 1, 20));
-    while (!add_lanczos_modes(problem, missing, space, found)) {
+    while (!add_lanczos_modes(problem, missing, space, work, found)) {
+      if (!patient) fail("they do not converge at once");
       if (space == size || space > 16 * (missing + 8)) fail("they do not converge; ask for fewer");
       space = std::min(size, 2 * space + 3);
     }
@@ -462,7 +465,7 @@ std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
   const Index fewer = std::min(size, elasticities_of(structure));
   if (size > very_few && fewer <= few && one_in * asked <= fewer) {
     try {
-      return finished(problem, lowest_modes(problem, asked), asked);
+      return finished(problem, lowest_modes(problem, asked, false), asked);
     } catch (const AnalysisError&) {
       // Stiffnesses or masses far apart, frequencies that repeat: all modes together tell.
     }
