@@ -440,6 +440,13 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
     remarks.push_back(
         "what [[beam.restraints]] hold along z does not count: the mechanism holds the beam in the "
         "plane of motion");
+  const bool torque_by =
+      std::any_of(project.beam.introductions.begin(), project.beam.introductions.end(),
+                  [](const LoadIntroduction& of) { return of.torque_by.has_value(); });
+  if (torque_by && !project.in_space)
+    remarks.push_back(
+        "torque_by of [[beam.load_introductions]] does not count: a case in the plane has no "
+        "torque");
   if (const auto& lateral = stability.lateral)
     remarks.push_back(
         lateral_text(*lateral) +

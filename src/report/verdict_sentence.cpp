@@ -53,23 +53,16 @@ std::string other_failures(const Verification& verification) {
   return others;
 }
 
-/// What a check says that another one may say as well, whose place is a point and whose detail is
-/// known.
-Criterion plainer_than(Criterion criterion) {
-  if (criterion == Criterion::distortion) return Criterion::yield;
-  return is_by_fatigue(criterion) ? Criterion::fatigue : criterion;
-}
-
-/// The check that governs; of two that say the same, as fatigue together with shear or with
-/// distortion may, the plainer one.
+/// The check that governs; of fatigue by direct stress and together with shear, where both say the
+/// same, the former, whose place is a point and whose detail is known.
 const CheckResult& governing_of(const Verification& verification) {
   const CheckResult& worst = verification.checks.front();
-  const CheckResult* plain = verification.governing(plainer_than(worst.check.criterion));
+  const CheckResult* direct = verification.governing(Criterion::fatigue);
   const bool tied =
-      plain != nullptr && worst.check.criterion != Criterion::shear_fatigue &&
-      plain->check.station == worst.check.station &&
-      text::percent(plain->check.utilisation()) == text::percent(worst.check.utilisation());
-  return tied ? *plain : worst;
+      direct != nullptr && worst.check.criterion == Criterion::combined_fatigue &&
+      direct->check.station == worst.check.station &&
+      text::percent(direct->check.utilisation()) == text::percent(worst.check.utilisation());
+  return tied ? *direct : worst;
 }
 
 std::string remedies_text(const Remedies& remedies) {

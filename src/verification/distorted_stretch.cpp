@@ -8,7 +8,6 @@ namespace boxbeam {
 namespace {
 
 constexpr double one_place = 1e-9;       ///< of the beam's length
-constexpr double no_torque = 1e-6;       ///< of the largest moment
 constexpr std::size_t most_places = 64;  ///< where torque comes that get nodes: wheels move
 
 /// -dT/ds, what comes per length.
@@ -75,29 +74,9 @@ void take_most(DistortionSize& a, const DistortionSize& b) {
 
 }  // namespace
 
-std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam) {
-  std::vector<BoxStretch> stretches;
-  bool before = false;
-  for (std::size_t i = 0; i < beam.segments.size(); ++i) {
-    const bool box = box_cell_of(beam.segments[i].from.outer).has_value();
-    if (box && before) stretches.back().last = i;
-    if (box && !before) stretches.push_back({i, i});
-    before = box;
-  }
-  return stretches;
-}
-
-bool is_twisted(const std::deque<SituationRun>& runs) {
-  for (const SituationRun& run : runs) {
-    const double least = no_torque * run.loads.largest_moment();
-    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-      for (const CutForcePiece& piece : run.loads.diagram(i).pieces) {
-        for (const double part : {0.0, 0.5, 1.0})
-          if (std::abs(piece.T(part * piece.length.value())) > least) return true;
-      }
-    }
-  }
-  return false;
+double least_torque(const SituationRun& run) {
+  constexpr double of_moment = 1e-6;
+  return of_moment * run.loads.largest_moment();
 }
 
 DistortedStretch::DistortedStretch(const Project& project, const std::deque<SituationRun>& runs,
@@ -113,14 +92,10 @@ DistortedStretch::DistortedStretch(const Project& project, const std::deque<Situ
   for (const SituationRun& run : runs) {
     std::vector<Loads>& of = loads_.emplace_back();
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
-      of.push_back(loads_of(run.loads.diagram(i), least_of(run)));
+      of.push_back(loads_of(run.loads.diagram(i), least_torque(run)));
       distorted_ = distorted_ || !of.back().nodes.empty() || of.back().lines || of.back().tapers;
     }
   }
-}
-
-double DistortedStretch::least_of(const SituationRun& run) const {
-  return no_torque * run.loads.largest_moment();
 }
 
 /// What comes between its ends and, as torque that passes, at these.
@@ -146,7 +121,7 @@ void DistortedStretch::find_introduced() {
     for (std::size_t i = 0; i < run.loads.instants(); ++i) {
       for (const Introduced& of : introduced_in(run.loads.diagram(i))) {
         const auto same = [&](Length s) { return std::abs(s.value() - of.s) <= near_; };
-        if (std::abs(of.torque) <= least_of(run) ||
+        if (std::abs(of.torque) <= least_torque(run) ||
             std::any_of(introduced_.begin(), introduced_.end(), same))
           continue;
         slides_ = introduced_.size() >= most_places;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -19,6 +20,33 @@ namespace {
 /// Stresses of distortion below this part of the yield strength are none, as far as places are
 /// searched for.
 constexpr double no_effect = 1e-4;
+
+/// Segments of boxes in a row.
+std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam) {
+  std::vector<BoxStretch> stretches;
+  bool before = false;
+  for (std::size_t i = 0; i < beam.segments.size(); ++i) {
+    const bool box = box_cell_of(beam.segments[i].from.outer).has_value();
+    if (box && before) stretches.back().last = i;
+    if (box && !before) stretches.push_back({i, i});
+    before = box;
+  }
+  return stretches;
+}
+
+/// Whether anything twists the beam at any instant.
+bool is_twisted(const std::deque<SituationRun>& runs) {
+  for (const SituationRun& run : runs) {
+    const double least = least_torque(run);
+    for (std::size_t i = 0; i < run.loads.instants(); ++i) {
+      for (const CutForcePiece& piece : run.loads.diagram(i).pieces) {
+        for (const double part : {0.0, 0.5, 1.0})
+          if (std::abs(piece.T(part * piece.length.value())) > least) return true;
+      }
+    }
+  }
+  return false;
+}
 
 /// Searches one stretch.
 class DistortionSearch {
@@ -238,6 +266,24 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
     found.estimates.push_back(search.estimate());
   }
   return found;
+}
+
+void leave_out_without_effect(std::vector<CheckResult>& checks) {
+  const auto leave_out = [&](Criterion criterion, std::initializer_list<Criterion> without) {
+    double most = 0.0;
+    for (const CheckResult& of : checks) {
+      if (std::find(without.begin(), without.end(), of.check.criterion) != without.end())
+        most = std::max(most, of.check.utilisation());
+    }
+    constexpr double close = 1e-6;
+    std::erase_if(checks, [&](const CheckResult& of) {
+      return of.check.criterion == criterion &&
+             std::abs(of.check.utilisation() - most) <= close * most;
+    });
+  };
+  leave_out(Criterion::distortion, {Criterion::yield, Criterion::weld});
+  leave_out(Criterion::distortion_fatigue,
+            {Criterion::fatigue, Criterion::shear_fatigue, Criterion::combined_fatigue});
 }
 
 }  // namespace boxbeam

@@ -48,6 +48,14 @@ Beside beside(const Project& project, const DistortionEstimate& of,
   return found;
 }
 
+/// Whether a check of a stretch has distortion in it.
+bool is_checked(const DistortionEstimate& of, const std::vector<CheckResult>& checks) {
+  return std::any_of(checks.begin(), checks.end(), [&](const CheckResult& result) {
+    const Length s = result.check.station.s;
+    return result.distortion && s >= of.from && s <= of.to;
+  });
+}
+
 std::string effects_text(const Project& project, const DistortionEstimate& of) {
   const std::string& name = project.situations[of.situation].name;
   return fmt::format(
@@ -122,7 +130,11 @@ std::vector<Gate> distortion_gates_of(const Project& project,
           {"", "", fmt::format("{}: {}. {}", effects, fmt::join(reasons, "; "), remedy_text(of)),
            true});
     } else if (of.used >= worth_saying) {
-      gates.push_back({"", "", effects + ": it is in the checks of distortion", false});
+      gates.push_back({"", "",
+                       effects + (is_checked(of, checks)
+                                      ? ": it is in the checks of distortion"
+                                      : ": no place is used more with it than the worst without"),
+                       false});
     }
   }
   return gates;

@@ -124,6 +124,7 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
                                     ? check_distortion(project, runs, zones, stations)
                                     : DistortionChecks{};
   append(std::move(distortion.checks), beam.checks);
+  leave_out_without_effect(beam.checks);
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
   std::vector<CheckResult> checks =

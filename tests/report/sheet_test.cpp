@@ -99,6 +99,21 @@ Recalculation recalculated(const Sheet& sheet) {
   return result;
 }
 
+/// Every formula is one, and each comes to what the next one of its chain says.
+void check_by_calculator(const Sheet& sheet) {
+  INFO(report::text_of(sheet).text);
+  for (const Step& step : sheet.steps) {
+    CHECK(report::is_formula(step.symbol));
+    for (const std::string& formula : step.formulas) {
+      INFO(formula);
+      CHECK(report::is_formula(formula));
+    }
+  }
+  const Recalculation again = recalculated(sheet);
+  CHECK(again.compared >= 2);
+  CHECK(again.wrong == std::vector<std::string>{});
+}
+
 }  // namespace
 
 TEST_CASE("Every formula of every sheet is one, and so is every symbol",
@@ -152,18 +167,8 @@ TEST_CASE("A pocket calculator comes to what the sheets of rods and deflections 
         continue;
       }
       const Sheet sheet = sheet_of(project, verification, result);
-      INFO(report::text_of(sheet).text);
       stands = stands || find(sheet, symbol) != nullptr;
-      for (const Step& step : sheet.steps) {
-        CHECK(report::is_formula(step.symbol));
-        for (const std::string& formula : step.formulas) {
-          INFO(formula);
-          CHECK(report::is_formula(formula));
-        }
-      }
-      const Recalculation again = recalculated(sheet);
-      CHECK(again.compared >= 2);
-      CHECK(again.wrong == std::vector<std::string>{});
+      check_by_calculator(sheet);
     }
     INFO(symbol);
     CHECK(stands);
@@ -201,17 +206,7 @@ TEST_CASE("A pocket calculator comes to what the sheets of distorted boxes say",
       if (!result.distortion) continue;
       ++sheets;
       const Sheet sheet = sheet_of(project, verification, result);
-      INFO(report::text_of(sheet).text);
-      for (const Step& step : sheet.steps) {
-        CHECK(report::is_formula(step.symbol));
-        for (const std::string& formula : step.formulas) {
-          INFO(formula);
-          CHECK(report::is_formula(formula));
-        }
-      }
-      const Recalculation again = recalculated(sheet);
-      CHECK(again.compared >= 2);
-      CHECK(again.wrong == std::vector<std::string>{});
+      check_by_calculator(sheet);
       const Step* const factor = find(sheet, "factor");
       REQUIRE(factor != nullptr);
       const auto said = test::value_of(factor->formulas.back());

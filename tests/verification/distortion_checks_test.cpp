@@ -481,6 +481,32 @@ TEST_CASE("ranges of distortion join those of their point, and bend corners acro
   CHECK(steady.governing(Criterion::distortion) != nullptr);
 }
 
+TEST_CASE("where distortion does nothing the plain check stands, with its own remedies",
+          "[distortion]") {
+  // At the wall, whose end warps freely, M_D is zero and bending largest; a plate takes the torque
+  // in the middle.
+  const std::string load =
+      twist("eccentric", 50.0, 400e3) + diaphragm(0.0, "50 mm") + diaphragm(50.0, "50 mm");
+  const auto with_cycles = [&](double cycles) {
+    return verify(stout_beam(load + by_category_100 + in_situations({{1.0, 1.0}, {0.0, 0.0}}) +
+                                 fmt::format("[[situations]]\nname = \"change\"\nbetween = "
+                                             "[\"0\", \"1\"]\ncycles = {}\n",
+                                             cycles),
+                             -20e3),
+                  Figures::without, Advice::with);
+  };
+  const Verification of = with_cycles(2.5e5);
+  REQUIRE(of.verdict == Verdict::fail);
+  const CheckResult& worst = of.checks.front();
+  CHECK_FALSE(worst.distortion);
+  CHECK(worst.check.station.s.value() == 0.0);
+  for (const CheckResult& result : of.checks) {
+    if (result.distortion) CHECK(result.check.utilisation() < worst.check.utilisation());
+  }
+  CHECK(std::any_of(of.remedies.found.begin(), of.remedies.found.end(),
+                    [](const Remedy& remedy) { return remedy.what == Remedy::What::category; }));
+}
+
 TEST_CASE("no order of loads does more damage than the check of distortion says", "[distortion]") {
   // Two torques at the same places in every situation, one after the other: their signs, by
   // exhaustion, and the cycles of the sum counted.

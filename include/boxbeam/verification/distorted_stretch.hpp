@@ -15,10 +15,8 @@ struct BoxStretch {
   std::size_t first = 0, last = 0;
 };
 
-std::vector<BoxStretch> box_stretches_of(const TaperedBeam& beam);
-
-/// Whether anything twists the beam at any instant.
-bool is_twisted(const std::deque<SituationRun>& runs);
+/// A torque up to this is the rounding of sums [N m].
+double least_torque(const SituationRun& run);
 
 /// A stretch of boxes in a row under the torques of a case.
 ///
@@ -98,7 +96,6 @@ class DistortedStretch {
   Effects effects_of(const Distortion& of) const;
   const Effects& of_node(std::size_t node) const;
   DistortionSize size_at(std::size_t place, const Loads& loads) const;
-  double least_of(const SituationRun& run) const;
 
   const Project* project_;
   const std::deque<SituationRun>* runs_;

@@ -54,6 +54,10 @@ DistortionChecks check_distortion(const Project& project, const std::deque<Situa
                                   const std::vector<BendingZone>& zones,
                                   const std::vector<Station>& stations);
 
+/// Takes out those that are used as the worst check without distortion is, within a millionth: at
+/// their place distortion does nothing, and they say no more.
+void leave_out_without_effect(std::vector<CheckResult>& checks);
+
 /// What stays beside these checks: where plates may buckle and in the fatigue of long records,
 /// distortion is in no check; at edges of holes, at welds around profiles, in forces that come into
 /// webs and in the buckling of the beam as a member nothing of it is. There it is left out where
