@@ -294,7 +294,7 @@ MUTATIONS = [
           "EN 1993-1-5, figure 6.1: type c", "patch_loading_test"),
          ("patch-stress", "1.4 / (eta_2 + 0.8 * eta_1)", "1.4 / (eta_2 + 0.08 * eta_1)",
           "EN 1993-1-5, 7.2", "patch_loading_test")),
-    *_in("src/verification", "patch_checks.cpp",
+    *_in("src/verification", "patch_search.cpp",
          ("patch-share", "k == 0 ? by_first : 1.0 - by_first", "0.5",
           "an eccentric force by the lever between the webs", "patch_checks_test"),
          ("patch-together", "sum.force += other.force;", "",

@@ -1,0 +1,370 @@
+#include "patch_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/verification/judged_section.hpp"
+#include "plate_panels.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Diaphragms, introductions and forces so near each other are at one place, by the beam's length.
+constexpr double same_place = 1e-6;
+
+}  // namespace
+
+PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>& zones)
+    : project_(&project), zones_(&zones) {
+  const TaperedBeam& beam = project.beam;
+  for (const Segment& segment : beam.segments) {
+    Slender& of = slender_.emplace_back();
+    for (const Station& end :
+         {Station{segment.start, Side::behind}, Station{segment.end(), Side::before}}) {
+      const auto walls = walls_at(end);
+      if (!walls) continue;
+      for (const BoxPlate plate : box_plates) {
+        if (!may_buckle_in_shear(walls->of(plate))) continue;
+        (is_flange(plate) ? of.along_y : of.along_z) = true;
+      }
+    }
+  }
+}
+
+void PatchSearch::learn_clamps(const SituationRun& run) {
+  const LoadHistory& history = run.loads;
+  constexpr std::size_t looked_at = 64;
+  const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
+  std::map<std::string, std::pair<double, double>> largest;  // force, couple
+  for (std::size_t i = 0; i < history.instants(); i += step) {
+    for (const PointLoad& load : history.loads_at(history.time_of(i)).points) {
+      if (!is_at_end(load.s)) continue;
+      auto& [force, couple] = largest[std::string(load.name)];
+      force = std::max(force, load.force.norm());
+      couple = std::max(couple, std::hypot(load.moment.y(), load.moment.z()));
+    }
+  }
+  const double half_depth = 0.5 * height_of(project_->beam.segments.front().from.outer).value();
+  for (const auto& [name, of] : largest) {
+    if (of.second > half_depth * of.first) clamps_.insert(name);
+  }
+}
+
+bool PatchSearch::has_something_to_do() const {
+  return !project_->beam.introductions.empty() ||
+         std::any_of(slender_.begin(), slender_.end(), [&](const Slender& of) {
+           return of.along_z || (project_->in_space && of.along_y);
+         });
+}
+
+std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
+  const TaperedBeam& beam = project_->beam;
+  std::vector<Patch> patches;
+  for (const PointLoad& load : loads.points) {
+    if (is_at_end(load.s) && clamps_.count(std::string(load.name)) > 0) continue;
+    for (const bool along_z : {true, false}) {
+      if (!along_z && !project_->in_space) continue;
+      Patch patch;
+      patch.force = si<Force>(along_z ? load.force.z() : load.force.y());
+      if (patch.force == Force{}) continue;
+      patch.name = load.name.empty() ? std::string("a force") : std::string(load.name);
+      patch.s = std::clamp(load.s, Length{}, beam.length());
+      patch.along_z = along_z;
+      patch.couple = si<Moment>(load.moment.x());
+      if (say_how_it_comes_in(patch)) patches.push_back(std::move(patch));
+    }
+  }
+  add_groups(patches);
+  return patches;
+}
+
+std::optional<Borne> PatchSearch::worst_of(const Patch& patch, const CutForceDiagram& diagram) {
+  std::optional<Borne> worst;
+  double least = 0.0;
+  const Length end = project_->beam.length();
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
+    const Station station{patch.s, side};
+    const JudgedBox& judged = box_at(station);
+    if (!judged.box) continue;
+    for (Borne& of : ways_at(patch, station, judged, diagram)) {
+      const double factor = factor_of(of.basis);
+      if (worst && factor >= least) continue;
+      least = factor;
+      worst = std::move(of);
+    }
+  }
+  return worst;
+}
+
+double PatchSearch::factor_of(const PatchBasis& basis) const {
+  const bool beside = std::holds_alternative<PatchedWeb>(basis.bears);
+  return patch_factor(basis.share * basis.force / basis.resistance, beside ? eta_1_of(basis) : 0.0);
+}
+
+double PatchSearch::eta_1_of(const PatchBasis& basis) const {
+  return project_->strength.gamma_M0 * basis.corner.use;
+}
+
+std::string PatchSearch::obstacle_of(const LoadIntroduction& of) {
+  for (const Length& s : {of.from, of.to}) {
+    if (!box_at({s, s < project_->beam.length() ? Side::behind : Side::before}).box)
+      return "only boxes and rectangular tubes are";
+  }
+  return used_.count(&of) > 0 ? "" : "no force of the case is known to come in there";
+}
+
+std::optional<FourWalls> PatchSearch::walls_at(const Station& station) const {
+  return judged_walls_at(*project_, station);
+}
+
+bool PatchSearch::is_at_end(Length s) const {
+  const Length length = project_->beam.length(), near = same_place * length;
+  return s <= near || s >= length - near;
+}
+
+const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
+  const Length near = same_place * project_->beam.length();
+  const LoadIntroduction* narrowest = nullptr;
+  for (const LoadIntroduction& of : project_->beam.introductions) {
+    if (s < of.from - near || s > of.to + near) continue;
+    if (narrowest == nullptr || of.to - of.from < narrowest->to - narrowest->from) narrowest = &of;
+  }
+  return narrowest;
+}
+
+bool PatchSearch::say_how_it_comes_in(Patch& patch) {
+  const TaperedBeam& beam = project_->beam;
+  const Length near = same_place * beam.length();
+  const LoadIntroduction* const by = introduction_at(patch.s);
+  if (by != nullptr && !by->stiff_length) return false;
+  for (const Diaphragm& of : beam.diaphragms) {
+    if (abs(of.s - patch.s) <= near) patch.diaphragm = &of;
+  }
+  if (by != nullptr) {
+    patch.stiff_length = *by->stiff_length;
+    used_.insert(by);
+  }
+  patch.given = by != nullptr || patch.diaphragm != nullptr;
+  if (patch.given) return true;
+  const Slender& of = slender_[segment_at(beam, {patch.s, Side::both})];
+  const Slender& before =
+      slender_[segment_at(beam, {patch.s, patch.s.value() > 0.0 ? Side::before : Side::both})];
+  return patch.along_z ? of.along_z || before.along_z : of.along_y || before.along_y;
+}
+
+void PatchSearch::add_groups(std::vector<Patch>& patches) const {
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const Patch& a, const Patch& b) { return a.s < b.s; });
+  const std::size_t singles = patches.size();
+  const auto beside = [&](const Patch& a, const Patch& b) {
+    return a.along_z == b.along_z && a.diaphragm == nullptr && b.diaphragm == nullptr &&
+           abs(b.s - a.s) <= depth_at(a);
+  };
+  const auto one_sense = [](const Patch& a, const Patch& b) {
+    return (a.force.value() > 0.0) == (b.force.value() > 0.0);
+  };
+  for (std::size_t i = 0; i < singles; ++i) {
+    for (std::size_t j = 0; j < singles; ++j) {
+      if (i != j && beside(patches[i], patches[j]) && !one_sense(patches[i], patches[j]))
+        patches[i].opposed = true;
+    }
+  }
+  for (std::size_t i = 0; i < singles; ++i) {
+    Patch sum = patches[i];
+    const Length first = sum.s;
+    for (std::size_t j = i + 1; j < singles; ++j) {
+      const Patch& other = patches[j];
+      if (!beside(patches[i], other) || !one_sense(sum, other)) continue;
+      sum.stiff_length = std::max({Length(other.s - first), sum.stiff_length, other.stiff_length});
+      sum.force += other.force;
+      sum.couple += other.couple;
+      sum.given = sum.given && other.given;
+      sum.opposed = sum.opposed || other.opposed;
+      sum.s = 0.5 * (first + other.s);
+      sum.name = sum.name == other.name || sum.name.ends_with(" together")
+                     ? patches[i].name + " together"
+                     : sum.name + " and " + other.name;
+      patches.push_back(sum);
+    }
+  }
+}
+
+Length PatchSearch::depth_at(const Patch& patch) const {
+  const auto walls = walls_at({patch.s, Side::both});
+  if (!walls) return {};
+  return walls->of(patch.along_z ? BoxPlate::left_web : BoxPlate::top_flange).clear();
+}
+
+const PatchSearch::JudgedBox& PatchSearch::box_at(const Station& station) {
+  const auto key = std::pair(station.s.value(), station.side);
+  const auto known = boxes_.find(key);
+  if (known != boxes_.end()) return known->second;
+  // Of what slides along the beam the places never end.
+  constexpr std::size_t most = 4096;
+  if (boxes_.size() >= most) boxes_.clear();
+  JudgedBox of;
+  if (const auto walls = walls_at(station)) {
+    const Section section = judged_section_at(*project_, station);
+    of.box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
+    of.reduced = reduced_at(station, section, *walls);
+  }
+  return boxes_.emplace(key, std::move(of)).first->second;
+}
+
+std::vector<std::shared_ptr<const ReducedPlate>> PatchSearch::reduced_at(
+    const Station& station, const Section& section, const FourWalls& walls) const {
+  const TaperedBeam& beam = project_->beam;
+  const Segment& segment = beam.segments[segment_at(beam, station)];
+  if (plate_route_of(*project_, segment) != PlateRoute::reduced_stresses) return {};
+  std::vector<ShearedPlate> sheared = sheared_plates_of(
+      section, walls, taper_at(beam, station), !project_->in_space, project_->strength.gamma_M1);
+  divide_into_panels(*project_, station, sheared);
+  std::vector<std::shared_ptr<const ReducedPlate>> plates;
+  for (ReducedPlate& of : reduced_plates_at(*project_, *zones_, station, section, walls, sheared))
+    plates.push_back(std::make_shared<const ReducedPlate>(std::move(of)));
+  return plates;
+}
+
+std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& station,
+                                        const JudgedBox& judged,
+                                        const CutForceDiagram& diagram) const {
+  using enum BoxPlate;
+  const FourWalls& walls = judged.box->box();
+  const std::array webs =
+      patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
+  const Length high = walls.of(webs[0]).middle, low = walls.of(webs[1]).middle;
+  // M_x = y F_z - z F_y.
+  const Length at = (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
+  const double by_first = ((at - low) / (high - low)).value();
+  Borne of;
+  PatchBasis& basis = of.basis;
+  basis.force = abs(patch.force);
+  basis.box = judged.box;
+  basis.cut = diagram.at(station);
+  basis.corner = judged.box->worst_corner(basis.cut);
+  std::vector<Borne> ways;
+  for (const std::size_t k : {0U, 1U}) {
+    basis.share = std::abs(k == 0 ? by_first : 1.0 - by_first);
+    of.plate = webs[k];
+    if (patch.diaphragm != nullptr) {
+      const BearingStiffener stiffener = stiffener_of(walls, webs[k], *patch.diaphragm, station);
+      basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
+      basis.bears = stiffener;
+      ways.push_back(of);
+      continue;
+    }
+    for (const PatchedWeb& web : webs_of(walls, webs[k], patch, station)) {
+      const auto plate = reduced_plate_of(judged, webs[k]);
+      if (plate != nullptr && basis.share > 0.0)
+        bear_by_reduced_stresses(plate, web, patch.force.value() < 0.0, basis);
+      else
+        bear_by_effective_widths(web, basis);
+      ways.push_back(of);
+    }
+  }
+  return ways;
+}
+
+std::shared_ptr<const ReducedPlate> PatchSearch::reduced_plate_of(const JudgedBox& judged,
+                                                                  BoxPlate plate) {
+  std::shared_ptr<const ReducedPlate> alike;
+  for (const auto& of : judged.reduced) {
+    if (of->sheared.plate == plate) return of;
+    if (is_flange(of->sheared.plate) == is_flange(plate)) alike = of;
+  }
+  return alike;
+}
+
+void PatchSearch::bear_by_effective_widths(const PatchedWeb& web, PatchBasis& basis) const {
+  basis.resistance = patch_resistance_of(web, project_->strength.gamma_M1).resistance;
+  basis.bears = web;
+}
+
+void PatchSearch::bear_by_reduced_stresses(const std::shared_ptr<const ReducedPlate>& plate,
+                                           PatchedWeb web, bool onto_high,
+                                           PatchBasis& basis) const {
+  web.depth = plate->panel.depth;
+  const Force acting = basis.share * basis.force;
+  const double gamma_M1 = project_->strength.gamma_M1;
+  PanelStress stress = plate->under(basis.cut);
+  const auto [low, high] = plate->edges_under(basis.cut);
+  const Stress loaded = onto_high ? high : low;
+  const bool through = web.entry == ForceEntry::both_flanges;
+  stress.across = {acting / (web.thickness * loaded_length_of(web)),
+                   patch_resistance_of(web, gamma_M1).F_cr / acting,
+                   {loaded, through ? (onto_high ? low : high) : loaded}};
+  basis.resistance = acting / reduced_stress_of(plate->panel, stress, gamma_M1).use;
+  basis.bears = ReducedWeb{web, plate, onto_high, stress};
+}
+
+std::vector<PatchedWeb> PatchSearch::webs_of(const FourWalls& walls, BoxPlate plate,
+                                             const Patch& patch, const Station& station) const {
+  using enum BoxPlate;
+  const BoxWall& wall = walls.of(plate);
+  // A force along -z pushes onto the top, one along -y onto the left.
+  const bool onto_high = patch.force.value() < 0.0;
+  const BoxWall& flange = patch.along_z ? walls.of(onto_high ? top_flange : bottom_flange)
+                                        : walls.of(onto_high ? left_web : right_web);
+  PatchedWeb web;
+  web.depth = wall.clear();
+  web.thickness = wall.thickness;
+  web.yield_strength = wall.yield_strength;
+  web.flange_thickness = flange.thickness;
+  web.flange_inside = 0.5 * flange.clear();
+  web.flange_strength = flange.yield_strength;
+  web.stiff_length = patch.stiff_length;
+  web.length = panel_length_at(project_->beam, station);
+  web.entry = patch.opposed ? ForceEntry::both_flanges : ForceEntry::one_flange;
+  std::vector<PatchedWeb> ways{web};
+  if (const auto to_end = distance_to_end(patch)) {
+    // From 2/3 h_w on k_F is that of a force far from the end.
+    if (web.stiff_length + *to_end < 2.0 / 3.0 * web.depth) {
+      web.entry = ForceEntry::near_end;
+      web.length.reset();
+      web.to_end = *to_end;
+      ways.push_back(web);
+    }
+  }
+  return ways;
+}
+
+std::optional<Length> PatchSearch::distance_to_end(const Patch& patch) const {
+  const TaperedBeam& beam = project_->beam;
+  const auto kept_off = [&](Length from, Length to) {
+    return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
+                       [&](const Diaphragm& of) { return of.s >= from && of.s <= to; });
+  };
+  std::optional<Length> nearest;
+  const auto look = [&](Length distance) {
+    const Length c = std::max(Length{}, Length(distance - 0.5 * patch.stiff_length));
+    if (!nearest || c < *nearest) nearest = c;
+  };
+  if (!kept_off(Length{}, patch.s)) look(patch.s);
+  if (!kept_off(patch.s, beam.length())) look(beam.length() - patch.s);
+  return nearest;
+}
+
+BearingStiffener PatchSearch::stiffener_of(const FourWalls& walls, BoxPlate plate,
+                                           const Diaphragm& diaphragm,
+                                           const Station& station) const {
+  const BoxWall& wall = walls.of(plate);
+  const BoxWall& across = walls.of(is_flange(plate) ? BoxPlate::left_web : BoxPlate::top_flange);
+  BearingStiffener of;
+  of.web_depth = wall.clear();
+  of.web_thickness = wall.thickness;
+  of.web_before = station.s;
+  of.web_behind = project_->beam.length() - station.s;
+  of.thickness = diaphragm.thickness;
+  of.width = 0.5 * (across.clear() - diaphragm.opening);
+  of.yield_strength = wall.yield_strength;
+  const Material& steel =
+      materials_of(*project_, segment_at(project_->beam, station)).of(PlateKind::inner);
+  if (const auto own = yield_strength_of(steel, diaphragm.thickness))
+    of.yield_strength = std::min(of.yield_strength, *own, std::less<>());
+  return of;
+}
+
+}  // namespace boxbeam
