@@ -18,58 +18,11 @@ double line_torque_at(const CutForceDiagram& diagram, double s) {
   return 0.0;
 }
 
-/// Lowest and highest of a value, and by how much it has risen.
-class Travel {
- public:
-  void take(double value) {
-    if (!any_) first_ = lowest_ = highest_ = last_ = value;
-    any_ = true;
-    rise_ += std::max(0.0, value - last_);
-    lowest_ = std::min(lowest_, value);
-    highest_ = std::max(highest_, value);
-    last_ = value;
-  }
-  double range() const { return highest_ - lowest_; }
-  /// Back to where it began.
-  double rise() const { return rise_ + std::max(0.0, first_ - last_); }
-
- private:
-  bool any_ = false;
-  double first_ = 0.0, last_ = 0.0, lowest_ = 0.0, highest_ = 0.0, rise_ = 0.0;
-};
-
-/// Of the three of a place.
-struct Travels {
-  Travel angle, moment, shear;
-
-  void take(const DistortionSize& of) {
-    angle.take(of.angle);
-    moment.take(of.moment);
-    shear.take(of.shear);
-  }
-  DistortionTravel travel() const {
-    return {{angle.range(), moment.range(), shear.range()},
-            {angle.rise(), moment.rise(), shear.rise()}};
-  }
-};
-
 /// a + factor |b|, each for itself.
 void add_size(DistortionSize& a, const DistortionSize& b, double factor = 1.0) {
   a.angle += factor * std::abs(b.angle);
   a.moment += factor * std::abs(b.moment);
   a.shear += factor * std::abs(b.shear);
-}
-
-void take_least(DistortionSize& a, const DistortionSize& most, double times) {
-  a.angle = std::min(a.angle, times * most.angle);
-  a.moment = std::min(a.moment, times * most.moment);
-  a.shear = std::min(a.shear, times * most.shear);
-}
-
-void take_most(DistortionSize& a, const DistortionSize& b) {
-  a.angle = std::max(a.angle, b.angle);
-  a.moment = std::max(a.moment, b.moment);
-  a.shear = std::max(a.shear, b.shear);
 }
 
 }  // namespace
@@ -342,45 +295,6 @@ DistortedStretch::Torque DistortedStretch::most_at(std::size_t place,
     found = {si<Length>(of.s), si<Moment>(std::abs(of.torque))};
   }
   return found;
-}
-
-std::vector<DistortionTravel> DistortedStretch::travels(
-    const std::vector<std::size_t>& runs) const {
-  std::map<std::size_t, Travel> of_nodes;
-  std::vector<Travels> lines(places_.size()), tapers(places_.size());
-  std::vector<DistortionSize> most(places_.size());
-  for (const std::size_t run : runs) {
-    for (const Loads& loads : loads_[run])
-      for (const NodeLoad& at : loads.nodes) of_nodes[at.node];
-  }
-  for (const std::size_t run : runs) {
-    for (const Loads& loads : loads_[run]) {
-      for (auto& [node, travel] : of_nodes) {
-        double d = 0.0;
-        for (const NodeLoad& at : loads.nodes)
-          if (at.node == node) d = at.d;
-        travel.take(d);
-      }
-      for (std::size_t k = 0; k < places_.size(); ++k) {
-        lines[k].take(loads.lines ? (*loads.lines)[k] : DistortionSize{});
-        tapers[k].take(loads.tapers ? (*loads.tapers)[k] : DistortionSize{});
-        take_most(most[k], size_at(k, loads));
-      }
-    }
-  }
-  std::vector<DistortionTravel> all(places_.size());
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    for (const auto& [node, travel] : of_nodes) {
-      add_size(all[k].range, of_node(node)[k], travel.range());
-      add_size(all[k].rise, of_node(node)[k], travel.rise());
-    }
-    for (const Travels& of : {lines[k], tapers[k]}) {
-      add_size(all[k].range, of.travel().range);
-      add_size(all[k].rise, of.travel().rise);
-    }
-    take_least(all[k].range, most[k], 2.0);
-  }
-  return all;
 }
 
 }  // namespace boxbeam

@@ -196,7 +196,8 @@ std::vector<SpectrumRow> DistortionRanges::spectrum_of(
 CheckResult DistortionRanges::fatigue_check(std::size_t place, const DistortedPoint& of,
                                             const std::string& name,
                                             const std::vector<LifeChannel>& channels,
-                                            const ChannelLife& life) const {
+                                            const ChannelLife& life,
+                                            double DistortionSize::*by) const {
   CheckResult result;
   Check& check = result.check;
   check.criterion = Criterion::distortion_fatigue;
@@ -215,12 +216,11 @@ CheckResult DistortionRanges::fatigue_check(std::size_t place, const DistortedPo
                                [](const DistortionInfluence& a, const DistortionInfluence& b) {
                                  return std::abs(a.along) < std::abs(b.along);
                                });
-  // When most comes.
   double most = -1.0;
   std::pair<std::size_t, std::size_t> when;
   for (const std::size_t r : governing.runs) {
     for (std::size_t i = 0; i < (*runs_)[r].loads.instants(); ++i) {
-      const double size = stretch_->size_at(place, r, i).moment;
+      const double size = stretch_->size_at(place, r, i).*by;
       if (size <= most) continue;
       most = size;
       when = {r, i};
@@ -267,7 +267,10 @@ void DistortionRanges::look_along(std::size_t place, const DistortedPoint& of,
   if (channels.empty()) return;
   const ChannelLife life = life_of(*project_, channels);
   if (along_ && life.factor >= along_->check.safety_factor) return;
-  along_ = fatigue_check(place, of, of.point.name, channels, life);
+  along_ =
+      fatigue_check(place, of, of.point.name, channels, life,
+                    channels.front().curve.kind == StressKind::direct ? &DistortionSize::moment
+                                                                      : &DistortionSize::shear);
   CheckBasis& basis = along_->distortion->stress;
   basis.kind = channels.front().curve.kind;
   const auto [highest, lowest] = extremes_in(*project_, life.governing, turns.front());
@@ -302,7 +305,8 @@ void DistortionRanges::look_across(std::size_t place, const DistortedPoint& of) 
     return;
   const ChannelLife life = life_of(*project_, {channel});
   if (across_ && life.factor >= across_->check.safety_factor) return;
-  across_ = fatigue_check(place, of, of.point.name + " across", {channel}, life);
+  across_ =
+      fatigue_check(place, of, of.point.name + " across", {channel}, life, &DistortionSize::angle);
   across_->distortion->across = true;
   across_->distortion->at = at;
   across_->distortion->stress.highest.value = at.across * across_->distortion->size.angle;

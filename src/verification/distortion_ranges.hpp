@@ -49,9 +49,10 @@ class DistortionRanges {
       const std::function<std::vector<Cycle>(const Sequence&, const Situation&)>& cycles_of) const;
   bool may_be_worse(std::size_t place, const DistortedPoint& of,
                     const std::vector<std::vector<CutForces>>& cuts) const;
+  /// At the instant when most of `by` comes.
   CheckResult fatigue_check(std::size_t place, const DistortedPoint& of, const std::string& name,
-                            const std::vector<LifeChannel>& channels,
-                            const ChannelLife& life) const;
+                            const std::vector<LifeChannel>& channels, const ChannelLife& life,
+                            double DistortionSize::*by) const;
   void look_along(std::size_t place, const DistortedPoint& of,
                   const std::vector<SituationHistory>& histories);
   void look_across(std::size_t place, const DistortedPoint& of);
