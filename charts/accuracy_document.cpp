@@ -86,7 +86,12 @@ report::Block picture_of(const std::string& name, std::string caption, bool draw
 }
 
 void add_chart(const Chart& chart, bool drawn, Chapter& chapter) {
-  chapter.blocks.push_back(picture_of(chart.name, caption_of(chart.title, chart.lesson), drawn));
+  const std::string front = front_text(chart);
+  chapter.blocks.push_back(picture_of(
+      chart.name,
+      caption_of(chart.title, front.empty() || chart.lesson.empty() ? chart.lesson + front
+                                                                    : chart.lesson + " " + front),
+      drawn));
   add_failures(chart, chapter);
 }
 

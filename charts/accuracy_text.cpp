@@ -19,7 +19,11 @@ std::string charts_text(const std::vector<charts::Chart>& charts) {
                  needed_text(chart), standing_of(chart, *setting.point)});
     }
   }
-  return table.text();
+  std::string off_front;
+  for (const charts::Chart& chart : charts)
+    if (const std::string front = front_text(chart); !front.empty())
+      off_front += layout::paragraph(fmt::format("{}: {}", chart.name, visible(front)));
+  return table.text() + (off_front.empty() ? "" : "\n" + off_front);
 }
 
 std::string maps_text(const std::vector<charts::Map>& maps) {

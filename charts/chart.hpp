@@ -30,7 +30,8 @@ struct Point {
 struct Series {
   std::string method;  ///< "Newton, sparse order"
   std::vector<Point> points;
-  bool yardstick = false;  ///< for comparison only: the program does not offer it
+  bool yardstick = false;    ///< for comparison only: the program does not offer it
+  bool other_scene = false;  ///< of another scene than the default: not weighed against it
 };
 
 /// A line of known order for the eye: error in proportion to operations^-order.
@@ -53,7 +54,10 @@ struct Chart {
   std::string error;       ///< what the ordinate is: "largest relative error of M along the beam"
   std::string reference;   ///< against what: "exact integrals, long double"
   std::string operations;  ///< unit of counting: "evaluations of the load"; "" where nothing counts
-  std::string unit;        ///< of work that is timed: "beam at one instant"
+  /// Whether operations are what a result costs; else they are a circumstance, a frequency or a
+  /// tolerance, in which all methods are alike.
+  bool operations_cost = true;
+  std::string unit;  ///< of work that is timed: "beam at one instant"
   std::vector<Series> series;
   std::vector<SlopeGuide> guides;
   /// Below this, errors are those of the arithmetic; drawn as a line.
@@ -61,6 +65,8 @@ struct Chart {
   /// The accuracy that a strength check needs: errors inside or below are good enough.
   double needed_low = 1e-4, needed_high = 1e-3;
   std::string lesson;  ///< one or two sentences: what is seen, and what to choose
+  /// Why the program takes its default where the chart shows better ones; "" where none is.
+  std::string off_front;
 };
 
 /// The setting that is as the program does it; nullptr where a chart has none.

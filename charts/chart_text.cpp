@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "boxbeam/report/format.hpp"
+#include "charts/front.hpp"
 
 namespace boxbeam {
 namespace {
@@ -66,6 +67,21 @@ std::string standing_of(const charts::Chart& chart, const charts::Point& point) 
   const double error = std::abs(point.error);
   if (error < chart.needed_low) return "better";
   return error <= chart.needed_high ? "within" : "coarser";
+}
+
+std::string front_text(const charts::Chart& chart) {
+  const std::vector<charts::Better> better = charts::better_than_default(chart);
+  if (better.empty()) return "";
+  const auto cheapest = std::min_element(
+      better.begin(), better.end(), [](const charts::Better& a, const charts::Better& b) {
+        if (a.point->operations && b.point->operations)
+          return *a.point->operations < *b.point->operations;
+        return a.point->time && b.point->time && a.point->time->median < b.point->time->median;
+      });
+  std::string text =
+      fmt::format("Better than the default: {}", setting_text({cheapest->series, cheapest->point}));
+  if (better.size() > 1) text += fmt::format(" and {} more", better.size() - 1);
+  return chart.off_front.empty() ? text + "." : fmt::format("{}. {}", text, chart.off_front);
 }
 
 std::string setting_text(const DefaultSetting& setting) {

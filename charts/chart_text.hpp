@@ -35,6 +35,10 @@ std::vector<DefaultSetting> defaults_of(const charts::Chart& chart);
 /// How an error stands to what a strength check needs: "better", "within", "coarser"; "failed".
 std::string standing_of(const charts::Chart& chart, const charts::Point& point);
 
+/// Which settings are better than the default of a chart, and why it is not one of them; "" where
+/// it lies on the front, or cost is not weighed.
+std::string front_text(const charts::Chart& chart);
+
 /// "exact polynomials, closed form".
 std::string setting_text(const DefaultSetting& setting);
 

@@ -122,6 +122,9 @@ Chart peak_chart(const PeakProblem& problem, const Effort& effort) {
       "{} instants alone are up to {:.1e} off; {} more solves about the peak make that {:.1e}, and "
       "they serve every station and every stress. More instants are the dear way.",
       ours.parameter, same->error, *ours.operations - ours.parameter, ours.error);
+  chart.off_front =
+      "Fewer instants are enough for the one peak of this curve; only as many as are solved see "
+      "every wave of every cut force, and they are there for all of them.";
   return chart;
 }
 
@@ -176,6 +179,9 @@ Chart sharp_chart(const std::vector<PeakProblem>& problems, const Effort& effort
                             : std::vector<std::size_t>{18, 36, 72, 144, 360, 720, 1440},
                true);
   }
+  const std::string& sharpest = problems.back().name;
+  for (TriedMethod& method : methods)
+    method.other_scene = !method.method.starts_with(sharpest + ",");
   chart.series = timed(methods, effort);
   mark_default(chart, problems.size() - 1, problems.back().span.instants);
   chart.floor = {{std::numeric_limits<double>::epsilon(), "round-off of double"}};

@@ -234,6 +234,9 @@ Chart moment_chart(const Instant& instant, const Effort& effort) {
           ? fmt::format("{:.1e} off with {} to a piece", summed.back().error, summed.back().setting)
           : fmt::format("good enough from {} to a piece on and {:.1e} off with {}", enough->setting,
                         summed.back().error, summed.back().setting));
+  chart.off_front =
+      "The rules are told of which degree the load is, and of one moment; the exact integral gives "
+      "all six cut forces of any load, everywhere between its ends.";
   return chart;
 }
 

@@ -388,6 +388,7 @@ Chart drift_chart(const Effort& effort) {
   chart.error = "largest distance of the pin's two halves, by the length";
   chart.reference = "the closed pin: zero";
   chart.operations = "swings";
+  chart.operations_cost = false;
   chart.unit = "";
   const Moving start = moving_of(start_state_of(mechanism));
   for (const Runner& runner : runners) {
@@ -435,6 +436,7 @@ Chart energy_chart(const Effort& effort) {
   chart.error = "largest change of the energy, by what falling exchanges";
   chart.reference = "conservation of energy";
   chart.operations = "swings";
+  chart.operations_cost = false;
   chart.unit = "";
   const Moving start = moving_of(start_state_of(mechanism));
   for (const Runner& runner : runners) {

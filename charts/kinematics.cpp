@@ -65,6 +65,9 @@ Chart methods_chart(const DrivenScene& scene, const ReferenceMotion& reference,
   chart.reference = reference.name;
   chart.operations = "floating-point operations of the linear systems per instant";
   chart.unit = "one instant: positions, velocities, accelerations";
+  chart.off_front =
+      "Closed forms exist for loops of two links; the program solves any, reactions included, and "
+      "checks its branch.";
   chart.series = {{"Newton, dense LU", {}, true},
                   {"Newton, static sparse order", {}, true},
                   {"the same from the last instant, no predictor", {}, true},
@@ -102,6 +105,7 @@ Chart predictor_chart(const DrivenScene& scene, const Effort& effort) {
   chart.error = "largest error of the predicted positions, relative";
   chart.reference = "the converged positions";
   chart.operations = "instants per motion";
+  chart.operations_cost = false;
   chart.unit = "one instant, to round-off";
   // From here two iterations reach round-off: they square the error.
   chart.needed_low = 1e-5;
@@ -183,6 +187,7 @@ Chart toggle_chart(const Scenes& scenes, const Effort& effort) {
   chart.error = "largest error, relative to the largest value";
   chart.reference = "the same position in long double";
   chart.operations = "distance of the driver to the toggle, m or rad";
+  chart.operations_cost = false;
   chart.series = {{"boxbeam: positions", {}, false},
                   {"boxbeam: velocities", {}, false},
                   {"boxbeam: accelerations", {}, false},

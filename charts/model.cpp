@@ -157,6 +157,7 @@ Chart level_chart(const Effort& effort) {
   Scene scene = cantilever(20.0);
   chart.scene = scene.name;
   chart.operations = "frequency of the load over the first natural one, r";
+  chart.operations_cost = false;
   struct Level {
     const char* name;
     ElasticModel model;
@@ -260,6 +261,7 @@ Chart tolerance_chart(const Scene& scene, const Judge& judge, const Effort& effo
   Chart chart = stress_chart("model-tolerance", "Models of the elasticity: error asked and found");
   chart.scene = scene.name;
   chart.operations = "tolerance that is asked for";
+  chart.operations_cost = false;
   chart.series = {{"error of the model chosen", {}, false},
                   {"as boxbeam finds it, by a finer model", {}, false},
                   {"as it is estimated before", {}, false},

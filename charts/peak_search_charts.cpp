@@ -119,7 +119,7 @@ Chart nodes_chart(const std::vector<PeakProblem>& slides, const Effort& effort) 
   chart.unit = "peak";
   std::vector<TriedMethod> methods;
   for (const PeakProblem& problem : problems) {
-    methods.push_back({problem.name, {}, true});
+    methods.push_back({problem.name, {}, true, &problem != &problems.front()});
     for (std::size_t nodes = 3; nodes <= 13; nodes += 2) {
       Point point;
       point.setting = fmt::format("{} solves", nodes);
@@ -154,6 +154,9 @@ Chart nodes_chart(const std::vector<PeakProblem>& slides, const Effort& effort) 
       "of the whole, which it leaves out as noise, are not made by it.",
       points[1].error, points[1].parameter, points[2].error, points[2].parameter, points[3].error,
       points[3].parameter);
+  chart.off_front =
+      "The time of the program holds that of the eight instants and of the search; the others have "
+      "only that of the interpolation.";
   return chart;
 }
 

@@ -173,6 +173,7 @@ Chart turning_chart(const DrivenScene& scene, const HarmonicDriver& driver) {
   chart.error = "largest error of velocities, by the largest at the same instant";
   chart.reference = "Newton's method in long double, the driver's phase too";
   chart.operations = "largest rate of the driver over its rate at the instant";
+  chart.operations_cost = false;
   chart.series = {turning_series<Decimal<5>, Decimal<3>>("5 digits, the driver's phase to 3", scene,
                                                          driver, quarters),
                   turning_series<Decimal<5>>("5 digits", scene, driver, quarters),

@@ -394,6 +394,7 @@ Chart filter_chart(const Effort& effort) {
   chart.error = "relative error of the damage sum";
   chart.reference = "every cycle by itself, plain stack, summed in long double";
   chart.operations = "turning points left";
+  chart.operations_cost = false;  // nor is what leaving them out costs
   chart.unit = unit;
   chart.series = timed(methods, effort);
   chart.floor = ErrorLevel{1e-14, "round-off of the sum"};
@@ -447,6 +448,7 @@ Chart chunks_chart(const Effort& effort) {
   chart.error = "relative error of the damage sum";
   chart.reference = "every cycle by itself, plain stack, summed in long double";
   chart.operations = "samples per chunk";
+  chart.operations_cost = false;
   chart.unit = unit;
   chart.series = timed(methods, effort);
   chart.guides = {{1.0, 2}};

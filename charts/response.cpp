@@ -262,6 +262,8 @@ Chart joint_chart(const JointChart& asked, const ModalModel& all, const Effort& 
   if (const Point* by_default = default_point(chart)) {
     chart.lesson += fmt::format(" The {} of the report's figures leave {:.1e}.",
                                 by_default->setting, by_default->error);
+    chart.off_front =
+        "The figures are those of these modes, which the report lists with their frequencies.";
   }
   return chart;
 }

@@ -119,6 +119,9 @@ Chart cantilever_chart(const std::string& name, const std::string& title) {
   chart.scene = "uniform cantilever without shear (Euler and Bernoulli)";
   chart.operations = "unknowns of the division";
   chart.floor = {round_off, "round-off of double"};
+  chart.off_front =
+      "Rigid finite elements are the published method of elastic links; Hermite's elements, which "
+      "the program does not offer, show what else a division would be good for.";
   return chart;
 }
 
@@ -191,6 +194,7 @@ Chart deflection_chart(const Effort& effort) {
       "division, {:.0e} at {:.0f} elements.",
       largest(chart.series[1]), chart.series[3].points.back().error,
       chart.series[3].points.back().parameter);
+  chart.off_front = "A deflection at rest needs no division; the default is that of vibration.";
   return chart;
 }
 
@@ -220,6 +224,7 @@ Chart root_moment_chart(const Effort& effort) {
     methods.push_back(rigid_elements_over(question, Element::corrected, divisions, where));
     methods.push_back(finite_elements_over(question, divisions, where));
   }
+  for (std::size_t i = 0; i < 3; ++i) methods[i].other_scene = true;
   mark_default(methods[4]);
   chart.series = timed(methods, effort);
   chart.guides = {{2.0, 3}, {3.0, 4}, {4.0, 5}};

@@ -147,6 +147,7 @@ Chart differences_chart(const DrivenScene& scene, const ReferenceMotion& referen
   chart.error = fmt::format("largest error of {}, relative", to_text(quantity));
   chart.reference = reference.name;
   chart.operations = "instants per motion";
+  chart.operations_cost = false;
   for (const int order : {2, 4}) {
     Series series{fmt::format("differences of order {}", order), {}, true};
     for (int k = 0; k <= 12; ++k) {

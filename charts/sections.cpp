@@ -213,6 +213,7 @@ Chart wall_chart(const PlainBox& own, const std::string& scene, const Effort& ef
   chart.error = "relative error of a section property";
   chart.reference = "closed form, long double";
   chart.operations = "width over wall thickness";
+  chart.operations_cost = false;
   chart.unit = "one property of one section";
   chart.series = timed(methods, effort);
   chart.guides = {{2.0, 4}, {1.0, 5}};
@@ -263,6 +264,7 @@ Chart torsion_chart(const PlainBox& own, const std::string& scene, const Effort&
   chart.error = "relative error of I_T";
   chart.reference = "finite elements of the stress function, graded, extrapolated twice";
   chart.operations = "width over wall thickness";
+  chart.operations_cost = false;
   chart.unit = "torsion constant of one section";
   chart.series = timed(methods, effort);
   chart.guides = {{1.0, 2}};

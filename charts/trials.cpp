@@ -16,7 +16,7 @@ std::vector<Series> timed(const std::vector<TriedMethod>& methods, const Effort&
   std::vector<Series> all;
   std::size_t next = 0;
   for (const TriedMethod& method : methods) {
-    Series series{method.method, {}, method.yardstick};
+    Series series{method.method, {}, method.yardstick, method.other_scene};
     for (const Trial& trial : method.trials) {
       series.points.push_back(trial.point);
       if (trial.point.failure.empty() && trial.work) series.points.back().time = timings[next++];

@@ -20,6 +20,7 @@ struct TriedMethod {
   std::string method;
   std::vector<Trial> trials;
   bool yardstick = false;
+  bool other_scene = false;
 };
 
 /// The series of a chart: whatever did not fail is timed by turns.

@@ -7,6 +7,7 @@
 #include "charts/accuracy_plot.hpp"
 #include "charts/chart_axes.hpp"
 #include "charts/chart_text.hpp"
+#include "charts/front.hpp"
 #include "report/canvas.hpp"
 
 namespace boxbeam::plot {
@@ -18,6 +19,7 @@ using charts::Series;
 
 constexpr double margin = 12.0;
 constexpr const char* quiet = "#5d6b79";
+constexpr const char* better_style = "pt 6 ps 1.1 lw 1.4 lc rgb '#c8102e'";
 constexpr double left = 62.0, right = 600.0;  ///< of the panels
 constexpr double gap = 30.0;                  ///< between them
 constexpr double height = 290.0;              ///< of a panel
@@ -203,6 +205,18 @@ void mark_default(Drawn& of) {
       fmt::format("${} using 1:2 with points pt 6 ps 1.5 lw 1.6 lc rgb '#202020'", data));
 }
 
+void mark_better(Drawn& of) {
+  std::vector<Row2> rings;
+  const charts::CostBy by = of.abscissa.time ? charts::CostBy::time : charts::CostBy::operations;
+  for (const charts::Better& better : charts::better_than_default(of.chart, by))
+    rings.push_back(row_of(of, *better.series,
+                           static_cast<std::size_t>(better.point - better.series->points.data())));
+  if (rings.empty()) return;
+  const std::string data = of.name + "better";
+  of.gp.block(data, rings);
+  of.curves.push_back(fmt::format("${} using 1:2 with points {}", data, better_style));
+}
+
 /// The band of what is needed and the floor, behind; lines that set zero and failures apart.
 void draw_levels(Drawn& of) {
   const double low = of.y.at(of.chart.needed_low);
@@ -259,6 +273,7 @@ void draw_panel(Script& gp, const Chart& chart, const Abscissa& abscissa, const 
   draw_levels(of);
   for (std::size_t k = 0; k < chart.series.size(); ++k) draw_series(of, k);
   mark_default(of);
+  mark_better(of);
   if (abscissa.operations) {
     for (const charts::SlopeGuide& guide : chart.guides) draw_guide(of, guide);
   }
@@ -279,6 +294,12 @@ std::vector<LegendEntry> legend_of(const Chart& chart, bool shows_floor) {
                       shows_floor ? "lw 1.2 dt (6,4) lc rgb '#606060'" : ""});
   if (any_point(chart, [](const Point& point) { return point.is_default; }))
     legend.push_back({"default of the program", "", "pt 6 ps 1.5 lw 1.6 lc rgb '#202020'"});
+  const auto any_better = [&](charts::CostBy by) {
+    return !charts::better_than_default(chart, by).empty();
+  };
+  if (any_better(charts::CostBy::operations) || any_better(charts::CostBy::time))
+    legend.push_back(
+        {"better: 2/3 of its cost or error at no more of the other", "", better_style});
   return legend;
 }
 
