@@ -26,6 +26,7 @@
 #include "program/manual.hpp"
 #include "program/motion_command.hpp"
 #include "program/section_command.hpp"
+#include "program/solve_command.hpp"
 #include "program/terminal.hpp"
 #include "program/validate_command.hpp"
 #include "program/verify_command.hpp"
@@ -193,6 +194,35 @@ Entry compare_entry(CLI::App& app) {
   return {&command,
           {"boxbeam compare published.toml thesis.csv --dynamics newton-chain"},
           [options] { return run_compare(*options); }};
+}
+
+Entry solve_entry(CLI::App& app) {
+  const auto options = std::make_shared<SolveOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "solve", "find the values of a key of the case that give a wanted result");
+  add_verified_case(command, options->of_case);
+  command
+      .add_option("--for", options->key,
+                  "key of the case that is looked for: sections.A1.flange, drivers.drive.amplitude")
+      ->required()
+      ->type_name("KEY");
+  command
+      .add_option("--such-that", options->such_that,
+                  "what is wanted, a key of results.json and its value: \"fatigue.safety_factor = "
+                  "2\", \"beam.mass = 2 t\"")
+      ->required()
+      ->type_name("RESULT=VALUE");
+  command
+      .add_option("--between", options->between,
+                  "two values between which to look (default: a quarter of what the case says to "
+                  "four times as much)")
+      ->expected(2)
+      ->type_name("A B");
+  add_json(command, options->json, "values", "the text");
+  return {&command,
+          {"boxbeam solve rig.toml --for sections.A1.flange --such-that \"fatigue.safety_factor = "
+           "2\""},
+          [options] { return run_solve(*options); }};
 }
 
 Entry schema_entry(CLI::App& app) {
@@ -453,11 +483,11 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   CommandLine line;
   const std::vector<Entry> entries{
-      init_entry(app),      validate_entry(app),         verify_entry(app),
-      explain_entry(app),   compare_entry(app),          motion_entry(app),
-      section_entry(app),   fatigue_entry(app),          chart_entry(app),
-      schema_entry(app),    completion_entry(app, line), manual_entry(app, line),
-      help_entry(app, line)};
+      init_entry(app),         validate_entry(app),  verify_entry(app),
+      explain_entry(app),      compare_entry(app),   motion_entry(app),
+      section_entry(app),      fatigue_entry(app),   solve_entry(app),
+      chart_entry(app),        schema_entry(app),    completion_entry(app, line),
+      manual_entry(app, line), help_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {

@@ -23,6 +23,7 @@ ROWS = [
     ["fatigue"],
     ["project"],
     ["verification"],
+    ["study"],
     ["report"],
     ["charts"],  # a library of its own
     ["program"],  # the commands; part of the program, not of the library

@@ -69,16 +69,20 @@ Json schema_of_comparison() {
       [](report::Fields& to) { report::put_comparison(to, {}, {}); });
 }
 
+Json schema_of_solution() {
+  return described(head("solution", "Values that give a wanted result (boxbeam solve --json)"),
+                   [](report::Fields& to) { report::put_solution(to, {}); });
+}
+
 struct Schema {
   const char* document;
   Json (*schema)();
 };
 
-constexpr Schema schemas[] = {{"results", schema_of_results},
-                              {"motion", schema_of_motion},
-                              {"fatigue", schema_of_fatigue},
-                              {"section", schema_of_section},
-                              {"comparison", schema_of_comparison}};
+constexpr Schema schemas[] = {
+    {"results", schema_of_results},       {"motion", schema_of_motion},
+    {"fatigue", schema_of_fatigue},       {"section", schema_of_section},
+    {"comparison", schema_of_comparison}, {"solution", schema_of_solution}};
 
 }  // namespace
 

@@ -6,15 +6,13 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
 #include "boxbeam/core/error.hpp"
+#include "boxbeam/report/result_book.hpp"
 #include "boxbeam/verification/front_end.hpp"
 #include "document_fields.hpp"
 
 namespace boxbeam {
-
-using report::ResultValue;
 
 namespace {
 
@@ -41,17 +39,6 @@ std::optional<double> time_of(std::string_view text) {
   return std::abs(time) <= latest_time ? std::optional(time) : std::nullopt;
 }
 
-/// The numbers of a document, whose fields `put` says.
-template <class Put>
-std::vector<ResultValue> values_of(const std::string& prefix, const Put& put) {
-  Json document = Json::object();
-  std::vector<ResultValue> values;
-  report::Fields fields(document, &values);
-  put(fields);
-  for (ResultValue& value : values) value.key = prefix + value.key;
-  return values;
-}
-
 /// The motion at the instants that keys name, under these names.
 std::vector<ResultValue> motion_values(const MotionAt& motion,
                                        const std::vector<NamedInstant>& instants) {
@@ -59,7 +46,7 @@ std::vector<ResultValue> motion_values(const MotionAt& motion,
   for (const NamedInstant& instant : instants) times.push_back(instant.time);
   const AnyMotionResult at_times = motion(times);
   std::vector<ResultValue> values =
-      values_of("motion.", [&](report::Fields& to) { report::put_motion(to, at_times); });
+      report::values_of("motion.", [&](report::Fields& to) { report::put_motion(to, at_times); });
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const std::string state = fmt::format("motion.states[{}]", i);
     for (ResultValue& value : values) {
@@ -69,67 +56,6 @@ std::vector<ResultValue> motion_values(const MotionAt& motion,
   }
   return values;
 }
-
-/// Everything that can be compared, by its key.
-class ResultBook {
- public:
-  void add(std::vector<ResultValue> values) {
-    for (ResultValue& value : values) {
-      places_.emplace(value.key, values_.size());
-      keys_.push_back(value.key);
-      values_.push_back(std::move(value));
-    }
-  }
-
-  const ResultValue* find(const std::string& key) const {
-    for (const char* before : {"", "beam."}) {
-      const auto found = places_.find(before + key);
-      if (found != places_.end()) return &values_[found->second];
-    }
-    return nullptr;
-  }
-
-  /// What to write instead of a key that is none.
-  std::string hint_for(const std::string& key) const {
-    const std::string near = nearest_word(key, keys_);
-    std::string hint = near.empty() ? "" : fmt::format("did you mean {}?", near);
-    const std::size_t last = key.find_last_of(".[");
-    for (const std::size_t end : {key.size(), last}) {
-      const std::vector<std::string> next = continuations_of(key.substr(0, end));
-      if (next.empty()) continue;
-      if (!hint.empty()) hint += " ";
-      return hint + fmt::format("Behind \"{}\" stands one of {}", key.substr(0, end),
-                                fmt::join(next, ", "));
-    }
-    if (!hint.empty()) return hint;
-    return "keys are paths into what boxbeam verify --json and boxbeam motion --json print, for "
-           "example beam.mass or motion[0].bodies.beam.x";
-  }
-
- private:
-  /// The first ways in which a key goes on to results: ".mass", "[3.2-]".
-  std::vector<std::string> continuations_of(const std::string& key) const {
-    constexpr std::size_t most = 8;
-    std::vector<std::string> next;
-    for (const ResultValue& value : values_) {
-      if (!value.key.starts_with(key) || value.key.size() == key.size()) continue;
-      const std::string_view rest = std::string_view(value.key).substr(key.size());
-      if (rest.front() != '.' && rest.front() != '[') continue;
-      const std::size_t end = rest.front() == '['
-                                  ? rest.find(']') + 1
-                                  : std::min(rest.find_first_of(".[", 1), rest.size());
-      const std::string step(rest.substr(0, end));
-      if (std::find(next.begin(), next.end(), step) != next.end()) continue;
-      next.push_back(step);
-      if (next.size() == most) break;
-    }
-    return next;
-  }
-
-  std::vector<ResultValue> values_;
-  std::vector<std::string> keys_;  ///< of the values
-  std::unordered_map<std::string, std::size_t> places_;
-};
 
 Problem problem_of(const PublishedValues& published, const PublishedValue& row, int column,
                    std::string message, std::string hint) {
@@ -209,9 +135,7 @@ Comparison compare(const Project& project, const Verification& verification,
   std::vector<Problem> problems;
   const std::vector<NamedInstant> instants = instants_in(project, published, problems);
   if (!problems.empty()) throw InputError(std::move(problems));
-  ResultBook book;
-  book.add(
-      values_of("", [&](report::Fields& to) { report::put_results(to, project, verification); }));
+  ResultBook book = results_of(project, verification);
   const bool moves = std::any_of(published.rows.begin(), published.rows.end(),
                                  [](const auto& row) { return row.key.starts_with("motion"); });
   if (moves) book.add(motion_values(motion, instants));

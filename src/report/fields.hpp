@@ -11,18 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "boxbeam/report/result_book.hpp"
 #include "json_number.hpp"
 
 /// The fields of a document, said once: from one list of calls the document is written, its schema
 /// described, and every number found by its key.
 namespace boxbeam::report {
-
-/// A number that a document holds, and the key by which it is asked for.
-struct ResultValue {
-  std::string key;   ///< "beam.stations[3.2-].M.max"
-  std::string unit;  ///< SI: "N m"; "1" without
-  double value = 0.0;
-};
 
 /// A field's name, and in a few words what it is.
 struct Field {
@@ -187,5 +181,16 @@ class Fields {
   Json* schema_ = nullptr;
   bool optional_ = false;
 };
+
+/// The numbers of a document whose fields `put` says, `prefix` before their keys.
+template <class Put>
+std::vector<ResultValue> values_of(const std::string& prefix, const Put& put) {
+  Json document = Json::object();
+  std::vector<ResultValue> values;
+  Fields fields(document, &values);
+  put(fields);
+  for (ResultValue& value : values) value.key = prefix + value.key;
+  return values;
+}
 
 }  // namespace boxbeam::report

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/verification/verify.hpp"
+#include "program/case_options.hpp"
+
+/// A case verified with other values of its keys.
+namespace boxbeam::program {
+
+/// Of all its beams, without figures and remedies; `set` as --set, behind that of the options.
+/// Throws InputError and AnalysisError.
+std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
+                                        const std::vector<std::string>& set);
+
+/// Does what may not be possible for a design: "", or the first thing that is wrong.
+template <class Try>
+std::string trouble_of(const Try& attempt);
+
+/// The first thing that is wrong, in one line.
+std::string in_short(const InputError& error);
+std::string in_short(const AnalysisError& error);
+
+template <class Try>
+std::string trouble_of(const Try& attempt) {
+  try {
+    attempt();
+    return "";
+  } catch (const InputError& error) {
+    return in_short(error);
+  } catch (const AnalysisError& error) {
+    return in_short(error);
+  }
+}
+
+}  // namespace boxbeam::program

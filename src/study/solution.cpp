@@ -1,0 +1,30 @@
+#include "boxbeam/study/solution.hpp"
+
+#include <fmt/format.h>
+
+namespace boxbeam {
+
+std::string reason_of(const Solution& solution) {
+  const auto value = [&](double at) {
+    const std::string number = fmt::format("{:.6g}", at);
+    return solution.from.unit.empty() ? number : number + " " + solution.from.unit;
+  };
+  const Roots& search = solution.search;
+  std::string reason;
+  if (!search.jumps.empty()) {
+    const JumpOver& jump = search.jumps.front();
+    reason = fmt::format("at {} the result jumps from {:.6g} to {:.6g}, past {:.6g}",
+                         value(jump.value), jump.before, jump.behind, solution.wanted);
+  } else if (search.nearest) {
+    reason = fmt::format("the result comes nearest at {}, where it is {:.6g}",
+                         value(search.nearest->value), search.nearest->result);
+  }
+  if (search.failed > 0) {
+    if (!reason.empty()) reason += "; ";
+    reason += fmt::format("{} of {} values cannot be verified, the first at {}: {}", search.failed,
+                          search.trials, value(search.failed_at), search.first_trouble);
+  }
+  return reason;
+}
+
+}  // namespace boxbeam
