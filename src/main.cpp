@@ -27,6 +27,7 @@
 #include "program/motion_command.hpp"
 #include "program/section_command.hpp"
 #include "program/solve_command.hpp"
+#include "program/sweep_command.hpp"
 #include "program/terminal.hpp"
 #include "program/validate_command.hpp"
 #include "program/verify_command.hpp"
@@ -223,6 +224,48 @@ Entry solve_entry(CLI::App& app) {
           {"boxbeam solve rig.toml --for sections.A1.flange --such-that \"fatigue.safety_factor = "
            "2\""},
           [options] { return run_solve(*options); }};
+}
+
+Entry sweep_entry(CLI::App& app) {
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App& command = *app.add_subcommand("sweep", "verify all designs of a study");
+  command.add_option("STUDY", options->study, "what changes of which case")
+      ->required()
+      ->type_name("FILE.toml");
+  command
+      .add_option("--out,-o", options->out,
+                  "folder of rows.csv and study.json (default: reports/NAME of the study)")
+      ->type_name("DIR");
+  command
+      .add_option("--threads", options->threads,
+                  "how many designs are verified at once (default: as many as the machine can)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}))
+      ->type_name("NUMBER");
+  command
+      .add_option("--shard", options->shard,
+                  "only this part of the designs: 2/8, the second of eight; boxbeam merge joins "
+                  "them")
+      ->type_name("I/N");
+  command.add_flag("--resume", options->resume, "go on with a study that was broken off");
+  command.add_flag("--quiet,-q", options->quiet, "no progress");
+  add_json(command, options->json, "summary", "the text");
+  return {&command,
+          {"boxbeam sweep study.toml", "boxbeam sweep study.toml --shard 2/8 --out part2"},
+          [options] { return run_sweep(*options); }};
+}
+
+Entry merge_entry(CLI::App& app) {
+  const auto options = std::make_shared<MergeOptions>();
+  CLI::App& command = *app.add_subcommand("merge", "join the parts of a study");
+  command.add_option("DIR", options->folders, "folders of boxbeam sweep --shard")
+      ->required()
+      ->type_name("DIR");
+  command
+      .add_option("--out,-o", options->out,
+                  "folder of rows.csv and study.json (default: the first one)")
+      ->type_name("DIR");
+  add_json(command, options->json, "summary", "the text");
+  return {&command, {"boxbeam merge part1 part2"}, [options] { return run_merge(*options); }};
 }
 
 Entry schema_entry(CLI::App& app) {
@@ -482,12 +525,14 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version,-V", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
   CommandLine line;
-  const std::vector<Entry> entries{
-      init_entry(app),         validate_entry(app),  verify_entry(app),
-      explain_entry(app),      compare_entry(app),   motion_entry(app),
-      section_entry(app),      fatigue_entry(app),   solve_entry(app),
-      chart_entry(app),        schema_entry(app),    completion_entry(app, line),
-      manual_entry(app, line), help_entry(app, line)};
+  const std::vector<Entry> entries{init_entry(app),         validate_entry(app),
+                                   verify_entry(app),       explain_entry(app),
+                                   compare_entry(app),      motion_entry(app),
+                                   section_entry(app),      fatigue_entry(app),
+                                   solve_entry(app),        sweep_entry(app),
+                                   merge_entry(app),        chart_entry(app),
+                                   schema_entry(app),       completion_entry(app, line),
+                                   manual_entry(app, line), help_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "boxbeam/report/result_book.hpp"
 #include "boxbeam/report/solution_report.hpp"
 #include "boxbeam/study/solution.hpp"
+#include "program/case_keys.hpp"
 #include "program/design_trial.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -58,38 +58,8 @@ double value_of(const Wanted& wanted, const ResultValue& result) {
   return value->value;
 }
 
-const Node* value_at(const Node& root, const std::string& key) {
-  const Node* node = &root;
-  for (const std::string& part : key_parts(key)) {
-    if (node->kind == Node::Kind::array) {
-      std::size_t index = 0;
-      const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-      if (error != std::errc{} || end != part.data() + part.size() || index >= node->items.size())
-        return nullptr;
-      node = &node->items[index];
-    } else {
-      node = node->find(part);
-      if (node == nullptr) return nullptr;
-    }
-  }
-  return node;
-}
-
-/// All keys of a case whose values are numbers.
-void gather_keys(const Node& node, const std::string& before, std::vector<std::string>& keys) {
-  const auto below = [&](const std::string& name, const Node& value) {
-    const std::string key = before.empty() ? name : before + "." + name;
-    if (quantity_written_in(value)) keys.push_back(key);
-    gather_keys(value, key, keys);
-  };
-  for (const Node::Member& member : node.members) below(member.key, member.value);
-  for (std::size_t i = 0; i < node.items.size(); ++i) below(std::to_string(i), node.items[i]);
-}
-
 InputError unknown_key(const SolveOptions& options, const Node& root) {
-  std::vector<std::string> keys;
-  gather_keys(root, "", keys);
-  const std::string near = nearest_word(options.key, keys);
+  const std::string near = nearest_number_key(root, options.key);
   return InputError(fmt::format("the case says nothing of {}", options.key),
                     fmt::format("{}For a key that it leaves out give --between \"5 mm\" \"20 mm\"",
                                 near.empty() ? "" : fmt::format("did you mean {}? ", near)));

@@ -184,13 +184,13 @@ void apply_override(CaseDocument& document, const std::string& override_text) {
   }
 }
 
+}  // namespace
+
 std::string sha256_of(const std::string& bytes) {
   char digest[SHA256_DIGEST_STRING_LENGTH];
   SHA256Data(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), digest);
   return digest;
 }
-
-}  // namespace
 
 std::vector<std::string> key_parts(const std::string& key) {
   std::vector<std::string> parts;

@@ -74,15 +74,23 @@ Json schema_of_solution() {
                    [](report::Fields& to) { report::put_solution(to, {}); });
 }
 
+Json schema_of_study() {
+  return described(head("study", "Designs of a study (boxbeam sweep --json)"),
+                   [](report::Fields& to) { report::put_study(to, {}); });
+}
+
 struct Schema {
   const char* document;
   Json (*schema)();
 };
 
-constexpr Schema schemas[] = {
-    {"results", schema_of_results},       {"motion", schema_of_motion},
-    {"fatigue", schema_of_fatigue},       {"section", schema_of_section},
-    {"comparison", schema_of_comparison}, {"solution", schema_of_solution}};
+constexpr Schema schemas[] = {{"results", schema_of_results},
+                              {"motion", schema_of_motion},
+                              {"fatigue", schema_of_fatigue},
+                              {"section", schema_of_section},
+                              {"comparison", schema_of_comparison},
+                              {"solution", schema_of_solution},
+                              {"study", schema_of_study}};
 
 }  // namespace
 

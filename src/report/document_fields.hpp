@@ -2,6 +2,7 @@
 
 #include "boxbeam/report/comparison.hpp"
 #include "boxbeam/study/solution.hpp"
+#include "boxbeam/study/study_summary.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/history_fatigue.hpp"
 #include "boxbeam/verification/section_summary.hpp"
@@ -20,6 +21,7 @@ void put_motion(Fields& to, const ChainMotionResult& motion);
 void put_motion(Fields& to, const FlexibleMotionResult& motion);
 void put_history(Fields& to, const HistoryDemand& demand, const HistoryFatigue& fatigue);
 void put_section_summary(Fields& to, const SectionSummary& summary);
+void put_study(Fields& to, const StudySummary& summary);
 void put_solution(Fields& to, const Solution& solution);
 void put_comparison(Fields& to, const Project& project, const Comparison& comparison);
 

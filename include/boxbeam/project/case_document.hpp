@@ -41,6 +41,9 @@ struct Node::Member {
   Node value;
 };
 
+/// The SHA-256 of bytes, 64 hexadecimal digits.
+std::string sha256_of(const std::string& bytes);
+
 /// A file that a case names besides its own.
 struct InputFile {
   std::string written;   ///< its path as it stands in the case

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "boxbeam/study/study.hpp"
+
+namespace boxbeam {
+
+/// A value of a variable in a design.
+struct Setting {
+  double number = 0.0;
+  std::string word;  ///< instead, of a variable of words
+};
+
+/// All designs of a study: every combination of the variables with values, for each of these every
+/// sample of those that scatter; the last variable changes first. A design hangs on the study and
+/// its index alone, whoever asks for it and in whatever order.
+///
+/// Random numbers are those of Philox 4x32-10 with the seed as key and (sample, variable) as
+/// counter. Source: Salmon, Moraes, Dror, Shaw, Parallel random numbers: as easy as 1, 2, 3 (2011).
+class DesignSpace {
+ public:
+  /// Looks at the study, which stays. Throws InputError where there are too many designs.
+  explicit DesignSpace(const Study& study);
+
+  std::size_t size() const { return size_; }
+  /// Values of all variables, in their order. Throws AnalysisError where an expression has none.
+  std::vector<Setting> at(std::size_t index) const;
+  /// As --set, one for every key.
+  std::vector<std::string> overrides(const std::vector<Setting>& design) const;
+
+ private:
+  std::vector<double> shares_of(std::size_t sample) const;
+
+  const Study* study_;
+  std::size_t size_ = 1, samples_ = 1;
+  std::vector<std::size_t> scattering_;  ///< variables that do, by index
+  Eigen::MatrixXd factor_;               ///< of the correlation, lower triangular
+  /// Of Latin hypercubes: the share that each sample of a variable lies in.
+  std::vector<std::vector<std::uint32_t>> shares_;
+};
+
+/// A number between 0 and 1, both excluded, of a seed and two counters.
+double uniform_number(std::uint64_t seed, std::uint64_t sample, std::uint32_t variable);
+
+}  // namespace boxbeam

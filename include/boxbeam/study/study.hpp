@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "boxbeam/study/distribution.hpp"
+
+namespace boxbeam {
+
+/// How designs are drawn from distributions.
+enum class Sampling {
+  random,
+  latin_hypercube,  ///< each of as many equal shares of a variable is hit once
+  sobol,            ///< Sobol's sequence, its first point (all zero) included as the middle
+};
+
+/// What changes from design to design.
+struct Variable {
+  std::string name;
+  std::vector<std::string> keys;             ///< of the case; none: it stands in expressions alone
+  std::string unit;                          ///< of its numbers; "" where they have none
+  std::vector<double> values;                ///< one after the other
+  std::vector<std::string> words;            ///< likewise, where they are no numbers: "S355"
+  std::optional<Distribution> distribution;  ///< instead
+  std::string expression;                    ///< instead: of the variables before it
+};
+
+/// A study as its file has it.
+struct Study {
+  std::string path;
+  std::string name;
+  std::string text;       ///< of the file
+  std::string case_file;  ///< from the working folder
+  std::uint64_t seed = 1;
+  std::size_t samples = 0;  ///< of variables that scatter
+  Sampling sampling = Sampling::random;
+  std::vector<Variable> variables;
+  std::vector<std::string> columns;  ///< keys of results
+  /// Of the normal variables behind those that scatter, by the order of these; empty where all are
+  /// independent.
+  Eigen::MatrixXd correlation;
+};
+
+/// Reads a study. Throws InputError with all problems.
+Study read_study(const std::string& path);
+Study parse_study(const std::string& path, const std::string& text);
+
+}  // namespace boxbeam

@@ -1,0 +1,47 @@
+#include "program/case_keys.hpp"
+
+#include <charconv>
+#include <vector>
+
+#include "boxbeam/project/quantity_text.hpp"
+#include "boxbeam/study/written_quantity.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+void gather_keys(const Node& node, const std::string& before, std::vector<std::string>& keys) {
+  const auto below = [&](const std::string& name, const Node& value) {
+    const std::string key = before.empty() ? name : before + "." + name;
+    if (quantity_written_in(value)) keys.push_back(key);
+    gather_keys(value, key, keys);
+  };
+  for (const Node::Member& member : node.members) below(member.key, member.value);
+  for (std::size_t i = 0; i < node.items.size(); ++i) below(std::to_string(i), node.items[i]);
+}
+
+}  // namespace
+
+const Node* value_at(const Node& root, const std::string& key) {
+  const Node* node = &root;
+  for (const std::string& part : key_parts(key)) {
+    if (node->kind == Node::Kind::array) {
+      std::size_t index = 0;
+      const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+      if (error != std::errc{} || end != part.data() + part.size() || index >= node->items.size())
+        return nullptr;
+      node = &node->items[index];
+    } else {
+      node = node->find(part);
+      if (node == nullptr) return nullptr;
+    }
+  }
+  return node;
+}
+
+std::string nearest_number_key(const Node& root, const std::string& key) {
+  std::vector<std::string> keys;
+  gather_keys(root, "", keys);
+  return nearest_word(key, keys);
+}
+
+}  // namespace boxbeam::program

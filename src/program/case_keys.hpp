@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "boxbeam/project/case_document.hpp"
+
+/// Keys of a case as the command line names them.
+namespace boxbeam::program {
+
+/// What stands under a key, "beam.segments.0.length"; nullptr where nothing does.
+const Node* value_at(const Node& root, const std::string& key);
+
+/// What to say of a key that a case has not: the nearest one whose value is a number, or "".
+std::string nearest_number_key(const Node& root, const std::string& key);
+
+}  // namespace boxbeam::program

@@ -1,0 +1,131 @@
+#include "program/study_designs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/project/case_document.hpp"
+#include "boxbeam/report/result_book.hpp"
+#include "program/case_keys.hpp"
+#include "program/design_trial.hpp"
+#include "report/csv_cells.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+/// Columns that are no numbers of results.json.
+bool is_of_verdict(const std::string& column) {
+  return column == "verdict" || column == "governing" || column == "utilisation";
+}
+
+CaseOptions case_of(const Study& study) {
+  CaseOptions options;
+  options.file = study.case_file;
+  return options;
+}
+
+std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& beams,
+                    const std::optional<ResultBook>& book) {
+  const Verification& worst = worst_of(beams).verification;
+  const bool checked = !worst.checks.empty();
+  if (column == "verdict") return to_text(worst.verdict);
+  if (column == "governing") return checked ? worst.checks.front().check.id : "";
+  if (column == "utilisation")
+    return checked ? report::csv_cell(worst.checks.front().check.utilisation()) : "";
+  const ResultValue* const value = book->find(column);
+  return value != nullptr ? report::csv_cell(value->value) : "";
+}
+
+}  // namespace
+
+StudyDesigns::StudyDesigns(const Study& study) : study_(&study), space_(study) {
+  columns_ = {{"design", ""}};
+  for (const Variable& variable : study.variables)
+    columns_.push_back({variable.name, variable.unit});
+  for (const std::string& column : study.columns) columns_.push_back({column, ""});
+  columns_.push_back({"status", ""});
+  require_keys();
+  const std::vector<Project> beams = read_beams_of(case_of(study));
+  sha256_ = sha256_of(study.text + "\n" + beams.front().sha256);
+  require_columns();
+}
+
+/// A key that the case has not is wrong where the case cannot be read with it.
+void StudyDesigns::require_keys() const {
+  const CaseDocument document = read_document(study_->case_file, {});
+  for (const Variable& variable : study_->variables) {
+    for (const std::string& key : variable.keys) {
+      if (value_at(document.root, key) != nullptr) continue;
+      CaseOptions with = case_of(*study_);
+      try {
+        with.set = space_.overrides(space_.at(0));
+        read_beams_of(with);
+      } catch (const InputError& error) {
+        const std::string near = nearest_number_key(document.root, key);
+        throw InputError(fmt::format("{}: variable {}: {} is no key of {}: {}", study_->path,
+                                     variable.name, key, study_->case_file, in_short(error)),
+                         near.empty() ? "" : fmt::format("did you mean {}?", near));
+      }
+    }
+  }
+}
+
+/// A column that the case has not may be one of a design: its first and last are asked.
+void StudyDesigns::require_columns() {
+  std::vector<std::string> unknown;
+  for (const std::string& column : study_->columns)
+    if (!is_of_verdict(column)) unknown.push_back(column);
+  std::optional<ResultBook> first;
+  const auto look_at = [&](const std::vector<std::string>& set) {
+    if (unknown.empty()) return;
+    trouble_of([&] {
+      const ResultBook book = results_of(verify_design(case_of(*study_), set));
+      std::erase_if(unknown, [&](const std::string& key) {
+        const ResultValue* const value = book.find(key);
+        if (value == nullptr) return false;
+        for (Column& column : columns_)
+          if (column.name == key && value->unit != "1") column.unit = value->unit;
+        return true;
+      });
+      if (!first) first = book;
+    });
+  };
+  look_at({});
+  for (const std::size_t index : {std::size_t{0}, space_.size() - 1})
+    trouble_of([&] { look_at(space_.overrides(space_.at(index))); });
+  if (unknown.empty() || !first) return;
+  throw InputError(fmt::format("{}: there is no result \"{}\"", study_->path, unknown.front()),
+                   first->hint_for(unknown.front()));
+}
+
+StudyDesigns::Row StudyDesigns::row(std::size_t index) const {
+  std::vector<std::string> cells{std::to_string(index + 1)};
+  std::vector<std::string> results(study_->columns.size());
+  std::vector<std::string> values(study_->variables.size());
+  Row row;
+  std::string status = trouble_of([&] {
+    const std::vector<Setting> design = space_.at(index);
+    for (std::size_t i = 0; i < design.size(); ++i)
+      values[i] = study_->variables[i].words.empty() ? report::csv_cell(design[i].number)
+                                                     : report::csv_cell(design[i].word);
+    const std::vector<VerifiedBeam> beams =
+        verify_design(case_of(*study_), space_.overrides(design));
+    const bool numbers =
+        !std::all_of(study_->columns.begin(), study_->columns.end(), is_of_verdict);
+    const std::optional<ResultBook> book =
+        numbers ? std::optional(results_of(beams)) : std::nullopt;
+    for (std::size_t i = 0; i < results.size(); ++i)
+      results[i] = cell_of(study_->columns[i], beams, book);
+  });
+  row.failed = !status.empty();
+  if (row.failed) results.assign(results.size(), "");
+  cells.insert(cells.end(), values.begin(), values.end());
+  cells.insert(cells.end(), results.begin(), results.end());
+  cells.push_back(row.failed ? report::csv_cell(status) : "ok");
+  row.text = report::csv_row(cells);
+  return row;
+}
+
+}  // namespace boxbeam::program

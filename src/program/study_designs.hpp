@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/study/design_space.hpp"
+#include "boxbeam/study/study_summary.hpp"
+
+namespace boxbeam::program {
+
+/// The designs of a study, each verified to a row of its table. May be asked by several threads.
+class StudyDesigns {
+ public:
+  /// Looks at the study, which stays. Throws InputError where a key or a column is none of the
+  /// case.
+  explicit StudyDesigns(const Study& study);
+
+  std::size_t size() const { return space_.size(); }
+  /// "design", the variables, the columns, "status".
+  const std::vector<Column>& columns() const { return columns_; }
+  /// Of the study, the case and its tables.
+  const std::string& sha256() const { return sha256_; }
+
+  struct Row {
+    std::string text;  ///< with its end
+    bool failed = false;
+  };
+  Row row(std::size_t index) const;
+
+ private:
+  void require_keys() const;
+  void require_columns();
+
+  const Study* study_;
+  DesignSpace space_;
+  std::vector<Column> columns_;
+  std::string sha256_;
+};
+
+}  // namespace boxbeam::program

@@ -1,0 +1,343 @@
+#include "program/sweep_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/files.hpp"
+#include "boxbeam/report/study_report.hpp"
+#include "program/chunk_store.hpp"
+#include "program/exit_code.hpp"
+#include "program/outputs.hpp"
+#include "program/progress.hpp"
+#include "program/study_designs.hpp"
+#include "program/terminal.hpp"
+#include "report/csv_cells.hpp"
+#include "report/text_layout.hpp"
+#include "report/unfinished.hpp"
+#include "version.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Which part of a study is asked for: of each `count` chunks the one of this index.
+struct Shard {
+  std::size_t index = 0, count = 1;
+};
+
+Shard shard_in(const std::string& text) {
+  if (text.empty()) return {};
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto [slash, error] = std::from_chars(text.data(), end, shard.index);
+  bool good = error == std::errc{} && slash != end && *slash == '/';
+  if (good) {
+    const auto [last, wrong] = std::from_chars(slash + 1, end, shard.count);
+    good = wrong == std::errc{} && last == end && shard.index >= 1 && shard.index <= shard.count;
+  }
+  if (!good)
+    throw InputError(fmt::format("--shard: \"{}\" is no part of a whole", text),
+                     "write --shard 2/8 for the second of eight parts");
+  --shard.index;
+  return shard;
+}
+
+/// Of a study of so many designs; by their number alone, so that whoever works on it has the same
+/// chunks. Small ones for a small study, so that all threads have work; at most some 100 000 files.
+std::size_t chunk_size(std::size_t designs) {
+  return std::max(std::clamp<std::size_t>(designs / 64, 1, 64), designs / 100'000);
+}
+
+/// What all chunks of a study have in common.
+struct Manifest {
+  std::string name, study_file, case_file, sha256;
+  std::uint64_t seed = 0;
+  std::size_t designs = 0, chunk = 1;
+  std::vector<Column> columns;
+
+  std::size_t chunks() const { return (designs + chunk - 1) / chunk; }
+};
+
+std::string to_json(const Manifest& of) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+  for (const Column& column : of.columns)
+    columns.push_back({{"name", column.name}, {"unit", column.unit}});
+  const nlohmann::ordered_json json{{"schema", "boxbeam.chunks/1"},
+                                    {"name", of.name},
+                                    {"study", of.study_file},
+                                    {"case", of.case_file},
+                                    {"input_sha256", of.sha256},
+                                    {"version", version},
+                                    {"seed", of.seed},
+                                    {"designs", of.designs},
+                                    {"chunk", of.chunk},
+                                    {"columns", columns}};
+  return json.dump(2) + "\n";
+}
+
+Manifest manifest_of(const std::string& text, const std::string& folder) {
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    Manifest of{json.at("name"), json.at("study"),   json.at("case"),  json.at("input_sha256"),
+                json.at("seed"), json.at("designs"), json.at("chunk"), {}};
+    for (const nlohmann::json& column : json.at("columns"))
+      of.columns.push_back({column.at("name"), column.at("unit")});
+    if (of.chunk == 0) throw InputError("");
+    return of;
+  } catch (const std::exception&) {
+    throw InputError(fmt::format("{}/chunks/manifest.json is none of boxbeam sweep", folder));
+  }
+}
+
+/// The cells of a row that was written here.
+std::vector<std::string> cells_in(std::string_view row) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const char c = row[i];
+    if (quoted && c == '"' && i + 1 < row.size() && row[i + 1] == '"')
+      cells.back() += row[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+/// Joins all chunks into rows.csv and study.json of a folder. `rows_of`: those of a chunk.
+template <class RowsOf>
+StudySummary publish_study(const Manifest& manifest, const std::string& folder,
+                           const RowsOf& rows_of) {
+  StudySummary summary{manifest.name,
+                       manifest.study_file,
+                       manifest.case_file,
+                       manifest.sha256,
+                       manifest.seed,
+                       0,
+                       0,
+                       {},
+                       {},
+                       {}};
+  const std::vector<Column>& columns = manifest.columns;
+  StudyStatistics statistics({columns.begin() + 1, columns.end() - 1});
+  report::FolderUpdate update(folder);
+  const std::string path = update.path() + "/rows.csv";
+  std::ofstream rows(path, std::ios::binary);
+  std::vector<std::string> cells;
+  for (const Column& column : columns) cells.push_back(report::csv_cell(column.name));
+  rows << report::csv_row(cells);
+  for (std::size_t chunk = 0; chunk < manifest.chunks(); ++chunk) {
+    const std::string text = rows_of(chunk);
+    rows << text;
+    for (std::size_t from = 0; from < text.size();) {
+      const std::size_t end = text.find('\n', from);
+      cells = cells_in(std::string_view(text).substr(from, end - from));
+      from = end + 1;
+      if (cells.size() != columns.size()) continue;
+      statistics.take({cells.begin() + 1, cells.end() - 1}, cells.back());
+    }
+  }
+  rows.close();
+  if (!rows) throw OutputError(update.in_place(path) + " cannot be written: the disk may be full");
+  statistics.put_into(summary);
+  write_file(update.path() + "/study.json", study_json(summary));
+  update.publish({"rows.csv", "study.json"});
+  return summary;
+}
+
+/// "2 min 5 s".
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long long>(seconds + 0.5);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+/// The chunks of a study that are still to be done, by several threads.
+class Sweep {
+ public:
+  Sweep(const StudyDesigns& designs, const Manifest& manifest, const ChunkStore& store,
+        std::vector<std::size_t> chunks)
+      : designs_(&designs), manifest_(&manifest), store_(&store), chunks_(std::move(chunks)) {}
+
+  void run(std::size_t threads, Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    std::size_t total = 0;
+    for (const std::size_t chunk : chunks_) total += rows_in(chunk);
+    {
+      std::vector<std::jthread> workers;
+      for (std::size_t i = 0; i < std::min(threads, chunks_.size()); ++i)
+        workers.emplace_back([this] { work(); });
+      while (!finished(workers.size())) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+        const double rate = static_cast<double>(done_) / passed.count();
+        const double left = rate > 0.0 ? static_cast<double>(total - done_) / rate : 0.0;
+        progress.now(fmt::format("{} of {} designs, {:.3g} per second, {} left, {} failed",
+                                 done_.load(), total, rate, duration_text(left), failed_.load()));
+      }
+    }
+    if (trouble_) std::rethrow_exception(trouble_);
+  }
+
+ private:
+  std::size_t rows_in(std::size_t chunk) const {
+    return std::min(manifest_->chunk, manifest_->designs - chunk * manifest_->chunk);
+  }
+  bool finished(std::size_t workers) const { return ended_ >= workers; }
+
+  void work() {
+    for (;;) {
+      const std::size_t next = next_++;
+      if (next >= chunks_.size() || stop_) break;
+      try {
+        do_chunk(chunks_[next]);
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!trouble_) trouble_ = std::current_exception();
+        stop_ = true;
+      }
+    }
+    ++ended_;
+  }
+
+  void do_chunk(std::size_t chunk) {
+    std::vector<std::string> rows;
+    for (std::size_t i = 0; i < rows_in(chunk); ++i) {
+      if (stop_) return;
+      const StudyDesigns::Row row = designs_->row(chunk * manifest_->chunk + i);
+      rows.push_back(row.text);
+      failed_ += row.failed ? 1 : 0;
+      ++done_;
+    }
+    const std::lock_guard lock(mutex_);
+    store_->write(chunk, rows);
+  }
+
+  const StudyDesigns* designs_;
+  const Manifest* manifest_;
+  const ChunkStore* store_;
+  std::vector<std::size_t> chunks_;
+  std::atomic<std::size_t> next_{0}, done_{0}, failed_{0}, ended_{0};
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;  ///< of the store and the trouble
+  std::exception_ptr trouble_;
+};
+
+std::size_t threads_of(const SweepOptions& options) {
+  if (options.threads > 0) return options.threads;
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+std::string written_text(const std::string& folder) {
+  return "\n" + layout::line(fmt::format("Written to {}: rows.csv, study.json", folder));
+}
+
+int say(const StudySummary& summary, const std::string& folder, const std::string& json) {
+  report::MarkedText text = study_text(summary);
+  text += written_text(folder);
+  put_result(json, study_json(summary), text);
+  return summary.failed == summary.designs ? not_possible : all_pass;
+}
+
+}  // namespace
+
+int run_sweep(const SweepOptions& options) {
+  report::clear_up_before_the_end();
+  const Shard shard = shard_in(options.shard);
+  const Study study = read_study(options.study);
+  const std::string folder = options.out.empty() ? "reports/" + study.name : options.out;
+  require_folder(folder);
+  require_file_beside(options.json, folder);
+  Progress progress(!options.quiet);
+  progress.now("verifying the case as it is");
+  const StudyDesigns designs(study);
+  const Manifest manifest{study.name,
+                          study.path,
+                          study.case_file,
+                          designs.sha256(),
+                          study.seed,
+                          designs.size(),
+                          chunk_size(designs.size()),
+                          designs.columns()};
+  const ChunkStore store(fs::path(folder) / "chunks", to_json(manifest));
+  if (store.stands()) {
+    if (!options.resume && options.shard.empty())
+      throw InputError(
+          fmt::format("{} holds designs of a study that has not ended", store.folder().string()),
+          "--resume goes on with it; else remove the folder");
+    store.require_same();
+  }
+  store.begin();
+  std::vector<std::size_t> todo;
+  for (std::size_t chunk = shard.index; chunk < manifest.chunks(); chunk += shard.count)
+    if (!store.read(chunk)) todo.push_back(chunk);
+  Sweep(designs, manifest, store, std::move(todo)).run(threads_of(options), progress);
+  if (shard.count > 1) {
+    put_text(layout::line(fmt::format("Part {} of {} is in {}; boxbeam merge joins all parts",
+                                      shard.index + 1, shard.count, store.folder().string())));
+    return all_pass;
+  }
+  const StudySummary summary =
+      publish_study(manifest, folder, [&](std::size_t chunk) { return *store.read(chunk); });
+  store.remove();
+  return say(summary, folder, options.json);
+}
+
+int run_merge(const MergeOptions& options) {
+  report::clear_up_before_the_end();
+  const std::string folder = options.out.empty() ? options.folders.front() : options.out;
+  require_folder(folder);
+  require_file_beside(options.json, folder);
+  std::vector<ChunkStore> stores;
+  for (const std::string& from : options.folders) {
+    const std::optional<std::string> manifest = manifest_in(from);
+    if (!manifest)
+      throw InputError(fmt::format("{} holds no part of a study", from),
+                       "give the folders that boxbeam sweep --shard has written to");
+    if (!stores.empty() && stores.front().manifest() != *manifest)
+      throw InputError(
+          fmt::format("{} and {} hold parts of different studies", options.folders.front(), from),
+          "run both with the same program, study and case");
+    stores.emplace_back(fs::path(from) / "chunks", *manifest);
+  }
+  const Manifest manifest = manifest_of(stores.front().manifest(), options.folders.front());
+  const auto rows_of = [&](std::size_t chunk) -> std::optional<std::string> {
+    for (const ChunkStore& store : stores)
+      if (std::optional<std::string> rows = store.read(chunk)) return rows;
+    return std::nullopt;
+  };
+  std::size_t missing = 0, first = 0;
+  for (std::size_t chunk = manifest.chunks(); chunk-- > 0;) {
+    if (rows_of(chunk)) continue;
+    ++missing;
+    first = chunk;
+  }
+  if (missing > 0)
+    throw InputError(fmt::format("{} of {} designs are missing, the first is design {}",
+                                 std::min(missing * manifest.chunk, manifest.designs),
+                                 manifest.designs, first * manifest.chunk + 1),
+                     "run boxbeam sweep for the other parts, and give all folders");
+  const StudySummary summary =
+      publish_study(manifest, folder, [&](std::size_t chunk) { return *rows_of(chunk); });
+  for (const ChunkStore& store : stores) store.remove();
+  return say(summary, folder, options.json);
+}
+
+}  // namespace boxbeam::program

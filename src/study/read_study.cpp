@@ -1,0 +1,280 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/project/table_reader.hpp"
+#include "boxbeam/study/study.hpp"
+#include "boxbeam/study/written_quantity.hpp"
+
+namespace boxbeam {
+namespace {
+
+constexpr std::size_t most_values = 1'000'000;
+
+bool is_identifier(const std::string& name) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
+         std::all_of(name.begin(), name.end(), plain);
+}
+
+/// Numbers of one variable, which have one unit: that of the first of them.
+class OneUnit {
+ public:
+  OneUnit(TableReader& table, Variable& variable) : table_(&table), variable_(&variable) {}
+
+  /// In the unit of the variable; 0 where it is none, which is said.
+  double number(std::string_view key, const Node& node) {
+    const std::optional<WrittenQuantity> written = quantity_written_in(node);
+    if (!written) {
+      table_->problem(key, fmt::format("{} is no number or quantity", named(key)),
+                      "write a number, or a text with its unit: \"8 mm\"");
+      return 0.0;
+    }
+    if (!known_) variable_->unit = written->unit;
+    known_ = true;
+    const std::optional<double> ratio = ratio_of_units(variable_->unit, written->unit);
+    if (!ratio) {
+      table_->problem(
+          key,
+          fmt::format("\"{}\" is not of the dimension of the values before it", to_text(*written)),
+          "write all numbers of a variable in one unit");
+      return 0.0;
+    }
+    return written->value * *ratio;
+  }
+  /// Of a key that must be there.
+  double at(TableReader& table, const Key& key) {
+    if (!table.has(key)) {
+      table.problem(key.name, fmt::format("\"{}\" is missing", key.name),
+                    fmt::format("write {} = \"8 mm\"", key.name));
+      return 0.0;
+    }
+    return number(key.name, *table.peek(key.name));
+  }
+
+ private:
+  static std::string named(std::string_view key) { return fmt::format("\"{}\"", key); }
+
+  TableReader* table_;
+  Variable* variable_;
+  bool known_ = false;
+};
+
+void read_values(TableReader& table, Variable& variable) {
+  const Node& node = *table.peek("values");
+  if (node.kind != Node::Kind::array || node.items.empty()) {
+    table.problem("values", "\"values\" is no list", "write values = [\"8 mm\", \"10 mm\"]");
+    return;
+  }
+  if (node.items.size() > most_values) {
+    table.problem("values", "\"values\" has more than a million entries", "take grid or samples");
+    return;
+  }
+  const auto is_word = [](const Node& item) {
+    return item.kind == Node::Kind::text && !quantity_written_in(item);
+  };
+  if (std::all_of(node.items.begin(), node.items.end(), is_word)) {
+    for (const Node& item : node.items) variable.words.push_back(item.text);
+    return;
+  }
+  OneUnit unit(table, variable);
+  for (const Node& item : node.items) variable.values.push_back(unit.number("values", item));
+}
+
+void read_grid(TableReader& table, Variable& variable) {
+  TableReader grid = table.table({"grid", "equal steps: from, to, count"});
+  OneUnit unit(grid, variable);
+  const double from = unit.at(grid, {"from", "the first value"});
+  const double to = unit.at(grid, {"to", "the last one"});
+  const int count = grid.whole_number({"count", "how many values"});
+  if (count < 2 || static_cast<std::size_t>(count) > most_values) {
+    grid.problem("count", fmt::format("a grid of {} values", count), "write two or more");
+  } else {
+    for (int k = 0; k < count; ++k)
+      variable.values.push_back(k + 1 == count ? to : from + k * (to - from) / (count - 1));
+  }
+  grid.finish();
+}
+
+void read_distribution(TableReader& table, Variable& variable) {
+  const std::vector<std::string> words{"normal",  "lognormal", "uniform",
+                                       "weibull", "gumbel",    "exponential"};
+  const auto kind = static_cast<DistributionKind>(
+      table.choice({"distribution", "by which the value scatters"}, words));
+  OneUnit unit(table, variable);
+  const bool by_bounds = table.is_there("min") || table.is_there("max");
+  if (by_bounds) {
+    const double low = unit.at(table, {"min", "least value, of a uniform distribution"});
+    const double high = unit.at(table, {"max", "largest value, of a uniform distribution"});
+    if (kind != DistributionKind::uniform)
+      table.problem("distribution", "\"min\" and \"max\" belong to a uniform distribution",
+                    "write mean and sd");
+    else if (!(low < high))
+      table.problem("min", "\"min\" is not below \"max\"", "write the smaller one as min");
+    variable.distribution = Distribution{DistributionKind::uniform, low, high};
+    return;
+  }
+  const double mean = unit.at(table, {"mean", "of all values"});
+  const bool by_mean = kind == DistributionKind::exponential;
+  const double sd = by_mean ? mean : unit.at(table, {"sd", "standard deviation"});
+  const bool positive = kind == DistributionKind::lognormal || kind == DistributionKind::weibull ||
+                        kind == DistributionKind::exponential;
+  if (positive && !(mean > 0.0)) {
+    table.problem("mean",
+                  fmt::format("the mean of a {} distribution is above zero",
+                              words[static_cast<std::size_t>(kind)]),
+                  "write a mean above zero");
+  } else if (!(sd > 0.0)) {
+    table.problem("sd", "the standard deviation is not above zero",
+                  "write sd = ... above zero; a value that does not scatter is none of a study");
+  } else {
+    variable.distribution = distribution_by_moments(kind, mean, sd);
+  }
+}
+
+Variable read_variable(const std::string& name, TableReader& table,
+                       std::set<std::string>& keys_taken) {
+  Variable variable;
+  variable.name = name;
+  if (!is_identifier(name) || name == "design" || name == "status")
+    table.problem("", fmt::format("\"{}\" cannot be the name of a variable", name),
+                  "letters, digits and \"_\", a letter first; not design or status");
+  if (table.has({"key", "of the case, which takes the value"}))
+    variable.keys.push_back(table.text("key"));
+  if (table.has({"keys", "several that take it together"}))
+    for (const std::string& key : table.texts("keys", true)) variable.keys.push_back(key);
+  for (const std::string& key : variable.keys)
+    if (!keys_taken.insert(key).second)
+      table.problem("key", fmt::format("{} is set by two variables", key),
+                    "tie one to the other: expression = \"...\"");
+  if (!table.says_one_of({{{"values"}}, {{"grid"}}, {{"distribution"}}, {{"expression"}}}))
+    table.problem("", fmt::format("variable \"{}\" does not say which values it takes", name),
+                  "write one of values, grid, distribution, expression");
+  if (table.is_there("values")) {
+    read_values(table, variable);
+  } else if (table.is_there("grid")) {
+    read_grid(table, variable);
+  } else if (table.is_there("distribution")) {
+    read_distribution(table, variable);
+  } else if (table.is_there("expression")) {
+    variable.expression =
+        table.text({"expression", "of the numbers of variables above: \"0.5*t + 2\""});
+    variable.unit = table.text({"unit", "of its number: \"mm\""}, "");
+    if (!ratio_of_units(variable.unit, variable.unit))
+      table.problem("unit", fmt::format("\"{}\" is no unit", variable.unit), "write \"mm\"");
+  }
+  table.finish();
+  return variable;
+}
+
+/// "A,B" = 0.3 for pairs of variables that scatter.
+void read_correlation(TableReader& root, Study& study) {
+  if (!root.has({"correlation", "of variables that scatter: \"A,B\" = 0.3"})) return;
+  TableReader table = root.table("correlation");
+  std::vector<const Variable*> scattering;
+  for (const Variable& variable : study.variables)
+    if (variable.distribution) scattering.push_back(&variable);
+  const auto count = static_cast<Eigen::Index>(scattering.size());
+  const auto index_of = [&](std::string name) -> Eigen::Index {
+    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+    for (Eigen::Index i = 0; i < count; ++i)
+      if (scattering[static_cast<std::size_t>(i)]->name == name) return i;
+    return -1;
+  };
+  table.accept_all();
+  study.correlation = Eigen::MatrixXd::Identity(count, count);
+  for (const Node::Member& member : table.members("correlation of the two")) {
+    const std::size_t comma = member.key.find(',');
+    const Eigen::Index a = comma == std::string::npos ? -1 : index_of(member.key.substr(0, comma));
+    const Eigen::Index b = comma == std::string::npos ? -1 : index_of(member.key.substr(comma + 1));
+    if (a < 0 || b < 0 || a == b) {
+      table.problem(member.key,
+                    fmt::format("\"{}\" are not two variables that scatter", member.key),
+                    "write \"A,B\" = 0.3 with names of variables that have a distribution");
+      continue;
+    }
+    const double rho = member.value.number;
+    if (member.value.kind != Node::Kind::number || !(std::abs(rho) < 1.0)) {
+      table.problem(member.key, "a correlation is a number between -1 and 1", "write 0.3");
+      continue;
+    }
+    try {
+      study.correlation(a, b) = study.correlation(b, a) =
+          normal_correlation(*scattering[static_cast<std::size_t>(a)]->distribution,
+                             *scattering[static_cast<std::size_t>(b)]->distribution, rho);
+    } catch (const std::domain_error&) {
+      table.problem(member.key,
+                    fmt::format("two such distributions cannot have the correlation {}", rho),
+                    "write one nearer to zero");
+    }
+  }
+  if (count > 0 && table.problems().empty()) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(study.correlation,
+                                                               Eigen::EigenvaluesOnly);
+    if (eigen.eigenvalues().minCoeff() <= 1e-12)
+      root.problem("correlation", "no variables have all these correlations at once",
+                   "their matrix is not positive definite: write smaller ones");
+  }
+}
+
+Study read(const CaseDocument& document, std::string text) {
+  ProblemList problems(document);
+  TableReader root(problems, document.root, "");
+  Study study;
+  study.path = document.path;
+  study.text = std::move(text);
+  study.name = std::filesystem::path(document.path).stem().string();
+  TableReader of = root.table({"study", "what is studied, and how"});
+  const std::string file = of.text({"case", "file of the case, beside the study"});
+  const std::filesystem::path beside = std::filesystem::path(document.path).parent_path();
+  study.case_file = std::filesystem::path(file).is_absolute() ? file : (beside / file).string();
+  study.seed = static_cast<std::uint64_t>(of.whole_number({"seed", "of random numbers"}, 1));
+  if (of.has({"samples", "of variables that scatter"}))
+    study.samples = static_cast<std::size_t>(std::max(0, of.whole_number("samples")));
+  study.sampling = static_cast<Sampling>(
+      of.choice({"sampling", "how they are drawn"}, {"random", "latin hypercube", "sobol"}, 0));
+  of.finish();
+  std::set<std::string> keys_taken;
+  TableReader variables = root.table({"variables", "what changes from design to design"});
+  for (auto& [name, table] : variables.named_tables("a variable"))
+    study.variables.push_back(read_variable(name, table, keys_taken));
+  if (problems.empty() && study.variables.empty())
+    variables.problem("", "the study has no variables",
+                      "write [variables.t] with key = \"sections.A1.flange\" and values = [...]");
+  const bool scatters = std::any_of(study.variables.begin(), study.variables.end(),
+                                    [](const Variable& of) { return of.distribution.has_value(); });
+  if (problems.empty() && scatters && study.samples == 0)
+    of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
+               "write samples = 1000 in [study]");
+  read_correlation(root, study);
+  TableReader results = root.table({"results", "what is kept of each design"}, false);
+  study.columns =
+      results.texts({"columns", "keys of results.json, \"verdict\", \"governing\""}, false);
+  if (study.columns.empty()) study.columns = {"verdict", "governing", "utilisation", "beam.mass"};
+  results.finish();
+  root.finish();
+  problems.raise();
+  return study;
+}
+
+}  // namespace
+
+Study parse_study(const std::string& path, const std::string& text) {
+  return read(parse_document(path, text, {}), text);
+}
+
+Study read_study(const std::string& path) {
+  const CaseDocument document = read_document(path, {});
+  std::string text;
+  for (const std::string& line : document.lines.at(path)) text += line + "\n";
+  return read(document, std::move(text));
+}
+
+}  // namespace boxbeam
