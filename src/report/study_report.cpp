@@ -84,13 +84,13 @@ void report::put_study(Fields& to, const StudySummary& summary) {
             of.text({"unit", "of a variable as in the study, of a result SI; empty without"},
                     column.column.unit);
             of.whole({"count", "designs that have a number"}, column.count);
-            of.number("mean", "", column.mean);
-            of.number("sd", "", column.sd);
-            of.number("min", "", column.quantiles[0]);
-            of.number({"p5", "5 % of the designs are not above it"}, "", column.quantiles[1]);
-            of.number("p50", "", column.quantiles[2]);
-            of.number("p95", "", column.quantiles[3]);
-            of.number("max", "", column.quantiles[4]);
+            of.number_in("mean", "", "unit", column.mean);
+            of.number_in("sd", "", "unit", column.sd);
+            of.number_in("min", "", "unit", column.quantiles[0]);
+            of.number_in({"p5", "5 % of the designs are not above it"}, "", "unit", column.quantiles[1]);
+            of.number_in("p50", "", "unit", column.quantiles[2]);
+            of.number_in("p95", "", "unit", column.quantiles[3]);
+            of.number_in("max", "", "unit", column.quantiles[4]);
           });
 }
 

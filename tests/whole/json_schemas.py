@@ -31,7 +31,7 @@ def schema_of(document):
 
 
 VALIDATORS = {
-    name: schema_of(name) for name in ("results", "motion", "fatigue", "section", "comparison")
+    name: schema_of(name) for name in ("results", "motion", "fatigue", "section", "comparison", "solution", "study")
 }
 
 
@@ -173,6 +173,15 @@ with tempfile.TemporaryDirectory() as folder:
         comparison = run("compare", f"sections/{case}", f"sections/{table}", "--json", "-")
         check("comparison", comparison, table)
         check_refuses_changes("comparison", comparison, table)
+
+    solved = ("solve", "sections/four-bar-rocker/rocker.toml", "--for", "fatigue.cycles", "--such-that")
+    for wanted in ("fatigue.safety_factor = 1.3", "fatigue.safety_factor = 1e6"):
+        solution = run(*solved, wanted, "--json", "-")
+        check("solution", solution, wanted)
+        check_refuses_changes("solution", solution, wanted)
+    study = run("sweep", "sections/sledge-rig/studies/stroke-and-frequency.toml", "--out", folder, "--json", "-")
+    check("study", study, "study")
+    check_refuses_changes("study", study, "study")
 
 for failure in failures[:50]:
     print(failure)

@@ -1,0 +1,209 @@
+"""Studies as a user runs them: the same bytes by one thread, two, by parts joined, and after having been
+killed again and again; rows beside `boxbeam verify`; `boxbeam solve` put back into the case.
+
+Usage: studies.py PROGRAM ROOT
+"""
+import csv
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+PROGRAM, ROOT = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+RIG = ROOT / "sections/sledge-rig/rig.toml"
+failures = []
+
+
+def check(holds, words):
+    if not holds:
+        failures.append(words)
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    check(code is None or done.returncode == code,
+          f"{' '.join(map(str, arguments))}: exit code {done.returncode}, {done.stderr[-500:]}")
+    return done
+
+
+def study_text(samples, more=""):
+    return f"""[study]
+case = "{RIG}"
+seed = 7
+samples = {samples}
+
+[variables.stroke]
+key = "drivers.exciter.amplitude"
+distribution = "normal"
+mean = "0.25 m"
+sd = "10 mm"
+
+[variables.frequency]
+key = "drivers.exciter.frequency"
+values = ["0.6 Hz", "0.7 Hz"]
+
+# The tube no longer fits between thicker flanges: a design that cannot be verified.
+[variables.flange]
+key = "sections.A1.flange"
+values = ["50 mm", "60 mm"]
+
+[results]
+columns = ["verdict", "utilisation", "governing.fatigue.safety_factor", "beam.mass"]
+{more}"""
+
+
+def files_of(folder):
+    return (folder / "rows.csv").read_bytes(), (folder / "study.json").read_bytes()
+
+
+def check_rows(folder):
+    rows = list(csv.DictReader(open(folder / "rows.csv", newline="")))
+    check(list(rows[0]) == ["design", "stroke", "frequency", "flange", "verdict", "utilisation",
+                            "governing.fatigue.safety_factor", "beam.mass", "status"], f"header {list(rows[0])}")
+    check([row["design"] for row in rows] == [str(i + 1) for i in range(len(rows))], "numbers of designs")
+    failed = [row for row in rows if row["status"] != "ok"]
+    check({row["flange"] for row in failed} == {"60"}, "others failed than those that cannot be built")
+    check(len(failed) == len(rows) // 2, f"{len(failed)} of {len(rows)} failed")
+    check(all("does not fit" in row["status"] and row["verdict"] == "" for row in failed), "why they failed")
+    summary = json.loads((folder / "study.json").read_text())
+    check(summary["designs"] == len(rows) and summary["failed"] == len(failed), "designs in study.json")
+    good = [row for row in rows if row["status"] == "ok"]
+    factors = [float(row["governing.fatigue.safety_factor"]) for row in good]
+    of = next(of for of in summary["statistics"] if of["column"] == "governing.fatigue.safety_factor")
+    mean = sum(factors) / len(factors)
+    sd = (sum((x - mean) ** 2 for x in factors) / (len(factors) - 1)) ** 0.5
+    check(abs(of["mean"] - mean) < 1e-12 * mean and abs(of["sd"] - sd) < 1e-9 * sd, "mean and sd of the factor")
+    check(of["min"] == min(factors) and of["max"] == max(factors), "least and largest factor")
+    check(sorted(factors)[(len(factors) + 1) // 2 - 1] == of["p50"], "the median")
+    # A row is what verify says of it.
+    row = good[3]
+    with tempfile.TemporaryDirectory() as out:
+        text = run("verify", RIG, "--set", f"drivers.exciter.amplitude={row['stroke']} m",
+                   "--set", f"drivers.exciter.frequency={row['frequency']} Hz",
+                   "--out", out, "--no-plots", "--no-pdf", "--no-html", "--json", "-", code=None).stdout
+    results = json.loads(text)
+    check(results["verdict"] == row["verdict"], "verdict of a row")
+    check(results["governing"]["fatigue"]["safety_factor"] == float(row["governing.fatigue.safety_factor"]),
+          "factor of a row")
+
+
+def check_same_bytes(folder, study):
+    whole = folder / "whole"
+    run("sweep", study, "--out", whole, "--threads", 1, "--quiet")
+    expected = files_of(whole)
+    check_rows(whole)
+    check(sorted(of.name for of in whole.iterdir()) == ["rows.csv", "study.json"], "more files than it says")
+    run("sweep", study, "--out", folder / "two", "--threads", 2, "--quiet")
+    check(files_of(folder / "two") == expected, "two threads write other bytes than one")
+    parts = [folder / f"part{i}" for i in (1, 2, 3)]
+    for i, part in enumerate(parts):
+        run("sweep", study, "--out", part, "--shard", f"{i + 1}/3", "--quiet")
+    missing = run("merge", *parts[:2], code=2)
+    check("designs are missing" in missing.stderr, f"a missing part: {missing.stderr}")
+    run("merge", *parts, "--out", folder / "joined")
+    check(files_of(folder / "joined") == expected, "joined parts are other bytes")
+    check(not (parts[0] / "chunks").exists(), "chunks stay behind")
+    return expected
+
+
+def check_kills(folder, study, expected):
+    out = folder / "killed"
+    kills = 0
+    resume = []
+    for attempt in range(60):
+        process = subprocess.Popen([PROGRAM, "sweep", study, "--out", out, "--threads", "2", "--quiet", *resume],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        try:
+            process.wait(timeout=0.25 + 0.05 * (attempt % 7))
+            break
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGKILL if attempt % 2 else signal.SIGINT)
+            process.wait()
+            kills += 1
+        if (out / "chunks/manifest.json").exists():
+            if not resume:
+                refused = run("sweep", study, "--out", out, code=2)
+                check("--resume" in refused.stderr, "nothing is said of --resume")
+            resume = ["--resume"]
+            # A chunk that is not whole is done again.
+            chunks = sorted((out / "chunks").glob("0*.csv"))
+            if chunks and attempt == 3:
+                chunks[0].write_bytes(chunks[0].read_bytes()[:-9])
+            if attempt == 4:
+                changed = folder / "changed.toml"
+                changed.write_text(study.read_text().replace("seed = 7", "seed = 8"))
+                other = run("sweep", changed, "--out", out, "--resume", code=2)
+                check("another study" in other.stderr, "a changed study goes on")
+    check(kills >= 3, f"only {kills} kills")
+    run("sweep", study, "--out", out, "--quiet", *(resume if (out / "chunks").exists() else []))
+    check(files_of(out) == expected, "what was killed and gone on with is other bytes")
+    print(f"  {kills} kills")
+
+
+def check_solve(folder):
+    for key, unit, wanted in (("drivers.exciter.amplitude", "m", 2.0), ("drivers.exciter.frequency", "Hz", 1.5),
+                              ("fatigue.cycles", "", 1.4)):
+        text = run("solve", RIG, "--for", key, "--such-that", f"fatigue.safety_factor = {wanted}", "--json",
+                   "-").stdout
+        solution = json.loads(text)
+        check(len(solution["roots"]) == 1 and solution["reason"] == "", f"{key}: {len(solution['roots'])} values")
+        for root in solution["roots"]:
+            check(root["unit"] == unit, f"{key}: unit {root['unit']}")
+            value = f"{root['value']!r} {unit}".strip()
+            again = json.loads(run("verify", RIG, "--set", f"{key}={value}", "--out", folder / "solved", "--no-plots",
+                                   "--no-pdf", "--no-html", "--json", "-", code=None).stdout)
+            apart = abs(again["governing"]["fatigue"]["safety_factor"] / wanted - 1)
+            print(f"  {key} = {value}: the wanted factor within {apart:.1g}")
+            check(apart <= 1e-9, f"{key}: apart by {apart}")
+    none = run("solve", RIG, "--for", "sections.A1.flange", "--such-that", "fatigue.safety_factor = 20", code=1)
+    check("no value" in none.stdout and "does not fit" in none.stdout, f"why there is none: {none.stdout}")
+    for arguments, says in (
+            (("--for", "driver.exciter.amplitude", "--such-that", "beam.mass = 2 t"), "drivers.exciter.amplitude"),
+            (("--for", "drivers.exciter.amplitude", "--such-that", "fatige.safety_factor = 2"), "fatigue"),
+            (("--for", "drivers.exciter.amplitude", "--such-that", "beam.mass = 2 m"), "a mass"),
+            (("--for", "drivers.exciter.amplitude", "--such-that", "beam.mass"), "not a result"),
+            (("--for", "drivers.exciter.amplitude", "--such-that", "beam.mass = 2 t", "--between", "1 s", "2 s"),
+             "dimension"),
+            (("--for", "case.name", "--such-that", "beam.mass = 2 t"), "no number")):
+        done = run("solve", RIG, *arguments, code=2)
+        check(says in done.stderr, f"{arguments}: {done.stderr}")
+
+
+def check_wrong_studies(folder):
+    good = study_text(2)
+    for change, says in (
+            (("drivers.exciter.amplitude", "driver.exciter.amplitude"), "drivers.exciter.amplitude"),
+            (('"beam.mass"', '"beam.mas"'), "beam.mass"),
+            ((str(RIG), "missing.toml"), "missing.toml"),
+            (('sd = "10 mm"', 'sd = "10 s"'), "dimension")):
+        broken = folder / "broken.toml"
+        broken.write_text(good.replace(*change))
+        done = run("sweep", broken, "--out", folder / "broken", code=2)
+        check(says in done.stderr, f"{change}: {done.stderr}")
+    for shard in ("0/3", "4/3", "1", "a/b", "1/0"):
+        done = run("sweep", folder / "broken.toml", "--shard", shard, code=2)
+        check("--shard" in done.stderr, f"{shard}: {done.stderr}")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        study = folder / "study.toml"
+        study.write_text(study_text(12))
+        start = time.monotonic()
+        expected = check_same_bytes(folder, study)
+        check_kills(folder, study, expected)
+        check_solve(folder)
+        check_wrong_studies(folder)
+        print(f"  {time.monotonic() - start:.0f} s")
+    for words in failures[:30]:
+        print("FAILED", words)
+    print(f"{len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
