@@ -149,6 +149,10 @@ Entry verify_entry(CLI::App& app) {
                   "also write tables, a case of loads, beam.vtk and beam.inp (CalculiX) for other "
                   "programs into this folder")
       ->type_name("DIR");
+  command.add_flag(
+      "--sensitivities", options->sensitivities,
+      "also say by how much the governing factors change with every input of the case; "
+      "verifies it four times for each");
   command.add_flag("--no-plots", options->no_plots, "draw no figures");
   command.add_flag("--no-html", options->no_html, "write no report.html");
   command.add_flag("--no-pdf", options->no_pdf, "write no report.pdf");

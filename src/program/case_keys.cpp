@@ -1,7 +1,6 @@
 #include "program/case_keys.hpp"
 
 #include <charconv>
-#include <vector>
 
 #include "boxbeam/project/quantity_text.hpp"
 #include "boxbeam/study/written_quantity.hpp"
@@ -38,10 +37,14 @@ const Node* value_at(const Node& root, const std::string& key) {
   return node;
 }
 
-std::string nearest_number_key(const Node& root, const std::string& key) {
+std::vector<std::string> number_keys(const Node& root) {
   std::vector<std::string> keys;
   gather_keys(root, "", keys);
-  return nearest_word(key, keys);
+  return keys;
+}
+
+std::string nearest_number_key(const Node& root, const std::string& key) {
+  return nearest_word(key, number_keys(root));
 }
 
 }  // namespace boxbeam::program

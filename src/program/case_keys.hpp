@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "boxbeam/project/case_document.hpp"
 
@@ -9,6 +10,9 @@ namespace boxbeam::program {
 
 /// What stands under a key, "beam.segments.0.length"; nullptr where nothing does.
 const Node* value_at(const Node& root, const std::string& key);
+
+/// All keys whose values are numbers or quantities, in the order of the file.
+std::vector<std::string> number_keys(const Node& root);
 
 /// What to say of a key that a case has not: the nearest one whose value is a number, or "".
 std::string nearest_number_key(const Node& root, const std::string& key);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "boxbeam/report/files.hpp"
@@ -14,6 +15,7 @@
 #include "boxbeam/report/pdf.hpp"
 #include "boxbeam/report/plots.hpp"
 #include "boxbeam/report/report.hpp"
+#include "boxbeam/report/sensitivity_report.hpp"
 #include "boxbeam/report/summary.hpp"
 #include "boxbeam/report/text_writer.hpp"
 #include "boxbeam/verification/verdict_text.hpp"
@@ -24,6 +26,7 @@
 #include "program/file_watch.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
+#include "program/sensitivity_run.hpp"
 #include "program/terminal.hpp"
 #include "report/process.hpp"
 #include "report/text_layout.hpp"
@@ -44,8 +47,8 @@ struct Outputs {
 /// What an earlier run may have written: nothing of it may stand beside the new report.
 std::vector<std::string> files_of_reports() {
   std::vector<std::string> files = files_of_figures();
-  for (const char* name :
-       {"report.txt", "report.html", "report.pdf", "report.log", "results.json"}) {
+  for (const char* name : {"report.txt", "report.html", "report.pdf", "report.log", "results.json",
+                           "sensitivities.svg"}) {
     files.emplace_back(name);
   }
   return files;
@@ -120,9 +123,10 @@ void write_report(report::Document document, const std::string& below, const Ver
   }
 }
 
-/// The reports of all beams, and of several one of the case.
-void write_reports(const std::vector<VerifiedBeam>& beams, const VerifyOptions& options,
-                   const std::string& folder, Progress& progress, Outputs& outputs) {
+/// The reports of all beams, and of several one of the case, which has the sensitivities.
+void write_reports(const std::vector<VerifiedBeam>& beams, const Sensitivities* sensitivities,
+                   const VerifyOptions& options, const std::string& folder, Progress& progress,
+                   Outputs& outputs) {
   std::optional<report::ScratchFolder> twins;  // the figures as they stand in a PDF
   Folders folders{folder, ""};
   if (!options.no_plots) {
@@ -132,25 +136,33 @@ void write_reports(const std::vector<VerifiedBeam>& beams, const VerifyOptions& 
     });
     if (twins) folders.figures = twins->path().string();
     for (const VerifiedBeam& beam : beams) draw(beam, folders, outputs);
+    if (sensitivities != nullptr && !sensitivities->inputs.empty())
+      outputs.troubles.attempt([&] {
+        draw_sensitivities(*sensitivities, folders.files, folders.figures);
+        outputs.figures.push_back(std::string(sensitivity_figure) + ".svg");
+      });
   }
-  if (beams.size() > 1) write_report(overview_of(beams), "", options, folders, progress, outputs);
-  for (const VerifiedBeam& beam : beams) {
-    write_report(report_of(beam.project, beam.verification, level_of(options.level)),
-                 folder_of(beam), options, folders, progress, outputs);
-  }
+  const auto write = [&](report::Document document, const std::string& below) {
+    if (sensitivities != nullptr && below.empty())
+      document.chapters.push_back(sensitivity_chapter(*sensitivities));
+    write_report(std::move(document), below, options, folders, progress, outputs);
+  };
+  if (beams.size() > 1) write(overview_of(beams), "");
+  for (const VerifiedBeam& beam : beams)
+    write(report_of(beam.project, beam.verification, level_of(options.level)), folder_of(beam));
 }
 
 /// Writes all that is asked for.
-Outputs write_outputs(const std::vector<VerifiedBeam>& beams, const VerifyOptions& options,
-                      const std::string& folder, Progress& progress) {
+Outputs write_outputs(const std::vector<VerifiedBeam>& beams, const Sensitivities* sensitivities,
+                      const VerifyOptions& options, const std::string& folder, Progress& progress) {
   Outputs outputs;
-  outputs.results = results_json(beams);
+  outputs.results = results_json(beams, sensitivities);
   outputs.troubles.attempt([&] {
     report::FolderUpdate update(folder);
     const bool possible = outputs.troubles.attempt(
         [&] { write_file(update.path() + "/results.json", outputs.results); });
     if (possible) {
-      write_reports(beams, options, update.path(), progress, outputs);
+      write_reports(beams, sensitivities, options, update.path(), progress, outputs);
       outputs.written.emplace_back("results.json");
     }
     if (publish(update, folder, files_of_reports(beams), outputs.troubles)) {
@@ -181,6 +193,7 @@ std::string written_line(const std::string& folder, const Outputs& outputs) {
 struct Run {
   std::vector<VerifiedBeam> beams;
   std::string folder;
+  std::optional<Sensitivities> sensitivities;  ///< where they are asked for
   Outputs outputs;
   Exported exported;  ///< for other programs, where that is asked for
 };
@@ -212,7 +225,10 @@ Run run_once(const VerifyOptions& options) {
   progress.now("verifying");
   run.beams = verify_beams(std::move(beams), options.no_plots ? Figures::without : Figures::with,
                            Advice::with);
-  run.outputs = write_outputs(run.beams, options, run.folder, progress);
+  if (options.sensitivities)
+    run.sensitivities = sensitivities_of(options.of_case, run.beams, progress);
+  run.outputs = write_outputs(run.beams, run.sensitivities ? &*run.sensitivities : nullptr, options,
+                              run.folder, progress);
   if (!options.export_to.empty()) export_beams(options.export_to, progress, run);
   return run;
 }
@@ -224,6 +240,7 @@ void say(const Run& run, const VerifyOptions& options) {
     put_text(verdict_line(run.beams));
   } else {
     report::MarkedText text = summary(run.beams);
+    if (run.sensitivities) text += sensitivity_text(*run.sensitivities);
     text += written_line(run.folder, run.outputs);
     if (!run.exported.written.empty()) {
       text += layout::line(fmt::format("Exported to {}: {}", options.export_to,

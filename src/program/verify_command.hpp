@@ -12,6 +12,7 @@ struct VerifyOptions {
   std::string json;
   std::string level = "governing";
   std::string export_to;  ///< folder for files of other programs; "": none
+  bool sensitivities = false;
   bool no_plots = false;
   bool no_html = false;
   bool no_pdf = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "boxbeam/report/comparison.hpp"
+#include "boxbeam/study/sensitivities.hpp"
 #include "boxbeam/study/solution.hpp"
 #include "boxbeam/study/study_summary.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
@@ -12,15 +13,17 @@
 /// The fields of the documents in JSON.
 namespace boxbeam::report {
 
-/// `beams`: all of a case, where it has several.
+/// `beams`: all of a case, where it has several; `sensitivities`: where they are asked for.
 void put_results(Fields& to, const Project& project, const Verification& verification,
-                 const std::vector<VerifiedBeam>* beams = nullptr);
+                 const std::vector<VerifiedBeam>* beams = nullptr,
+                 const Sensitivities* sensitivities = nullptr);
 void put_motion(Fields& to, const AnyMotionResult& motion);
 void put_motion(Fields& to, const MotionResult& motion);
 void put_motion(Fields& to, const ChainMotionResult& motion);
 void put_motion(Fields& to, const FlexibleMotionResult& motion);
 void put_history(Fields& to, const HistoryDemand& demand, const HistoryFatigue& fatigue);
 void put_section_summary(Fields& to, const SectionSummary& summary);
+void put_sensitivities(Fields& to, const Sensitivities& of);
 void put_study(Fields& to, const StudySummary& summary);
 void put_solution(Fields& to, const Solution& solution);
 void put_comparison(Fields& to, const Project& project, const Comparison& comparison);

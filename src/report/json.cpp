@@ -241,7 +241,7 @@ void put_beam_of_several(Fields& to, const VerifiedBeam& beam) {
 }  // namespace
 
 void put_results(Fields& to, const Project& project, const Verification& verification,
-                 const std::vector<VerifiedBeam>* beams) {
+                 const std::vector<VerifiedBeam>* beams, const Sensitivities* sensitivities) {
   to.constant("schema", "boxbeam.results/1");
   to.text("case", project.name);
   to.text({"version", "of the program"}, version);
@@ -306,6 +306,10 @@ void put_results(Fields& to, const Project& project, const Verification& verific
            "where the case fails: single changes with each of which it passes, found by verifying "
            "again"},
           "{what}", verification.remedies.found, put_remedy);
+  if (to.is_describing())
+    put_sensitivities(to, {});
+  else if (sensitivities != nullptr)
+    put_sensitivities(to, *sensitivities);
   if (!to.is_describing() && beams == nullptr) return;
   static const std::vector<VerifiedBeam> none;
   to.optional().list(
@@ -326,12 +330,13 @@ std::string results_json(const Project& project, const Verification& verificatio
   return document.dump(2) + "\n";
 }
 
-std::string results_json(const std::vector<VerifiedBeam>& beams) {
+std::string results_json(const std::vector<VerifiedBeam>& beams,
+                         const Sensitivities* sensitivities) {
   const VerifiedBeam& worst = worst_of(beams);
-  if (beams.size() == 1) return results_json(worst.project, worst.verification);
   Json document = Json::object();
   report::Fields fields(document);
-  report::put_results(fields, worst.project, worst.verification, &beams);
+  report::put_results(fields, worst.project, worst.verification,
+                      beams.size() > 1 ? &beams : nullptr, sensitivities);
   return document.dump(2) + "\n";
 }
 

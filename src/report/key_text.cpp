@@ -64,7 +64,7 @@ std::string only_text(const std::vector<KeyDescription::Only>& only) {
 }
 
 /// A bar would end the cell.
-std::string cell(std::string text) {
+std::string markdown_cell(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
     text.insert(at, "\\");
   return text;
@@ -82,8 +82,9 @@ std::string rows_of(const TableDescription& table) {
                                  : key.fallback.empty() ? ""
                                                         : "`" + key.fallback + "`";
     text += fmt::format("| {} | {} | {} | {} |", key.name == "*" ? "a name" : "`" + key.name + "`",
-                        cell(value_text(key)), cell(fallback), cell(key.meaning));
-    if (kinds) text += fmt::format(" {} |", cell(only_text(of.only)));
+                        markdown_cell(value_text(key)), markdown_cell(fallback),
+                        markdown_cell(key.meaning));
+    if (kinds) text += fmt::format(" {} |", markdown_cell(only_text(of.only)));
     text += "\n";
   }
   for (const WaysDescription& several : table.ways) {

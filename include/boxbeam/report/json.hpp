@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "boxbeam/project/project.hpp"
+#include "boxbeam/study/sensitivities.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/verify.hpp"
 
@@ -14,8 +15,9 @@ namespace boxbeam {
 std::string results_json(const Project& project, const Verification& verification);
 
 /// The same of every beam of a case: that of the beam that decides, with the checks of all and
-/// "beams", what was found of each. Of one beam as above.
-std::string results_json(const std::vector<VerifiedBeam>& beams);
+/// "beams", what was found of each. Of one beam as above. With sensitivities where they are given.
+std::string results_json(const std::vector<VerifiedBeam>& beams,
+                         const Sensitivities* sensitivities = nullptr);
 
 /// The motion document, "boxbeam.motion/1", of its kind: planar; spatial with vectors of three in
 /// the axes that "axes" names and hand formulas in world axes; flexible with "frequencies",
