@@ -18,7 +18,7 @@ PROGRAM, PROJECT = sys.argv[1], pathlib.Path(sys.argv[2])
 # Keys of these are names that the user gives.
 NAMED_BY_USER = {"bodies", "points", "joints", "reactions", "steps", "branch"}
 # Keys that a document may lack.
-OPTIONAL = {"I_T", "shear_centre", "harmonic", "class", "effective", "shear", "interaction", "reduced_stress", "plates"}
+OPTIONAL = {"sensitivities", "I_T", "shear_centre", "harmonic", "class", "effective", "shear", "interaction", "reduced_stress", "plates"}
 NO_PICTURES = ("--no-plots", "--no-html", "--no-pdf")
 failures = []
 

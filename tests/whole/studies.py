@@ -172,6 +172,31 @@ def check_solve(folder):
         check(says in done.stderr, f"{arguments}: {done.stderr}")
 
 
+def check_sensitivities(folder):
+    def verified(*more):
+        text = run("verify", RIG, "--out", folder / "slopes", "--no-plots", "--no-pdf", "--no-html", "--json", "-", *more,
+                   code=None).stdout
+        return json.loads(text)
+
+    by_input = {of["input"]: {at["criterion"]: at for at in of["slopes"]}
+                for of in verified("--sensitivities")["sensitivities"]}
+    # Factors are in inverse proportion to partial factors, whatever the rest.
+    for name in ("fatigue.gamma_Ff", "fatigue.gamma_Mf"):
+        check(abs(by_input[name]["fatigue"]["slope"] + 1) < 1e-6, f"{name}: {by_input[name]['fatigue']}")
+        check(by_input[name]["yield"]["slope"] == 0, f"{name} and yielding")
+    # Inertia forces are in proportion to the square of the frequency, weight is not: close to -2.
+    frequency = by_input["drivers.exciter.frequency"]["fatigue"]["slope"]
+    check(-2.1 < frequency < -1.9, f"frequency: {frequency}")
+    # The others by the case verified at other values.
+    for name, value, unit in (("bodies.sledge.mass", 18627, "kg"), ("sections.A1.height", 600, "mm")):
+        factors = [verified("--set", f"{name}={value * of} {unit}")["governing"]["fatigue"]["safety_factor"]
+                   for of in (0.99, 1.01)]
+        slope = (factors[1] - factors[0]) / 0.02 / (0.5 * sum(factors))
+        found = by_input[name]["fatigue"]["slope"]
+        check(abs(found - slope) < 0.02 * abs(slope), f"{name}: {found} and {slope}")
+    check("case.name" not in by_input, "a name has a slope")
+
+
 def check_wrong_studies(folder):
     good = study_text(2)
     for change, says in (
@@ -197,6 +222,7 @@ def main():
         expected = check_same_bytes(folder, study)
         check_kills(folder, study, expected)
         check_solve(folder)
+        check_sensitivities(folder)
         check_wrong_studies(folder)
         print(f"  {time.monotonic() - start:.0f} s")
     for words in failures[:30]:
