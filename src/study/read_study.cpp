@@ -234,7 +234,7 @@ Study read(const CaseDocument& document, std::string text) {
   TableReader of = root.table({"study", "what is studied, and how"});
   const std::string file = of.text({"case", "file of the case, beside the study"});
   const std::filesystem::path beside = std::filesystem::path(document.path).parent_path();
-  study.case_file = std::filesystem::path(file).is_absolute() ? file : (beside / file).string();
+  study.case_file = (beside / file).lexically_normal().string();
   study.seed = static_cast<std::uint64_t>(of.whole_number({"seed", "of random numbers"}, 1));
   if (of.has({"samples", "of variables that scatter"}))
     study.samples = static_cast<std::size_t>(std::max(0, of.whole_number("samples")));
