@@ -126,7 +126,7 @@ void put_code(Fields& to, const CodeResult& code) {
 void put_remedy(Fields& to, const Remedy& remedy) {
   to.word({"what", "is changed"}, to_text(remedy.what),
           {"detail category", "flange thickness", "web thickness", "wall thickness", "steel",
-           "weld throat", "stiffeners", "diaphragm spacing"});
+           "weld throat", "stiffeners", "diaphragm spacing", "diaphragm thickness"});
   to.text(
       {"name", "\"category 112\", \"58 mm flanges\", \"S460N\", \"6.5 mm throat of weld foot\""},
       remedy.name);

@@ -158,12 +158,13 @@ AddedDiaphragms diaphragms_of(const RemedySearch& search, const Division& divisi
   return added;
 }
 
-/// "10 mm diaphragms at 2 m and 4 m", "10 mm diaphragms every 1.5 m from 3 m to 9 m".
+/// "a 10 mm diaphragm at 2 m", "10 mm diaphragms every 1.5 m from 3 m to 9 m".
 std::string name_of(const TaperedBeam& beam, const Division& division, const AddedDiaphragms& added,
                     Length thickness, const std::optional<Length>& governing) {
   constexpr std::size_t few = 3;
-  std::string name = fmt::format("{:.6g} mm diaphragm{} ", 1e3 * thickness.value(),
-                                 added.places.size() == 1 ? "" : "s");
+  const bool one = added.places.size() == 1;
+  std::string name = fmt::format("{}{:.6g} mm diaphragm{} ", one ? "a " : "",
+                                 1e3 * thickness.value(), one ? "" : "s");
   if (added.places.size() <= few) {
     std::vector<std::string> at;
     for (const Length& s : added.places) at.push_back(fmt::format("{:.4g} m", s.value() + 0.0));
@@ -216,6 +217,44 @@ void look_at_diaphragms(RemedySearch& search) {
   const bool whole = from == Length{} && to == beam.length();
   if (!whole && divide(search, Length{}, beam.length())) return;
   search.remedies.in_vain.emplace_back("diaphragms at half the depth of the beam");
+}
+
+void look_at_diaphragm(RemedySearch& search) {
+  const Length s = search.governing.check.station.s;
+  const std::vector<Diaphragm>& diaphragms = search.project.beam.diaphragms;
+  const auto is_there = [&](const Diaphragm& of) { return of.s == s; };
+  const auto there = std::find_if(diaphragms.begin(), diaphragms.end(), is_there);
+  if (there == diaphragms.end()) return;
+  const ThickerPlates plates({{"", there->thickness}});
+  const auto set = [&](std::size_t number, std::size_t i) {
+    return fmt::format("{}.{}.thickness={} mm", beam_lists_of(search.project).diaphragms, number,
+                       plates.thickest(i));
+  };
+  // The case has them in an order of its own.
+  std::size_t number = 0;
+  for (; number < diaphragms.size(); ++number) {
+    const auto changed = search.changed_by({set(number, 0)});
+    if (!changed) continue;
+    const auto& of = changed->beam.diaphragms;
+    const auto same = std::find_if(of.begin(), of.end(), is_there);
+    if (same != of.end() && same->thickness != there->thickness) break;
+  }
+  const auto passing = first_passing(plates.count(), [&](std::size_t i) -> Outcome {
+    const auto changed = search.changed_by({set(number, i)});
+    return changed ? search.judged(*changed) : std::nullopt;
+  });
+  if (!passing) {
+    search.remedies.in_vain.push_back(
+        fmt::format("a diaphragm of up to {} mm", plates.thickest(plates.count()) - 1));
+    return;
+  }
+  const int thickness = plates.thickest(passing->candidate);
+  search.remedies.found.push_back(
+      {Remedy::What::diaphragm,
+       fmt::format("a {} mm diaphragm at {:.4g} m", thickness, s.value() + 0.0),
+       thickness * ThickerPlates::mm,
+       passing->utilisation,
+       {set(number, passing->candidate)}});
 }
 
 void look_at_plates(RemedySearch& search, PlateGroup group) {

@@ -105,8 +105,13 @@ class Search {
       look_at_plates(search_, flange ? PlateGroup::flanges : PlateGroup::webs);
     }
     if (box && governing_.plates) look_at_stiffeners(search_);
+    const bool is_borne =
+        governing_.patch && std::holds_alternative<BearingStiffener>(governing_.patch->bears);
     // What is pressed along the beam hardly asks how long its panels are.
-    if (!governing_.distortion && !in_bending) look_at_diaphragms(search_);
+    if (is_borne)
+      look_at_diaphragm(search_);
+    else if (!governing_.distortion && !in_bending)
+      look_at_diaphragms(search_);
   }
 
   void look_at_stressed_point(bool by_strength) {
@@ -287,6 +292,7 @@ const char* to_text(Remedy::What what) {
     case Remedy::What::throat: return "weld throat";
     case Remedy::What::stiffeners: return "stiffeners";
     case Remedy::What::diaphragms: return "diaphragm spacing";
+    case Remedy::What::diaphragm: return "diaphragm thickness";
   }
   return "";
 }
@@ -299,7 +305,8 @@ const char* unit_of(Remedy::What what) {
     case Remedy::What::walls:
     case Remedy::What::throat:
     case Remedy::What::stiffeners:
-    case Remedy::What::diaphragms: return "m";
+    case Remedy::What::diaphragms:
+    case Remedy::What::diaphragm: return "m";
     case Remedy::What::steel: return "Pa";
   }
   return "";

@@ -120,7 +120,7 @@ void WeldTables::add(const Project& project, const NewWeld& weld) {
 }
 
 const char* WeldTables::note() const {
-  return left_out ? " (fatigue of their welds left out)" : "";
+  return left_out ? " (welds left out in fatigue)" : "";
 }
 
 }  // namespace boxbeam

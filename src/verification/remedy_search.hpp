@@ -67,7 +67,7 @@ struct WeldTables {
   bool left_out = false;  ///< some could not be compared with it, and are not looked at
 
   void add(const Project& project, const NewWeld& weld);
-  /// " (fatigue of its welds left out)", or "".
+  /// " (welds left out in fatigue)", or "".
   const char* note() const;
 };
 
@@ -76,6 +76,9 @@ void look_at_plates(RemedySearch& search, PlateGroup group);
 
 /// Diaphragms at equal distances: in the panel of the governing place, else all along the beam.
 void look_at_diaphragms(RemedySearch& search);
+
+/// The diaphragm that takes the governing force, thicker.
+void look_at_diaphragm(RemedySearch& search);
 
 /// Flats along the plates that buckle at the governing place.
 void look_at_stiffeners(RemedySearch& search);

@@ -12,7 +12,17 @@ struct Verification;
 
 /// One change of a case with which it passes: found by verifying again with it.
 struct Remedy {
-  enum class What { category, flanges, webs, walls, steel, throat, stiffeners, diaphragms };
+  enum class What {
+    category,
+    flanges,
+    webs,
+    walls,
+    steel,
+    throat,
+    stiffeners,
+    diaphragms,
+    diaphragm
+  };
 
   What what = What::category;
   std::string name;  ///< "category 112", "58 mm flanges", "S460N", "6.5 mm throat of weld foot"
@@ -25,7 +35,7 @@ struct Remedy {
 };
 
 /// "detail category", "flange thickness", "web thickness", "wall thickness", "steel", "weld
-/// throat", "stiffeners", "diaphragm spacing".
+/// throat", "stiffeners", "diaphragm spacing", "diaphragm thickness".
 const char* to_text(Remedy::What what);
 
 /// SI unit of its value: "Pa", "m", "1" of a category.
@@ -50,7 +60,7 @@ struct Remedies {
 ///     effective section         flanges, webs, flats along the compressed flange or the webs
 ///     shear buckling, with M    plates of its kind, flats along it, diaphragms
 ///     reduced stresses          plates of its kind, diaphragms: flats are not judged so
-///     a force on a web          webs, diaphragms
+///     a force on a web          webs, diaphragms; where one takes it, a thicker one
 ///     distortion                flanges, webs, diaphragms
 ///
 /// Flats have usual thicknesses and the depth that does not twist; of a web they stand in its
