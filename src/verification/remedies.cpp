@@ -107,11 +107,17 @@ class Search {
     if (box && governing_.plates) look_at_stiffeners(search_);
     const bool is_borne =
         governing_.patch && std::holds_alternative<BearingStiffener>(governing_.patch->bears);
-    // What is pressed along the beam hardly asks how long its panels are.
+    // What is pressed along the beam asks how long its panels are where flats hold it.
     if (is_borne)
       look_at_diaphragm(search_);
-    else if (!governing_.distortion && !in_bending)
+    else if (!governing_.distortion && (!in_bending || has_flats()))
       look_at_diaphragms(search_);
+  }
+
+  bool has_flats() const {
+    const auto& walls = governing_.plates->plates->box.box().walls;
+    return std::any_of(walls.begin(), walls.end(),
+                       [](const BoxWall& wall) { return !wall.stiffeners.empty(); });
   }
 
   void look_at_stressed_point(bool by_strength) {

@@ -235,8 +235,8 @@ void look_at_plan(RemedySearch& search, const AlikeBoxes& alike, const Plan& pla
     search.remedies.in_vain.push_back(
         fmt::format("flats up to {}{}", size_of(flats.back(), plan), welds.note()));
   else
-    search.remedies.not_searched.push_back(
-        fmt::format("flats along {} (no larger ones fit)", plan.word));
+    search.remedies.not_searched.push_back(fmt::format(
+        "flats along {} ({})", plan.word, exchanges ? "no larger ones fit" : "none fits"));
 }
 
 }  // namespace
