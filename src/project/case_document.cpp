@@ -219,6 +219,8 @@ std::optional<std::string> set_value(Node& root, const std::vector<std::string>&
     *old = value;
   } else if (node->kind == Node::Kind::table) {
     node->members.push_back({parts.back(), key_place, value});
+  } else if (parts.back() == std::to_string(node->items.size())) {
+    node->items.push_back(value);
   } else {
     return fmt::format("there is no item {} to set", parts.back());
   }

@@ -126,16 +126,19 @@ void put_code(Fields& to, const CodeResult& code) {
 void put_remedy(Fields& to, const Remedy& remedy) {
   to.word({"what", "is changed"}, to_text(remedy.what),
           {"detail category", "flange thickness", "web thickness", "wall thickness", "steel",
-           "weld throat"});
+           "weld throat", "stiffeners", "diaphragm spacing", "diaphragm thickness"});
   to.text(
       {"name", "\"category 112\", \"58 mm flanges\", \"S460N\", \"6.5 mm throat of weld foot\""},
       remedy.name);
   to.number_in(
-      {"value", "category, thickness (the largest that is changed), throat, yield strength"},
+      {"value",
+       "category, thickness (the largest that is changed), throat, yield strength, spacing"},
       unit_of(remedy.what), "unit", remedy.value);
   to.text("unit", unit_of(remedy.what));
   to.number({"utilisation", "the largest of the whole case with it"}, "1", remedy.utilisation);
-  to.texts({"set", "keys of the case that make the change, as --set takes them; of plates"},
+  to.texts({"set",
+            "keys of the case that make the change, as --set takes them; of plates and "
+            "what holds them"},
            remedy.set);
 }
 

@@ -61,6 +61,13 @@ report::MarkedText summary(const Project& project, const Verification& verificat
       "  {}\n", visible(project.beam_name.empty() ? project.title : "beam " + project.beam_name));
   for (const std::string& reason : verdict.reasons) out += layout::item(reason);
   out += layout::entry("in short", verdict_sentence_of(project, verification)) + "\n";
+  // How thick a plate is or how far diaphragms are apart is said in words; where flats stand is
+  // not.
+  for (const Remedy& remedy : verification.remedies.found) {
+    if (remedy.what == Remedy::What::stiffeners)
+      out += layout::entry("flats", fmt::format("--set '{}'", fmt::join(remedy.set, "' --set '"))) +
+             "\n";
+  }
   out += layout::entry("model", verification.model.reason) + "\n";
   if (const std::string plates = report::plate_routes_text(verification); !plates.empty())
     out += layout::entry("plates", plates) + "\n";

@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
 
-#include "boxbeam/core/error.hpp"
 #include "boxbeam/project/catalogue.hpp"
-#include "boxbeam/project/plate_keys.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
-#include "boxbeam/verification/verify.hpp"
+#include "remedy_search.hpp"
 
 namespace boxbeam {
 namespace {
@@ -22,55 +17,8 @@ namespace {
 /// measure of the work, and no clock: the same case always gets the same answer.
 constexpr double most_work = 1e5;
 
-/// Thicker plates are looked for up to so many times the thickness.
-constexpr double most_thickness = 4.0;
-
 /// EN 1993-1-9:2005, figure 7.1 [MPa].
 constexpr std::array categories{36, 40, 45, 50, 56, 63, 71, 80, 90, 100, 112, 125, 140, 160};
-
-/// The largest utilisation of a case that passes; nothing where it does not.
-using Outcome = std::optional<double>;
-
-Outcome outcome_of(const Verification& verification) {
-  if (verification.verdict != Verdict::pass) return std::nullopt;
-  return verification.checks.front().check.utilisation();
-}
-
-/// A candidate that passes, by its number.
-struct Passing {
-  std::size_t candidate = 0;
-  double utilisation = 0.0;
-};
-
-/// The first of candidates, from weak to strong, that passes, where the last one does.
-std::optional<Passing> first_passing(std::size_t count,
-                                     const std::function<Outcome(std::size_t)>& outcome) {
-  if (count == 0) return std::nullopt;
-  const Outcome strongest = outcome(count - 1);
-  if (!strongest) return std::nullopt;
-  Passing passing{count - 1, *strongest};
-  for (std::size_t low = 0; low < passing.candidate;) {
-    const std::size_t middle = low + (passing.candidate - low) / 2;
-    if (const Outcome at = outcome(middle))
-      passing = {middle, *at};
-    else
-      low = middle + 1;
-  }
-  return passing;
-}
-
-/// How many of the first candidates are possible, where none is behind one that is not.
-std::size_t count_of_first(std::size_t count, const std::function<bool(std::size_t)>& possible) {
-  std::size_t low = 0;
-  while (low < count) {
-    const std::size_t middle = low + (count - low) / 2;
-    if (possible(middle))
-      low = middle + 1;
-    else
-      count = middle;
-  }
-  return low;
-}
 
 bool is_by_fatigue(Criterion criterion) {
   return criterion == Criterion::fatigue || criterion == Criterion::combined_fatigue ||
@@ -114,88 +62,80 @@ void give_category(Detail& detail, int category) {
   detail.in_plates.reset();
 }
 
-/// Runs whose situations are those of a copy of their case for a while.
-class LentRuns {
- public:
-  LentRuns(std::deque<SituationRun>& runs, const Project& owner, const Project& copy)
-      : runs_(runs) {
-    for (SituationRun& run : runs) {
-      owned_.push_back(run.situation);
-      run.situation = &copy.situations[index_of(owner, *run.situation)];
-    }
-  }
-  LentRuns(const LentRuns&) = delete;
-  LentRuns& operator=(const LentRuns&) = delete;
-  ~LentRuns() {
-    for (std::size_t i = 0; i < owned_.size(); ++i) runs_[i].situation = owned_[i];
-  }
-
- private:
-  std::deque<SituationRun>& runs_;
-  std::vector<const Situation*> owned_;
-};
-
-/// The search for one case.
+/// What a thicker weld, a better detail or a stronger steel does, and what else is looked at.
 class Search {
  public:
   Search(const Project& project, std::deque<SituationRun>& runs, const Verification& verification)
-      : project_(project),
-        runs_(runs),
-        verification_(verification),
-        governing_(verification.checks.front()) {}
+      : search_{project, runs, verification, verification.checks.front()} {}
 
   Remedies remedies() {
-    const Criterion criterion = governing_.check.criterion;
-    const bool by_strength = criterion == Criterion::yield || criterion == Criterion::stress_range;
-    const bool by_throat = criterion == Criterion::weld;
-    const bool by_buckling = governing_.plates.has_value() || governing_.patch.has_value();
-    const bool by_distortion = governing_.distortion.has_value();
-    if (!is_by_fatigue(criterion) && !by_strength && !by_throat && !by_buckling && !by_distortion)
-      return std::move(remedies_);
-    if (!governing_.basis && !by_buckling && !by_distortion) {
+    const Check& check = governing_.check;
+    const bool by_strength =
+        check.criterion == Criterion::yield || check.criterion == Criterion::stress_range;
+    const bool by_plates = governing_.plates || governing_.patch || governing_.distortion;
+    const bool by_stress =
+        by_strength || is_by_fatigue(check.criterion) || check.criterion == Criterion::weld;
+    if (!by_plates && !by_stress) return std::move(remedies_);
+    if (!governing_.basis && !by_plates) {
       remedies_.not_searched.emplace_back("what would pass (the stresses are given)");
-      return std::move(remedies_);
-    }
-    if (work_of(verification_) > most_work) {
+    } else if (work_of(search_.verification) > most_work) {
       remedies_.not_searched.emplace_back("what would pass (it takes too long)");
-      return std::move(remedies_);
+    } else if (by_plates) {
+      look_at_what_gives_way();
+    } else {
+      look_at_stressed_point(by_strength);
     }
-    if (by_buckling) {
-      look_at_buckling();
-      return std::move(remedies_);
-    }
-    if (by_distortion) {
-      look_at_diaphragms();
-      const Profile& profile =
-          project_.beam.segments[segment_at(project_.beam, governing_.check.station)].from.outer;
-      if (std::holds_alternative<Box>(profile)) {
-        look_at_plates(PlateGroup::flanges);
-        look_at_plates(PlateGroup::webs);
-      } else {
-        look_at_plates(PlateGroup::walls);
-      }
-      return std::move(remedies_);
-    }
-    const StressPoint& point = governing_.basis->point;
-    const bool of_line = is_in_weld(point);
-    if (of_line || (point.on_throat && is_filleted(point))) {
-      of_line ? look_at_weld() : look_at_seams();
-      return std::move(remedies_);
-    }
-    if (by_throat) return std::move(remedies_);
-    if (by_strength)
-      look_at_steels();
-    else if (criterion != Criterion::shear_fatigue)
-      look_at_categories();
-    const std::size_t segment = segment_at(project_.beam, governing_.check.station);
-    const Profile& profile = project_.beam.segments[segment].from.outer;
-    look_at_plates(!std::holds_alternative<Box>(profile) ? PlateGroup::walls
-                   : point.part == SectionPart::web      ? PlateGroup::webs
-                                                         : PlateGroup::flanges);
     return std::move(remedies_);
   }
 
  private:
+  /// Plates that buckle, webs under forces, boxes that are distorted.
+  void look_at_what_gives_way() {
+    const bool box = std::holds_alternative<Box>(search_.profile());
+    const bool in_bending = governing_.check.criterion == Criterion::effective_section;
+    if (governing_.distortion) look_at_diaphragms(search_);
+    if (!box) {
+      look_at_plates(search_, PlateGroup::walls);
+    } else if (governing_.distortion || in_bending) {
+      look_at_plates(search_, PlateGroup::flanges);
+      look_at_plates(search_, PlateGroup::webs);
+    } else {
+      const bool flange = governing_.plates && governing_.plates->plate != nullptr &&
+                          is_flange(governing_.plates->plate->plate);
+      look_at_plates(search_, flange ? PlateGroup::flanges : PlateGroup::webs);
+    }
+    if (box && governing_.plates) look_at_stiffeners(search_);
+    const bool is_borne =
+        governing_.patch && std::holds_alternative<BearingStiffener>(governing_.patch->bears);
+    // What is pressed along the beam asks how long its panels are where flats hold it.
+    if (is_borne)
+      look_at_diaphragm(search_);
+    else if (!governing_.distortion && (!in_bending || has_flats()))
+      look_at_diaphragms(search_);
+  }
+
+  bool has_flats() const {
+    const auto& walls = governing_.plates->plates->box.box().walls;
+    return std::any_of(walls.begin(), walls.end(),
+                       [](const BoxWall& wall) { return !wall.stiffeners.empty(); });
+  }
+
+  void look_at_stressed_point(bool by_strength) {
+    const StressPoint& point = governing_.basis->point;
+    const Criterion criterion = governing_.check.criterion;
+    const bool of_line = is_in_weld(point);
+    if (of_line || (point.on_throat && is_filleted(point)))
+      return of_line ? look_at_weld() : look_at_seams();
+    if (criterion == Criterion::weld) return;
+    if (by_strength)
+      look_at_steels();
+    else if (criterion != Criterion::shear_fatigue)
+      look_at_categories();
+    look_at_plates(search_, !std::holds_alternative<Box>(search_.profile()) ? PlateGroup::walls
+                            : point.part == SectionPart::web                ? PlateGroup::webs
+                                                                            : PlateGroup::flanges);
+  }
+
   bool is_in_weld(const StressPoint& point) const {
     return std::any_of(project_.welds.begin(), project_.welds.end(),
                        [&](const WeldInput& weld) { return point.detail == &weld.root; });
@@ -232,7 +172,7 @@ class Search {
       }
       const Length throat = in_half_millimetres(*governing_.sufficient_throat);
       copy.welds[i].throat = throat;
-      note_throat(name, throat, judged(copy));
+      note_throat(name, throat, search_.judged(copy));
       return;
     }
   }
@@ -240,7 +180,7 @@ class Search {
   /// All seams of the beam that are thinner than the one that is needed most.
   void look_at_seams() {
     Length needed{};
-    for (const CheckResult& result : verification_.checks) {
+    for (const CheckResult& result : search_.verification.checks) {
       if (result.basis && result.basis->point.on_throat && result.sufficient_throat)
         needed = std::max(needed, *result.sufficient_throat);
     }
@@ -253,13 +193,7 @@ class Search {
           box->seam_throat = std::max(box->seam_throat, throat);
       }
     }
-    note_throat("the seams", throat, judged(copy));
-  }
-
-  /// The copy is judged under the loads that are there, whose situations it takes over.
-  Outcome judged(const Project& copy) {
-    const LentRuns lent(runs_, project_, copy);
-    return outcome_of(judge(copy, runs_, verification_.model));
+    note_throat("the seams", throat, search_.judged(copy));
   }
 
   void look_at_categories() {
@@ -283,7 +217,7 @@ class Search {
     }
     const auto passing = first_passing(better.size(), [&](std::size_t i) {
       give_category(detail->detail, better[i]);
-      return judged(copy);
+      return search_.judged(copy);
     });
     if (passing) {
       const int category = better[passing->candidate];
@@ -333,7 +267,7 @@ class Search {
         if (project_.part_materials[k].material.name == now.name)
           copy.part_materials[k].material = stronger[i];
       }
-      return judged(copy);
+      return search_.judged(copy);
     });
     if (passing) {
       const Material& steel = stronger[passing->candidate];
@@ -346,195 +280,10 @@ class Search {
     }
   }
 
-  /// The case with other thicknesses, read anew, for its masses and loads change with them; nothing
-  /// where there is no place for such plates.
-  std::optional<Project> changed_by(const std::vector<std::string>& set) const {
-    std::vector<std::string> overrides = project_.overrides;
-    overrides.insert(overrides.end(), set.begin(), set.end());
-    try {
-      Project changed = std::move(parse_beams(project_.path, project_.text, overrides,
-                                              project_.dynamics)[project_.beam_index]);
-      changed.model.demand = project_.model.demand;
-      changed.model.tolerance = project_.model.tolerance;
-      return changed;
-    } catch (const InputError&) {
-      return std::nullopt;
-    }
-  }
-
-  /// A case that cannot be analysed does not pass.
-  Outcome verified_with(const std::vector<std::string>& set) const {
-    const std::optional<Project> changed = changed_by(set);
-    if (!changed) return std::nullopt;
-    try {
-      return outcome_of(verify(*changed));
-    } catch (const AnalysisError&) {
-      return std::nullopt;
-    }
-  }
-
-  void look_at_buckling() {
-    const std::size_t segment = segment_at(project_.beam, governing_.check.station);
-    const Profile& profile = project_.beam.segments[segment].from.outer;
-    if (!std::holds_alternative<Box>(profile)) {
-      look_at_plates(PlateGroup::walls);
-    } else if (governing_.check.criterion == Criterion::effective_section) {
-      look_at_plates(PlateGroup::flanges);
-      look_at_plates(PlateGroup::webs);
-    } else {
-      const bool flange = governing_.plates && governing_.plates->plate != nullptr &&
-                          is_flange(governing_.plates->plate->plate);
-      look_at_plates(flange ? PlateGroup::flanges : PlateGroup::webs);
-    }
-    // What is pressed along the beam does not ask how long its panels are.
-    if (governing_.check.criterion != Criterion::effective_section) look_at_diaphragms();
-  }
-
-  static bool stands_at(const TaperedBeam& beam, Length s, Length near) {
-    return std::any_of(beam.diaphragms.begin(), beam.diaphragms.end(),
-                       [&](const Diaphragm& of) { return abs(of.s - s) <= near; });
-  }
-
-  /// Where the force comes in that governs, or the torque that does most of it.
-  std::optional<Length> place_that_governs() const {
-    if (governing_.patch) return governing_.check.station.s;
-    if (governing_.distortion) return governing_.distortion->introduced;
-    return std::nullopt;
-  }
-
-  /// From few to many; no closer than half the depth of the beam.
-  void look_at_diaphragms() {
-    const TaperedBeam& beam = project_.beam;
-    const std::size_t segment = segment_at(beam, governing_.check.station);
-    const Profile& profile = beam.segments[segment].from.outer;
-    const auto most = static_cast<std::size_t>(2.0 * (beam.length() / height_of(profile)).value());
-    Length thickness;
-    for (const Diaphragm& of : beam.diaphragms) thickness = std::max(thickness, of.thickness);
-    if (thickness == Length{}) {
-      for (const Length& plate : thicknesses_of(beam.segments[segment].from))
-        thickness = std::max(thickness, plate);
-    }
-    Project copy = project_;
-    const auto with_panels = [&](std::size_t panels) {
-      copy.beam.diaphragms = beam.diaphragms;
-      const Length near = 1e-6 * beam.length();
-      for (std::size_t i = 0; i <= panels; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(panels);
-        const Length s = place_near(places_of(beam), share * beam.length());
-        if (!stands_at(beam, s, near)) copy.beam.diaphragms.push_back({s, thickness, {}});
-      }
-      // One takes the force, or the torque, that governs.
-      if (const auto s = place_that_governs(); s && !stands_at(copy.beam, *s, near))
-        copy.beam.diaphragms.push_back({*s, thickness, {}});
-      std::sort(copy.beam.diaphragms.begin(), copy.beam.diaphragms.end(),
-                [](const Diaphragm& a, const Diaphragm& b) { return a.s < b.s; });
-      return judged(copy);
-    };
-    const auto passing = first_passing(most, [&](std::size_t i) { return with_panels(i + 1); });
-    if (!passing) {
-      remedies_.in_vain.emplace_back("diaphragms at half the depth of the beam");
-      return;
-    }
-    const Length apart = beam.length() / static_cast<double>(passing->candidate + 1);
-    std::string name =
-        fmt::format("{:.6g} mm diaphragms every {:.4g} m", 1e3 * thickness.value(), apart.value());
-    constexpr double near = 1e-6;
-    if (const auto at = place_that_governs()) {
-      const double panels = (*at / apart).value();
-      if (std::abs(panels - std::round(panels)) > near)
-        name += fmt::format(" and at {:.4g} m", at->value());
-    }
-    remedies_.found.push_back(
-        {Remedy::What::diaphragms, std::move(name), apart.value(), passing->utilisation});
-  }
-
-  void look_at_plates(PlateGroup group) {
-    const std::size_t segment = segment_at(project_.beam, governing_.check.station);
-    const bool box = group != PlateGroup::walls;
-    const bool flanges = group == PlateGroup::flanges;
-    const std::string word = flanges ? "flanges" : box ? "webs" : "walls";
-    const bool bends = verification_.model.bends_rigid_motion &&
-                       verification_.model.chosen.level != ModelLevel::rigid;
-    if (bends || std::holds_alternative<flexible::Mechanism>(project_.mechanism)) {
-      remedies_.not_searched.push_back(fmt::format("thicker {} (the model is elastic)", word));
-      return;
-    }
-    const std::vector<PlateKey> keys = plate_keys_of(project_, segment, group);
-    if (keys.empty()) {
-      remedies_.not_searched.push_back(
-          fmt::format("thicker {} (no key of the case says how thick they are)", word));
-      return;
-    }
-    const auto thickest =
-        std::max_element(keys.begin(), keys.end(), [](const PlateKey& a, const PlateKey& b) {
-          return a.thickness < b.thickness;
-        })->thickness;
-    // Candidates: the thickest plate in whole millimetres, the others by the same factor.
-    constexpr double mm = 1e-3;
-    const double now = thickest.value() / mm;
-    const int first = static_cast<int>(std::floor(now * (1.0 + 1e-9))) + 1;
-    const int most = static_cast<int>(std::floor(most_thickness * now));
-    const auto thicknesses_at = [&](std::size_t i) {
-      const double factor = (first + static_cast<double>(i)) / now;
-      std::vector<int> thicknesses;
-      for (const PlateKey& key : keys)
-        thicknesses.push_back(
-            static_cast<int>(std::ceil(factor * key.thickness.value() / mm - 1e-6)));
-      return thicknesses;
-    };
-    const auto set_at = [&](std::size_t i) {
-      const std::vector<int> thicknesses = thicknesses_at(i);
-      std::vector<std::string> set;
-      for (std::size_t k = 0; k < keys.size(); ++k)
-        set.push_back(fmt::format("{}={} mm", keys[k].key, thicknesses[k]));
-      return set;
-    };
-    const std::size_t wanted = static_cast<std::size_t>(std::max(0, most - first + 1));
-    const std::size_t count =
-        count_of_first(wanted, [&](std::size_t i) { return changed_by(set_at(i)).has_value(); });
-    const auto passing =
-        least_thickness(count, [&](std::size_t i) { return verified_with(set_at(i)); });
-    if (!passing) {
-      const int last = first + static_cast<int>(count) - 1;
-      remedies_.in_vain.push_back(
-          count == 0 ? fmt::format("thicker {}, for which there is no room,", word)
-          : count < wanted
-              ? fmt::format("{} up to {} mm, the most for which there is room,", word, last)
-              : fmt::format("{} up to {} mm", word, last));
-      return;
-    }
-    std::vector<int> thicknesses = thicknesses_at(passing->candidate);
-    std::sort(thicknesses.begin(), thicknesses.end());
-    thicknesses.erase(std::unique(thicknesses.begin(), thicknesses.end()), thicknesses.end());
-    remedies_.found.push_back({flanges ? Remedy::What::flanges
-                               : box   ? Remedy::What::webs
-                                       : Remedy::What::walls,
-                               fmt::format("{} mm {}", fmt::join(thicknesses, " and "), word),
-                               thicknesses.back() * mm, passing->utilisation,
-                               set_at(passing->candidate)});
-  }
-
-  /// Upwards in growing steps until one passes, then between it and the one before: a plate that is
-  /// far too thick need not pass, for its weight.
-  static std::optional<Passing> least_thickness(
-      std::size_t count, const std::function<Outcome(std::size_t)>& outcome) {
-    constexpr double growth = 1.8;
-    std::size_t failing = 0;  // candidates below it do not pass
-    for (double step = 2.0; failing < count; step *= growth) {
-      const std::size_t upper = std::min(count, failing + static_cast<std::size_t>(step));
-      const auto passing =
-          first_passing(upper - failing, [&](std::size_t i) { return outcome(failing + i); });
-      if (passing) return Passing{failing + passing->candidate, passing->utilisation};
-      failing = upper;
-    }
-    return std::nullopt;
-  }
-
-  const Project& project_;
-  std::deque<SituationRun>& runs_;
-  const Verification& verification_;
-  const CheckResult& governing_;
-  Remedies remedies_;
+  RemedySearch search_;
+  const Project& project_ = search_.project;
+  const CheckResult& governing_ = search_.governing;
+  Remedies& remedies_ = search_.remedies;
 };
 
 }  // namespace
@@ -547,7 +296,9 @@ const char* to_text(Remedy::What what) {
     case Remedy::What::walls: return "wall thickness";
     case Remedy::What::steel: return "steel";
     case Remedy::What::throat: return "weld throat";
+    case Remedy::What::stiffeners: return "stiffeners";
     case Remedy::What::diaphragms: return "diaphragm spacing";
+    case Remedy::What::diaphragm: return "diaphragm thickness";
   }
   return "";
 }
@@ -559,7 +310,9 @@ const char* unit_of(Remedy::What what) {
     case Remedy::What::webs:
     case Remedy::What::walls:
     case Remedy::What::throat:
-    case Remedy::What::diaphragms: return "m";
+    case Remedy::What::stiffeners:
+    case Remedy::What::diaphragms:
+    case Remedy::What::diaphragm: return "m";
     case Remedy::What::steel: return "Pa";
   }
   return "";

@@ -334,4 +334,12 @@ MUTATIONS = [
     *_in("src/strength", "box_distortion.cpp",
          ("distortion-flow", "for (double& q : of.flow) q += added;", "",
           "the shear flow of distortion at a corner", "box_distortion_test")),
+    *_in("src/verification", "remedy_search.cpp",
+         ("weld-strength", "if (!is_below(curve, of_beam)) {", "if (is_below(curve, of_beam)) {",
+          "welds that are weaker than the beam's detail count in fatigue", "stiffener_remedies_test")),
+    *_in("src/verification", "stiffener_remedies.cpp",
+         ("flat-end", "\"8.4/1\", 56.0", "\"8.2/5\", 56.0",
+          "ends of flats in fatigue", "stiffener_remedies_test"),
+         ("flat-edge", "if (high > low) return {{1.0 - fifth}", "if (high < low) return {{1.0 - fifth}",
+          "flats stand at the compressed edge of a web", "stiffener_remedies_test")),
 ]

@@ -120,6 +120,16 @@ TEST_CASE("overrides reach into arrays by number, and may be arrays and quoted t
   CHECK(at(document, {"beam", "note"}).boolean);
 }
 
+TEST_CASE("the item behind the last one of an array is added to it") {
+  const CaseDocument document =
+      parse(small, {"beam.segments.2={length = \"3 m\"}", "beam.segments.3={length = \"4 m\"}"});
+  const Node& segments = at(document, {"beam", "segments"});
+  REQUIRE(segments.items.size() == 4);
+  CHECK(segments.items[1].find("length") != nullptr);
+  CHECK(segments.items[2].find("length")->text == "3 m");
+  CHECK(segments.items[3].find("length")->text == "4 m");
+}
+
 TEST_CASE("the value of an override may hold an equals sign, and be empty") {
   const CaseDocument document = parse(small, {"case.title=a = b", "case.name="});
   CHECK(at(document, {"case", "title"}).text == "a = b");

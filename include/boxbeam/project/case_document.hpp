@@ -79,14 +79,16 @@ struct CaseDocument {
 /// it.
 std::vector<std::string> key_parts(const std::string& key);
 
-/// Puts a value under a key of a tree; tables on the way that are missing are made. Returns what is
-/// wrong where the key leads into no table or array item. Precondition: at least one part.
+/// Puts a value under a key of a tree; tables on the way that are missing are made, and the item
+/// behind the last one of an array is added. Returns what is wrong where the key leads into no
+/// table or array item. Precondition: at least one part.
 std::optional<std::string> set_value(Node& root, const std::vector<std::string>& parts,
                                      const Place& key_place, const Node& value);
 
 /// Reads a TOML file and applies overrides "key.path=value"; items of arrays go by their number
-/// from 0 ("beam.segments.0.length=2 m"). A value that is not TOML is taken as text.
-/// Throws InputError: file missing, over 8 MB, not UTF-8, keys of more than 32 parts, TOML syntax.
+/// from 0 ("beam.segments.0.length=2 m"), and the one behind the last is added. A value that is not
+/// TOML is taken as text. Throws InputError: file missing, over 8 MB, not UTF-8, keys of more than
+/// 32 parts, TOML syntax.
 CaseDocument read_document(const std::string& path, const std::vector<std::string>& overrides);
 
 /// The same for text in memory (the built-in catalogue, tests).

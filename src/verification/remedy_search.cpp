@@ -1,0 +1,126 @@
+#include "remedy_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxbeam/core/error.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Runs whose situations are those of a copy of their case for a while.
+class LentRuns {
+ public:
+  LentRuns(std::deque<SituationRun>& runs, const Project& owner, const Project& copy)
+      : runs_(runs) {
+    for (SituationRun& run : runs) {
+      owned_.push_back(run.situation);
+      run.situation = &copy.situations[index_of(owner, *run.situation)];
+    }
+  }
+  LentRuns(const LentRuns&) = delete;
+  LentRuns& operator=(const LentRuns&) = delete;
+  ~LentRuns() {
+    for (std::size_t i = 0; i < owned_.size(); ++i) runs_[i].situation = owned_[i];
+  }
+
+ private:
+  std::deque<SituationRun>& runs_;
+  std::vector<const Situation*> owned_;
+};
+
+Outcome outcome_of(const Verification& verification) {
+  if (verification.verdict != Verdict::pass) return std::nullopt;
+  return verification.checks.front().check.utilisation();
+}
+
+/// Whether a curve is below another one at any number of cycles, limits included.
+bool is_below(const SnCurve& a, const SnCurve& b) {
+  constexpr double round_off = 1e-9;
+  for (const double cycles : {1e4, 2e6, 1e7, 1e8, 1e12}) {
+    for (const Loading loading : {Loading::spectrum, Loading::constant_amplitude}) {
+      if (strength_at(a, cycles, loading) < (1.0 - round_off) * strength_at(b, cycles, loading))
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Passing> first_passing(std::size_t count,
+                                     const std::function<Outcome(std::size_t)>& outcome) {
+  if (count == 0) return std::nullopt;
+  const Outcome strongest = outcome(count - 1);
+  if (!strongest) return std::nullopt;
+  Passing passing{count - 1, *strongest};
+  for (std::size_t low = 0; low < passing.candidate;) {
+    const std::size_t middle = low + (passing.candidate - low) / 2;
+    if (const Outcome at = outcome(middle))
+      passing = {middle, *at};
+    else
+      low = middle + 1;
+  }
+  return passing;
+}
+
+bool RemedySearch::is_elastic() const {
+  const bool bends =
+      verification.model.bends_rigid_motion && verification.model.chosen.level != ModelLevel::rigid;
+  return bends || std::holds_alternative<flexible::Mechanism>(project.mechanism);
+}
+
+Outcome RemedySearch::judged(const Project& copy) const {
+  const LentRuns lent(runs, project, copy);
+  return outcome_of(judge(copy, runs, verification.model));
+}
+
+std::optional<Project> RemedySearch::changed_by(const std::vector<std::string>& set) const {
+  std::vector<std::string> overrides = project.overrides;
+  overrides.insert(overrides.end(), set.begin(), set.end());
+  try {
+    Project changed = std::move(
+        parse_beams(project.path, project.text, overrides, project.dynamics)[project.beam_index]);
+    changed.model.demand = project.model.demand;
+    changed.model.tolerance = project.model.tolerance;
+    return changed;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+Outcome RemedySearch::verified(const Project& changed) {
+  try {
+    return outcome_of(verify(changed));
+  } catch (const AnalysisError&) {
+    return std::nullopt;
+  }
+}
+
+void WeldTables::add(const Project& project, const NewWeld& weld) {
+  const BeamDetail& own = project.fatigue.beam;
+  if (!project.fatigue.asked) return;
+  const SnCurve curve = en_1993_1_9_direct(weld.category), of_beam = curve_of(own.detail);
+  if (!is_below(curve, of_beam)) {
+    // Where its compression counts less, a weld as strong may be used more.
+    left_out = left_out || own.detail.compression_reduced;
+    return;
+  }
+  // One that is stronger at some life would hide it there.
+  if (is_below(of_beam, curve) || own.detail.in_plates) {
+    left_out = true;
+    return;
+  }
+  tables.push_back(fmt::format(
+      "{{name = \"{}\", from = \"{:.12g} m\", to = \"{:.12g} m\", on = \"{}\", row = \"{}\"{}{}}}",
+      weld.name, weld.from.value(), weld.to.value(), weld.on, weld.row,
+      weld.facts.empty() ? "" : fmt::format(", facts = {{{}}}", weld.facts),
+      own.stress_factor == 1.0 ? "" : fmt::format(", stress_factor = {:.12g}", own.stress_factor)));
+}
+
+const char* WeldTables::note() const {
+  return left_out ? " (welds left out in fatigue)" : "";
+}
+
+}  // namespace boxbeam
