@@ -94,6 +94,15 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
       "beam; where that is one for holes on the net section, this counts the hole twice");
 }
 
+bool has_fillet_seams(const Project& project) {
+  const auto filleted = [](const Section& section) {
+    const auto* const box = std::get_if<Box>(&section.outer);
+    return box != nullptr && box->seam_throat > Length{};
+  };
+  return std::any_of(project.beam.segments.begin(), project.beam.segments.end(),
+                     [&](const Segment& of) { return filleted(of.from) || filleted(of.to); });
+}
+
 void add_slender_plates(const Project& project, const Verification& verification,
                         std::vector<std::string>& remarks) {
   // Where nothing is used more than by yielding no plate is among the checks.
@@ -463,8 +472,9 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
                         "space)") +
       (std::any_of(verification.checks.begin(), verification.checks.end(),
                    [](const CheckResult& of) { return of.patch.has_value(); })
-           ? ""
-           : ", webs where forces come in ([[beam.load_introductions]])") +
+           ? std::string()
+           : fmt::format(", webs{} where forces come in ([[beam.load_introductions]])",
+                         has_fillet_seams(project) ? " and their seams" : "")) +
       std::string(verification.model.second_order.lateral ? "" : ", lateral torsional buckling") +
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +

@@ -160,6 +160,10 @@ class Search {
       remedies_.not_searched.emplace_back("what would pass (it takes too long)");
       return std::move(remedies_);
     }
+    if (by_throat && governing_.patch) {
+      look_at_seams();
+      return std::move(remedies_);
+    }
     if (by_buckling) {
       look_at_buckling();
       return std::move(remedies_);
@@ -241,8 +245,8 @@ class Search {
   void look_at_seams() {
     Length needed{};
     for (const CheckResult& result : verification_.checks) {
-      if (result.basis && result.basis->point.on_throat && result.sufficient_throat)
-        needed = std::max(needed, *result.sufficient_throat);
+      const bool of_seam = result.patch || (result.basis && result.basis->point.on_throat);
+      if (of_seam && result.sufficient_throat) needed = std::max(needed, *result.sufficient_throat);
     }
     const Length throat = in_half_millimetres(needed);
     Project copy = project_;
