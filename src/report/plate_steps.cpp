@@ -144,7 +144,7 @@ void derive_reduced_web(Derivation& steps, const Project& project, const Check& 
 void derive_seam(Derivation& steps, const Project& project, const PatchedSeam& of,
                  const PatchBasis& basis, const Traced& F) {
   const StressPoint& point = *of.point;
-  const Traced a = steps.given("a", seam_throat_of(point), "throat of the seam, all its welds");
+  const Traced a = steps.given("a_w", seam_throat_of(point), "throat of the seam, all its welds");
   steps.note([&] { return "with the " + std::string(to_text(of.flange)); });
   const Traced l = steps.given("l", of.loaded, "of the seam, s_s + 2 t_f, within a and the beam");
   const Traced own = F / (l * a);

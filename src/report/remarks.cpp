@@ -71,6 +71,32 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
   for (const WeldInput& weld : project.welds) {
     if (fatigue.asked) add(weld.toe, "weld " + weld.name);
   }
+  for (const PinInput& pin : project.pins) {
+    for (const LugInput& lug : pin.lugs) {
+      if (fatigue.asked)
+        add(lug.detail,
+            fmt::format("pin {}, {}", pin.name, lug.inner ? "inner plate" : "outer plates"));
+    }
+  }
+}
+
+/// Plates of pins of which the case does not say what their fatigue asks for.
+void add_lugs(const Project& project, std::vector<std::string>& remarks) {
+  if (!project.fatigue.asked) return;
+  for (const PinInput& pin : project.pins) {
+    const auto said = [&](bool inner) {
+      return std::any_of(pin.lugs.begin(), pin.lugs.end(),
+                         [&](const LugInput& lug) { return lug.inner == inner; });
+    };
+    if (said(true) && said(false)) continue;
+    remarks.push_back(fmt::format(
+        "pin {}: the fatigue of its {} is not judged, nor what stands beside and before the hole "
+        "(EN 1993-1-8, table 3.9): [[pins.lugs]] say how wide they are",
+        pin.name,
+        said(true)    ? "outer plates"
+        : said(false) ? "inner plate"
+                      : "plates"));
+  }
 }
 
 void add_thin_welds(const Project& project, std::vector<std::string>& remarks) {
@@ -437,6 +463,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   }
   add_warping(project, remarks);
   add_holes(project, remarks);
+  add_lugs(project, remarks);
   add_thin_welds(project, remarks);
   add_published(project, verification, remarks);
   add_joined_profiles(project, remarks);

@@ -264,8 +264,9 @@ Steps steps_of_check(const Project& project, const Verification& verification,
   const Check& check = result.check;
   switch (check.criterion) {
     case Criterion::pin:
+    case Criterion::lug_fatigue:
     case Criterion::rod:
-    case Criterion::buckling: return neighbour_steps(neighbour_of(verification, check));
+    case Criterion::buckling: return neighbour_steps(project, neighbour_of(verification, check));
     case Criterion::deflection: return deflection_steps(project, check, *result.deflection);
     case Criterion::effective_section:
     case Criterion::shear_buckling:

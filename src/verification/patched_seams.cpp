@@ -15,10 +15,10 @@ bool joins(const StressPoint& throat, BoxPlate a, BoxPlate b) {
          is_of(throat.y.value() > 0.0 ? left_web : right_web);
 }
 
-/// What a throat is used, by the directional method, of what acts across and along it.
-double use_of(Stress across, Stress along, const WeldStrength& strength) {
-  constexpr NoDerivation plainly;
-  return equal_leg_stress(across.value(), along.value()) / weld_strength(plainly, strength).value();
+/// How much a throat is used by forces per length, of legs alike.
+double use_of(Stress across, Stress along, Length throat, const WeldStrength& strength) {
+  const WeldForce force{across * throat, {}, along * throat};
+  return directional_utilisation(throat_stress_of(force, throat), strength).largest();
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
       const Force acting = basis.share * basis.force;
       const Stress across = acting / (seam.loaded * a) + seam.beside;
       const Stress along = stress_at((*throat)->influence, cut).shear;
-      basis.resistance = acting / use_of(across, along, seam.strength);
+      basis.resistance = acting / use_of(across, along, a, seam.strength);
       basis.bears = std::move(seam);
       ways.push_back(of);
     }

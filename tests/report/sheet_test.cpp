@@ -423,6 +423,7 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::stress_range: ends_with("limit", check.resisting); break;
       case Criterion::weld: ends_with("limit", check.resisting); break;
       case Criterion::pin: ends_with("F", check.acting); break;
+      case Criterion::lug_fatigue: ends_with("d_sigma", check.acting); break;
       case Criterion::rod:
         ends_with("N", check.acting);
         ends_with("N_t,Rd", check.resisting);

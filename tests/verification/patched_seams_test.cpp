@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "boxbeam/report/remarks.hpp"
+#include "boxbeam/report/report.hpp"
 #include "boxbeam/verification/verify.hpp"
 #include "catch.hpp"
 
@@ -263,6 +264,33 @@ TEST_CASE("twice the forces, twice the use of a seam", "[patch]") {
         ->check.utilisation();
   };
   CHECK(use(-100.0) == Approx(2.0 * use(-50.0)).epsilon(1e-12));
+}
+
+TEST_CASE("the sheet of a seam under a force ends with its factor", "[patch]") {
+  const std::string more = "[[situations]]\nname = \"all\"\nloads = { hook = 1.0, jack = 0.5 }\n";
+  for (const double load_factor : {1.0, 1.35}) {
+    Project project =
+        parse_project("seams.toml", beam({}, introduction("from = \"0 m\"\nto = \"9 m\"", 50.0),
+                                         force("hook", 4.5, -100.0) + force("jack", 4.55, -50.0)) +
+                                        more);
+    project.situations.front().load_factor = load_factor;
+    const Verification of = verify(project);
+    int sheets = 0;
+    for (const CheckResult& result : of.checks) {
+      if (!result.patch || result.check.criterion != Criterion::weld) continue;
+      const report::Sheet sheet = sheet_of(project, of, result);
+      INFO(result.check.id);
+      REQUIRE(!sheet.steps.empty());
+      CHECK(sheet.steps.back().symbol == "factor");
+      CHECK(std::stod(sheet.steps.back().formulas.back()) ==
+            Approx(result.check.safety_factor).epsilon(6e-4));
+      ++sheets;
+    }
+    CHECK(sheets == 4);
+    // The jack stands within the hook's 74 mm, and the other way round.
+    CHECK(std::get<PatchedSeam>(seam_at(of, "hook")->patch->bears).beside.value() ==
+          Approx(12.5e3 / (0.074 * 0.006)));
+  }
 }
 
 TEST_CASE("where nothing is said of how forces come in, seams are said not to be checked",
