@@ -110,7 +110,7 @@ TEST_CASE(
 
 TEST_CASE("few cycles: the range of a lug is limited by 1.5 f_y") {
   Project project = held(swing("f", 0.0, 100.0) + pin("A", lug("inner")));
-  for (Situation& situation : project.situations) situation.cycles = 1e4;
+  for (Situation& situation : project.situations) situation.cycles = 1e5;
   CHECK(std::get<TiredLug>(lugs_of(project).front().basis).limit == std::nullopt);
   for (Situation& situation : project.situations) situation.cycles = 1e3;
   const NeighbourResult found = lugs_of(project).front();
