@@ -133,7 +133,11 @@ PinInput read_pin(TableReader table, const Project& project) {
   pin.required = table.number({"required", "wanted safety factor"}, project.strength.required);
   for (TableReader& of : table.tables(
            {"lugs", "its plates, checked beside and before the hole and there in fatigue"})) {
-    pin.lugs.push_back(read_lug(of, pin));
+    LugInput lug = read_lug(of, pin);
+    if (std::any_of(pin.lugs.begin(), pin.lugs.end(),
+                    [&](const LugInput& other) { return other.inner == lug.inner; }))
+      of.problem("plate", "this plate is there already", "write \"inner\" and \"outer\" once each");
+    pin.lugs.push_back(std::move(lug));
   }
   table.finish();
   return pin;

@@ -215,6 +215,7 @@ TEST_CASE("lugs of which K_t is not known want a factor of their own") {
     return "";
   };
   CHECK(said(lug("inner")).empty());
+  CHECK(said(lug("inner") + lug("inner")).find("there already") != std::string::npos);
   const std::string narrow = "[[pins.lugs]]\nplate = \"inner\"\nwidth = \"95 mm\"\n";
   CHECK(said(narrow).find("write stress_factor") != std::string::npos);
   CHECK(said(narrow + "stress_factor = 3.0\n").empty());
