@@ -136,6 +136,37 @@ class LugLife {
     return worst;
   }
 
+  NeighbourResult result_of(const AlongDirection& of) const {
+    const bool by_range = of.by_range > of.by_life;
+    const std::size_t situation = by_range ? of.of_largest : of.life.governing;
+    const auto [highest, lowest] = extremes_in(*project_, situation, of.turns);
+    const Extreme& larger = std::abs(highest.value) >= std::abs(lowest.value) ? highest : lowest;
+    const double angle = of.angle < 0.0 ? of.angle + std::numbers::pi : of.angle;
+    TiredLug tired{lug_, share_of(*lug_), {}, angle, of.in, {}, {}};
+    tired.range = si<Force>((highest.value - lowest.value) / stress_per_force_);
+    NeighbourResult result{
+        check_begun(Criterion::lug_fatigue, name_of(*pin_, *lug_), *project_, larger), {}};
+    Check& check = result.check;
+    check.situation = project_->situations[situation].name;
+    const Stress range = si<Stress>(highest.value - lowest.value);
+    tired.life.point.detail = &lug_->detail;
+    tired.life.stress_factor = lug_->detail.stress_factor;
+    tired.life.highest = highest;
+    tired.life.lowest = lowest;
+    take_life(*project_, {of.channel}, of.life, check, tired.life);
+    check.acting = range;
+    check.resisting = Stress(check.safety_factor * range);
+    if (by_range) {
+      tired.limit = limit();
+      check.required = 1.0;
+      check.safety_factor = 1.0 / of.by_range;
+      check.resisting = *tired.limit;
+      check.source = "EN 1993-1-9:2005+AC:2009, 8(1), equation 8.1";
+    }
+    result.basis = std::move(tired);
+    return result;
+  }
+
  private:
   struct Frame {
     std::string name;
@@ -174,38 +205,6 @@ class LugLife {
     return range_limit(plainly, lug_->yield_strength, StressKind::direct);
   }
 
- public:
-  NeighbourResult result_of(const AlongDirection& of) const {
-    const bool by_range = of.by_range > of.by_life;
-    const std::size_t situation = by_range ? of.of_largest : of.life.governing;
-    const auto [highest, lowest] = extremes_in(*project_, situation, of.turns);
-    const Extreme& larger = std::abs(highest.value) >= std::abs(lowest.value) ? highest : lowest;
-    TiredLug tired{lug_, share_of(*lug_), {}, of.angle, of.in, {}, {}};
-    tired.range = si<Force>((highest.value - lowest.value) / stress_per_force_ * tired.share);
-    NeighbourResult result{
-        check_begun(Criterion::lug_fatigue, name_of(*pin_, *lug_), *project_, larger), {}};
-    Check& check = result.check;
-    check.situation = project_->situations[situation].name;
-    const Stress range = si<Stress>(highest.value - lowest.value);
-    tired.life.point.detail = &lug_->detail;
-    tired.life.stress_factor = lug_->detail.stress_factor;
-    tired.life.highest = highest;
-    tired.life.lowest = lowest;
-    take_life(*project_, {of.channel}, of.life, check, tired.life);
-    check.acting = range;
-    check.resisting = Stress(check.safety_factor * range);
-    if (by_range) {
-      tired.limit = limit();
-      check.required = 1.0;
-      check.safety_factor = 1.0 / of.by_range;
-      check.resisting = *tired.limit;
-      check.source = "EN 1993-1-9:2005+AC:2009, 8(1), equation 8.1";
-    }
-    result.basis = std::move(tired);
-    return result;
-  }
-
- private:
   const Project* project_;
   const LugInput* lug_;
   const PinInput* pin_;

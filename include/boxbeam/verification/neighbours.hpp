@@ -38,7 +38,7 @@ struct LoadedLug {
 struct TiredLug {
   const LugInput* lug = nullptr;
   double share = 1.0;      ///< of the pin's force
-  Force range;             ///< of that force along the direction below, where it is largest
+  Force range;             ///< of the whole force, along the direction below
   double direction = 0.0;  ///< of the components that take most of the life, in the axes of `in`
   std::string in;          ///< the body, or the ground
   CheckBasis life;
