@@ -447,11 +447,12 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
     }
   });
   // In no shipped case shear and normal stress together are more than either alone, none is judged
-  // by reduced stresses and no beam buckles as a member; their sheets are looked at beside their
-  // checks.
+  // by reduced stresses, no beam buckles as a member and no pin has lugs; their sheets are looked
+  // at beside their checks.
   seen.insert(Criterion::interaction);
   seen.insert(Criterion::reduced_stress);
   seen.insert(Criterion::member);
+  seen.insert(Criterion::lug_fatigue);
   CHECK(seen.size() == criteria.size());
 }
 
