@@ -80,6 +80,31 @@ TEST_CASE("a force that turns with one size has the range of its diameter") {
   CHECK(found.check.acting.value() == Approx(2.507125 * 200e3 / 1e-3).epsilon(1e-4));
 }
 
+TEST_CASE("a lug that turns under a weight that does not: the range is in the axes of its body") {
+  // 0.05 x 0.1 x 2 m^3 of 8000 kg/m^3 weigh 800 N under 10 m/s^2; once in 1000 s the bar's own
+  // centrifugal force is 80 (2 pi/1000)^2 = 3 mN. In the axes of the ground nothing changes.
+  const Project project = parse_project(
+      "crank.toml",
+      "[case]\nname = \"crank\"\nkind = \"planar\"\n"
+      "[mechanism]\ngravity = [\"0 m/s^2\", \"-10 m/s^2\"]\n"
+      "[bodies.bar]\npoints = { A = [\"0 m\", \"0 m\"] }\n"
+      "sketch = { at = [\"0 m\", \"0 m\"] }\n"
+      "[joints.A]\nkind = \"pin\"\nconnect = [\"bar.A\", \"ground\"]\nat = [\"0 m\", \"0 m\"]\n"
+      "[drivers.motor]\npoint = \"bar.A\"\ncoordinate = \"angle\"\nkind = \"constant rate\"\n"
+      "start = \"0 deg\"\nrate = \"0.06 rpm\"\n[sections.bar]\n" +
+          flat +
+          "[beam]\nbody = \"bar\"\ndensity = \"8000 kg/m^3\"\n"
+          "[[beam.segments]]\nlength = \"2 m\"\nsection = \"bar\"\n"
+          "[material]\nsteel = \"S355\"\n[strength]\nrequired = 1.0\n"
+          "[fatigue]\ncategory = 100\ncycles = 1e6\nloading = \"spectrum\"\ngamma_Mf = 1.0\n"
+          "required = 1.0\n" +
+          pin("A", lug("inner")));
+  const NeighbourResult found = lugs_of(project).front();
+  const auto& tired = std::get<TiredLug>(found.basis);
+  CHECK(tired.in == "bar");
+  CHECK(tired.range.value() == Approx(1600.0).epsilon(1e-4));
+}
+
 TEST_CASE("each outer plate takes half; the case's own factor and detail hold") {
   const std::string force = swing("f", 0.0, 100.0);
   const auto found = lugs_of(held(force + pin("A", lug("inner") + lug("outer"))));
