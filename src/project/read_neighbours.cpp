@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "boxbeam/project/detail_reader.hpp"
+#include "boxbeam/project/sn_catalogue.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "readers.hpp"
 
@@ -31,6 +33,68 @@ Material steel_of(TableReader& table, const Key& key, const Project& project) {
                   fmt::format("write {} = \"{}\"", key.name, project.material.name));
   }
   return project.material;
+}
+
+/// What resists at the hole of a lug where the case does not say it: no line of it stands above
+/// category E of AISC 360, table A-3.1 (base metal at the net section of eyebar heads and pin
+/// plates: 56 MPa at 2e6 cycles, threshold 31 MPa, both recalled) of lugs with d_0/w up to 0.5.
+Detail lug_detail() {
+  Detail detail;
+  detail.name = "hole of a lug under a pin (category 100 taken for K_t times the net section)";
+  detail.curve = en_1993_1_9_direct(100.0);
+  detail.unconfirmed = true;
+  return detail;
+}
+
+/// The stress at the hole over that of the net section, given or K_t.
+double read_lug_factor(TableReader& table, const PinJoint& pin, LugInput& lug) {
+  const Key key{"stress_factor",
+                "stress at the hole over that of the net section; K_t of a lug under a close pin "
+                "where not said"};
+  lug.own_factor = table.has_number(key);
+  if (lug.own_factor) return table.number(key);
+  if (!table.problems().empty()) return 1.0;
+  const double x = lug.plate.hole / lug.plate.width;
+  constexpr double most_play = 0.02;
+  const char* const hint = "write stress_factor, of a calculation or a test";
+  if (x > widest_hole) {
+    table.problem(
+        "width",
+        fmt::format("the hole takes {:.3g} of the width: K_t is known up to {}", x, widest_hole),
+        hint);
+    return 1.0;
+  }
+  if (pin.hole > (1.0 + most_play) * pin.diameter)
+    table.problem("", "the hole is more than 2 % wider than the pin: K_t is that of a close one",
+                  hint);
+  return lug_concentration(lug.plate);
+}
+
+LugInput read_lug(TableReader table, const PinInput& pin) {
+  LugInput lug;
+  lug.inner = table.choice({"plate", "which of the pin's it is"}, {"inner", "outer"}) == 0;
+  lug.plate.thickness = lug.inner ? pin.geometry.inner_plate : pin.geometry.outer_plate;
+  lug.yield_strength = lug.inner ? pin.strength.inner_yield : pin.strength.outer_yield;
+  lug.plate.hole = pin.geometry.hole;
+  lug.plate.width = si<Length>(
+      table.positive({"width", "across the force, at the middle of the hole"}, wanted::length));
+  const Key end{"end", "from the hole's edge to the end of the plate towards which it is pulled"};
+  if (table.has_quantity(end, wanted::length))
+    lug.plate.end = si<Length>(table.positive(end, wanted::length));
+  if (table.problems().empty() &&
+      (lug.plate.width <= 5.0 / 3.0 * lug.plate.hole ||
+       (lug.plate.end && *lug.plate.end <= 2.0 / 3.0 * lug.plate.hole))) {
+    table.problem("width", "there is so little beside or before the hole that it bears nothing",
+                  "EN 1993-1-8, table 3.9: more than d_0/3 beside it, 2 d_0/3 before it");
+  }
+  const bool own = table.has("row") || table.has("facts") || table.has("category");
+  lug.detail.detail = own ? read_detail(table, {lug.plate.thickness}) : lug_detail();
+  if (table.problems().empty() && lug.detail.detail.curve.kind == StressKind::shear)
+    table.problem("kind", "the detail of a lug is for direct stress", "write category = 100");
+  lug.detail.stress_factor = read_lug_factor(table, pin.geometry, lug);
+  lug.detail.assumed = table.text({"assumed", "why it is taken so"}, "");
+  table.finish();
+  return lug;
 }
 
 PinInput read_pin(TableReader table, const Project& project) {
@@ -67,6 +131,14 @@ PinInput read_pin(TableReader table, const Project& project) {
                                    "without load factors (3.13.2(3))"},
                                   false);
   pin.required = table.number({"required", "wanted safety factor"}, project.strength.required);
+  for (TableReader& of : table.tables(
+           {"lugs", "its plates, checked beside and before the hole and there in fatigue"})) {
+    LugInput lug = read_lug(of, pin);
+    if (std::any_of(pin.lugs.begin(), pin.lugs.end(),
+                    [&](const LugInput& other) { return other.inner == lug.inner; }))
+      of.problem("plate", "this plate is there already", "write \"inner\" and \"outer\" once each");
+    pin.lugs.push_back(std::move(lug));
+  }
   table.finish();
   return pin;
 }

@@ -5,7 +5,7 @@
 
 namespace boxbeam::report {
 
-/// Sheet of a pin, of a rod under tension or of one under compression.
-Steps neighbour_steps(const NeighbourResult& result);
+/// Sheet of a pin, of a lug, of a rod under tension or of one under compression.
+Steps neighbour_steps(const Project& project, const NeighbourResult& result);
 
 }  // namespace boxbeam::report

@@ -9,6 +9,7 @@
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
 #include "derivation_text.hpp"
+#include "stress_steps.hpp"
 
 namespace boxbeam::report {
 namespace {
@@ -139,6 +140,31 @@ void derive_reduced_web(Derivation& steps, const Project& project, const Check& 
   derive_reduced_factor(steps, project, *of.plate, of.stress, basis.load_factor);
 }
 
+/// The throat of a seam under a force across it and the beam's own shear flow.
+void derive_seam(Derivation& steps, const Project& project, const PatchedSeam& of,
+                 const PatchBasis& basis, const Traced& F) {
+  const StressPoint& point = *of.point;
+  const Traced a = steps.given("a_w", seam_throat_of(point), "throat of the seam, all its welds");
+  steps.note([&] { return "with the " + std::string(to_text(of.flange)); });
+  const Traced l = steps.given("l", of.loaded, "of the seam, s_s + 2 t_f, within a and the beam");
+  const Traced own = F / (l * a);
+  const Traced sigma_w =
+      of.beside > Stress{}
+          ? steps.define("sigma_w", own + steps.given("sigma_n", of.beside,
+                                                      "of other forces whose spread meets it"))
+          : steps.define("sigma_w", own);
+  steps.note([] { return "across the seam, by the welds alone: no contact"; });
+  derive_shear_section(steps, project, point);
+  const Traced tau_par = derive_shear_stress(steps, "tau_par", project, point, basis.cut);
+  const Traced sigma_v =
+      steps.define("sigma_v", equal_leg_stress(sigma_w, tau_par),
+                   "sqrt(sigma_perp^2 + 3 (tau_perp^2 + tau_par^2)) with sigma_perp = tau_perp = "
+                   "sigma_w/sqrt(2) of equal legs; sigma_perp alone is held with it");
+  steps.given("f_u", of.strength.tensile_strength, "of the weaker part joined");
+  const Traced limit = weld_strength(steps, of.strength);
+  steps.define("factor", limit / loaded(steps, basis.load_factor, sigma_v));
+}
+
 }  // namespace
 
 Steps plate_steps(const Project& project, const CheckResult& result) {
@@ -187,6 +213,10 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
   const Traced share = steps.given("p", basis.share, {}, "of this web, by the lever between both");
   if (const auto* const web = std::get_if<ReducedWeb>(&basis.bears)) {
     derive_reduced_web(steps, project, result.check, *web, basis, steps.define("F_w", share * all));
+    return steps_of(steps);
+  }
+  if (const auto* const seam = std::get_if<PatchedSeam>(&basis.bears)) {
+    derive_seam(steps, project, *seam, basis, steps.define("F_w", share * all));
     return steps_of(steps);
   }
   const Traced F = steps.define("F_w", loaded(steps, basis.load_factor, Traced(share * all)));

@@ -71,6 +71,32 @@ void add_details(const Project& project, std::vector<std::string>& remarks) {
   for (const WeldInput& weld : project.welds) {
     if (fatigue.asked) add(weld.toe, "weld " + weld.name);
   }
+  for (const PinInput& pin : project.pins) {
+    for (const LugInput& lug : pin.lugs) {
+      if (fatigue.asked)
+        add(lug.detail,
+            fmt::format("pin {}, {}", pin.name, lug.inner ? "inner plate" : "outer plates"));
+    }
+  }
+}
+
+/// Plates of pins of which the case does not say what their fatigue asks for.
+void add_lugs(const Project& project, std::vector<std::string>& remarks) {
+  if (!project.fatigue.asked) return;
+  for (const PinInput& pin : project.pins) {
+    const auto said = [&](bool inner) {
+      return std::any_of(pin.lugs.begin(), pin.lugs.end(),
+                         [&](const LugInput& lug) { return lug.inner == inner; });
+    };
+    if (said(true) && said(false)) continue;
+    remarks.push_back(fmt::format(
+        "pin {}: the fatigue of its {} is not judged, nor what stands beside and before the hole "
+        "(EN 1993-1-8, table 3.9): [[pins.lugs]] say how wide they are",
+        pin.name,
+        said(true)    ? "outer plates"
+        : said(false) ? "inner plate"
+                      : "plates"));
+  }
 }
 
 void add_thin_welds(const Project& project, std::vector<std::string>& remarks) {
@@ -92,6 +118,15 @@ void add_holes(const Project& project, std::vector<std::string>& remarks) {
       "at hole edges without a detail of their own the largest local stress around the edge "
       "(concentration included) is compared, as modified nominal stress, with the category of the "
       "beam; where that is one for holes on the net section, this counts the hole twice");
+}
+
+bool has_fillet_seams(const Project& project) {
+  const auto filleted = [](const Section& section) {
+    const auto* const box = std::get_if<Box>(&section.outer);
+    return box != nullptr && box->seam_throat > Length{};
+  };
+  return std::any_of(project.beam.segments.begin(), project.beam.segments.end(),
+                     [&](const Segment& of) { return filleted(of.from) || filleted(of.to); });
 }
 
 void add_slender_plates(const Project& project, const Verification& verification,
@@ -428,6 +463,7 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
   }
   add_warping(project, remarks);
   add_holes(project, remarks);
+  add_lugs(project, remarks);
   add_thin_welds(project, remarks);
   add_published(project, verification, remarks);
   add_joined_profiles(project, remarks);
@@ -463,8 +499,9 @@ std::vector<Remark> remarks_of(const Project& project, const Verification& verif
                         "space)") +
       (std::any_of(verification.checks.begin(), verification.checks.end(),
                    [](const CheckResult& of) { return of.patch.has_value(); })
-           ? ""
-           : ", webs where forces come in ([[beam.load_introductions]])") +
+           ? std::string()
+           : fmt::format(", webs{} where forces come in ([[beam.load_introductions]])",
+                         has_fillet_seams(project) ? " and their seams" : "")) +
       std::string(verification.model.second_order.lateral ? "" : ", lateral torsional buckling") +
       std::string(project.pins.empty() ? ", pins" : "") + rods_not_checked(project, verification) +
       (project.deflection ? "" : ", deflection") +

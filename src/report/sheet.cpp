@@ -264,8 +264,9 @@ Steps steps_of_check(const Project& project, const Verification& verification,
   const Check& check = result.check;
   switch (check.criterion) {
     case Criterion::pin:
+    case Criterion::lug_fatigue:
     case Criterion::rod:
-    case Criterion::buckling: return neighbour_steps(neighbour_of(verification, check));
+    case Criterion::buckling: return neighbour_steps(project, neighbour_of(verification, check));
     case Criterion::deflection: return deflection_steps(project, check, *result.deflection);
     case Criterion::effective_section:
     case Criterion::shear_buckling:
@@ -282,6 +283,7 @@ Steps steps_of_check(const Project& project, const Verification& verification,
     return check.criterion == Criterion::yield ? given_yield_steps(project, *result.given)
                                                : given_fatigue_steps(project, *result.given);
   }
+  if (result.patch) return patch_steps(project, result);
   const CheckBasis& basis = *result.basis;
   switch (check.criterion) {
     case Criterion::yield: return yield_steps(project, check, basis);
@@ -296,14 +298,16 @@ Steps steps_of_check(const Project& project, const Verification& verification,
 /// The throat that would do, beside the one that is there.
 void add_sufficient_throat(const CheckResult& result, Steps& steps) {
   if (!result.sufficient_throat) return;
-  const bool seam = result.basis->point.on_throat;
+  const bool forced = result.patch.has_value();
+  const bool seam = !forced && result.basis->point.on_throat;
   Derivation of;
   of.given(
       "a_suf", *result.sufficient_throat,
       fmt::format(
           "the throat that suffices for {}{}",
-          seam ? "the seam at this place, static and in fatigue"
-               : "all checks of this weld's throat and root",
+          forced ? "the seam under this force"
+          : seam ? "the seam at this place, static and in fatigue"
+                 : "all checks of this weld's throat and root",
           *result.sufficient_throat <= least_throat() ? ": the least, EN 1993-1-8, 4.5.2(2)" : ""));
   // A sheet ends with its factor.
   const Steps step = steps_of(of);

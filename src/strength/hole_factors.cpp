@@ -16,11 +16,6 @@ double published_concentration(double diameter_to_width) {
   return hole::published_concentration(plainly, diameter_to_width);
 }
 
-double infinite_plate_concentration(double biaxiality) {
-  assert(biaxiality >= -1.0 && biaxiality <= 1.0);
-  return 3.0 - biaxiality;
-}
-
 std::optional<InPlaneBendingStress> in_plane_bending_stress(Moment moment, Length depth,
                                                             Length thickness, Length diameter) {
   const double a = diameter / depth;
@@ -36,11 +31,6 @@ std::optional<double> plate_bending_concentration(double diameter_to_thickness,
   if (!(k >= 0.0 && a >= 0.0 && a < 0.3)) return std::nullopt;
   constexpr NoDerivation plainly;
   return hole::plate_bending_concentration(plainly, k, a);
-}
-
-Stress plate_bending_nominal_stress(Moment moment, Length width, Length thickness,
-                                    Length diameter) {
-  return 6.0 * moment / ((width - diameter) * thickness * thickness);
 }
 
 }  // namespace boxbeam

@@ -162,23 +162,6 @@ auto service_uses_of(Record& record, const F& force, Stress youngs_modulus, cons
 
 }  // namespace
 
-Moment pin_moment(Force force, const PinJoint& joint) {
-  return moment_of(nothing_kept, force, joint);
-}
-
-Force pin_shear_resistance(const PinJoint& joint, const PinStrength& strength) {
-  return shear_resistance_of(nothing_kept, joint, strength);
-}
-
-Moment pin_bending_resistance(const PinJoint& joint, const PinStrength& strength) {
-  return bending_resistance_of(nothing_kept, joint, strength);
-}
-
-Force pin_bearing_resistance(Length thickness, Stress plate_yield, const PinJoint& joint,
-                             const PinStrength& strength) {
-  return bearing_resistance_of(nothing_kept, {thickness, plate_yield}, joint, strength);
-}
-
 PinUtilisation pin_utilisation(Force force, const PinJoint& joint, const PinStrength& strength) {
   const auto use = uses_of(nothing_kept, size_of(force), joint, strength);
   return {use.shear, use.bearing_inner, use.bearing_outer, use.bending, use.combined};
@@ -217,12 +200,6 @@ ReplaceablePinUtilisation replaceable_pin_utilisation(Force service_force, Stres
   const auto use =
       service_uses_of(nothing_kept, size_of(service_force), youngs_modulus, joint, strength);
   return {use.bearing_inner, use.bearing_outer, use.bending, use.contact_inner, use.contact_outer};
-}
-
-Stress pin_contact_stress(Force force_on_plate, Length thickness, Stress youngs_modulus,
-                          const PinJoint& joint) {
-  return contact_stress_of(nothing_kept, force_on_plate, {thickness, {}, "t", "sigma_h"},
-                           youngs_modulus, joint);
 }
 
 }  // namespace boxbeam

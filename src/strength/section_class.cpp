@@ -38,11 +38,6 @@ ClassLimits internal_part_limits(double alpha, double psi, double epsilon) {
   return limits;
 }
 
-double compressed_share_of_webs(Force compression, Area webs, Stress yield_strength) {
-  const double share = 0.5 * (1.0 + compression / (webs * yield_strength));
-  return std::clamp(share, 0.0, 1.0);
-}
-
 ClassLimits outstand_flange_limits(double epsilon) {
   return {9.0 * epsilon, 10.0 * epsilon, 14.0 * epsilon};
 }

@@ -27,15 +27,4 @@ Stress weld_shear_strength(const WeldStrength& strength) {
   return weld_shear_strength(plainly, strength);
 }
 
-double simplified_utilisation(const WeldForce& force, Length throat, const WeldStrength& strength) {
-  const double resultant =
-      std::hypot(force.off_plate.value(), force.along_plate.value(), force.along_weld.value());
-  return resultant / (weld_shear_strength(strength) * throat).value();
-}
-
-WeldFatigueStress weld_fatigue_stress_of(const ThroatStress& stress) {
-  return {si<Stress>(std::hypot(stress.normal.value(), stress.shear_across.value())),
-          stress.shear_along};
-}
-
 }  // namespace boxbeam

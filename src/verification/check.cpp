@@ -21,6 +21,7 @@ const char* to_text(Criterion criterion) {
     case Criterion::distortion_fatigue: return "distortion fatigue";
     case Criterion::member: return "member buckling";
     case Criterion::pin: return "pin";
+    case Criterion::lug_fatigue: return "lug fatigue";
     case Criterion::rod: return "rod";
     case Criterion::buckling: return "buckling";
     case Criterion::deflection: return "deflection";

@@ -272,7 +272,8 @@ void leave_out_without_effect(std::vector<CheckResult>& checks) {
   const auto leave_out = [&](Criterion criterion, std::initializer_list<Criterion> without) {
     double most = 0.0;
     for (const CheckResult& of : checks) {
-      if (std::find(without.begin(), without.end(), of.check.criterion) != without.end())
+      if (!of.patch &&
+          std::find(without.begin(), without.end(), of.check.criterion) != without.end())
         most = std::max(most, of.check.utilisation());
     }
     constexpr double close = 1e-6;

@@ -16,6 +16,7 @@
 #include "boxbeam/mechanism/planar/reactions.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/peak_over_time.hpp"
+#include "neighbour_parts.hpp"
 
 namespace boxbeam {
 namespace {
@@ -54,7 +55,8 @@ Extreme worst_of(const Project& project, const std::deque<SituationRun>& runs,
   return worst;
 }
 
-/// Stops where rigid bodies do not determine the reaction of a joint.
+}  // namespace
+
 void check_unique(const Project& project, const std::deque<SituationRun>& runs, int joint,
                   const std::string& of) {
   for (const SituationRun& run : runs) {
@@ -71,6 +73,8 @@ void check_unique(const Project& project, const std::deque<SituationRun>& runs, 
   }
 }
 
+namespace {
+
 double force_in(const Project& project, const SituationRun& run, const planar::State& state,
                 int joint) {
   for (const planar::Reaction& reaction :
@@ -80,8 +84,8 @@ double force_in(const Project& project, const SituationRun& run, const planar::S
   return 0.0;
 }
 
-/// What round-off leaves of a force in this mechanism: a billionth of the largest reaction, times
-/// its load factor.
+}  // namespace
+
 double negligible_force(const Project& project, const std::deque<SituationRun>& runs) {
   double largest = 0.0;
   for (const SituationRun& run : runs) {
@@ -94,6 +98,8 @@ double negligible_force(const Project& project, const std::deque<SituationRun>& 
   }
   return 1e-9 * largest;
 }
+
+namespace {
 
 /// Whether a point of a rod's body is one of its ends.
 bool is_at(const Eigen::Vector2d& point, const planar::Attachment& end, const RodInput& rod) {
@@ -176,6 +182,8 @@ Gate rod_gate(const RodInput& rod, const std::string& finding) {
   return {"", "", fmt::format("rod {}: {}", rod.name, finding), true};
 }
 
+}  // namespace
+
 Check check_begun(Criterion criterion, const std::string& name, const Project& project,
                   const Extreme& worst) {
   Check check;
@@ -185,10 +193,25 @@ Check check_begun(Criterion criterion, const std::string& name, const Project& p
   check.situation = project.situations[worst.situation].name;
   check.time = worst.time;
   check.acting = si<Force>(worst.value);
-  std::string word = name;
-  std::replace(word.begin(), word.end(), ' ', '-');
-  check.id = fmt::format("{}/{}", to_text(criterion), word);
+  check.id = fmt::format("{}/{}", to_text(criterion), name);
+  std::replace(check.id.begin(), check.id.end(), ' ', '-');
   return check;
+}
+
+namespace {
+
+/// A plate of a pin under the largest force.
+NeighbourResult check_lug(const Project& project, const PinInput& pin, const LugInput& lug,
+                          const Extreme& worst) {
+  const LoadedLug loaded{share_of(lug), lug.plate, lug.yield_strength, pin.strength.gamma_M0};
+  NeighbourResult result{check_begun(Criterion::pin, name_of(pin, lug), project, worst), loaded};
+  Check& check = result.check;
+  check.resisting =
+      Force(lug_resistance_of(loaded.plate, loaded.yield_strength, loaded.gamma_M0) / loaded.share);
+  check.safety_factor = check.resisting / check.acting;
+  check.required = pin.required;
+  check.source = "EN 1993-1-8:2005, 3.13.1, table 3.9, type A";
+  return result;
 }
 
 /// A pin that is to be replaceable, under its largest force without load factors.
@@ -232,6 +255,8 @@ NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun
     check.required = pin.required;
     check.source = "EN 1993-1-8:2005, 3.13.2, table 3.10";
     checks.results.push_back(std::move(result));
+    for (const LugInput& lug : pin.lugs)
+      checks.results.push_back(check_lug(project, pin, lug, worst));
     if (pin.replaceable)
       checks.results.push_back(
           check_in_service(project, pin, worst_of(project, runs, force, false)));
@@ -330,10 +355,11 @@ NeighbourChecks check_rods(const Project& project, const std::deque<SituationRun
 
 NeighbourChecks check_neighbours(const Project& project, const std::deque<SituationRun>& runs) {
   NeighbourChecks all = check_pins(project, runs);
-  NeighbourChecks rods = check_rods(project, runs);
-  std::move(rods.results.begin(), rods.results.end(), std::back_inserter(all.results));
-  std::move(rods.gates.begin(), rods.gates.end(), std::back_inserter(all.gates));
-  std::move(rods.not_judged.begin(), rods.not_judged.end(), std::back_inserter(all.not_judged));
+  for (NeighbourChecks more : {check_lugs(project, runs), check_rods(project, runs)}) {
+    std::move(more.results.begin(), more.results.end(), std::back_inserter(all.results));
+    std::move(more.gates.begin(), more.gates.end(), std::back_inserter(all.gates));
+    std::move(more.not_judged.begin(), more.not_judged.end(), std::back_inserter(all.not_judged));
+  }
   return all;
 }
 

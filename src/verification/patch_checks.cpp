@@ -20,16 +20,19 @@ struct WorstPatch {
   double use = 0.0;
 };
 
+/// A patch and whether its seams are meant, not its webs.
+using BorneKey = std::pair<PatchKey, bool>;
+
 /// Looks at one run.
 class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<PatchKey, WorstPatch>& worst)
+           std::map<BorneKey, WorstPatch>& worst)
       : project_(&project), search_(&search), run_(&run), worst_(&worst) {}
 
   void look() {
     const LoadHistory& history = run_->loads;
-    std::map<PatchKey, std::pair<double, std::size_t>> highest;
+    std::map<BorneKey, std::pair<double, std::size_t>> highest;
     std::vector<Length> before;
     for (std::size_t i = 0; i < history.instants(); ++i) {
       const Time time = history.time_of(i);
@@ -50,26 +53,28 @@ class PatchRun {
 
  private:
   /// The use of each patch at an instant; the worst is kept.
-  std::map<PatchKey, double> look_at(Time time, const BeamLoads& loads,
+  std::map<BorneKey, double> look_at(Time time, const BeamLoads& loads,
                                      const CutForceDiagram& diagram) {
-    std::map<PatchKey, double> uses;
-    for (const Patch& patch : search_->patches_of(loads)) {
-      std::optional<Borne> borne = search_->worst_of(patch, diagram);
-      if (!borne) continue;
-      const double load_factor = run_->situation->load_factor;
-      const double use =
-          project_->strength.required * load_factor / search_->factor_of(borne->basis);
-      double& most = uses[patch.key()];
-      most = std::max(most, use);
-      WorstPatch& worst = (*worst_)[patch.key()];
-      if (worst.run != nullptr && use <= worst.use) continue;
-      borne->basis.load_factor = load_factor;
-      worst = {patch, std::move(*borne), run_, time, use};
+    std::map<BorneKey, double> uses;
+    const std::vector<Patch> patches = search_->patches_of(loads);
+    for (const Patch& patch : patches) {
+      for (Borne& borne : search_->worst_of(patch, patches, diagram)) {
+        const double load_factor = run_->situation->load_factor;
+        const double use =
+            project_->strength.required * load_factor / search_->factor_of(borne.basis);
+        const BorneKey key{patch.key(), borne.is_seam()};
+        double& most = uses[key];
+        most = std::max(most, use);
+        WorstPatch& worst = (*worst_)[key];
+        if (worst.run != nullptr && use <= worst.use) continue;
+        borne.basis.load_factor = load_factor;
+        worst = {patch, std::move(borne), run_, time, use};
+      }
     }
     return uses;
   }
 
-  std::map<PatchKey, double> look_at(Time time) {
+  std::map<BorneKey, double> look_at(Time time) {
     const BeamLoads loads = run_->loads.loads_at(time);
     return look_at(time, loads, cut_forces_of(loads));
   }
@@ -116,7 +121,7 @@ class PatchRun {
   }
 
   /// The maximum between the instants beside one.
-  void refine(const PatchKey& key, std::size_t i) {
+  void refine(const BorneKey& key, std::size_t i) {
     const LoadHistory& history = run_->loads;
     const std::size_t last = history.instants() - 1;
     const Time at = history.time_of(i);
@@ -126,7 +131,7 @@ class PatchRun {
     constexpr int bits = 14;
     find_maximum(
         [&](double time) {
-          const std::map<PatchKey, double> uses = look_at(si<Time>(time));
+          const std::map<BorneKey, double> uses = look_at(si<Time>(time));
           const auto found = uses.find(key);
           return found == uses.end() ? 0.0 : found->second;
         },
@@ -136,7 +141,7 @@ class PatchRun {
   const Project* project_;
   PatchSearch* search_;
   const SituationRun* run_;
-  std::map<PatchKey, WorstPatch>* worst_;
+  std::map<BorneKey, WorstPatch>* worst_;
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
@@ -147,16 +152,29 @@ std::string plate_text(const Project& project, const Borne& borne) {
   return project.in_space || !alike ? to_text(borne.plate) : "web";
 }
 
+/// What bears a patch, in words.
+std::string borne_text(const Project& project, const Borne& borne) {
+  const std::string plate = plate_text(project, borne);
+  if (const auto* const seam = std::get_if<PatchedSeam>(&borne.basis.bears))
+    return fmt::format("seam of {} and {}", plate, to_text(seam->flange));
+  return plate +
+         (std::holds_alternative<BearingStiffener>(borne.basis.bears) ? " with diaphragm" : "");
+}
+
+Criterion criterion_of(const PatchBasis& basis) {
+  if (std::holds_alternative<PatchedSeam>(basis.bears)) return Criterion::weld;
+  return std::holds_alternative<ReducedWeb>(basis.bears) ? Criterion::reduced_stress
+                                                         : Criterion::patch_loading;
+}
+
 CheckResult check_of(const Project& project, const PatchSearch& search, WorstPatch worst) {
   CheckResult result;
   Check& check = result.check;
   const PatchBasis& basis = worst.borne.basis;
   const bool by_column = std::holds_alternative<BearingStiffener>(basis.bears);
-  const bool reduced = std::holds_alternative<ReducedWeb>(basis.bears);
-  check.criterion = reduced ? Criterion::reduced_stress : Criterion::patch_loading;
+  check.criterion = criterion_of(basis);
   check.station = {worst.patch.s, Side::both};
-  check.point = fmt::format("{}{} under {}", plate_text(project, worst.borne),
-                            by_column ? " with diaphragm" : "", worst.patch.name);
+  check.point = fmt::format("{} under {}", borne_text(project, worst.borne), worst.patch.name);
   check.id = id_of(check.criterion, check.station, check.point);
   check.situation = worst.run->situation->name;
   check.time = worst.time;
@@ -165,9 +183,17 @@ CheckResult check_of(const Project& project, const PatchSearch& search, WorstPat
   const double eta_2 = basis.share * basis.force / basis.resistance;
   const double use = basis.load_factor / search.factor_of(basis);
   // By the force alone, or with the beam's own stress.
-  if (reduced) {
-    const auto& web = std::get<ReducedWeb>(basis.bears);
-    check.resisting = Stress(web.plate->panel.yield_strength / project.strength.gamma_M1);
+  if (const auto* const seam = std::get_if<PatchedSeam>(&basis.bears)) {
+    constexpr NoDerivation plainly;
+    check.resisting = weld_strength(plainly, seam->strength);
+    check.acting = si<Stress>(use * check.resisting.value());
+    check.source =
+        "EN 1993-1-8:2005, 4.5.3.2(6), equation 4.1; loaded length EN 1993-1-5:2006, 6.3";
+    // Both stresses in it go by one over the throat.
+    result.sufficient_throat =
+        std::max(least_throat(), check.utilisation() * seam_throat_of(*seam->point));
+  } else if (const auto* const web = std::get_if<ReducedWeb>(&basis.bears)) {
+    check.resisting = Stress(web->plate->panel.yield_strength / project.strength.gamma_M1);
     check.acting = Stress(use * check.resisting.value() * pascal);
     check.source = "EN 1993-1-5:2006, clause 10, equation 10.5, with 6.4 and annex B";
   } else if (use <= (1.0 + 1e-12) * basis.load_factor * eta_2) {
@@ -188,12 +214,13 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
   const PatchBasis& basis = worst.borne.basis;
   const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
   return {project.beam.segments[segment].name, plate_text(project, worst.borne),
-          fmt::format(
-              "at s = {:.4g} m it takes {:.4g} kN of \"{}\" and bears {:.4g} kN under an edge "
-              "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it, or "
-              "[[beam.load_introductions]] say how it comes in",
-              worst.patch.s.value(), 1e-3 * (basis.load_factor * basis.share * basis.force).value(),
-              worst.patch.name, 1e-3 * basis.resistance.value()),
+          fmt::format("at s = {:.4g} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
+                      "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it, or "
+                      "[[beam.load_introductions]] say how it comes in",
+                      worst.patch.s.value(),
+                      1e-3 * (basis.load_factor * basis.share * basis.force).value(),
+                      worst.patch.name, worst.borne.is_seam() ? "its seam bears" : "bears",
+                      1e-3 * basis.resistance.value()),
           true};
 }
 
@@ -204,7 +231,7 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   PatchChecks found;
   PatchSearch search(project, zones);
   if (!search.has_something_to_do()) return found;
-  std::map<PatchKey, WorstPatch> worst;
+  std::map<BorneKey, WorstPatch> worst;
   for (const SituationRun& run : runs) search.learn_clamps(run);
   for (const SituationRun& run : runs) PatchRun(project, search, run, worst).look();
   // A use this small is none, as stress is (`no_stress_at`).

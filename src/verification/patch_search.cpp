@@ -16,6 +16,15 @@ constexpr double same_place = 1e-6;
 
 }  // namespace
 
+std::array<BoxPlate, 2> flanges_of(const Patch& patch) {
+  using enum BoxPlate;
+  std::array flanges =
+      patch.along_z ? std::array{top_flange, bottom_flange} : std::array{left_web, right_web};
+  // A force along -z pushes onto the top, one along -y onto the left.
+  if (patch.force.value() > 0.0) std::swap(flanges[0], flanges[1]);
+  return flanges;
+}
+
 PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>& zones)
     : project_(&project), zones_(&zones) {
   const TaperedBeam& beam = project.beam;
@@ -80,21 +89,27 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
   return patches;
 }
 
-std::optional<Borne> PatchSearch::worst_of(const Patch& patch, const CutForceDiagram& diagram) {
-  std::optional<Borne> worst;
-  double least = 0.0;
+std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<Patch>& all,
+                                         const CutForceDiagram& diagram) {
+  std::vector<Borne> worst;
+  const auto take = [&](Borne of) {
+    const auto same = std::find_if(worst.begin(), worst.end(), [&](const Borne& other) {
+      return other.is_seam() == of.is_seam();
+    });
+    if (same == worst.end())
+      worst.push_back(std::move(of));
+    else if (factor_of(of.basis) < factor_of(same->basis))
+      *same = std::move(of);
+  };
   const Length end = project_->beam.length();
   for (const Side side : {Side::before, Side::behind}) {
     if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
     const Station station{patch.s, side};
     const JudgedBox& judged = box_at(station);
     if (!judged.box) continue;
-    for (Borne& of : ways_at(patch, station, judged, diagram)) {
-      const double factor = factor_of(of.basis);
-      if (worst && factor >= least) continue;
-      least = factor;
-      worst = std::move(of);
-    }
+    const CutForces cut = diagram.at(station);
+    for (Borne& of : ways_at(patch, station, judged, cut)) take(std::move(of));
+    for (Borne& of : seams_at(patch, all, station, judged, cut)) take(std::move(of));
   }
   return worst;
 }
@@ -184,6 +199,7 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) const {
       sum.given = sum.given && other.given;
       sum.opposed = sum.opposed || other.opposed;
       sum.s = 0.5 * (first + other.s);
+      sum.together = true;
       sum.name = sum.name == other.name || sum.name.ends_with(" together")
                      ? patches[i].name + " together"
                      : sum.name + " and " + other.name;
@@ -210,6 +226,11 @@ const PatchSearch::JudgedBox& PatchSearch::box_at(const Station& station) {
     const Section section = judged_section_at(*project_, station);
     of.box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
     of.reduced = reduced_at(station, section, *walls);
+    const auto* const welded = std::get_if<Box>(&section.outer);
+    if (welded != nullptr && welded->seam_throat > Length{}) {
+      for (StressPoint& throat : seam_throats_at(*project_, *zones_, station))
+        of.seams.push_back(std::make_shared<const StressPoint>(std::move(throat)));
+    }
   }
   return boxes_.emplace(key, std::move(of)).first->second;
 }
@@ -228,26 +249,31 @@ std::vector<std::shared_ptr<const ReducedPlate>> PatchSearch::reduced_at(
   return plates;
 }
 
-std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& station,
-                                        const JudgedBox& judged,
-                                        const CutForceDiagram& diagram) const {
+PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWalls& walls) {
   using enum BoxPlate;
-  const FourWalls& walls = judged.box->box();
-  const std::array webs =
-      patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange};
-  const Length high = walls.of(webs[0]).middle, low = walls.of(webs[1]).middle;
+  Shared of{patch.along_z ? std::array{left_web, right_web} : std::array{top_flange, bottom_flange},
+            {}};
+  const Length high = walls.of(of.webs[0]).middle, low = walls.of(of.webs[1]).middle;
   // M_x = y F_z - z F_y.
   const Length at = (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
   const double by_first = ((at - low) / (high - low)).value();
+  of.shares = {by_first, 1.0 - by_first};
+  return of;
+}
+
+std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& station,
+                                        const JudgedBox& judged, const CutForces& cut) const {
+  const FourWalls& walls = judged.box->box();
+  const auto [webs, shares] = shared_by_webs(patch, walls);
   Borne of;
   PatchBasis& basis = of.basis;
   basis.force = abs(patch.force);
   basis.box = judged.box;
-  basis.cut = diagram.at(station);
+  basis.cut = cut;
   basis.corner = judged.box->worst_corner(basis.cut);
   std::vector<Borne> ways;
   for (const std::size_t k : {0U, 1U}) {
-    basis.share = std::abs(k == 0 ? by_first : 1.0 - by_first);
+    basis.share = std::abs(shares[k]);
     of.plate = webs[k];
     if (patch.diaphragm != nullptr) {
       const BearingStiffener stiffener = stiffener_of(walls, webs[k], *patch.diaphragm, station);
@@ -300,14 +326,10 @@ void PatchSearch::bear_by_reduced_stresses(const std::shared_ptr<const ReducedPl
   basis.bears = ReducedWeb{web, plate, onto_high, stress};
 }
 
-std::vector<PatchedWeb> PatchSearch::webs_of(const FourWalls& walls, BoxPlate plate,
-                                             const Patch& patch, const Station& station) const {
-  using enum BoxPlate;
+PatchedWeb PatchSearch::web_of(const FourWalls& walls, BoxPlate plate, BoxPlate by,
+                               const Patch& patch, const Station& station) const {
   const BoxWall& wall = walls.of(plate);
-  // A force along -z pushes onto the top, one along -y onto the left.
-  const bool onto_high = patch.force.value() < 0.0;
-  const BoxWall& flange = patch.along_z ? walls.of(onto_high ? top_flange : bottom_flange)
-                                        : walls.of(onto_high ? left_web : right_web);
+  const BoxWall& flange = walls.of(by);
   PatchedWeb web;
   web.depth = wall.clear();
   web.thickness = wall.thickness;
@@ -318,6 +340,12 @@ std::vector<PatchedWeb> PatchSearch::webs_of(const FourWalls& walls, BoxPlate pl
   web.stiff_length = patch.stiff_length;
   web.length = panel_length_at(project_->beam, station);
   web.entry = patch.opposed ? ForceEntry::both_flanges : ForceEntry::one_flange;
+  return web;
+}
+
+std::vector<PatchedWeb> PatchSearch::webs_of(const FourWalls& walls, BoxPlate plate,
+                                             const Patch& patch, const Station& station) const {
+  PatchedWeb web = web_of(walls, plate, flanges_of(patch).front(), patch, station);
   std::vector<PatchedWeb> ways{web};
   if (const auto to_end = distance_to_end(patch)) {
     // From 2/3 h_w on k_F is that of a force far from the end.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@ struct Patch {
   bool given = true;                     ///< the case says how it comes in
   const Diaphragm* diaphragm = nullptr;  ///< that takes it
   bool opposed = false;                  ///< one of the other sense is near
+  bool together = false;                 ///< several as one
 
   /// The same from instant to instant.
   auto key() const {
@@ -33,10 +35,15 @@ struct Patch {
 
 using PatchKey = decltype(Patch().key());
 
+/// The flanges of a patch: the one that it pushes onto first, then the one that it may pull at.
+std::array<BoxPlate, 2> flanges_of(const Patch& patch);
+
 /// How one of the webs bears a patch.
 struct Borne {
   PatchBasis basis;
   BoxPlate plate = BoxPlate::left_web;
+
+  bool is_seam() const { return std::holds_alternative<PatchedSeam>(basis.bears); }
 };
 
 /// What forces do to the webs that they come into, of the loads of one instant.
@@ -53,9 +60,10 @@ class PatchSearch {
   /// What comes in under these loads.
   std::vector<Patch> patches_of(const BeamLoads& loads);
 
-  /// How a web bears a patch, of all webs and sides the one that is used most; nothing where none
-  /// is judged.
-  std::optional<Borne> worst_of(const Patch& patch, const CutForceDiagram& diagram);
+  /// How webs and how their seams bear a patch among all, of all places and sides the one that is
+  /// used most of both; none of what is not judged.
+  std::vector<Borne> worst_of(const Patch& patch, const std::vector<Patch>& all,
+                              const CutForceDiagram& diagram);
 
   /// On all loads, without the situation's own.
   double factor_of(const PatchBasis& basis) const;
@@ -70,10 +78,11 @@ class PatchSearch {
   };
 
   /// The section of a station by its effective widths and, where these do not judge it, by reduced
-  /// stresses.
+  /// stresses; with its seams where they are fillets.
   struct JudgedBox {
     std::shared_ptr<const EffectiveBox> box;
     std::vector<std::shared_ptr<const ReducedPlate>> reduced;
+    std::vector<std::shared_ptr<const StressPoint>> seams;
   };
 
   std::optional<FourWalls> walls_at(const Station& station) const;
@@ -97,8 +106,26 @@ class PatchSearch {
                                                               const Section& section,
                                                               const FourWalls& walls) const;
 
+  /// Both webs of a patch, and the parts of it that they take, signed.
+  struct Shared {
+    std::array<BoxPlate, 2> webs{};
+    std::array<double, 2> shares{};
+  };
+  static Shared shared_by_webs(const Patch& patch, const FourWalls& walls);
+
   std::vector<Borne> ways_at(const Patch& patch, const Station& station, const JudgedBox& judged,
-                             const CutForceDiagram& diagram) const;
+                             const CutForces& cut) const;
+
+  /// The seams by which a patch comes into the webs, pushing onto the one flange or pulling at the
+  /// other. patched_seams.cpp
+  std::vector<Borne> seams_at(const Patch& patch, const std::vector<Patch>& all,
+                              const Station& station, const JudgedBox& judged,
+                              const CutForces& cut) const;
+  /// What a patch loads of a seam, within the ends of the beam.
+  struct Spread {
+    Length from, to;
+  };
+  Spread spread_of(const Patch& patch, const PatchedWeb& web) const;
 
   /// Of webs that are stressed alike the one there is.
   static std::shared_ptr<const ReducedPlate> reduced_plate_of(const JudgedBox& judged,
@@ -109,7 +136,10 @@ class PatchSearch {
   void bear_by_reduced_stresses(const std::shared_ptr<const ReducedPlate>& plate, PatchedWeb web,
                                 bool onto_high, PatchBasis& basis) const;
 
-  /// A web as a force comes to it, in every way that may be meant.
+  /// A web as a force comes to it by a flange, far from an end.
+  PatchedWeb web_of(const FourWalls& walls, BoxPlate plate, BoxPlate flange, const Patch& patch,
+                    const Station& station) const;
+  /// In every way that may be meant.
   std::vector<PatchedWeb> webs_of(const FourWalls& walls, BoxPlate plate, const Patch& patch,
                                   const Station& station) const;
 

@@ -80,6 +80,8 @@ class Search {
       remedies_.not_searched.emplace_back("what would pass (the stresses are given)");
     } else if (work_of(search_.verification) > most_work) {
       remedies_.not_searched.emplace_back("what would pass (it takes too long)");
+    } else if (check.criterion == Criterion::weld && governing_.patch) {
+      look_at_seams();
     } else if (by_plates) {
       look_at_what_gives_way();
     } else {
@@ -181,8 +183,8 @@ class Search {
   void look_at_seams() {
     Length needed{};
     for (const CheckResult& result : search_.verification.checks) {
-      if (result.basis && result.basis->point.on_throat && result.sufficient_throat)
-        needed = std::max(needed, *result.sufficient_throat);
+      const bool of_seam = result.patch || (result.basis && result.basis->point.on_throat);
+      if (of_seam && result.sufficient_throat) needed = std::max(needed, *result.sufficient_throat);
     }
     const Length throat = in_half_millimetres(needed);
     Project copy = project_;

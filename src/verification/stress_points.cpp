@@ -84,19 +84,28 @@ class StressPoints {
       StressPoint& point = add(place);
       if (!neutral) resist(point);
       point.shear_detail = if_asked(fatigue.shear);
-      if (!place.throat) continue;
-      SectionPoint throat = place;
-      throat.name = place.throat->name;
-      throat.influence = place.throat->influence;
-      StressPoint& on_throat = add(throat);
-      // No stress along the weld counts in it.
-      on_throat.influence.normal = {};
-      on_throat.shear_detail = if_asked(fatigue.throat);
-      on_throat.on_throat = true;
-      on_throat.joined = weakest_to_weld(plates_here(throat.y, throat.z));
-      on_throat.yield = false;
+      if (place.throat) add_throat(place);
     }
     add_stretches();
+  }
+
+  void add_throats() {
+    for (const SectionPoint& place : points_of(field_, set_)) {
+      const bool inner = place.throat && place.throat->name.starts_with("inner");
+      if (place.throat && !inner) add_throat(place);
+    }
+  }
+
+  void add_throat(SectionPoint place) {
+    place.name = place.throat->name;
+    place.influence = place.throat->influence;
+    StressPoint& on_throat = add(place);
+    // No stress along the weld counts in it.
+    on_throat.influence.normal = {};
+    on_throat.shear_detail = if_asked(project_->fatigue.throat);
+    on_throat.on_throat = true;
+    on_throat.joined = weakest_to_weld(plates_here(place.y, place.z));
+    on_throat.yield = false;
   }
 
   void add_stretches() {
@@ -384,6 +393,14 @@ std::vector<StressPoint> stress_points_at(const Project& project,
     if (named.s != station.s) continue;
     gathered.add_named(named);
   }
+  return std::move(gathered.points);
+}
+
+std::vector<StressPoint> seam_throats_at(const Project& project,
+                                         const std::vector<BendingZone>& zones,
+                                         const Station& station) {
+  StressPoints gathered(project, zones, station);
+  gathered.add_throats();
   return std::move(gathered.points);
 }
 

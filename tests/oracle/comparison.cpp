@@ -22,10 +22,16 @@ bool is_unknown(Criterion criterion) {
   return criterion == Criterion::distortion || criterion == Criterion::distortion_fatigue;
 }
 
+/// Nor has it one of forces that come into webs and through their seams.
+bool is_unknown(const CheckResult& result) {
+  return is_unknown(result.check.criterion) || result.patch.has_value();
+}
+
 double reported(const Verification& verification, Criterion criterion) {
   double most = 0.0;
   for (const CheckResult& result : verification.checks) {
-    if (result.check.criterion == criterion) most = std::max(most, result.check.utilisation());
+    if (result.check.criterion == criterion && !is_unknown(result))
+      most = std::max(most, result.check.utilisation());
   }
   return most;
 }
@@ -37,9 +43,8 @@ std::string verdict_against(const Verification& verification, const Findings& fi
       [](const auto& a, const auto& b) { return a.second.utilisation < b.second.utilisation; });
   const double largest = most == findings.worst.end() ? 0.0 : most->second.utilisation;
   const bool fails = std::any_of(
-      verification.checks.begin(), verification.checks.end(), [](const CheckResult& result) {
-        return !is_unknown(result.check.criterion) && !result.check.passes();
-      });
+      verification.checks.begin(), verification.checks.end(),
+      [](const CheckResult& result) { return !is_unknown(result) && !result.check.passes(); });
   if (!fails && largest > 1.0 + allowed) {
     return fmt::format("{}, but {} is used to {:.4f}", to_text(verification.verdict),
                        to_text(most->first), largest);

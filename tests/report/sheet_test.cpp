@@ -423,6 +423,7 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
       case Criterion::stress_range: ends_with("limit", check.resisting); break;
       case Criterion::weld: ends_with("limit", check.resisting); break;
       case Criterion::pin: ends_with("F", check.acting); break;
+      case Criterion::lug_fatigue: ends_with("d_sigma", check.acting); break;
       case Criterion::rod:
         ends_with("N", check.acting);
         ends_with("N_t,Rd", check.resisting);
@@ -446,11 +447,12 @@ TEST_CASE("What acts and what resists stands in the sheet as in the table of che
     }
   });
   // In no shipped case shear and normal stress together are more than either alone, none is judged
-  // by reduced stresses and no beam buckles as a member; their sheets are looked at beside their
-  // checks.
+  // by reduced stresses, no beam buckles as a member and no pin has lugs; their sheets are looked
+  // at beside their checks.
   seen.insert(Criterion::interaction);
   seen.insert(Criterion::reduced_stress);
   seen.insert(Criterion::member);
+  seen.insert(Criterion::lug_fatigue);
   CHECK(seen.size() == criteria.size());
 }
 

@@ -82,20 +82,6 @@ TEST_CASE("internal parts: more compression, a lower limit; class 1 below 2 belo
   }
 }
 
-TEST_CASE("compressed share of the webs: a plastic web balances the axial force") {
-  const Area webs = si<Area>(0.01);
-  const Stress yield = si<Stress>(355e6);
-  for (double share = 0.0; share <= 1.0; share += 0.125) {
-    // f_y on the share in compression, -f_y on the rest.
-    const Force compression = (share - (1.0 - share)) * webs * yield;
-    CAPTURE(share);
-    CHECK(compressed_share_of_webs(compression, webs, yield) == Approx(share).margin(1e-14));
-  }
-  // More than the webs can carry: the flanges carry the rest.
-  CHECK(compressed_share_of_webs(si<Force>(1e8), webs, yield) == 1.0);
-  CHECK(compressed_share_of_webs(si<Force>(-1e8), webs, yield) == 0.0);
-}
-
 TEST_CASE("outstand flanges and round tubes, EN 1993-1-1 table 5.2") {
   check_limits(outstand_flange_limits(1.0), 9.0, 10.0, 14.0);
   check_limits(outstand_flange_limits(0.5), 4.5, 5.0, 7.0);

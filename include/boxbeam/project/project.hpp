@@ -22,6 +22,7 @@
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/hole_concentration.hpp"
+#include "boxbeam/strength/lug.hpp"
 #include "boxbeam/strength/material.hpp"
 #include "boxbeam/strength/pin.hpp"
 
@@ -178,6 +179,15 @@ struct Situation {
   bool is_change() const { return !between.empty() && !in_order; }
 };
 
+/// A plate that a pin pulls at.
+struct LugInput {
+  bool inner = true;  ///< else each of both outer ones
+  Lug plate;
+  Stress yield_strength;
+  BeamDetail detail;        ///< with the stress at the hole over that of the net section
+  bool own_factor = false;  ///< which the case gives; else it is K_t
+};
+
 /// A pin of the mechanism and the plates it bears on.
 struct PinInput {
   std::string name;
@@ -185,6 +195,7 @@ struct PinInput {
   PinJoint geometry;
   PinStrength strength;
   bool replaceable = false;  ///< in service, whose limits it keeps as well
+  std::vector<LugInput> lugs;
   double required = 1.0;
 };
 

@@ -20,15 +20,6 @@ double membrane_concentration(double diameter_to_width);
 /// from Norton, Machine Design, for the out-of-plane bending of a plate with a hole.
 double published_concentration(double diameter_to_width);
 
-/// Largest stress at the edge of a round hole in an infinite plate over the larger principal stress
-/// far away.
-///
-///     K_t = 3 - sigma_2/sigma_1
-///
-/// 3 for one-sided tension, 4 for pure shear, 2 for equal tension in both directions.
-/// `biaxiality` = sigma_2/sigma_1, from -1 to 1. Source: Kirsch (1898), superposed.
-double infinite_plate_concentration(double biaxiality);
-
 /// Stresses of a plate bent in its own plane, with a round hole at mid-depth.
 struct InPlaneBendingStress {
   Stress at_hole;   ///< at the top and the bottom of the hole
@@ -59,9 +50,5 @@ std::optional<InPlaneBendingStress> in_plane_bending_stress(Moment moment, Lengt
 /// TP-3192 +9 % to -2.4 % for d/h from 0.5 to 5.
 std::optional<double> plate_bending_concentration(double diameter_to_thickness,
                                                   double diameter_to_width);
-
-/// Nominal stress of out-of-plane bending on the net section, 6M/[(w-d) h^2]. M acts on the whole
-/// width.
-Stress plate_bending_nominal_stress(Moment moment, Length width, Length thickness, Length diameter);
 
 }  // namespace boxbeam

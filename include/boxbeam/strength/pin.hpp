@@ -27,25 +27,13 @@ struct PinStrength {
   double gamma_M6_ser = 1.0;
 };
 
-/// Bending moment in the pin if the plates press evenly on it.
-///
-///     M_Ed = F (b + 4 c + 2 a)/8
-///
-/// Source: EN 1993-1-8:2005, figure 3.11.
-Moment pin_moment(Force force, const PinJoint& joint);
-
-/// Shear resistance of one plane, 0.6 A f_up/gamma_M2. Source: EN 1993-1-8:2005, table 3.10.
-Force pin_shear_resistance(const PinJoint& joint, const PinStrength& strength);
-
-/// Bending resistance, 1.5 W_el f_yp/gamma_M0, W_el = pi d^3/32. Source: as above.
-Moment pin_bending_resistance(const PinJoint& joint, const PinStrength& strength);
-
-/// Bearing resistance of a plate and the pin, 1.5 t d f_y/gamma_M0, f_y the lower of plate and pin.
-/// Source: as above.
-Force pin_bearing_resistance(Length thickness, Stress plate_yield, const PinJoint& joint,
-                             const PinStrength& strength);
-
 /// Utilisations of a pin joint at its limit state of strength.
+///
+///     F_v,Rd = 0.6 A f_up/gamma_M2 in each plane of shear
+///     F_b,Rd = 1.5 t d f_y/gamma_M0, f_y the lower of plate and pin
+///     M_Ed = F (b + 4 c + 2 a)/8, the plates press evenly;  M_Rd = 1.5 W_el f_yp/gamma_M0
+///
+/// Source: EN 1993-1-8:2005, table 3.10 and figure 3.11.
 struct PinUtilisation {
   double shear = 0.0;          ///< F/2 in each plane
   double bearing_inner = 0.0;  ///< F on the inner plate
@@ -67,6 +55,9 @@ void derive_pin_factor(Derivation& steps, const Traced& force, const PinJoint& j
                        const PinStrength& strength);
 
 /// Utilisations of a pin that is to be replaceable, under the service force.
+///
+///     sigma_h,Ed = 0.591 sqrt(E F (d_0 - d)/(d^2 t)) (Hertz, both of steel, d_0 near d)
+///
 struct ReplaceablePinUtilisation {
   double bearing_inner = 0.0;  ///< against 0.6 t d f_y/gamma_M6,ser
   double bearing_outer = 0.0;
@@ -88,13 +79,5 @@ void derive_replaceable_pin_factor(Derivation& steps, const Traced& service_forc
 ReplaceablePinUtilisation replaceable_pin_utilisation(Force service_force, Stress youngs_modulus,
                                                       const PinJoint& joint,
                                                       const PinStrength& strength);
-
-/// Contact pressure of a pin on the wall of its hole.
-///
-///     sigma_h,Ed = 0.591 sqrt(E F (d_0 - d)/(d^2 t))
-///
-/// Source: EN 1993-1-8:2005, equation 3.15 (Hertz, both of steel, d_0 near d).
-Stress pin_contact_stress(Force force_on_plate, Length thickness, Stress youngs_modulus,
-                          const PinJoint& joint);
 
 }  // namespace boxbeam

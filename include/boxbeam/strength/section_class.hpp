@@ -33,17 +33,6 @@ double epsilon_of(Stress yield_strength);
 /// psi = -1; within 1e-9 both are taken to be there. Source: EN 1993-1-1:2005, table 5.2, sheet 1.
 ClassLimits internal_part_limits(double alpha, double psi, double epsilon);
 
-/// alpha of the webs of a section bent about its axis of symmetry and compressed, fully plastic:
-/// the webs carry the axial force around mid-depth.
-///
-///     alpha = (1 + N/(A_w f_y))/2, at least 0 and at most 1
-///
-/// N    compression positive
-/// A_w  sum of c t of all webs
-///
-/// Source: equilibrium; used with EN 1993-1-1:2005, table 5.2.
-double compressed_share_of_webs(Force compression, Area webs, Stress yield_strength);
-
 /// Limits of c/t of an outstand flange in even compression: 9, 10 and 14 eps.
 /// Source: EN 1993-1-1:2005, table 5.2, sheet 2.
 ClassLimits outstand_flange_limits(double epsilon);

@@ -88,20 +88,4 @@ Value equal_leg_stress(const Value& sigma_w, const Value& tau_par) {
   return sqrt(2.0 * sigma_w * sigma_w + 3.0 * tau_par * tau_par);
 }
 
-/// Utilisation of a fillet weld by the simplified method: the resultant force per length over
-/// f_vw.d a, whatever its direction. Never below the directional method's for
-/// beta_w >= 1/(0.9 sqrt(3)) = 0.642. Source: EN 1993-1-8:2005, 4.5.3.3.
-double simplified_utilisation(const WeldForce& force, Length throat, const WeldStrength& strength);
-
-/// Nominal stresses in the throat for fatigue of its root.
-///
-///     sigma_wf = sqrt(sigma_perp,f^2 + tau_perp,f^2),  tau_wf = tau_par,f
-///
-/// Source: EN 1993-1-9:2005, 5(6) (recalled, not confirmed).
-struct WeldFatigueStress {
-  Stress normal;
-  Stress shear;
-};
-WeldFatigueStress weld_fatigue_stress_of(const ThroatStress& stress);
-
 }  // namespace boxbeam

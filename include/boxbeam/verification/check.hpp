@@ -47,7 +47,8 @@ enum class Criterion {
   distortion,          ///< a box that is racked: its plates stretched along and bent across
   distortion_fatigue,  ///< ranges of the same
   member,              ///< flexural or lateral torsional buckling of the whole beam
-  pin,                 ///< a pin and its bearing
+  pin,                 ///< a pin, its bearing and its lugs
+  lug_fatigue,         ///< ranges at the hole of a lug
   rod,                 ///< a rod under tension
   buckling,            ///< a rod under compression
   deflection,          ///< of the beam
@@ -69,6 +70,7 @@ inline constexpr std::array criteria{Criterion::yield,
                                      Criterion::distortion_fatigue,
                                      Criterion::member,
                                      Criterion::pin,
+                                     Criterion::lug_fatigue,
                                      Criterion::rod,
                                      Criterion::buckling,
                                      Criterion::deflection};

@@ -83,13 +83,24 @@ struct ReducedWeb {
   PanelStress stress;
 };
 
+/// The fillet seam of a web with the flange by which a force comes to it.
+struct PatchedSeam {
+  std::shared_ptr<const StressPoint> point;  ///< its throat
+  BoxPlate flange = BoxPlate::top_flange;    ///< the plate on the other side of it
+  Length loaded;                             ///< of the seam, s_s + 2 t_f
+  Stress beside;  ///< across the throat, of other forces whose spread meets that of this one
+  WeldStrength strength;
+};
+
 /// What the check of a force that comes into a web rests on.
 struct PatchBasis {
-  /// What bears it: the web itself, or with a diaphragm at the place both as a column.
-  std::variant<PatchedWeb, BearingStiffener, ReducedWeb> bears;
+  /// What bears it: the web itself, or with a diaphragm at the place both as a column; and the seam
+  /// that leads it into the web.
+  std::variant<PatchedWeb, BearingStiffener, ReducedWeb, PatchedSeam> bears;
   Force force;         ///< of all that stands so close together, on both webs
   double share = 0.5;  ///< of this web
-  Force resistance;  ///< by reduced stresses that with which, all else in proportion, it is used up
+  /// By reduced stresses and of a seam that with which, all else in proportion, it is used up.
+  Force resistance;
   /// Which the stress of the beam there is by: its effective sections, whole where none buckles.
   std::shared_ptr<const EffectiveBox> box;
   CutForces cut;

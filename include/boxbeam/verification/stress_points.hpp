@@ -100,4 +100,9 @@ std::vector<StressPoint> stress_points_at(const Project& project,
                                           const std::vector<BendingZone>& zones,
                                           const Station& station);
 
+/// Of these the throats of the seams of its outer profile.
+std::vector<StressPoint> seam_throats_at(const Project& project,
+                                         const std::vector<BendingZone>& zones,
+                                         const Station& station);
+
 }  // namespace boxbeam

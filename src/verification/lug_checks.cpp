@@ -1,0 +1,242 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "boxbeam/fatigue/range_limit.hpp"
+#include "boxbeam/mechanism/planar/motion.hpp"
+#include "boxbeam/mechanism/planar/reactions.hpp"
+#include "boxbeam/numerics/extremum.hpp"
+#include "boxbeam/verification/life_cycles.hpp"
+#include "boxbeam/verification/peak_over_time.hpp"
+#include "channel_life.hpp"
+#include "neighbour_parts.hpp"
+#include "turning_samples.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// The force of a joint in one situation, in the axes of one of its bodies.
+class TurningForce {
+ public:
+  TurningForce(const Project& project, const SituationRun& run, int joint, int body)
+      : mechanism_(&planar_in(project, *run.situation)),
+        motion_(&planar_motion_of(run)),
+        finder_(*mechanism_, *motion_),
+        span_(sampled_time_of(run.loads)),
+        joint_(joint),
+        body_(body) {
+    for (const SampledInstant& instant : span_.instants) samples_.push_back(force_at(instant.at));
+  }
+
+  /// The turning points of its component along a direction, as stresses by a factor.
+  SituationTurns turns_along(const Eigen::Vector2d& way, double factor) {
+    std::vector<double> values;
+    for (const Eigen::Vector2d& force : samples_) values.push_back(factor * way.dot(force));
+    const TurningSamples found = turning_samples_of(values);
+    SituationTurns turns{{}, values.front(), motion_->closed ? values.front() : values.back()};
+    for (const auto& [sample, maximum] : found.turns) {
+      const double sign = maximum ? 1.0 : -1.0;
+      const SampledInstant& at = span_.instants[sample];
+      Extremum best{at.at, sign * values[sample]};
+      if (at.to > at.from) {
+        const Extremum between =
+            find_maximum([&](double time) { return sign * factor * way.dot(force_at(time)); },
+                         at.from, at.to, 14);
+        if (between.value > best.value) best = between;
+      }
+      turns.turns.push_back({si<Time>(within(best.at)), sign * best.value, maximum});
+    }
+    if (turns.turns.empty())
+      turns.turns.push_back(
+          {si<Time>(span_.instants[found.highest].at), values[found.highest], true});
+    std::sort(turns.turns.begin(), turns.turns.end(),
+              [](const TurningPoint& a, const TurningPoint& b) { return a.time < b.time; });
+    return turns;
+  }
+
+ private:
+  double within(double time) const {
+    if (time < span_.begin) return time + span_.period;
+    return time > span_.begin + span_.period ? time - span_.period : time;
+  }
+
+  Eigen::Vector2d force_at(double time) {
+    const double end = span_.begin + span_.period;
+    const planar::State state =
+        finder_.at(motion_->closed ? time : std::clamp(time, span_.begin, end));
+    const double angle = body_ == planar::ground ? 0.0 : state.q[3 * body_ + 2];
+    for (const planar::Reaction& reaction : planar::reactions_of(*mechanism_, state)) {
+      if (reaction.joint == joint_) return Eigen::Rotation2Dd(-angle) * reaction.force;
+    }
+    return Eigen::Vector2d::Zero();
+  }
+
+  const planar::Mechanism* mechanism_;
+  const planar::Motion* motion_;
+  planar::StateFinder finder_;
+  SampledTime span_;
+  int joint_, body_;
+  std::vector<Eigen::Vector2d> samples_;
+};
+
+/// What the components of a force along a direction do to a lug.
+struct AlongDirection {
+  double angle = 0.0;
+  std::string in;
+  LifeChannel channel;
+  ChannelLife life;
+  Turns turns;
+  double largest = 0.0;                  ///< range of any situation with cycles [Pa]
+  std::size_t of_largest = 0;            ///< that situation
+  double by_life = 0.0, by_range = 0.0;  ///< uses
+
+  double use() const { return std::max(by_life, by_range); }
+};
+
+/// A lug under the forces of its pin's joint.
+class LugLife {
+ public:
+  LugLife(const Project& project, const std::deque<SituationRun>& runs, const PinInput& pin,
+          const LugInput& lug)
+      : project_(&project), lug_(&lug), pin_(&pin) {
+    stress_per_force_ = share_of(lug) * lug.detail.stress_factor / lug_net_area(lug.plate).value();
+    const auto [a, b] =
+        planar::ends_of(planar_of(project).joints[static_cast<std::size_t>(pin.joint)]);
+    for (const int body : {a.body, b.body}) {
+      Frame& frame = frames_.emplace_back();
+      frame.name = body == planar::ground
+                       ? "the ground"
+                       : planar_of(project).bodies[static_cast<std::size_t>(body)].name;
+      for (const SituationRun& run : runs) {
+        frame.runs.emplace_back(index_of(project, *run.situation),
+                                TurningForce(project, run, pin.joint, body));
+      }
+    }
+  }
+
+  /// The direction in which it is used most; a largest range of zero where nothing changes.
+  AlongDirection worst() {
+    constexpr int directions = 36;
+    constexpr double step = std::numbers::pi / directions;
+    AlongDirection worst;
+    Frame* in = nullptr;
+    for (Frame& frame : frames_) {
+      for (int i = 0; i < directions; ++i) {
+        AlongDirection at = along(frame, i * step);
+        if (in != nullptr && at.use() <= worst.use()) continue;
+        worst = std::move(at);
+        in = &frame;
+      }
+    }
+    const Extremum between = find_maximum([&](double angle) { return along(*in, angle).use(); },
+                                          worst.angle - step, worst.angle + step, 10);
+    if (between.value > worst.use()) worst = along(*in, between.at);
+    return worst;
+  }
+
+  NeighbourResult result_of(const AlongDirection& of) const {
+    const bool by_range = of.by_range > of.by_life;
+    const std::size_t situation = by_range ? of.of_largest : of.life.governing;
+    const auto [highest, lowest] = extremes_in(*project_, situation, of.turns);
+    const Extreme& larger = std::abs(highest.value) >= std::abs(lowest.value) ? highest : lowest;
+    const double angle = of.angle < 0.0 ? of.angle + std::numbers::pi : of.angle;
+    TiredLug tired{lug_, share_of(*lug_), {}, angle, of.in, {}, {}};
+    tired.range = si<Force>((highest.value - lowest.value) / stress_per_force_);
+    NeighbourResult result{
+        check_begun(Criterion::lug_fatigue, name_of(*pin_, *lug_), *project_, larger), {}};
+    Check& check = result.check;
+    check.situation = project_->situations[situation].name;
+    const Stress range = si<Stress>(highest.value - lowest.value);
+    tired.life.point.detail = &lug_->detail;
+    tired.life.stress_factor = lug_->detail.stress_factor;
+    tired.life.highest = highest;
+    tired.life.lowest = lowest;
+    take_life(*project_, {of.channel}, of.life, check, tired.life);
+    check.acting = range;
+    check.resisting = Stress(check.safety_factor * range);
+    if (by_range) {
+      tired.limit = limit();
+      check.required = 1.0;
+      check.safety_factor = 1.0 / of.by_range;
+      check.resisting = *tired.limit;
+      check.source = "EN 1993-1-9:2005+AC:2009, 8(1), equation 8.1";
+    }
+    result.basis = std::move(tired);
+    return result;
+  }
+
+ private:
+  struct Frame {
+    std::string name;
+    std::vector<std::pair<std::size_t, TurningForce>> runs;
+  };
+
+  AlongDirection along(Frame& frame, double angle) {
+    AlongDirection of;
+    of.angle = angle;
+    of.in = frame.name;
+    of.turns.resize(project_->situations.size());
+    const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+    for (auto& [situation, force] : frame.runs)
+      of.turns[situation] = force.turns_along(way, stress_per_force_);
+    of.channel.curve = curve_of(lug_->detail.detail);
+    for (const SituationCycles& cycles : life_cycles_of(*project_, of.turns, false)) {
+      for (SpectrumRow& row :
+           rows_of(project_->situations[cycles.situation].name, StressKind::direct, cycles.cycles))
+        of.channel.spectrum.push_back(std::move(row));
+      const auto [highest, lowest] = extremes_in(*project_, cycles.situation, of.turns);
+      const double range = highest.value - lowest.value;
+      if (range <= of.largest) continue;
+      of.largest = range;
+      of.of_largest = cycles.situation;
+    }
+    // As small as no stress is one (`no_stress_at`).
+    if (of.largest < 1e-6 * lug_->yield_strength.value()) return of;
+    of.life = life_of(*project_, {of.channel});
+    of.by_life = project_->fatigue.required / of.life.factor;
+    of.by_range = project_->fatigue.demand.gamma_Ff * of.largest / limit().value();
+    return of;
+  }
+
+  Stress limit() const {
+    constexpr NoDerivation plainly;
+    return range_limit(plainly, lug_->yield_strength, StressKind::direct);
+  }
+
+  const Project* project_;
+  const LugInput* lug_;
+  const PinInput* pin_;
+  double stress_per_force_ = 0.0;  ///< of the pin [1/m^2]
+  std::vector<Frame> frames_;
+};
+
+}  // namespace
+
+std::string name_of(const PinInput& pin, const LugInput& lug) {
+  return pin.name + (lug.inner ? " inner plate" : " outer plates");
+}
+
+double share_of(const LugInput& lug) { return lug.inner ? 1.0 : 0.5; }
+
+NeighbourChecks check_lugs(const Project& project, const std::deque<SituationRun>& runs) {
+  NeighbourChecks checks;
+  if (!project.fatigue.asked) return checks;
+  for (const PinInput& pin : project.pins) {
+    if (pin.lugs.empty()) continue;
+    check_unique(project, runs, pin.joint, "pin " + pin.name);
+    for (const LugInput& lug : pin.lugs) {
+      LugLife life(project, runs, pin, lug);
+      const AlongDirection worst = life.worst();
+      if (worst.use() > 0.0)
+        checks.results.push_back(life.result_of(worst));
+      else
+        checks.not_judged.push_back(
+            {Criterion::lug_fatigue, "fatigue of " + name_of(pin, lug), "no stress range"});
+    }
+  }
+  return checks;
+}
+
+}  // namespace boxbeam

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/strength/weld_throat.hpp"
+#include "patch_search.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// Whether a throat is that of the seam of two plates that meet in a corner.
+bool joins(const StressPoint& throat, BoxPlate a, BoxPlate b) {
+  using enum BoxPlate;
+  const auto is_of = [&](BoxPlate plate) { return a == plate || b == plate; };
+  return is_of(throat.z.value() > 0.0 ? top_flange : bottom_flange) &&
+         is_of(throat.y.value() > 0.0 ? left_web : right_web);
+}
+
+/// How much a throat is used by forces per length, of legs alike.
+double use_of(Stress across, Stress along, Length throat, const WeldStrength& strength) {
+  const WeldForce force{across * throat, {}, along * throat};
+  return directional_utilisation(throat_stress_of(force, throat), strength).largest();
+}
+
+}  // namespace
+
+PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb& web) const {
+  const Length half = 0.5 * loaded_length_of(web);
+  return {std::max(Length{}, Length(patch.s - half)),
+          std::min(project_->beam.length(), Length(patch.s + half))};
+}
+
+std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<Patch>& all,
+                                         const Station& station, const JudgedBox& judged,
+                                         const CutForces& cut) const {
+  // What a diaphragm takes goes through its own welds; several are judged where they meet.
+  std::vector<Borne> ways;
+  if (judged.seams.empty() || patch.diaphragm != nullptr || patch.together) return ways;
+  const FourWalls& walls = judged.box->box();
+  const auto [webs, shares] = shared_by_webs(patch, walls);
+  Borne of;
+  PatchBasis& basis = of.basis;
+  basis.force = abs(patch.force);
+  basis.box = judged.box;
+  basis.cut = cut;
+  for (const std::size_t k : {0U, 1U}) {
+    basis.share = std::abs(shares[k]);
+    if (!(basis.share > 0.0)) continue;
+    of.plate = webs[k];
+    for (const BoxPlate flange : flanges_of(patch)) {
+      const auto throat = std::find_if(judged.seams.begin(), judged.seams.end(),
+                                       [&](const auto& at) { return joins(*at, webs[k], flange); });
+      if (throat == judged.seams.end()) continue;
+      const PlateOf& joined = (*throat)->joined;
+      const auto tensile = tensile_strength_of(*joined.material, joined.thickness);
+      if (!tensile) continue;
+      const Length a = seam_throat_of(**throat);
+      const auto spread = [&](const Patch& at) {
+        return spread_of(at, web_of(walls, webs[k], flange, at, station));
+      };
+      const Spread own = spread(patch);
+      PatchedSeam seam{*throat,
+                       flange,
+                       own.to - own.from,
+                       {},
+                       {*tensile, joined.material->beta_w, project_->strength.gamma_M2}};
+      for (const Patch& other : all) {
+        const bool alike = other.along_z == patch.along_z && other.diaphragm == nullptr &&
+                           (other.force > Force{}) == (patch.force > Force{});
+        if (&other == &patch || other.together || !alike) continue;
+        const Spread its = spread(other);
+        if (!(its.from < own.to && its.to > own.from)) continue;
+        seam.beside += std::abs(shared_by_webs(other, walls).shares[k]) * abs(other.force) /
+                       ((its.to - its.from) * a);
+      }
+      const Force acting = basis.share * basis.force;
+      const Stress across = acting / (seam.loaded * a) + seam.beside;
+      const Stress along = stress_at((*throat)->influence, cut).shear;
+      basis.resistance = acting / use_of(across, along, a, seam.strength);
+      basis.bears = std::move(seam);
+      ways.push_back(of);
+    }
+  }
+  return ways;
+}
+
+}  // namespace boxbeam
