@@ -20,12 +20,19 @@ struct WorstPatch {
   double use = 0.0;
 };
 
+/// A force that comes into a slender path, where it is largest.
+struct PathForce {
+  Length s;
+  Force size;
+  bool open = false;  ///< without a diaphragm that takes it
+};
+
 /// Looks at one run.
 class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<PatchKey, WorstPatch>& worst)
-      : project_(&project), search_(&search), run_(&run), worst_(&worst) {}
+           std::map<PatchKey, WorstPatch>& worst, std::map<std::string, PathForce>& on_paths)
+      : project_(&project), search_(&search), run_(&run), worst_(&worst), on_paths_(&on_paths) {}
 
   void look() {
     const LoadHistory& history = run_->loads;
@@ -54,6 +61,7 @@ class PatchRun {
                                      const CutForceDiagram& diagram) {
     std::map<PatchKey, double> uses;
     for (const Patch& patch : search_->patches_of(loads)) {
+      note_on_path(patch);
       std::optional<Borne> borne = search_->worst_of(patch, diagram);
       if (!borne) continue;
       const double load_factor = run_->situation->load_factor;
@@ -67,6 +75,14 @@ class PatchRun {
       worst = {patch, std::move(*borne), run_, time, use};
     }
     return uses;
+  }
+
+  void note_on_path(const Patch& patch) {
+    if (!search_->bears_on_path(patch)) return;
+    const Force size = run_->situation->load_factor * abs(patch.force);
+    PathForce& most = (*on_paths_)[patch.name];
+    if (!(size > most.size)) return;
+    most = {patch.s, size, search_->comes_into_path(patch) || most.open};
   }
 
   std::map<PatchKey, double> look_at(Time time) {
@@ -137,6 +153,7 @@ class PatchRun {
   PatchSearch* search_;
   const SituationRun* run_;
   std::map<PatchKey, WorstPatch>* worst_;
+  std::map<std::string, PathForce>* on_paths_;
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
@@ -197,6 +214,21 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
           true};
 }
 
+Gate gate_of(const Project& project, const std::string& name, const PathForce& of) {
+  const std::size_t segment = segment_at(project.beam, {of.s, Side::both});
+  const std::string what =
+      fmt::format("at s = {:.4g} m \"{}\", {:.4g} kN, comes into walls of a path that may buckle",
+                  of.s.value(), name, 1e-3 * of.size.value());
+  return {project.beam.segments[segment].name, "",
+          of.open ? what +
+                        ": what they bear of it is not judged (EN 1993-1-5, clause 6); "
+                        "[[beam.diaphragms]] say what takes it"
+                  : what +
+                        " where a diaphragm is taken to bear it, which is not judged (EN "
+                        "1993-1-5, 9.4)",
+          of.open};
+}
+
 }  // namespace
 
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
@@ -206,7 +238,9 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   if (!search.has_something_to_do()) return found;
   std::map<PatchKey, WorstPatch> worst;
   for (const SituationRun& run : runs) search.learn_clamps(run);
-  for (const SituationRun& run : runs) PatchRun(project, search, run, worst).look();
+  std::map<std::string, PathForce> on_paths;
+  for (const SituationRun& run : runs) PatchRun(project, search, run, worst, on_paths).look();
+  for (const auto& [name, force] : on_paths) found.gates.push_back(gate_of(project, name, force));
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   const auto add = [&](CheckResult result) {

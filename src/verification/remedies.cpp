@@ -148,7 +148,7 @@ class Search {
     const Criterion criterion = governing_.check.criterion;
     const bool by_strength = criterion == Criterion::yield || criterion == Criterion::stress_range;
     const bool by_throat = criterion == Criterion::weld;
-    const bool by_buckling = governing_.plates.has_value() || governing_.patch.has_value();
+    const bool by_buckling = governing_.plates || governing_.path || governing_.patch;
     const bool by_distortion = governing_.distortion.has_value();
     if (!is_by_fatigue(criterion) && !by_strength && !by_throat && !by_buckling && !by_distortion)
       return std::move(remedies_);

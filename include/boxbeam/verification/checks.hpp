@@ -8,6 +8,7 @@
 
 #include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/strength/member_buckling.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/strength/reduced_stress.hpp"
@@ -75,6 +76,18 @@ struct PlateBasis {
   double load_factor = 1.0;
 };
 
+struct SlenderPath;
+struct ShearedWall;
+
+/// What the check of a path whose plates buckle rests on.
+struct PathBasis {
+  std::shared_ptr<const SlenderPath> path;
+  const ShearedWall* wall = nullptr;  ///< of it; nothing of the section
+  CutForces cut;                      ///< at the check's instant
+  PathUse use;                        ///< of the place used most then
+  double load_factor = 1.0;
+};
+
 /// A web under a force and all else that acts on it, by reduced stresses.
 struct ReducedWeb {
   PatchedWeb web;  ///< by which the force alone would buckle it
@@ -130,6 +143,7 @@ struct CheckResult {
   std::optional<GivenBasis> given = {};
   std::optional<DeflectionBasis> deflection = {};
   std::optional<PlateBasis> plates = {};
+  std::optional<PathBasis> path = {};
   std::optional<PatchBasis> patch = {};
   std::optional<DistortionBasis> distortion = {};
   std::optional<MemberBasis> member = {};
