@@ -116,6 +116,14 @@ TEST_CASE("a rib does not make two plates of one, a web does", "[plates]") {
   add_wall(trough, c, d, 6.0);
   add_wall(trough, d, b, 6.0);
   CHECK(widest(trough) == Approx(0.98));
+  // A T rib as deep as most of the flange beside it does not halve the web of an I either.
+  ThinWalled girder = split(i_section(300.0, 20.0, 1200.0, 10.0), 4, 0.5);
+  const std::size_t foot = girder.nodes.size() - 1;
+  const std::size_t tip = add_node(girder, mm_place(100.0, 0.0));
+  add_wall(girder, foot, tip, 10.0);
+  add_wall(girder, tip, add_node(girder, mm_place(100.0, 40.0)), 10.0);
+  add_wall(girder, tip, add_node(girder, mm_place(100.0, -40.0)), 10.0);
+  CHECK(widest(girder) == Approx(1.2));
   // A middle web from flange to flange halves both.
   ThinWalled cells = box;
   const std::size_t e = split_at(cells, top_left, top_right, mm_place(0.0, 295.0));
