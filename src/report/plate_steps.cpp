@@ -169,7 +169,14 @@ Steps path_steps(const Project& project, const CheckResult& result) {
   const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
   const ShearSteps shear = derive_shear(steps, project, result.check, basis, *basis.wall);
   const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
-  derive_interaction_factor(steps, eta_1, eta_3);
+  const double gamma_M0 = project.strength.gamma_M0;
+  WebInteraction of = interaction_of(*basis.path, *basis.wall, basis.use, basis.cut, gamma_M0);
+  of.factor /= basis.load_factor;
+  if (!basis.path->plastic || !(of.share > 0.0))
+    derive_interaction_factor(steps, eta_1, eta_3);
+  else
+    derive_web_interaction(steps, *basis.path->plastic, of, basis.cut, basis.load_factor * gamma_M0,
+                           eta_1, eta_3);
   return steps_of(steps);
 }
 

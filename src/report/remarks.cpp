@@ -122,8 +122,11 @@ void add_slender_plates(const Project& project, const Verification& verification
         "paths with walls beyond class 3 are judged by effective widths under N, M_y and M_z, each "
         "by the section where it acts alone, step by step until that stays (EN 1993-1-5, clause "
         "4), "
-        "in shear (clause 5) without the flanges' part, and by both together as 7.1(5) has it; " +
-        panels);
+        "in shear (clause 5) without the flanges' part, and by both together (7.1); " +
+        panels +
+        (project.strength.effective_widths == WidthRule::at_yield
+             ? ""
+             : "; at yield, whatever [strength] effective_widths asks for, on the safe side"));
   }
   if (judged_by(PlateRoute::reduced_stresses)) {
     remarks.push_back(

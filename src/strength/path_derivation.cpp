@@ -57,10 +57,11 @@ void derive_plates(Derivation& steps, const PathSection& path, const PathAlone& 
     });
     const Traced t = steps.given("t", plate.thickness);
     const bool tip = plate.outstand() && (of.psi == 1.0 || of.more_at_high != plate.held_at_high());
-    const Traced psi = steps.given("psi", of.psi, {ValueKind::number},
-                                   !plate.outstand() ? ""
-                                   : tip             ? "compressed most at its free edge"
-                                                     : "compressed most where it is held");
+    const char* const how = of.psi == 1.0       ? "evenly compressed"
+                            : !plate.outstand() ? "of what is left, found step by step"
+                            : tip ? "of what is left, compressed most at its free edge"
+                                  : "of what is left, compressed most where it is held";
+    const Traced psi = steps.given("psi", of.psi, {ValueKind::number}, how);
     const Traced epsilon = plate::epsilon(steps, steps.known("f_y", plate.class_strength));
     const Traced k_sigma = steps.given("k_sigma", of.width.k_sigma, {ValueKind::number},
                                        plate.outstand() ? "table 4.2" : "table 4.1");

@@ -21,18 +21,22 @@ const ThinWalled* path_in(const Section& section) {
   return section.inner ? nullptr : std::get_if<ThinWalled>(&section.outer);
 }
 
-/// The plates of both ends of a segment, between which c/t has its largest value at one of them.
-std::vector<PathPlate> plates_of_ends(const Project& project, const Station& station) {
+/// The plates of both ends of a segment, between which c/t has its largest value at one of them,
+/// and in a taper of the station itself, at which others may hold each other.
+std::vector<PathPlate> plates_around(const Project& project, const Station& station) {
   const std::size_t index = segment_at(project.beam, station);
   const Segment& segment = project.beam.segments[index];
   std::vector<PathPlate> plates;
-  for (const Section* section : {&segment.from, &segment.to}) {
-    const ThinWalled* const path = path_in(*section);
-    if (path == nullptr) return {};
+  const auto add = [&](const Section& section) {
+    const ThinWalled* const path = path_in(section);
+    if (path == nullptr) return;
     for (PathPlate& plate : plates_of(*path, materials_of(project, index)))
       plates.push_back(std::move(plate));
-    if (segment.from == segment.to) break;
-  }
+  };
+  add(segment.from);
+  if (segment.from == segment.to) return plates;
+  add(segment.to);
+  add(judged_section_at(project, station));
   return plates;
 }
 
@@ -110,9 +114,8 @@ class StationPath {
         add(Criterion::shear_buckling,
             worst([&](const CutForces& cut) { return shear_use_of(wall, cut); }), &wall);
       }
-      const WorstInstant of = worst([&](const CutForces& cut) {
-        return use_together(*project_, wall, path_->section.worst_place(cut), cut);
-      });
+      const WorstInstant of =
+          worst([&](const CutForces& cut) { return together_under(wall, cut).use; });
       if (in_wall != nullptr && of.use <= together.use) continue;
       together = of;
       in_wall = &wall;
@@ -122,6 +125,11 @@ class StationPath {
   }
 
  private:
+  WebInteraction together_under(const ShearedWall& wall, const CutForces& cut) const {
+    return interaction_of(*path_, wall, path_->section.worst_place(cut), cut,
+                          project_->strength.gamma_M0);
+  }
+
   double normal(const CutForces& cut) const {
     return project_->strength.gamma_M0 * path_->section.use(cut);
   }
@@ -160,7 +168,9 @@ class StationPath {
     } else {
       check.resisting = 1.0;
       check.acting = worst.use;
-      check.source = "EN 1993-1-5:2006, 7.1(5), equation 7.1";
+      check.source = together_under(*wall, basis.cut).share > 0.0
+                         ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
+                         : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
     }
     results_.push_back(std::move(result));
   }
@@ -178,14 +188,22 @@ double shear_use_of(const ShearedWall& wall, const CutForces& cut) {
   return wall.force_of(cut) / wall.resists.resistance;
 }
 
-double use_together(const Project& project, const ShearedWall& wall, const PathUse& normal,
-                    const CutForces& cut) {
-  return 1.0 / interaction_factor(project.strength.gamma_M0 * normal.use, shear_use_of(wall, cut));
+WebInteraction interaction_of(const SlenderPath& path, const ShearedWall& wall,
+                              const PathUse& normal, const CutForces& cut, double gamma_M0) {
+  const double eta_1 = gamma_M0 * normal.use, eta_3 = shear_use_of(wall, cut);
+  const std::vector<PathPlate>& plates = path.section.path().plates;
+  const bool web =
+      path.plastic && std::any_of(plates.begin(), plates.end(), [&](const PathPlate& of) {
+        return of.name == wall.name && std::abs(of.direction.x()) <= 1e-9;
+      });
+  if (web) return path.plastic->web_under(cut, normal, gamma_M0, eta_1, eta_3);
+  const double factor = interaction_factor(eta_1, eta_3);
+  return {1.0 / factor, 0.0, factor, normal.M_y};
 }
 
 std::string path_obstacle(const Project& project, const Station& station) {
   const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
-  const std::vector<PathPlate> ends = plates_of_ends(project, station);
+  const std::vector<PathPlate> ends = plates_around(project, station);
   if (ends.empty()) return "a profile inside another shares its buckling";
   for (const PathPlate& plate : ends) {
     const std::string why = may_buckle(plate) ? width_obstacle(plate) : "";
@@ -204,11 +222,12 @@ std::string path_obstacle(const Project& project, const Station& station) {
 }
 
 std::shared_ptr<const SlenderPath> slender_path_at(const Project& project, const Station& station) {
-  const std::vector<PathPlate> ends = plates_of_ends(project, station);
+  const std::vector<PathPlate> ends = plates_around(project, station);
   if (!is_slender(ends) || !path_obstacle(project, station).empty()) return nullptr;
   const Section section = judged_section_at(project, station);
   const PathSection path = *judged_path_at(project, station);
-  auto of = std::make_shared<SlenderPath>(SlenderPath{EffectivePath(path), {}, {}});
+  auto of = std::make_shared<SlenderPath>(SlenderPath{EffectivePath(path), {}, {}, {}});
+  of->plastic = PlasticBox::of_path(of->section);
   const Taper taper = taper_at(project.beam, station);
   of->sheared = sheared_walls_of(*path_in(section), path, taper, false);
   of->outstands = sheared_walls_of(*path_in(section), path, taper, true);
@@ -246,7 +265,9 @@ Utilisations path_uses_of(const Project& project, const SlenderPath& path,
            [&](const CutForces& cut) { return shear_use_of(wall, cut); });
     }
     look(Criterion::interaction, [&](const CutForces& cut) {
-      return use_together(project, wall, path.section.worst_place(cut), cut);
+      return interaction_of(path, wall, path.section.worst_place(cut), cut,
+                            project.strength.gamma_M0)
+          .use;
     });
   }
   return found;
