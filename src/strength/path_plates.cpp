@@ -296,33 +296,51 @@ class PathWalls {
     }
   }
 
-  /// The one plate that stands at an end, or nothing where none or more do.
-  const PathPlate* neighbour_of(const std::vector<PathPlate>& plates, const PathPlate& plate,
-                                std::size_t end) const {
+  /// What stands at an end of a plate: plates that end there, too, and whether one passes through.
+  struct AtEnd {
+    std::vector<const PathPlate*> plates;
+    bool passes = false;
+
+    /// Nothing but outstands that end there.
+    bool outstands() const {
+      return !passes && std::all_of(plates.begin(), plates.end(),
+                                    [](const PathPlate* of) { return of->outstand(); });
+    }
+  };
+  AtEnd at_end(const std::vector<PathPlate>& plates, const PathPlate& plate,
+               std::size_t end) const {
     const std::size_t node = plate.nodes[end];
-    if (ends_[node].size() != 2) return nullptr;
-    const auto found = std::find_if(plates.begin(), plates.end(), [&](const PathPlate& of) {
-      return &of != &plate && (of.nodes[0] == node || of.nodes[1] == node);
-    });
-    return found == plates.end() ? nullptr : &*found;
+    AtEnd at;
+    for (const PathPlate& of : plates) {
+      if (&of == &plate) continue;
+      const bool meets = std::any_of(of.parts.begin(), of.parts.end(), [&](const auto& part) {
+        return graph_.walls[part.wall].from == node || graph_.walls[part.wall].to == node;
+      });
+      if (of.nodes[0] == node || of.nodes[1] == node)
+        at.plates.push_back(&of);
+      else if (meets)
+        at.passes = true;
+    }
+    return at;
   }
 
   PlateEnd end_of(const std::vector<PathPlate>& plates, const PathPlate& plate,
                   std::size_t end) const {
-    const PathPlate* const lip = neighbour_of(plates, plate, end);
-    // A stub that ends within the wall that it stands on holds nothing.
-    if (lip == nullptr)
-      return ends_[plate.nodes[end]].size() == 2 ? PlateEnd::weak : PlateEnd::held;
-    if (!lip->outstand()) return PlateEnd::held;
-    const PathPlate* const opposite = neighbour_of(plates, plate, 1 - end);
-    const bool otherwise =
-        plate.ends[1 - end] > PlateEnd::weak && (opposite == nullptr || !opposite->outstand());
+    const AtEnd here = at_end(plates, plate, end), opposite = at_end(plates, plate, 1 - end);
+    // Only a stub within the wall that it stands on.
+    if (!here.passes && here.plates.empty()) return PlateEnd::weak;
+    if (!here.outstands()) return PlateEnd::held;
+    if (!holds(here.plates, plate)) return PlateEnd::weak;
+    if (here.plates.size() > 1) return PlateEnd::held;
+    const bool otherwise = plate.ends[1 - end] > PlateEnd::weak &&
+                           (opposite.plates.size() > 1 || !opposite.outstands());
     constexpr double least_lip = 0.2;
-    if (otherwise && lip->clear() < least_lip * plate.clear()) return PlateEnd::weak;
-    return holds(*lip, plate) ? PlateEnd::lip : PlateEnd::weak;
+    const bool narrow = here.plates.front()->clear() < least_lip * plate.clear();
+    return otherwise && narrow ? PlateEnd::weak : PlateEnd::lip;
   }
 
-  static bool holds(const PathPlate& lip, const PathPlate& plate) {
+  /// Outstands at one end of a plate, as one edge stiffener of all their widths.
+  static bool holds(const std::vector<const PathPlate*>& outstands, const PathPlate& plate) {
     if (!(plate.class_strength > Stress{})) return false;
     const double S = 1.28 * std::sqrt((stiffened::youngs_modulus / plate.class_strength).value());
     const double t = plate.thickness.value();
@@ -331,8 +349,15 @@ class PathWalls {
     if (slender <= needs_none) return true;
     const double wanted =
         std::pow(t, 4) * std::min(399.0 * std::pow(slender - needs_none, 3), 115.0 * slender + 5.0);
-    const double sine = cross(plate.direction, lip.direction);
-    return std::pow(lip.clear().value(), 3) * lip.thickness.value() * sine * sine / 12.0 >= wanted;
+    double width = 0.0, thinnest = std::numeric_limits<double>::infinity();
+    for (const PathPlate* const of : outstands) {
+      const double sine = std::abs(cross(plate.direction, of->direction));
+      // Whatever lies in the plate's own line does not stiffen it.
+      if (sine < 1e-6) continue;
+      width += of->clear().value() * std::pow(sine, 2.0 / 3.0);
+      thinnest = std::min(thinnest, of->thickness.value());
+    }
+    return width > 0.0 && std::pow(width, 3) * thinnest / 12.0 >= wanted;
   }
 
   WallGraph graph_;

@@ -161,6 +161,18 @@ TEST_CASE("the web of a channel is internal by its flanges, not by edges that ar
   // I_a = 4096 (115 (1188/8)/31.13 + 5) = 2.27e6 mm^4, I_s = 12 c^3/12: c from 131 mm on.
   CHECK(!named(plates(channel(1200.0, 139.0, 8.0, 12.0)), "wall 2").outstand());
   CHECK(named(plates(channel(1200.0, 134.0, 8.0, 12.0)), "wall 2").outstand());
+  // Walls that reach to the outer faces at the corners change nothing of that.
+  ThinWalled square = channel(1200.0, 134.0, 8.0, 12.0);
+  square.walls[0].trim_to = square.walls[2].trim_from = mm(-4.0);
+  CHECK(named(plates(square), "wall 2").outstand());
+}
+
+TEST_CASE("flanges that are mere beads do not hold the web of an I", "[plates]") {
+  // As of the channel above: together 2 c >= 131 mm.
+  CHECK(!named(plates(i_section(142.0, 12.0, 1188.0, 8.0)), "wall 5").outstand());
+  const PathPlate web = named(plates(i_section(132.0, 12.0, 1188.0, 8.0)), "wall 5");
+  CHECK(web.outstand());
+  CHECK(width_obstacle(web).find("too weak") != std::string::npos);
 }
 
 TEST_CASE("a flange with a lip is internal up to class 3 and has no effective width", "[plates]") {
