@@ -81,16 +81,14 @@ std::optional<PlasticBox> PlasticBox::of_path(const EffectivePath& path) {
   const AreaSums& gross = section.gross;
   const double centroid = gross.z / gross.area, length = std::sqrt(gross.area);
   const auto same = [&](double a, double b) { return std::abs(a - b) < 1e-9 * length; };
-  const auto ends_of = [](const PathPlate& plate) {
-    return std::minmax(plate.at(plate.low).y(), plate.at(plate.high).y());
-  };
   PlasticBox of;
   of.centroid_ = si<Length>(centroid);
   of.area_ = si<Area>(gross.area);
   of.inertia_ = si<SecondMoment>(gross.zz - gross.area * centroid * centroid);
   for (const PathPlate& plate : section.plates) {
     if (plate.outstand() || std::abs(plate.direction.x()) > 1e-9) continue;
-    const auto [low, high] = ends_of(plate);
+    const double one = plate.at(plate.low).y(), other = plate.at(plate.high).y();
+    const double low = std::min(one, other), high = std::max(one, other);
     const Length from = si<Length>(low - centroid), to = si<Length>(high - centroid);
     const bool first = of.webs_ == Force{};
     if (!first &&
