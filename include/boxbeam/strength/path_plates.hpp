@@ -57,10 +57,11 @@ struct PathPlate {
 /// holds them: more than an outstand, which reaches at least a quarter of the line's length and
 /// half as far as the farthest of all that stands on it (a web does, a rib does not). A line that
 /// nothing holds so, nor at an end, is held by whatever reaches half as far as the farthest (the
-/// stem of a T). At a fold of less than 20 degrees nothing is held. One outstand alone holds the
-/// end of a plate where its moment of inertia is that of an edge stiffener,
+/// stem of a T). At a fold of less than 20 degrees nothing is held. Outstands alone (one, or the
+/// two of a flange) hold the end of a plate where its moment of inertia is that of an edge
+/// stiffener,
 ///
-///     I_s = c^3 t_c sin^2(theta)/12 >= I_a,  S = 1.28 sqrt(E/f_y)
+///     I_s = (sum of c)^3 t_c sin^2(theta)/12 >= I_a,  S = 1.28 sqrt(E/f_y)
 ///     I_a = 399 t^4 [(w/t)/S - 0.328]^3 <= t^4 [115 (w/t)/S + 5],  none up to w/t = 0.328 S
 ///
 /// and, of a plate whose other end is held otherwise (a flange with a lip), where it is at least
