@@ -25,7 +25,7 @@ std::string use_of(const CheckResult& result) {
 /// The worst check of plates; or nullptr.
 const CheckResult* worst_in(const std::vector<CheckResult>& checks) {
   const auto found = std::find_if(checks.begin(), checks.end(),
-                                  [](const CheckResult& of) { return of.plates.has_value(); });
+                                  [](const CheckResult& of) { return of.plates || of.path; });
   return found == checks.end() ? nullptr : &*found;
 }
 

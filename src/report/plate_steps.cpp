@@ -8,6 +8,7 @@
 #include "boxbeam/report/format.hpp"
 #include "boxbeam/strength/yield.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "derivation_text.hpp"
 #include "stress_steps.hpp"
 
@@ -45,19 +46,30 @@ CornerSteps derive_corner(Derivation& steps, const Project& project, const Check
           yield_resistance(steps, f_y, project.strength.gamma_M0)};
 }
 
+CornerSteps derive_place(Derivation& steps, const Project& project, const Check& check,
+                         const PathBasis& basis) {
+  const EffectivePath& path = basis.path->section;
+  const Traced stress = abs(derive_path_stress(steps, path, basis.cut, basis.use));
+  steps.note([&] { return instant_of(check); });
+  steps.note([&] { return path.places()[basis.use.place].name; });
+  const Traced f_y = steps.given("f_y", basis.use.yield_strength);
+  return {loaded(steps, basis.load_factor, stress),
+          yield_resistance(steps, f_y, project.strength.gamma_M0)};
+}
+
 struct ShearSteps {
   Traced acting, resisting;
 };
 
+template <class Basis>
 ShearSteps derive_shear(Derivation& steps, const Project& project, const Check& check,
-                        const PlateBasis& basis) {
-  const ShearedPlate& plate = *basis.plate;
+                        const Basis& basis, const ShearedWall& plate) {
   // The sum of shear flows that cancel each other leaves round-off.
   const Force sum = plate.force_of(basis.cut);
   const Force acting = sum < 1e-9 * plate.resists.resistance ? Force{} : sum;
   const Traced V =
       steps.given("V_w", acting, "the shear flow of the section over the clear width of the plate");
-  if (is_flange(plate.plate))
+  if (plate.as_flange)
     steps.note([] { return "of at least half of its largest shear stress, 7.1(5)"; });
   steps.note([&] { return plate.name; });
   steps.note([&] { return instant_of(check); });
@@ -165,9 +177,39 @@ void derive_seam(Derivation& steps, const Project& project, const PatchedSeam& o
   steps.define("factor", limit / loaded(steps, basis.load_factor, sigma_v));
 }
 
+/// Of a path the same, both together as 7.1(5) has it.
+Steps path_steps(const Project& project, const CheckResult& result) {
+  const PathBasis& basis = *result.path;
+  Derivation steps;
+  if (result.check.criterion == Criterion::effective_section) {
+    const CornerSteps of = derive_place(steps, project, result.check, basis);
+    steps.define("factor", of.resisting / of.acting);
+    return steps_of(steps);
+  }
+  if (result.check.criterion == Criterion::shear_buckling) {
+    const ShearSteps of = derive_shear(steps, project, result.check, basis, *basis.wall);
+    steps.define("factor", of.resisting / of.acting);
+    return steps_of(steps);
+  }
+  const CornerSteps normal = derive_place(steps, project, result.check, basis);
+  const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
+  const ShearSteps shear = derive_shear(steps, project, result.check, basis, *basis.wall);
+  const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
+  const double gamma_M0 = project.strength.gamma_M0;
+  WebInteraction of = interaction_of(*basis.path, *basis.wall, basis.use, basis.cut, gamma_M0);
+  of.factor /= basis.load_factor;
+  if (!basis.path->plastic || !(of.share > 0.0))
+    derive_interaction_factor(steps, eta_1, eta_3);
+  else
+    derive_web_interaction(steps, *basis.path->plastic, of, basis.cut, basis.load_factor * gamma_M0,
+                           eta_1, eta_3);
+  return steps_of(steps);
+}
+
 }  // namespace
 
 Steps plate_steps(const Project& project, const CheckResult& result) {
+  if (result.path) return path_steps(project, result);
   const PlateBasis& basis = *result.plates;
   Derivation steps;
   switch (result.check.criterion) {
@@ -177,7 +219,7 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
       break;
     }
     case Criterion::shear_buckling: {
-      const ShearSteps of = derive_shear(steps, project, result.check, basis);
+      const ShearSteps of = derive_shear(steps, project, result.check, basis, *basis.plate);
       steps.define("factor", of.resisting / of.acting);
       break;
     }
@@ -191,7 +233,7 @@ Steps plate_steps(const Project& project, const CheckResult& result) {
     default: {
       const CornerSteps normal = derive_corner(steps, project, result.check, basis, *basis.box);
       const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
-      const ShearSteps shear = derive_shear(steps, project, result.check, basis);
+      const ShearSteps shear = derive_shear(steps, project, result.check, basis, *basis.plate);
       const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
       const double gamma_M0 = project.strength.gamma_M0;
       WebInteraction of =

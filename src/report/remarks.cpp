@@ -151,6 +151,18 @@ void add_slender_plates(const Project& project, const Verification& verification
         "5), without the flanges' part, " +
         panels);
   }
+  if (std::any_of(verification.checks.begin(), verification.checks.end(),
+                  [](const CheckResult& of) { return of.path.has_value(); })) {
+    remarks.push_back(
+        "paths with walls beyond class 3 are judged by effective widths under N, M_y and M_z, each "
+        "by the section where it acts alone, step by step until that stays (EN 1993-1-5, clause "
+        "4), "
+        "in shear (clause 5) without the flanges' part, and by both together (7.1); " +
+        panels +
+        (project.strength.effective_widths == WidthRule::at_yield
+             ? ""
+             : "; at yield, whatever [strength] effective_widths asks for, on the safe side"));
+  }
   if (judged_by(PlateRoute::reduced_stresses)) {
     remarks.push_back(
         "boxes with plates of c/t above 42 eps are judged by reduced stresses (EN 1993-1-5, clause "

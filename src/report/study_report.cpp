@@ -87,7 +87,8 @@ void report::put_study(Fields& to, const StudySummary& summary) {
             of.number_in("mean", "", "unit", column.mean);
             of.number_in("sd", "", "unit", column.sd);
             of.number_in("min", "", "unit", column.quantiles[0]);
-            of.number_in({"p5", "5 % of the designs are not above it"}, "", "unit", column.quantiles[1]);
+            of.number_in({"p5", "5 % of the designs are not above it"}, "", "unit",
+                         column.quantiles[1]);
             of.number_in("p50", "", "unit", column.quantiles[2]);
             of.number_in("p95", "", "unit", column.quantiles[3]);
             of.number_in("max", "", "unit", column.quantiles[4]);

@@ -109,67 +109,28 @@ void derive_walls(Derivation& steps, const FourWalls& box, const SectionAlone& s
   }
 }
 
-/// W of a corner: of what is left, or, where that is less, of unsymmetric bending.
-Traced derive_modulus(Derivation& steps, const SectionAlone& section, bool about_y, Length middle,
-                      SectionModulus used, const char* where) {
-  const AreaSums& sums = section.sums;
-  const double centre = (about_y ? sums.z : sums.y) / sums.area;
-  const double I = (about_y ? sums.zz : sums.yy) - sums.area * centre * centre;
-  const double sign = about_y ? 1.0 : -1.0;
-  const double by_itself = sign * I / (middle.value() - centre);
-  const char* const symbol = about_y ? "W_y,eff" : "W_z,eff";
-  if (std::abs(by_itself - used.value()) > 1e-9 * std::abs(by_itself)) {
-    return steps.given(symbol, used,
-                       "of what is left, whose product of inertia makes it less than I/e");
-  }
-  const Traced left = steps.given(about_y ? "I_y,eff" : "I_z,eff", si<SecondMoment>(I),
-                                  "of what is left, about its centroid");
-  const Traced z_c =
-      steps.given(about_y ? "z_c" : "y_c", si<Length>(centre), "the centroid of what is left");
-  const Traced z = steps.given(about_y ? "z" : "y", middle, where);
-  return steps.define(symbol, about_y ? left / (z - z_c) : left / (z_c - z));
-}
-
 }  // namespace
 
 Traced derive_corner_stress(Derivation& steps, const EffectiveBox& box, const CutForces& cut,
                             const CornerUse& corner) {
-  const bool pressed = cut.N.value() < 0.0, about_z = corner.M_z.value() != 0.0;
-  const auto alone = [&](bool about_y, bool negative) -> const SectionAlone& {
-    using enum ActingAlone;
-    return box.alone(about_y ? (negative ? M_y_negative : M_y_positive)
-                             : (negative ? M_z_negative : M_z_positive));
+  const auto of_moment = [&](bool about_y) -> const SectionAlone& {
+    return box.alone(moment_alone(about_y, (about_y ? corner.M_y : corner.M_z).value() < 0.0));
   };
-  if (pressed) derive_walls(steps, box.box(), box.alone(ActingAlone::compression), "N alone");
-  if (corner.M_y.value() != 0.0)
-    derive_walls(steps, box.box(), alone(true, corner.M_y.value() < 0.0), "M_y alone");
-  if (about_z) derive_walls(steps, box.box(), alone(false, corner.M_z.value() < 0.0), "M_z alone");
-  const Traced N = steps.given("N", cut.N);
-  const bool reduced = pressed && !corner.shifts.whole_area;
-  const Traced A = steps.given(reduced ? "A_eff" : "A", corner.area,
-                               reduced   ? "gross less what is idle"
-                               : pressed ? "gross: what is idle under N alone would relieve here"
-                                         : "tension: gross");
-  const auto moment = [&](const char* symbol, const char* of, const char* arm, Moment acting,
-                          Length lever, bool shifted) {
-    Traced M = steps.given(of, acting);
-    if (lever.value() == 0.0) return M;
-    const Traced e = steps.given(arm, lever,
-                                 shifted ? "from the beam axis to the centroid under N alone"
-                                         : "from the beam axis to the gross centroid");
-    return steps.define(symbol, plate::shifted_moment(M, N, e));
-  };
-  const Traced M_y = moment("M_y,E", "M_y", "e_z", cut.M_y, corner.arm_z, corner.shifts.along_z);
+  if (cut.N.value() < 0.0)
+    derive_walls(steps, box.box(), box.alone(ActingAlone::compression), "N alone");
+  if (corner.M_y.value() != 0.0) derive_walls(steps, box.box(), of_moment(true), "M_y alone");
+  if (corner.M_z.value() != 0.0) derive_walls(steps, box.box(), of_moment(false), "M_z alone");
   const BoxCorner& place = corner.corner;
-  const Traced W_y =
-      derive_modulus(steps, alone(true, corner.M_y.value() < 0.0), true,
-                     box.box().of(place.flange).middle, corner.W_y, "mid-line of the flange");
-  if (!about_z) return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y));
-  const Traced M_z = moment("M_z,E", "M_z", "e_y", cut.M_z, -corner.arm_y, corner.shifts.along_y);
-  const Traced W_z =
-      derive_modulus(steps, alone(false, corner.M_z.value() < 0.0), false,
-                     box.box().of(place.web).middle, corner.W_z, "mid-line of the web");
-  return steps.define("sigma_eff", plate::corner_stress(N, A, M_y, W_y, M_z, W_z));
+  return derive_stress(
+      steps, corner, cut,
+      [&] {
+        return derive_modulus(steps, of_moment(true).sums, true, box.box().of(place.flange).middle,
+                              corner.W_y, "mid-line of the flange");
+      },
+      [&] {
+        return derive_modulus(steps, of_moment(false).sums, false, box.box().of(place.web).middle,
+                              corner.W_z, "mid-line of the web");
+      });
 }
 
 }  // namespace boxbeam

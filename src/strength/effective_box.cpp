@@ -128,15 +128,6 @@ void judge_bent(const FourWalls& box, BoxPlate plate, double at_low, double at_h
   }
 }
 
-/// Stress per moment about an axis through the centroid, each axis by itself, as the standard has
-/// its moduli [1/m^3].
-double stress_per_moment(const AreaSums& sums, ActingAlone acting, double y, double z) {
-  const double y_c = sums.y / sums.area, z_c = sums.z / sums.area;
-  const bool about_y = acting == ActingAlone::M_y_positive || acting == ActingAlone::M_y_negative;
-  return about_y ? (z - z_c) / (sums.zz - sums.area * z_c * z_c)
-                 : -(y - y_c) / (sums.yy - sums.area * y_c * y_c);
-}
-
 SectionAlone compressed_alone(const FourWalls& box) {
   SectionAlone section;
   section.sums = box.gross;
@@ -255,8 +246,7 @@ SectionAlone section_alone(const FourWalls& box, ActingAlone acting, const LagSh
                            int most_passes) {
   if (acting == ActingAlone::compression) return compressed_alone(box);
   using enum BoxPlate;
-  const bool about_y = acting == ActingAlone::M_y_positive || acting == ActingAlone::M_y_negative;
-  const bool positive = acting == ActingAlone::M_y_positive || acting == ActingAlone::M_z_positive;
+  const bool about_y = is_about_y(acting), positive = is_positive(acting);
   // M_y > 0 stretches +z, M_z > 0 compresses +y.
   const BoxPlate far = about_y ? top_flange : left_web;
   const BoxPlate near = about_y ? bottom_flange : right_web;
@@ -301,18 +291,8 @@ EffectiveBox::EffectiveBox(const FourWalls& box, const LagShares& lag, int most_
     : box_(box), lag_(lag), most_passes_(most_passes) {
   for (std::size_t k = 0; k < sections_.size(); ++k)
     sections_[k] = section_alone(box, static_cast<ActingAlone>(k), lag, most_passes);
-  const AreaSums& gross = box.gross;
-  const AreaSums& compressed = sections_.front().sums;
-  // What mirrors itself has no shift but round-off, which would be taken for bending.
-  const Length none =
-      1e-12 * (box.of(BoxPlate::left_web).middle - box.of(BoxPlate::right_web).middle);
-  const auto exact = [&](double x) {
-    return std::abs(x) < none.value() ? Length{} : si<Length>(x);
-  };
-  centroid_y_ = exact(gross.y / gross.area);
-  centroid_z_ = exact(gross.z / gross.area);
-  shift_y_ = exact(compressed.y / compressed.area - gross.y / gross.area);
-  shift_z_ = exact(compressed.z / compressed.area - gross.z / gross.area);
+  const Length width = box.of(BoxPlate::left_web).middle - box.of(BoxPlate::right_web).middle;
+  centroid_ = effective_centroid_of(box.gross, sections_.front().sums, 1e-12 * width.value());
   least_strength_ = box.walls.front().yield_strength;
   for (const BoxWall& wall : box.walls)
     least_strength_ = std::min(least_strength_, wall.yield_strength);
@@ -322,44 +302,25 @@ EffectiveBox::EffectiveBox(const FourWalls& box, const LagShares& lag, int most_
       Corner& corner = corners_[at++];
       corner.of = {flange, web};
       const double y = box.of(web).middle.value(), z = box.of(flange).middle.value();
-      // What is left mirrors itself no more: where the axes' coupling makes more, it counts.
-      const auto per = [&](ActingAlone acting, cut_force::Index axis) {
-        const AreaSums& sums = alone(acting).sums;
-        const double by_itself = stress_per_moment(sums, acting, y, z);
-        const double coupled = normal_influence(sums, y, z).normal[axis];
-        return 1.0 / (std::abs(coupled) > std::abs(by_itself) ? coupled : by_itself);
+      using enum ActingAlone;
+      const auto modulus = [&](ActingAlone acting) {
+        return 1.0 / most_per_moment(alone(acting).sums, acting, y, z);
       };
-      corner.areas = {gross.area, compressed.area};
-      corner.W_y = {per(ActingAlone::M_y_positive, cut_force::M_y),
-                    per(ActingAlone::M_y_negative, cut_force::M_y)};
-      corner.W_z = {per(ActingAlone::M_z_positive, cut_force::M_z),
-                    per(ActingAlone::M_z_negative, cut_force::M_z)};
+      corner.areas = {box.gross.area, sections_.front().sums.area};
+      corner.W_y = {modulus(M_y_positive), modulus(M_y_negative)};
+      corner.W_z = {modulus(M_z_positive), modulus(M_z_negative)};
       corner.flange_strength = box.of(flange).yield_strength;
       corner.least_strength = std::min(box.of(flange).yield_strength, box.of(web).yield_strength);
     }
   }
 }
 
-CornerUse EffectiveBox::use_of(const Corner& corner, const CutForces& cut, Shifts shifts) const {
-  CornerUse of;
-  of.corner = corner.of;
-  of.shifts = shifts;
-  const double N = cut.N.value();
-  // N at the beam axis is N at the centroid and the moments of its lever arms.
-  of.arm_z = centroid_z_ + (shifts.along_z ? shift_z_ : Length{});
-  of.arm_y = centroid_y_ + (shifts.along_y ? shift_y_ : Length{});
-  const double M_y = plate::shifted_moment(cut.M_y.value(), N, of.arm_z.value());
-  const double M_z = plate::shifted_moment(cut.M_z.value(), N, -of.arm_y.value());
-  of.area = si<Area>(corner.areas[N < 0.0 && !shifts.whole_area ? 1 : 0]);
-  of.W_y = si<SectionModulus>(corner.W_y[M_y < 0.0 ? 1 : 0]);
-  of.W_z = si<SectionModulus>(corner.W_z[M_z < 0.0 ? 1 : 0]);
-  of.M_y = si<Moment>(M_y);
-  of.M_z = si<Moment>(M_z);
-  of.stress = si<Stress>(
-      plate::corner_stress(N, of.area.value(), M_y, of.W_y.value(), M_z, of.W_z.value()));
-  of.yield_strength = N < 0.0      ? least_strength_
-                      : M_z == 0.0 ? corner.flange_strength
-                                   : corner.least_strength;
+CornerUse EffectiveBox::use_of(const Corner& corner, const CutForces& cut,
+                               const Shifts& shifts) const {
+  CornerUse of{stress_at(corner, centroid_, cut, shifts), corner.of};
+  of.yield_strength = cut.N.value() < 0.0     ? least_strength_
+                      : of.M_z.value() == 0.0 ? corner.flange_strength
+                                              : corner.least_strength;
   of.use = std::abs(of.stress.value()) / of.yield_strength.value();
   return of;
 }
@@ -367,13 +328,8 @@ CornerUse EffectiveBox::use_of(const Corner& corner, const CutForces& cut, Shift
 template <class Look>
 void EffectiveBox::look_at_corners(const CutForces& cut, const Look& look) const {
   for (const Corner& corner : corners_) {
-    for (unsigned k = 0; k < 8; ++k) {
-      const Shifts shifts{(k & 1U) != 0, (k & 2U) != 0, (k & 4U) != 0};
-      if (k != 0 && !(cut.N.value() < 0.0)) continue;
-      if (shifts.along_y && shift_y_.value() == 0.0) continue;
-      if (shifts.along_z && shift_z_.value() == 0.0) continue;
-      look(use_of(corner, cut, shifts));
-    }
+    look_at_shifts(centroid_, cut,
+                   [&](const Shifts& shifts) { look(use_of(corner, cut, shifts)); });
   }
 }
 

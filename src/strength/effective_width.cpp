@@ -56,7 +56,8 @@ double internal_reduction(double lambda_p, double psi, const StressLevel& level)
 
 double outstand_reduction(double lambda_p) {
   if (lambda_p <= 0.748) return 1.0;
-  return std::min(1.0, (lambda_p - 0.188) / (lambda_p * lambda_p));
+  constexpr NoDerivation record;
+  return std::min(1.0, plate::outstand_reduction(record, lambda_p));
 }
 
 std::optional<EffectiveWidth> internal_effective_width(Length width, Length thickness, double psi,

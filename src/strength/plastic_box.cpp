@@ -75,6 +75,55 @@ PlasticBox::PlasticBox(const EffectiveBox& box) {
                    top, bottom, -middle}};
 }
 
+std::optional<PlasticBox> PlasticBox::of_path(const EffectivePath& path) {
+  using enum ActingAlone;
+  const PathSection& section = path.path();
+  const AreaSums& gross = section.gross;
+  const double centroid = gross.z / gross.area, length = std::sqrt(gross.area);
+  const auto same = [&](double a, double b) { return std::abs(a - b) < 1e-9 * length; };
+  PlasticBox of;
+  of.centroid_ = si<Length>(centroid);
+  of.area_ = si<Area>(gross.area);
+  of.inertia_ = si<SecondMoment>(gross.zz - gross.area * centroid * centroid);
+  for (const PathPlate& plate : section.plates) {
+    if (plate.outstand() || std::abs(plate.direction.x()) > 1e-9) continue;
+    const double one = plate.at(plate.low).y(), other = plate.at(plate.high).y();
+    const double low = std::min(one, other), high = std::max(one, other);
+    const Length from = si<Length>(low - centroid), to = si<Length>(high - centroid);
+    const bool first = of.webs_ == Force{};
+    if (!first &&
+        !(same(from.value(), of.web_low_.value()) && same(to.value(), of.web_high_.value())))
+      return std::nullopt;
+    of.web_low_ = from;
+    of.web_high_ = to;
+    of.depth_ = plate.clear();
+    of.webs_ += plate.clear() * plate.thickness * plate.yield_strength;
+  }
+  if (of.webs_ == Force{}) return std::nullopt;
+  // M_y > 0 stretches the top.
+  for (const bool up : {true, false}) {
+    Sense& sense = of.senses_[up ? 0 : 1];
+    const PathAlone& alone = path.alone(up ? M_y_positive : M_y_negative);
+    for (std::size_t k = 0; k < section.plates.size(); ++k) {
+      const PathPlate& plate = section.plates[k];
+      if (!plate.outstand() && std::abs(plate.direction.x()) <= 1e-9) continue;
+      const Length z = si<Length>(plate.at(plate.low).y() - centroid);
+      const bool top = z >= of.web_high_;
+      if (std::abs(plate.direction.y()) > 1e-9 || (!top && z > of.web_low_)) return std::nullopt;
+      const bool stretched = top == up;
+      Length& arm = stretched ? sense.arm_stretched : sense.arm_compressed;
+      if (arm != Length{} && !same(arm.value(), abs(z).value())) return std::nullopt;
+      arm = abs(z);
+      (stretched ? sense.stretched : sense.compressed) +=
+          (plate.clear() - si<Length>(alone.plates[k].idle())) * plate.thickness *
+          plate.yield_strength;
+    }
+    if (sense.stretched == Force{} || sense.compressed == Force{}) return std::nullopt;
+    sense.arm_webs = (up ? 0.5 : -0.5) * (of.web_low_ + of.web_high_);
+  }
+  return of;
+}
+
 double PlasticBox::pulled_share(Force N, Moment M, double factor) const {
   const auto elastic = [&](Length z) { return N / area_ + M * z / inertia_; };
   const Stress most = std::max(elastic(web_low_), elastic(web_high_));
@@ -108,8 +157,8 @@ double PlasticBox::factor_of(Force N, Moment M, double eta_1, double eta_3) cons
   return stands;
 }
 
-WebInteraction PlasticBox::web_under(const CutForces& cut, const CornerUse& corner, double gamma_M0,
-                                     double eta_1, double eta_3) const {
+WebInteraction PlasticBox::web_under(const CutForces& cut, const SectionUse& corner,
+                                     double gamma_M0, double eta_1, double eta_3) const {
   const double safe = interaction_factor(eta_1, eta_3);
   WebInteraction of{1.0 / safe, 0.0, safe, corner.M_y};
   if (corner.M_z.value() != 0.0 || eta_1 >= 2.0 * eta_3) return of;

@@ -28,7 +28,13 @@ auto internal_reduction(Record& record, const Number& lambda_p, const Psi& psi) 
   return record.define("rho", (lambda_p - 0.055 * (3.0 + psi)) / (lambda_p * lambda_p));
 }
 
-/// The same below yield, by annex E.
+/// Of an outstand part, likewise.
+template <class Record, class Number>
+auto outstand_reduction(Record& record, const Number& lambda_p) {
+  return record.define("rho", (lambda_p - 0.188) / (lambda_p * lambda_p));
+}
+
+/// An internal part below yield, by annex E.
 template <class Record, class Number, class Psi>
 auto annex_E_reduction(Record& record, const Number& lambda_p, const Number& lambda_red,
                        const Psi& psi) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "boxbeam/strength/path_plates.hpp"
+
 namespace boxbeam {
 namespace {
 
@@ -91,22 +93,11 @@ std::vector<Panel> panels_of(const RoundTube& tube, const PlateMaterials&) {
   return {{"round wall", tube.diameter, tube.wall, round_tube}};
 }
 
-std::vector<Panel> panels_of(const ThinWalled& path, const PlateMaterials&) {
-  std::vector<int> walls_at(path.nodes.size(), 0);
-  for (const ThinWall& wall : path.walls) {
-    ++walls_at[wall.from];
-    ++walls_at[wall.to];
-  }
+std::vector<Panel> panels_of(const ThinWalled& path, const PlateMaterials& materials) {
   std::vector<Panel> panels;
-  for (std::size_t i = 0; i < path.walls.size(); ++i) {
-    const ThinWall& wall = path.walls[i];
-    const SectionPlace& a = path.nodes[wall.from];
-    const SectionPlace& b = path.nodes[wall.to];
-    const bool free = walls_at[wall.from] == 1 || walls_at[wall.to] == 1;
-    panels.push_back({"wall " + std::to_string(i + 1),
-                      hypot(b.y - a.y, b.z - a.z) - wall.trim_from - wall.trim_to, wall.thickness,
-                      free ? outstand : compressed});
-  }
+  for (const PathPlate& plate : plates_of(path, materials))
+    panels.push_back(
+        {plate.name, plate.clear(), plate.thickness, plate.outstand() ? outstand : compressed});
   return panels;
 }
 

@@ -1,11 +1,13 @@
 #include "boxbeam/strength/shear_buckling.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
 #include "boxbeam/strength/section_class.hpp"
 #include "plate_formulas.hpp"
+#include "stiffened_formulas.hpp"
 
 namespace boxbeam {
 namespace {
@@ -74,6 +76,12 @@ double shear_hardening_factor(Stress yield_strength) {
 ShearBucklingNeed shear_buckling_need(Length clear_depth, Length thickness, Stress yield_strength,
                                       double eta) {
   return {clear_depth / thickness, 72.0 * epsilon_of(yield_strength) / eta};
+}
+
+double flange_induced_limit(Area web, Area flange, Stress flange_strength) {
+  constexpr double k = 0.55;
+  return k * (stiffened::youngs_modulus / flange_strength).value() *
+         std::sqrt((web / flange).value());
 }
 
 bool is_rigid_end_post(const EndPost& post, Length deepest, Length thickness,

@@ -11,6 +11,7 @@
 #include "boxbeam/strength/weld_throat.hpp"
 #include "boxbeam/verification/given_stresses.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "boxbeam/verification/weld_checks.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
@@ -104,12 +105,11 @@ void keep_worst(std::vector<CheckResult> of_station, std::vector<CheckResult>& w
   }
 }
 
-void add_route(const Project& project, const Station& station, const SlenderPlates& plates,
+void add_route(const Project& project, const Station& station, PlateRoute route, bool steep,
                std::vector<SegmentRoute>& routes) {
   const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
   if (!routes.empty() && routes.back().segment == segment.name) return;
-  routes.push_back(
-      {segment.name, plates.route, plates.steep ? steepness_text(segment) : std::string()});
+  routes.push_back({segment.name, route, steep ? steepness_text(segment) : std::string()});
 }
 
 /// Every criterion at every point of a station.
@@ -123,7 +123,11 @@ void check_station(const Project& project, const std::vector<BendingZone>& zones
     PlateChecks of = check_plates(project, station, plates, histories);
     append(std::move(of.checks), beam.checks);
     keep_worst(std::move(of.beside), beam.beside);
-    add_route(project, station, *plates, beam.routes);
+    add_route(project, station, plates->route, plates->steep, beam.routes);
+  }
+  if (const auto path = slender_path_at(project, station)) {
+    append(check_path(project, station, path, histories), beam.checks);
+    add_route(project, station, PlateRoute::effective_widths, false, beam.routes);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 
 namespace boxbeam {
 namespace {
@@ -218,10 +219,10 @@ std::vector<Gate> PlateGates::gates() const {
 void PlateGates::look_at_class(const std::string& segment, const Profile& profile,
                                const PlateMaterials& materials, bool alike, const AreaSums& sums,
                                const std::vector<SituationHistory>& histories,
-                               const std::string& obstacle, const SlenderPlates* judged) {
+                               const std::string& obstacle, bool judged) {
   const Project& project = *project_;
   const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
-  const bool class_4_judged = judged != nullptr && !member_buckles_;
+  const bool class_4_judged = judged && !member_buckles_;
   const std::string why_not = obstacle.empty() ? "" : "; its buckling is not judged: " + obstacle;
   for (const SlenderPlate& plate : slender_plates_of(profile, materials)) {
     if (!class_4_judged) {
@@ -264,7 +265,7 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
     }
     const ShearBucklingNeed need =
         shear_buckling_need(web.depth(), web.thickness, *yield, shear_hardening_factor(*yield));
-    if (need.check_needed() && judged == nullptr) {
+    if (need.check_needed() && !judged) {
       add("shear buckling",
           {segment, web.name,
            fmt::format("h_w/t_w = {:.3g} is above 72 eps/eta = {:.3g}: the {} may buckle in "
@@ -290,6 +291,29 @@ void PlateGates::look_at_shear_lag(const std::string& segment, const std::string
                    lag->b_0.value() * 1e3, lag->effective_length.value(), lag->kappa, lag->beta),
        false},
       -lag->beta);
+}
+
+/// Of a path shear lag is only looked at, not judged: its flanges are any plates that lie along the
+/// axis of bending, within 45 degrees, of an internal one half of its width.
+void PlateGates::look_at_path_lag(const std::string& segment, const Station& station,
+                                  const SlenderPath& path) {
+  for (const BendingZone& zone : *zones_) {
+    if (station.s < zone.from || station.s > zone.to) continue;
+    for (const PathPlate& plate : path.section.path().plates) {
+      const double y = std::abs(plate.direction.x()), z = std::abs(plate.direction.y());
+      if (zone.axis == BendingAxis::y ? y < z : z < y) continue;
+      const Length b_0 = (plate.outstand() ? 1.0 : 0.5) * plate.clear();
+      if (!shear_lag_counts(b_0, zone.effective_length)) continue;
+      add("shear lag",
+          {segment, plate.name,
+           fmt::format(
+               "b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: shear "
+               "lag counts (EN 1993-1-5, 3.1), and of paths it is not judged",
+               b_0.value() * 1e3, zone.effective_length.value()),
+           true},
+          (b_0 / zone.effective_length).value());
+    }
+  }
 }
 
 void PlateGates::look_at(const std::vector<CheckResult>& checks) {
@@ -347,12 +371,18 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
   const bool alike = webs_are_alike(section, materials);
   const std::string obstacle = plates_obstacle(*project_, station);
   const auto judged = slender_plates_at(*project_, *zones_, station);
-  look_at_class(segment, section.outer, materials, alike, sums, histories, obstacle, judged.get());
+  const auto path = slender_path_at(*project_, station);
+  look_at_class(segment, section.outer, materials, alike, sums, histories, obstacle,
+                judged != nullptr || path != nullptr);
   if (section.inner) {
     look_at_class(segment, *section.inner, materials.of(PlateKind::inner), alike, sums, histories,
-                  obstacle, nullptr);
+                  obstacle, false);
   }
   if (judged != nullptr) look_at_slender(segment, *judged, sums, histories);
+  if (path != nullptr) {
+    look_at_slender(segment, *path, histories);
+    look_at_path_lag(segment, station, *path);
+  }
   for (const BoxPlate plate : {BoxPlate::top_flange, BoxPlate::bottom_flange}) {
     // Webs are looked at without their stiffeners above, under the stress that is there.
     if (judged != nullptr || !may_buckle_with_stiffeners(*project_, station, plate)) continue;

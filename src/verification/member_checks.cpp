@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 
 namespace boxbeam {
 namespace {
@@ -35,12 +39,55 @@ CheckResult check_of(const Project& project, double use, const std::string& poin
   return result;
 }
 
+/// What slender walls of paths take from a member, the most of some stations of each segment:
+/// A/A_eff and W/W_eff, by which N/(A f_y) and M/(W f_y) grow, and how much of the latter the shift
+/// of N's centroid makes of the former.
+struct MemberLoss {
+  double area = 1.0, modulus = 1.0, shift = 0.0;
+};
+
+void add_loss(const Project& project, const Station& station, MemberLoss& loss) {
+  const auto path = slender_path_at(project, station);
+  if (!path) return;
+  const EffectivePath& of = path->section;
+  const AreaSums& gross = of.path().gross;
+  const Extent extent = extent_of(judged_section_at(project, station).outer);
+  const double area = of.alone(ActingAlone::compression).sums.area;
+  loss.area = std::max(loss.area, gross.area / area);
+  double shift = 0.0;
+  for (const bool about_y : {true, false}) {
+    const double first = about_y ? gross.z : gross.y, second = about_y ? gross.zz : gross.yy;
+    const Length depth = about_y ? extent.z_high - extent.z_low : extent.y_high - extent.y_low;
+    // M/W of the whole section is half the difference of its fibres.
+    const double whole = (second - first * first / gross.area) / (0.5 * depth.value());
+    const double left = of.least_modulus(about_y).value();
+    loss.modulus = std::max(loss.modulus, whole / left);
+    const Length e = about_y ? of.centroid().shift_z : of.centroid().shift_y;
+    shift += area * std::abs(e.value()) / left;
+  }
+  loss.shift = std::max(loss.shift, shift);
+}
+
+MemberLoss loss_of(const Project& project) {
+  constexpr int inside = 8;
+  MemberLoss loss;
+  for (const Segment& segment : project.beam.segments) {
+    add_loss(project, {segment.start, Side::behind}, loss);
+    add_loss(project, {segment.end(), Side::before}, loss);
+    for (int i = 1; i < inside && segment.from != segment.to; ++i)
+      add_loss(project, {segment.start + segment.length * (static_cast<double>(i) / inside)}, loss);
+  }
+  return loss;
+}
+
 }  // namespace
 
 std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate) {
   std::vector<CheckResult> checks;
   const double gamma_M1 = project.strength.gamma_M1;
-  MemberLoad load{estimate.compressed, bent_by(estimate), 0.0};
+  const MemberLoss loss = loss_of(project);
+  MemberLoad load{loss.area * estimate.compressed, 0.0, 0.0};
+  load.bent = loss.modulus * bent_by(estimate) + loss.shift * load.compressed;
   const auto bends = [&](const BucklingLoad& of, const char* plane) {
     if (of.part <= no_buckling_below || of.part >= 1.0) return;
     load.critical = of.factored;

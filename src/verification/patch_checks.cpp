@@ -23,12 +23,19 @@ struct WorstPatch {
 /// A patch and whether its seams are meant, not its webs.
 using BorneKey = std::pair<PatchKey, bool>;
 
+/// A force that comes into a slender path, where it is largest.
+struct PathForce {
+  Length s;
+  Force size;
+  bool open = false;  ///< without a diaphragm that takes it
+};
+
 /// Looks at one run.
 class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<BorneKey, WorstPatch>& worst)
-      : project_(&project), search_(&search), run_(&run), worst_(&worst) {}
+           std::map<BorneKey, WorstPatch>& worst, std::map<std::string, PathForce>& on_paths)
+      : project_(&project), search_(&search), run_(&run), worst_(&worst), on_paths_(&on_paths) {}
 
   void look() {
     const LoadHistory& history = run_->loads;
@@ -58,6 +65,7 @@ class PatchRun {
     std::map<BorneKey, double> uses;
     const std::vector<Patch> patches = search_->patches_of(loads);
     for (const Patch& patch : patches) {
+      note_on_path(patch);
       for (Borne& borne : search_->worst_of(patch, patches, diagram)) {
         const double load_factor = run_->situation->load_factor;
         const double use =
@@ -72,6 +80,14 @@ class PatchRun {
       }
     }
     return uses;
+  }
+
+  void note_on_path(const Patch& patch) {
+    if (!search_->bears_on_path(patch)) return;
+    const Force size = run_->situation->load_factor * abs(patch.force);
+    PathForce& most = (*on_paths_)[patch.name];
+    if (!(size > most.size)) return;
+    most = {patch.s, size, search_->comes_into_path(patch) || most.open};
   }
 
   std::map<BorneKey, double> look_at(Time time) {
@@ -142,6 +158,7 @@ class PatchRun {
   PatchSearch* search_;
   const SituationRun* run_;
   std::map<BorneKey, WorstPatch>* worst_;
+  std::map<std::string, PathForce>* on_paths_;
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
@@ -224,6 +241,21 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
           true};
 }
 
+Gate gate_of(const Project& project, const std::string& name, const PathForce& of) {
+  const std::size_t segment = segment_at(project.beam, {of.s, Side::both});
+  const std::string what =
+      fmt::format("at s = {:.4g} m \"{}\", {:.4g} kN, comes into walls of a path that may buckle",
+                  of.s.value(), name, 1e-3 * of.size.value());
+  return {project.beam.segments[segment].name, "",
+          of.open ? what +
+                        ": what they bear of it is not judged (EN 1993-1-5, clause 6); "
+                        "[[beam.diaphragms]] say what takes it"
+                  : what +
+                        " where a diaphragm is taken to bear it, which is not judged (EN "
+                        "1993-1-5, 9.4)",
+          of.open};
+}
+
 }  // namespace
 
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
@@ -233,7 +265,9 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   if (!search.has_something_to_do()) return found;
   std::map<BorneKey, WorstPatch> worst;
   for (const SituationRun& run : runs) search.learn_clamps(run);
-  for (const SituationRun& run : runs) PatchRun(project, search, run, worst).look();
+  std::map<std::string, PathForce> on_paths;
+  for (const SituationRun& run : runs) PatchRun(project, search, run, worst, on_paths).look();
+  for (const auto& [name, force] : on_paths) found.gates.push_back(gate_of(project, name, force));
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   const auto add = [&](CheckResult result) {

@@ -6,6 +6,7 @@
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
@@ -33,7 +34,13 @@ PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>&
     for (const Station& end :
          {Station{segment.start, Side::behind}, Station{segment.end(), Side::before}}) {
       const auto walls = walls_at(end);
-      if (!walls) continue;
+      if (!walls) {
+        const bool path = slender_path_at(project, end) != nullptr;
+        of.path = of.path || path;
+        of.along_y = of.along_y || path;
+        of.along_z = of.along_z || path;
+        continue;
+      }
       for (const BoxPlate plate : box_plates) {
         if (!may_buckle_in_shear(walls->of(plate))) continue;
         (is_flange(plate) ? of.along_y : of.along_z) = true;
@@ -112,6 +119,17 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
     for (Borne& of : seams_at(patch, all, station, judged, cut)) take(std::move(of));
   }
   return worst;
+}
+
+bool PatchSearch::bears_on_path(const Patch& patch) const {
+  const TaperedBeam& beam = project_->beam;
+  const Side before = patch.s.value() > 0.0 ? Side::before : Side::both;
+  return slender_[segment_at(beam, {patch.s, Side::both})].path ||
+         slender_[segment_at(beam, {patch.s, before})].path;
+}
+
+bool PatchSearch::comes_into_path(const Patch& patch) const {
+  return patch.diaphragm == nullptr && bears_on_path(patch);
 }
 
 double PatchSearch::factor_of(const PatchBasis& basis) const {

@@ -65,6 +65,11 @@ class PatchSearch {
   std::vector<Borne> worst_of(const Patch& patch, const std::vector<Patch>& all,
                               const CutForceDiagram& diagram);
 
+  /// Whether a force comes into a slender path where no diaphragm takes it: it is not judged.
+  bool comes_into_path(const Patch& patch) const;
+  /// Whether one comes into a slender path at a diaphragm, whose bearing is not judged.
+  bool bears_on_path(const Patch& patch) const;
+
   /// On all loads, without the situation's own.
   double factor_of(const PatchBasis& basis) const;
   double eta_1_of(const PatchBasis& basis) const;
@@ -75,6 +80,7 @@ class PatchSearch {
  private:
   struct Slender {
     bool along_z = false, along_y = false;
+    bool path = false;  ///< a thin-walled one, whose walls are not judged
   };
 
   /// The section of a station by its effective widths and, where these do not judge it, by reduced

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
+#include "worst_instant.hpp"
 
 namespace boxbeam {
 namespace {
@@ -52,24 +54,6 @@ class PlateUses {
   const SlenderPlates* plates_;
 };
 
-/// Where a use is largest.
-struct Worst {
-  const SituationHistory* at;
-  TurningPoint largest;  ///< without load factor
-  double use = 0.0;      ///< with it
-};
-
-template <class Use>
-Worst worst_of(const std::vector<SituationHistory>& histories, const Use& use) {
-  Worst worst{&histories.front(), {}, 0.0};
-  for (const SituationHistory& at : histories) {
-    const TurningPoint in = at.history.largest(use);
-    const double with_factor = at.situation->load_factor * in.value;
-    if (with_factor > worst.use) worst = {&at, in, with_factor};
-  }
-  return worst;
-}
-
 /// Whether what acts leaves a plate that does not work whole.
 bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
   const auto buckles = [&](ActingAlone acting) {
@@ -86,9 +70,6 @@ bool buckles_under(const EffectiveBox& box, const CutForces& cut) {
           buckles(worst.M_z.value() > 0.0 ? M_z_positive : M_z_negative));
 }
 
-/// A use this small is none, as stress is (`no_stress_at`).
-constexpr double no_use = 1e-6;
-
 /// The checks of a station's plates as they are gathered.
 class StationPlates {
  public:
@@ -102,15 +83,16 @@ class StationPlates {
         uses_(project, *plates) {}
 
   std::vector<CheckResult> by_effective_widths() {
-    const Worst section = worst([&](const CutForces& cut) { return uses_.normal(cut); });
+    const WorstInstant section = worst([&](const CutForces& cut) { return uses_.normal(cut); });
     add(Criterion::effective_section, section);
-    Worst together{&histories_->front(), {}, 0.0};
+    WorstInstant together{&histories_->front(), {}, 0.0};
     const ShearedPlate* in_plate = nullptr;
     double most_shear = 0.0;
     for (const ShearedPlate& plate : plates_->sheared) {
       const auto shear = [&](const CutForces& cut) { return PlateUses::shear(plate, cut); };
       if (plate.may_buckle) add(Criterion::shear_buckling, worst(shear), &plate);
-      const Worst of = worst([&](const CutForces& cut) { return uses_.together(plate, cut).use; });
+      const WorstInstant of =
+          worst([&](const CutForces& cut) { return uses_.together(plate, cut).use; });
       if (!(of.use > no_use)) continue;
       // Where shear is small all plates are alike: the one that has most of it is named.
       const double sheared = shear(of.at->history.at(of.largest.time));
@@ -137,11 +119,11 @@ class StationPlates {
 
  private:
   template <class Use>
-  Worst worst(const Use& use) const {
-    return worst_of(*histories_, use);
+  WorstInstant worst(const Use& use) const {
+    return worst_instant_of(*histories_, use);
   }
 
-  void add(Criterion criterion, const Worst& worst, const ShearedPlate* plate = nullptr,
+  void add(Criterion criterion, const WorstInstant& worst, const ShearedPlate* plate = nullptr,
            const ReducedPlate* reduced = nullptr) {
     if (!(worst.use > no_use)) return;
     CheckResult result;
@@ -209,6 +191,16 @@ class StationPlates {
   std::vector<CheckResult> results_;
 };
 
+/// Whether shear and normal stress both have a part in a check of both together.
+bool says_more_together(const Project& project, const CheckResult& of) {
+  const bool path = of.path.has_value();
+  const ShearedWall& wall = path ? *of.path->wall : *of.plates->plate;
+  const CutForces& cut = path ? of.path->cut : of.plates->cut;
+  const double normal = path ? project.strength.gamma_M0 * of.path->use.use
+                             : PlateUses(project, *of.plates->plates).normal(cut);
+  return 2.0 * shear_use_of(wall, cut) > normal && !(wall.may_buckle && normal <= no_use);
+}
+
 }  // namespace
 
 std::shared_ptr<const EffectiveBox> box_under(const std::shared_ptr<const SlenderPlates>& plates,
@@ -235,7 +227,8 @@ std::shared_ptr<const SlenderPlates> slender_plates_at(const Project& project,
                                                        const Station& station) {
   const std::vector<FourWalls> ends = walls_of_segment(project, station);
   const bool slender = std::any_of(ends.begin(), ends.end(), [](const FourWalls& of) {
-    return std::any_of(of.walls.begin(), of.walls.end(), may_buckle);
+    return std::any_of(of.walls.begin(), of.walls.end(),
+                       [](const BoxWall& wall) { return may_buckle(wall); });
   });
   if (!slender || !plates_obstacle(project, station).empty()) return nullptr;
   const std::optional<FourWalls> walls = judged_walls_at(project, station, ends);
@@ -318,23 +311,21 @@ void leave_out_covered(const Project& project, std::vector<CheckResult>& checks)
     const CheckResult* const most = worst_by(criterion);
     constexpr double round_off = 1e-9;
     if (most == nullptr || most->check.utilisation() > (1.0 + round_off) * others ||
-        says_more(*most->plates))
+        says_more(*most))
       return;
     std::erase_if(checks, [&](const CheckResult& of) { return of.check.criterion == criterion; });
   };
   const double yield = use_by(Criterion::yield);
   const double section = use_by(Criterion::effective_section);
   drop(Criterion::interaction, std::max({yield, section, use_by(Criterion::shear_buckling)}),
-       [&](const PlateBasis& basis) {
-         const double normal = PlateUses(project, *basis.plates).normal(basis.cut);
-         const double shear = PlateUses::shear(*basis.plate, basis.cut);
-         return 2.0 * shear > normal && !(basis.plate->may_buckle && normal <= no_use);
-       });
-  drop(Criterion::effective_section, yield,
-       [](const PlateBasis& basis) { return buckles_under(*basis.box, basis.cut); });
-  drop(Criterion::reduced_stress, yield, [&](const PlateBasis& basis) {
-    const ReducedPlate& plate = *basis.reduced;
-    return reduced_stress_of(plate.panel, plate.under(basis.cut), project.strength.gamma_M1)
+       [&](const CheckResult& of) { return says_more_together(project, of); });
+  drop(Criterion::effective_section, yield, [](const CheckResult& of) {
+    return of.path ? buckles_under(of.path->path->section, of.path->cut)
+                   : buckles_under(*of.plates->box, of.plates->cut);
+  });
+  drop(Criterion::reduced_stress, yield, [&](const CheckResult& of) {
+    const ReducedPlate& plate = *of.plates->reduced;
+    return reduced_stress_of(plate.panel, plate.under(of.plates->cut), project.strength.gamma_M1)
         .reduced();
   });
 }

@@ -11,6 +11,7 @@
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
 
 namespace boxbeam {
@@ -135,8 +136,9 @@ std::string plates_obstacle(const Project& project, const Station& station) {
   const std::size_t index = segment_at(project.beam, station);
   const Segment& segment = project.beam.segments[index];
   if (section.inner) return "a profile inside another shares its buckling";
+  if (std::holds_alternative<ThinWalled>(section.outer)) return path_obstacle(project, station);
   const auto walls = four_walls_of(section.outer, materials_of(project, index));
-  if (!walls) return "only boxes and rectangular tubes are";
+  if (!walls) return "only boxes, rectangular tubes and thin-walled paths are";
   const std::vector<FourWalls> ends = walls_of_segment(project, station);
   for (const FourWalls& end : ends)
     if (std::string why = stiffener_obstacle(end); !why.empty()) return why;

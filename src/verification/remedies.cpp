@@ -72,7 +72,8 @@ class Search {
     const Check& check = governing_.check;
     const bool by_strength =
         check.criterion == Criterion::yield || check.criterion == Criterion::stress_range;
-    const bool by_plates = governing_.plates || governing_.patch || governing_.distortion;
+    const bool by_plates =
+        governing_.plates || governing_.path || governing_.patch || governing_.distortion;
     const bool by_stress =
         by_strength || is_by_fatigue(check.criterion) || check.criterion == Criterion::weld;
     if (!by_plates && !by_stress) return std::move(remedies_);
@@ -117,6 +118,7 @@ class Search {
   }
 
   bool has_flats() const {
+    if (!governing_.plates) return false;
     const auto& walls = governing_.plates->plates->box.box().walls;
     return std::any_of(walls.begin(), walls.end(),
                        [](const BoxWall& wall) { return !wall.stiffeners.empty(); });

@@ -119,8 +119,6 @@ void WeldTables::add(const Project& project, const NewWeld& weld) {
       own.stress_factor == 1.0 ? "" : fmt::format(", stress_factor = {:.12g}", own.stress_factor)));
 }
 
-const char* WeldTables::note() const {
-  return left_out ? " (welds left out in fatigue)" : "";
-}
+const char* WeldTables::note() const { return left_out ? " (welds left out in fatigue)" : ""; }
 
 }  // namespace boxbeam

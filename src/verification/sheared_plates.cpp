@@ -52,6 +52,7 @@ ShearStiffeners shear_stiffeners_of(const BoxWall& wall) {
 ShearedPlate sheared_plate(double gamma_M1, const BoxWall& wall, BoxPlate plate, bool alike) {
   ShearedPlate of;
   of.plate = plate;
+  of.as_flange = of.by_subpanels = is_flange(plate);
   of.name = alike && !is_flange(plate) ? "web" : to_text(plate);
   of.panel = {wall.clear(), wall.thickness, wall.yield_strength,
               {},           false,          shear_stiffeners_of(wall)};
@@ -75,7 +76,7 @@ ShearedPlate::Piece piece_of(const StressField& field, const WallStretch& stretc
 
 }  // namespace
 
-Force ShearedPlate::force_of(const CutForces& cut) const {
+Force ShearedWall::force_of(const CutForces& cut) const {
   double sum = 0.0, most = 0.0, most_of_pieces = 0.0;
   for (const Piece& piece : pieces) {
     std::array<double, 3> stress{};
@@ -93,8 +94,8 @@ Force ShearedPlate::force_of(const CutForces& cut) const {
     most_of_pieces = std::max(most_of_pieces, std::abs(mean));
   }
   double mean = std::abs(sum);
-  if (is_flange(plate)) mean = std::max(mean, 0.5 * most);
-  if (is_flange(plate) && pieces.size() > 1) mean = std::max(mean, most_of_pieces);
+  if (as_flange) mean = std::max(mean, 0.5 * most);
+  if (by_subpanels && pieces.size() > 1) mean = std::max(mean, most_of_pieces);
   return si<Stress>(mean) * (panel.depth * panel.thickness);
 }
 
@@ -123,6 +124,42 @@ std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWa
     for (ShearedPlate::Piece& piece : plate.pieces) piece.width /= width;
   }
   return plates;
+}
+
+std::vector<ShearedWall> sheared_walls_of(const ThinWalled& profile, const PathSection& path,
+                                          const Taper& taper, bool outstands) {
+  const auto flow = shear_flow_of(Section{profile, {}}, {}, taper);
+  std::vector<ShearedWall> walls;
+  for (const PathPlate& plate : path.plates) {
+    if (plate.outstand() != outstands || !plate.straight) continue;
+    ShearedWall& of = walls.emplace_back();
+    of.name = plate.name;
+    of.as_flange = true;
+    of.panel.depth = plate.clear();
+    of.panel.thickness = plate.thickness;
+    of.panel.yield_strength = plate.yield_strength;
+    for (const PathPlate::Part& part : plate.parts) {
+      const auto [low, high] = std::minmax(part.from, part.to);
+      const double from = std::max(low, plate.low), to = std::min(high, plate.high);
+      if (!(to > from)) continue;
+      ShearedWall::Piece& piece = of.pieces.emplace_back();
+      piece.width = (to - from) / plate.clear().value();
+      const Wall& wall = path.graph.walls[part.wall];
+      // Places along the plate as fractions of the wall's material.
+      const Eigen::Vector2d along = (wall.end - wall.start).normalized();
+      const double sense = along.dot(plate.direction) > 0.0 ? 1.0 : -1.0;
+      for (std::size_t i = 0; i < piece.per_cut_force.size(); ++i) {
+        const Eigen::Vector2d at = plate.at(from + 0.5 * static_cast<double>(i) * (to - from));
+        const double fraction =
+            std::clamp((at - wall.start).dot(along) / length_of(wall), 0.0, 1.0);
+        const CutFactors q = flow_at(*flow, part.wall, fraction);
+        for (std::size_t k = 0; k < cut_force::count; ++k)
+          piece.per_cut_force[i][k] =
+              sense * q[static_cast<Eigen::Index>(k)] / plate.thickness.value();
+      }
+    }
+  }
+  return walls;
 }
 
 }  // namespace boxbeam

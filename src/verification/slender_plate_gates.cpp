@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "counts_in_fatigue.hpp"
 
 namespace boxbeam {
@@ -71,7 +73,7 @@ double breathing_of(double width_to_thickness, const PlateStress& stress, Stress
 void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates& plates,
                                  const AreaSums& sums,
                                  const std::vector<SituationHistory>& histories) {
-  constexpr double least_area = 0.5, never_breathes = 120.0;
+  constexpr double never_breathes = 120.0;
   const StrengthDemand& strength = project_->strength;
   for (const ShearedPlate& plate : plates.sheared) {
     if (!project_->fatigue.asked) continue;
@@ -95,25 +97,96 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates
         most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));
       }
     }
-    if (least < least_area) {
-      add("effective area",
-          {segment, plate.name,
-           fmt::format("{:.3g} of its area is effective, less than 0.5: the stresses by which "
-                       "fatigue is judged are not those of the full section (EN 1993-1-5, 2.2(5))",
-                       least),
-           true},
-          1.0 / least);
-    }
-    if (most_breathing > 1.0) {
-      add("breathing",
-          {segment, plate.name,
-           fmt::format("it breathes out of its plane, {:.3g} times as much as its edges bear in "
-                       "fatigue (b/t = {:.3g}, EN 1993-2, 7.4)",
-                       most_breathing, ratio),
-           true},
-          most_breathing);
-    }
+    add_effective_area(segment, plate.name, least);
+    add_breathing(segment, plate.name, most_breathing, ratio);
   }
+}
+
+void PlateGates::look_at_slender(const std::string& segment, const SlenderPath& path,
+                                 const std::vector<SituationHistory>& histories) {
+  constexpr double never_breathes = 120.0, hardly_sheared = 0.1;
+  const StrengthDemand& strength = project_->strength;
+  const PathSection& section = path.section.path();
+  for (const PathPlate& plate : section.plates) {
+    if (!project_->fatigue.asked) break;
+    const auto at = [&](double along) {
+      const Eigen::Vector2d place = plate.at(along);
+      return normal_influence(section.gross, place.x(), place.y());
+    };
+    const StressInfluence low = at(plate.low), high = at(plate.high);
+    const auto sheared = std::find_if(path.sheared.begin(), path.sheared.end(),
+                                      [&](const ShearedWall& of) { return of.name == plate.name; });
+    const double ratio = plate.clear() / plate.thickness;
+    double least = 1.0, most_breathing = 0.0;
+    for (const SituationHistory& of : histories) {
+      const double factor = strength.required * of.situation->load_factor * strength.gamma_M0;
+      const bool repeats = counts_in_fatigue(*project_, *of.situation);
+      for (const CutForces& cut : of.history.samples()) {
+        const double at_low = -stress_at(low, cut).normal.value();
+        const double at_high = -stress_at(high, cut).normal.value();
+        const double most = std::max({0.0, at_low, at_high});
+        const double part = std::min(1.0, factor * most / plate.class_strength.value());
+        if (part > 0.0) {
+          const PlateAlone alone =
+              plate_alone(plate, part * plate.class_strength, section.length, at_low, at_high);
+          least = std::min(least, 1.0 - alone.idle() / plate.clear().value());
+        }
+        if (!repeats || ratio <= never_breathes || sheared == path.sheared.end()) continue;
+        PlateStress stress{si<Stress>(most), {}};
+        if (most > 0.0) stress.psi = std::max(-3.0, std::min(at_low, at_high) / most);
+        const Stress shear = sheared->force_of(cut) / (plate.clear() * plate.thickness);
+        most_breathing = std::max(most_breathing, breathing_of(ratio, stress, shear));
+      }
+    }
+    add_effective_area(segment, plate.name, least);
+    add_breathing(segment, plate.name, most_breathing, ratio);
+  }
+  // A flange of an I has a little of it beside its web, the stem of a T all.
+  for (const ShearedWall& wall : path.outstands) {
+    const Force yields =
+        wall.panel.yield_strength * wall.panel.depth * wall.panel.thickness / std::numbers::sqrt3;
+    double most = 0.0;
+    for (const SituationHistory& of : histories) {
+      const double factor = strength.required * of.situation->load_factor * strength.gamma_M0;
+      for (const CutForces& cut : of.history.samples())
+        most = std::max(most, factor * (wall.force_of(cut) / yields).value());
+    }
+    if (most <= hardly_sheared) continue;
+    add("sheared outstand",
+        {segment, wall.name,
+         fmt::format(
+             "it has a free edge, is beyond class 3 and bears shear, {:.3g} of what makes it "
+             "yield: its buckling under that is not judged (EN 1993-1-5, clause 5, is for "
+             "plates between flanges)",
+             most),
+         true},
+        most);
+  }
+}
+
+void PlateGates::add_effective_area(const std::string& segment, const std::string& plate,
+                                    double share) {
+  constexpr double least_area = 0.5;
+  if (share >= least_area) return;
+  add("effective area",
+      {segment, plate,
+       fmt::format("{:.3g} of its area is effective, less than 0.5: the stresses by which "
+                   "fatigue is judged are not those of the full section (EN 1993-1-5, 2.2(5))",
+                   share),
+       true},
+      1.0 / share);
+}
+
+void PlateGates::add_breathing(const std::string& segment, const std::string& plate,
+                               double breathing, double ratio) {
+  if (breathing <= 1.0) return;
+  add("breathing",
+      {segment, plate,
+       fmt::format("it breathes out of its plane, {:.3g} times as much as its edges bear in "
+                   "fatigue (b/t = {:.3g}, EN 1993-2, 7.4)",
+                   breathing, ratio),
+       true},
+      breathing);
 }
 
 }  // namespace boxbeam

@@ -11,6 +11,7 @@
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/plate_checks.hpp"
+#include "boxbeam/verification/slender_path.hpp"
 #include "boxbeam/verification/worst_place.hpp"
 
 namespace boxbeam {
@@ -120,6 +121,11 @@ class AlongBeam {
     values[of_class] = class_3_use_at(*project_, station, histories);
     if (const auto plates = slender_plates_at(*project_, *zones_, station)) {
       const Utilisations uses = plate_uses_of(*project_, *plates, samples);
+      for (std::size_t k = 0; k < plate_criteria.size(); ++k)
+        values[k] = uses.of(plate_criteria[k]);
+    }
+    if (const auto path = slender_path_at(*project_, station)) {
+      const Utilisations uses = path_uses_of(*project_, *path, samples);
       for (std::size_t k = 0; k < plate_criteria.size(); ++k)
         values[k] = uses.of(plate_criteria[k]);
     }

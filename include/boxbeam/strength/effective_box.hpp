@@ -10,6 +10,7 @@
 #include "boxbeam/section/section.hpp"
 #include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/plate_materials.hpp"
+#include "boxbeam/strength/section_use.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
 
 /// A box of four slender plates, judged by what of them works once they have buckled.
@@ -78,9 +79,6 @@ class PlateEnds {
   StressInfluence low_, high_;
 };
 
-/// What acts alone, by which an effective section is found: each has its own.
-enum class ActingAlone { compression, M_y_positive, M_y_negative, M_z_positive, M_z_negative };
-
 /// What shear lag leaves of the widths of flanges, and of webs as the flanges of M_z, at the
 /// ultimate limit state: beta^kappa >= beta. Source: EN 1993-1-5:2006, 3.3, note 3.
 struct LagShares {
@@ -128,24 +126,9 @@ struct BoxCorner {
   BoxPlate flange = BoxPlate::top_flange, web = BoxPlate::left_web;
 };
 
-/// What of N's own effective section is taken: whether the centroid shifts, and whether the area is
-/// the whole one.
-struct Shifts {
-  bool along_y = false, along_z = false;
-  bool whole_area = false;
-};
-
-/// The stress of a corner, part by part, and how far it is used.
-struct CornerUse {
+/// A corner and how far it is used.
+struct CornerUse : SectionUse {
   BoxCorner corner;
-  Area area;                ///< gross in tension, effective in compression
-  Length arm_y, arm_z;      ///< of N, from the beam axis to the centroid
-  Shifts shifts;            ///< of the centroid that these contain
-  Moment M_y, M_z;          ///< about the centroid
-  SectionModulus W_y, W_z;  ///< signed: stress per moment, inverted
-  Stress stress;            ///< tension positive
-  Stress yield_strength;
-  double use = 0.0;  ///< eta_1 with gamma_M0 = 1
 };
 
 /// A box by its effective sections.
@@ -177,17 +160,15 @@ class EffectiveBox {
     return sections_[static_cast<std::size_t>(acting)];
   }
   /// Of the centroid under compression alone.
-  Length shift_y() const { return shift_y_; }
-  Length shift_z() const { return shift_z_; }
+  Length shift_y() const { return centroid_.shift_y; }
+  Length shift_z() const { return centroid_.shift_z; }
 
  private:
-  struct Corner {
+  struct Corner : EffectivePlace {
     BoxCorner of;
-    std::array<double, 2> areas{};       ///< in tension, in compression [m^2]
-    std::array<double, 2> W_y{}, W_z{};  ///< of positive and negative moments [m^3]
     Stress flange_strength, least_strength;
   };
-  CornerUse use_of(const Corner& corner, const CutForces& cut, Shifts shifts) const;
+  CornerUse use_of(const Corner& corner, const CutForces& cut, const Shifts& shifts) const;
   template <class Look>
   void look_at_corners(const CutForces& cut, const Look& look) const;
   /// The largest compression of each plate over what it buckles by, where the worst corner yields.
@@ -196,11 +177,10 @@ class EffectiveBox {
   FourWalls box_;
   LagShares lag_;
   int most_passes_;
-  std::array<SectionAlone, 5> sections_;
+  std::array<SectionAlone, ways_of_acting> sections_;
   std::array<Corner, 4> corners_;
-  Length centroid_y_, centroid_z_;  ///< gross
-  Length shift_y_, shift_z_;        ///< of the centroid under N alone
-  Stress least_strength_;           ///< of all plates
+  EffectiveCentroid centroid_;
+  Stress least_strength_;  ///< of all plates
 };
 
 /// The stress of the corner used most, step by step, from the plates on.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/effective_path.hpp"
 
 namespace boxbeam {
 
@@ -14,8 +16,8 @@ struct WebInteraction {
   Moment moment;        ///< by which 7.1(1) is used most: with or without the shift of N
 };
 
-/// A box that yields all over when it bends about y: of its compressed flange what works, its webs
-/// whole, stiffeners left out.
+/// A box, or a path like an I, that yields all over when it bends about y: of its compressed flange
+/// what works, its webs whole, stiffeners left out.
 ///
 ///     M/M_N + (1 - M_f/M_N) (2 V/V_bw - 1)^2 <= 1,  V > V_bw/2
 ///
@@ -32,12 +34,17 @@ class PlasticBox {
  public:
   explicit PlasticBox(const EffectiveBox& box);
 
-  /// `corner`: the one used most under these cut forces, eta_1 its use with gamma_M0, eta_3 =
+  /// Of a path of upright webs between two levels and flanges there, as an I or a channel; nothing
+  /// of others. What lies in no clear width is left out.
+  static std::optional<PlasticBox> of_path(const EffectivePath& path);
+
+  /// `corner`: the place used most under these cut forces, eta_1 its use with gamma_M0, eta_3 =
   /// V/V_bw,Rd of the web.
-  WebInteraction web_under(const CutForces& cut, const CornerUse& corner, double gamma_M0,
+  WebInteraction web_under(const CutForces& cut, const SectionUse& corner, double gamma_M0,
                            double eta_1, double eta_3) const;
 
  private:
+  PlasticBox() = default;
   friend Traced derive_web_interaction(Derivation&, const PlasticBox&, const WebInteraction&,
                                        const CutForces&, double, const Traced&, const Traced&);
   /// One sense of bending.

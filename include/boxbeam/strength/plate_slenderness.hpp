@@ -12,7 +12,7 @@ namespace boxbeam {
 
 /// How slender a plate is.
 struct SlenderPlate {
-  std::string plate;   ///< "flange", "web", "top flange", "round wall", "wall 2", ...
+  std::string plate;   ///< "flange", "web", "top flange", "round wall", "walls 2, 3", ...
   double ratio = 0.0;  ///< c/t of the clear plate between walls and stiffeners, or D/t
   double limit = 0.0;  ///< of class 3
   ClassLimits limits;
@@ -30,8 +30,9 @@ std::optional<Stress> class_yield_of(const Profile& profile, const PlateMaterial
 ///     outstand (a stiffener, a wall with a free edge) c/t <= 14 eps,  eps = sqrt(235 MPa/f_y)
 ///
 /// A necessary condition: axial compression lowers the web's limit; a web divided by stiffeners is
-/// taken as compressed. Plates without a yield strength in their material's table are left out,
-/// solids have none. Source: EN 1993-1-1:2005, table 5.2.
+/// taken as compressed. The walls of a path are the plates of `plates_of`. Plates without a yield
+/// strength in their material's table are left out, solids have none. Source: EN 1993-1-1:2005,
+/// table 5.2.
 std::vector<SlenderPlate> plate_slenderness_of(const Profile& profile,
                                                const PlateMaterials& materials);
 

@@ -31,6 +31,11 @@ double shear_hardening_factor(Stress yield_strength);
 ShearBucklingNeed shear_buckling_need(Length clear_depth, Length thickness, Stress yield_strength,
                                       double eta);
 
+/// h_w/t_w of a web beyond which its compressed flange may buckle into it, k E/f_yf sqrt(A_w/A_fc)
+/// with k = 0.55, moments up to the elastic one; A_fc the flange's effective area. Of straight
+/// flanges. Source: EN 1993-1-5:2006, 8(1), equation 8.1.
+double flange_induced_limit(Area web, Area flange, Stress flange_strength);
+
 /// The longitudinal stiffeners of a plate in shear.
 struct ShearStiffeners {
   int count = 0;

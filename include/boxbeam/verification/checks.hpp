@@ -8,6 +8,7 @@
 
 #include "boxbeam/strength/box_distortion.hpp"
 #include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/strength/member_buckling.hpp"
 #include "boxbeam/strength/patch_loading.hpp"
 #include "boxbeam/strength/reduced_stress.hpp"
@@ -72,6 +73,18 @@ struct PlateBasis {
   const ReducedPlate* reduced = nullptr;    ///< the same, where it is judged by reduced stresses
   CutForces cut;                            ///< at the check's instant
   CornerUse corner;                         ///< the one used most then
+  double load_factor = 1.0;
+};
+
+struct SlenderPath;
+struct ShearedWall;
+
+/// What the check of a path whose plates buckle rests on.
+struct PathBasis {
+  std::shared_ptr<const SlenderPath> path;
+  const ShearedWall* wall = nullptr;  ///< of it; nothing of the section
+  CutForces cut;                      ///< at the check's instant
+  PathUse use;                        ///< of the place used most then
   double load_factor = 1.0;
 };
 
@@ -141,6 +154,7 @@ struct CheckResult {
   std::optional<GivenBasis> given = {};
   std::optional<DeflectionBasis> deflection = {};
   std::optional<PlateBasis> plates = {};
+  std::optional<PathBasis> path = {};
   std::optional<PatchBasis> patch = {};
   std::optional<DistortionBasis> distortion = {};
   std::optional<MemberBasis> member = {};

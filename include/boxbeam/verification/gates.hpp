@@ -32,8 +32,9 @@ struct Gate {
 /// (N/N_cr above 0.04) the limits of table 5.2 hold as they are, 5.5.2(10). Of plates that are
 /// judged by a route of EN 1993-1-5 (`slender_plates_at`) neither class nor shear stops a check,
 /// but for beams that may buckle as members; their fatigue is stopped where less than half of a
-/// plate is effective, 2.2(5), or it breathes, EN 1993-2, 7.4. Forces that come into webs are
-/// looked at elsewhere (`check_patches`).
+/// plate is effective, 2.2(5), or it breathes, EN 1993-2, 7.4. Paths stop, too, of which a slender
+/// outstand is sheared or shear lag reduces a flange. Forces that come into webs are looked at
+/// elsewhere (`check_patches`).
 class PlateGates {
  public:
   /// Looks at what is given, which stays.
@@ -54,10 +55,17 @@ class PlateGates {
   void look_at_class(const std::string& segment, const Profile& profile,
                      const PlateMaterials& materials, bool alike, const AreaSums& sums,
                      const std::vector<SituationHistory>& histories, const std::string& obstacle,
-                     const SlenderPlates* judged);
+                     bool judged);
   /// slender_plate_gates.cpp
   void look_at_slender(const std::string& segment, const SlenderPlates& plates,
                        const AreaSums& sums, const std::vector<SituationHistory>& histories);
+  void look_at_slender(const std::string& segment, const SlenderPath& path,
+                       const std::vector<SituationHistory>& histories);
+  void look_at_path_lag(const std::string& segment, const Station& station,
+                        const SlenderPath& path);
+  void add_effective_area(const std::string& segment, const std::string& plate, double share);
+  void add_breathing(const std::string& segment, const std::string& plate, double breathing,
+                     double ratio);
   void look_at_shear_lag(const std::string& segment, const std::string& plate,
                          const std::optional<ShearLag>& lag);
 

@@ -8,14 +8,14 @@
 #include "boxbeam/section/section.hpp"
 #include "boxbeam/section/shear_flow.hpp"
 #include "boxbeam/strength/effective_box.hpp"
+#include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 
 namespace boxbeam {
 
 /// A plate of a station in shear.
-struct ShearedPlate {
-  BoxPlate plate = BoxPlate::left_web;
-  std::string name;  ///< "web" where both are stressed alike
+struct ShearedWall {
+  std::string name;  ///< "web" where both are stressed alike, "wall 3"
   ShearPanel panel;
   ShearResistance resists;
   bool may_buckle = false;  ///< in the segment it is so slender that shear buckling is judged
@@ -28,16 +28,28 @@ struct ShearedPlate {
   };
   std::vector<Piece> pieces;
 
-  /// The size of its force in its plane, over its clear width. Of a flange that of at least half of
-  /// its largest stress, EN 1993-1-5, 7.1(5): under V_z both halves of it balance each other; of
-  /// one with stiffeners that of the largest mean of its subpanels, as if all were stressed like
-  /// it.
+  /// As a flange is looked at, EN 1993-1-5, 7.1(5): with at least half of its largest stress, for
+  /// under V_z both halves of it balance each other; with stiffeners with the largest mean of its
+  /// subpanels, as if all were stressed like it.
+  bool as_flange = false, by_subpanels = false;
+
+  /// The size of its force in its plane, over its clear width.
   Force force_of(const CutForces& cut) const;
+};
+
+struct ShearedPlate : ShearedWall {
+  BoxPlate plate = BoxPlate::left_web;
 };
 
 /// The plates of a section in shear, in the order of its flow; of webs that are stressed alike the
 /// left one, for both. `may_buckle` is left open.
 std::vector<ShearedPlate> sheared_plates_of(const Section& section, const FourWalls& walls,
                                             const Taper& taper, bool in_plane, double gamma_M1);
+
+/// The plates of a path that both ends hold, in shear, or its outstands, for whose resistance there
+/// is no rule. Each counts as a flange, too, for any of them may be one. Resistances, the length of
+/// panels and `may_buckle` are left open.
+std::vector<ShearedWall> sheared_walls_of(const ThinWalled& profile, const PathSection& path,
+                                          const Taper& taper, bool outstands);
 
 }  // namespace boxbeam

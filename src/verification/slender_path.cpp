@@ -1,0 +1,296 @@
+#include "boxbeam/verification/slender_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/judged_section.hpp"
+#include "plate_panels.hpp"
+#include "worst_instant.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// The path of a section; nothing where another profile stands in it.
+const ThinWalled* path_in(const Section& section) {
+  return section.inner ? nullptr : std::get_if<ThinWalled>(&section.outer);
+}
+
+/// The plates of both ends of a segment, between which c/t has its largest value at one of them,
+/// and in a taper of the station itself, at which others may hold each other.
+std::vector<PathPlate> plates_around(const Project& project, const Station& station) {
+  const std::size_t index = segment_at(project.beam, station);
+  const Segment& segment = project.beam.segments[index];
+  std::vector<PathPlate> plates;
+  const auto add = [&](const Section& section) {
+    const ThinWalled* const path = path_in(section);
+    if (path == nullptr) return;
+    for (PathPlate& plate : plates_of(*path, materials_of(project, index)))
+      plates.push_back(std::move(plate));
+  };
+  add(segment.from);
+  if (segment.from == segment.to) return plates;
+  add(segment.to);
+  add(judged_section_at(project, station));
+  return plates;
+}
+
+bool is_slender(const std::vector<PathPlate>& plates) {
+  return std::any_of(plates.begin(), plates.end(),
+                     [](const PathPlate& plate) { return may_buckle(plate); });
+}
+
+/// How steep the walls of a segment are: the fastest of their nodes.
+double path_slope_of(const Segment& segment) {
+  const ThinWalled &from = *path_in(segment.from), &to = *path_in(segment.to);
+  double most = 0.0;
+  for (std::size_t i = 0; i < from.nodes.size(); ++i) {
+    const SectionPlace &a = from.nodes[i], &b = to.nodes[i];
+    most = std::max({most, std::abs(((b.y - a.y) / segment.length).value()),
+                     std::abs(((b.z - a.z) / segment.length).value())});
+  }
+  return std::atan(most) * 180.0 / std::numbers::pi;
+}
+
+/// The path of a station, with what supports it across.
+std::optional<PathSection> judged_path_at(const Project& project, const Station& station) {
+  const Section section = judged_section_at(project, station);
+  const ThinWalled* const path = path_in(section);
+  if (path == nullptr) return std::nullopt;
+  auto of = path_section_of(*path, materials_of(project, segment_at(project.beam, station)));
+  if (of) of->length = supported_length_at(project, station);
+  return of;
+}
+
+/// The plate whose flange may buckle into it; "" where none may.
+std::string induced_buckling(const EffectivePath& of) {
+  const std::vector<PathPlate>& plates = of.path().plates;
+  const std::vector<PlateAlone>& alone = of.alone(ActingAlone::compression).plates;
+  for (const PathPlate& web : plates) {
+    if (web.outstand() || !may_buckle(web)) continue;
+    for (const std::size_t node : web.nodes) {
+      Area flange;
+      Stress strength;
+      for (std::size_t k = 0; k < plates.size(); ++k) {
+        const PathPlate& other = plates[k];
+        if (&other == &web || (other.nodes[0] != node && other.nodes[1] != node)) continue;
+        const double share = other.outstand() ? 1.0 : 0.5;
+        flange += share * (other.clear() - si<Length>(alone[k].idle())) * other.thickness;
+        strength = std::max(strength, other.class_strength);
+      }
+      if (!(flange > Area{})) continue;
+      const double ratio = web.clear() / web.thickness;
+      const double limit = flange_induced_limit(web.clear() * web.thickness, flange, strength);
+      if (ratio > limit) {
+        return fmt::format(
+            "{}: its flange may buckle into it, h_w/t_w = {:.3g} is above {:.3g} (EN 1993-1-5, 8)",
+            web.name, ratio, limit);
+      }
+    }
+  }
+  return "";
+}
+
+/// The checks of a station's path as they are gathered.
+class StationPath {
+ public:
+  StationPath(const Project& project, const Station& station,
+              const std::shared_ptr<const SlenderPath>& path,
+              const std::vector<SituationHistory>& histories)
+      : project_(&project), station_(station), path_(path), histories_(&histories) {}
+
+  std::vector<CheckResult> checks() {
+    add(Criterion::effective_section, worst([&](const CutForces& cut) { return normal(cut); }),
+        nullptr);
+    WorstInstant together{&histories_->front(), {}, 0.0};
+    const ShearedWall* in_wall = nullptr;
+    for (const ShearedWall& wall : path_->sheared) {
+      if (wall.may_buckle) {
+        add(Criterion::shear_buckling,
+            worst([&](const CutForces& cut) { return shear_use_of(wall, cut); }), &wall);
+      }
+      const WorstInstant of =
+          worst([&](const CutForces& cut) { return together_under(wall, cut).use; });
+      if (in_wall != nullptr && of.use <= together.use) continue;
+      together = of;
+      in_wall = &wall;
+    }
+    if (in_wall != nullptr) add(Criterion::interaction, together, in_wall);
+    return std::move(results_);
+  }
+
+ private:
+  WebInteraction together_under(const ShearedWall& wall, const CutForces& cut) const {
+    return interaction_of(*path_, wall, path_->section.worst_place(cut), cut,
+                          project_->strength.gamma_M0);
+  }
+
+  double normal(const CutForces& cut) const {
+    return project_->strength.gamma_M0 * path_->section.use(cut);
+  }
+
+  template <class Use>
+  WorstInstant worst(const Use& use) const {
+    return worst_instant_of(*histories_, use);
+  }
+
+  void add(Criterion criterion, const WorstInstant& worst, const ShearedWall* wall) {
+    if (!(worst.use > no_use)) return;
+    CheckResult result;
+    PathBasis& basis = result.path.emplace();
+    basis.path = path_;
+    basis.wall = wall;
+    basis.cut = worst.at->history.at(worst.largest.time);
+    basis.use = path_->section.worst_place(basis.cut);
+    basis.load_factor = worst.at->situation->load_factor;
+    Check& check = result.check;
+    check.criterion = criterion;
+    check.station = station_;
+    check.point = wall != nullptr ? wall->name : path_->section.places()[basis.use.place].name;
+    check.id = id_of(criterion, station_, check.point);
+    check.situation = worst.at->situation->name;
+    check.time = worst.largest.time;
+    check.safety_factor = 1.0 / worst.use;
+    check.required = project_->strength.required;
+    if (criterion == Criterion::effective_section) {
+      check.resisting = Stress(basis.use.yield_strength / project_->strength.gamma_M0);
+      check.acting = Stress(worst.use / project_->strength.gamma_M0 * basis.use.yield_strength);
+      check.source = "EN 1993-1-5:2006, 4.6, equation 4.15 (effective widths, 4.4)";
+    } else if (criterion == Criterion::shear_buckling) {
+      check.resisting = wall->resists.resistance;
+      check.acting = Force(worst.use * wall->resists.resistance);
+      check.source = "EN 1993-1-5:2006, 5.5, equation 5.10 (without the flanges' part)";
+    } else {
+      check.resisting = 1.0;
+      check.acting = worst.use;
+      check.source = together_under(*wall, basis.cut).share > 0.0
+                         ? "EN 1993-1-5:2006, 7.1(1), equation 7.1"
+                         : "EN 1993-1-5:2006, 7.1(5), equation 7.1";
+    }
+    results_.push_back(std::move(result));
+  }
+
+  const Project* project_;
+  Station station_;
+  std::shared_ptr<const SlenderPath> path_;
+  const std::vector<SituationHistory>* histories_;
+  std::vector<CheckResult> results_;
+};
+
+}  // namespace
+
+double shear_use_of(const ShearedWall& wall, const CutForces& cut) {
+  return wall.force_of(cut) / wall.resists.resistance;
+}
+
+WebInteraction interaction_of(const SlenderPath& path, const ShearedWall& wall,
+                              const PathUse& normal, const CutForces& cut, double gamma_M0) {
+  const double eta_1 = gamma_M0 * normal.use, eta_3 = shear_use_of(wall, cut);
+  const std::vector<PathPlate>& plates = path.section.path().plates;
+  const bool web =
+      path.plastic && std::any_of(plates.begin(), plates.end(), [&](const PathPlate& of) {
+        return of.name == wall.name && std::abs(of.direction.x()) <= 1e-9;
+      });
+  if (web) return path.plastic->web_under(cut, normal, gamma_M0, eta_1, eta_3);
+  const double factor = interaction_factor(eta_1, eta_3);
+  return {1.0 / factor, 0.0, factor, normal.M_y};
+}
+
+std::string path_obstacle(const Project& project, const Station& station) {
+  const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
+  const std::vector<PathPlate> ends = plates_around(project, station);
+  if (ends.empty()) return "a profile inside another shares its buckling";
+  for (const PathPlate& plate : ends) {
+    const std::string why = may_buckle(plate) ? width_obstacle(plate) : "";
+    if (!why.empty()) return why;
+  }
+  if (project.strength.plates == PlateRoute::reduced_stresses)
+    return "reduced stresses are for boxes: write plates = \"effective widths\" under [strength]";
+  constexpr double steepest = 10.0;
+  if (const double slope = path_slope_of(segment); slope > steepest)
+    return fmt::format("its walls are inclined by {:.3g} deg, above 10 deg (2.3)", slope);
+  const auto path = judged_path_at(project, station);
+  if (!path) return "a wall is thicker than its steel has a strength for";
+  const EffectivePath of(*path);
+  if (!of.settled()) return "its effective section does not settle step by step (4.4)";
+  return is_slender(ends) ? induced_buckling(of) : "";
+}
+
+std::shared_ptr<const SlenderPath> slender_path_at(const Project& project, const Station& station) {
+  const std::vector<PathPlate> ends = plates_around(project, station);
+  if (!is_slender(ends) || !path_obstacle(project, station).empty()) return nullptr;
+  const Section section = judged_section_at(project, station);
+  const PathSection path = *judged_path_at(project, station);
+  auto of = std::make_shared<SlenderPath>(SlenderPath{EffectivePath(path), {}, {}, {}});
+  of->plastic = PlasticBox::of_path(of->section);
+  const Taper taper = taper_at(project.beam, station);
+  of->sheared = sheared_walls_of(*path_in(section), path, taper, false);
+  of->outstands = sheared_walls_of(*path_in(section), path, taper, true);
+  std::erase_if(of->outstands, [&](const ShearedWall& wall) {
+    return std::none_of(ends.begin(), ends.end(), [&](const PathPlate& plate) {
+      return plate.name == wall.name && may_buckle(plate);
+    });
+  });
+  const std::optional<Length> length = panel_length_at(project.beam, station);
+  for (ShearedWall& wall : of->sheared) {
+    wall.panel.length = length;
+    wall.resists = shear_resistance_of(wall.panel, project.strength.gamma_M1);
+    wall.may_buckle = std::any_of(ends.begin(), ends.end(), [&](const PathPlate& plate) {
+      return plate.name == wall.name &&
+             shear_buckling_need(plate.clear(), plate.thickness, plate.class_strength,
+                                 shear_hardening_factor(plate.class_strength))
+                 .check_needed();
+    });
+  }
+  return of;
+}
+
+Utilisations path_uses_of(const Project& project, const SlenderPath& path,
+                          const StationSamples& samples) {
+  Utilisations found;
+  const auto look = [&](Criterion criterion, const auto& use) {
+    double& of = found.of(criterion);
+    of = std::max(of, project.strength.required * samples.largest_use(use));
+  };
+  look(Criterion::effective_section,
+       [&](const CutForces& cut) { return project.strength.gamma_M0 * path.section.use(cut); });
+  for (const ShearedWall& wall : path.sheared) {
+    if (wall.may_buckle) {
+      look(Criterion::shear_buckling,
+           [&](const CutForces& cut) { return shear_use_of(wall, cut); });
+    }
+    look(Criterion::interaction, [&](const CutForces& cut) {
+      return interaction_of(path, wall, path.section.worst_place(cut), cut,
+                            project.strength.gamma_M0)
+          .use;
+    });
+  }
+  return found;
+}
+
+std::vector<CheckResult> check_path(const Project& project, const Station& station,
+                                    const std::shared_ptr<const SlenderPath>& path,
+                                    const std::vector<SituationHistory>& histories) {
+  return StationPath(project, station, path, histories).checks();
+}
+
+bool buckles_under(const EffectivePath& path, const CutForces& cut) {
+  const auto buckles = [&](ActingAlone acting) {
+    const std::vector<PlateAlone>& plates = path.alone(acting).plates;
+    return std::any_of(plates.begin(), plates.end(),
+                       [](const PlateAlone& of) { return of.idle() > 0.0; });
+  };
+  const PathUse worst = path.worst_place(cut);
+  const auto bent = [&](bool about_y, Moment moment) {
+    return moment.value() != 0.0 && buckles(moment_alone(about_y, moment.value() < 0.0));
+  };
+  return (cut.N.value() < 0.0 && buckles(ActingAlone::compression)) || bent(true, worst.M_y) ||
+         bent(false, worst.M_z);
+}
+
+}  // namespace boxbeam

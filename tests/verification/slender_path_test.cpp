@@ -1,0 +1,314 @@
+// Thin-walled paths of class 4 from the case to the verdict: a plate girder by hand, a box as a
+// path against the box itself, stations looked at one by one, and what must not be judged so.
+
+#include "boxbeam/verification/slender_path.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "boxbeam/project/catalogue.hpp"
+#include "boxbeam/report/report.hpp"
+#include "boxbeam/strength/shear_buckling.hpp"
+#include "catch.hpp"
+#include "support/path_cases.hpp"
+
+namespace slender_path_test {
+
+using namespace boxbeam;
+using namespace slender_cases;
+using namespace paths;
+using path_cases::held;
+using path_cases::section;
+
+namespace {
+
+/// S355, flanges 400 x 12, web 1200 x 6: both of class 4.
+const ThinWalled girder = i_section(400.0, 12.0, 1200.0, 6.0);
+
+std::string girder_case(const ThinWalled& path, double length, double V, double N = 0.0,
+                        const std::string& more = "") {
+  return cantilever(section("a", path),
+                    segment(length, "a") + diaphragms({length}) + held(length, 20) + more,
+                    tip(length, V, N));
+}
+
+bool has_blocking_gate(const Verification& of, const std::string& words) {
+  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
+    return gate.blocks && gate.finding.find(words) != std::string::npos;
+  });
+}
+
+bool is_judged(const Verification& of) {
+  return !has_blocking_gate(of, "class 4") &&
+         std::any_of(of.checks.begin(), of.checks.end(),
+                     [](const CheckResult& result) { return result.path.has_value(); });
+}
+
+std::shared_ptr<const SlenderPath> at(const Project& project, double s) {
+  return slender_path_at(project, {s * metre, Side::both});
+}
+
+}  // namespace
+
+TEST_CASE("a plate girder of class 4 gets a verdict: effective section and shear by hand") {
+  const double V = 150e3, L = 6.0;
+  const Project project = parse_project("path.toml", girder_case(girder, L, -1e-3 * V));
+  const Verification of = verify(project);
+  CHECK(is_judged(of));
+  // One pass by hand, tests/strength/effective_path_test.cpp: flange rho 0.7631, then the web. The
+  // program goes on until nothing changes, which is up to 3 % less.
+  const double eps = std::sqrt(235.0 / 355.0);
+  const double flange = 6.0 + 2.0 * 0.76309 * 197.0;
+  const double A = (flange + 400.0) * 12.0 + 7200.0;
+  const double axis = (400.0 - flange) * 12.0 * 606.0 / A;  // towards the stretched flange
+  const double psi = -(600.0 - axis) / (600.0 + axis);
+  const double k = 7.81 - 6.29 * psi + 9.78 * psi * psi;
+  const double lambda = 200.0 / (28.4 * eps * std::sqrt(k));
+  const double rho = (lambda - 0.055 * (3.0 + psi)) / (lambda * lambda);
+  const double pressed = 1200.0 / (1.0 - psi), idle = (1.0 - rho) * pressed;
+  const double at_idle = 600.0 - 0.4 * rho * pressed - 0.5 * idle;  // from mid-height
+  const double left = A - 6.0 * idle, moved = (A * axis + 6.0 * idle * at_idle) / left;
+  const double I = (flange + 400.0) * (12.0 * 606.0 * 606.0 + 144.0) +
+                   6.0 * std::pow(1200.0, 3) / 12 -
+                   6.0 * (std::pow(idle, 3) / 12 + idle * at_idle * at_idle) - left * moved * moved;
+  const double sigma = V * L * 1e3 * (606.0 + moved) / I;
+  const CheckResult* const bent = of.governing(Criterion::effective_section);
+  REQUIRE(bent != nullptr);
+  CHECK(bent->check.station.s.value() == 0.0);
+  CHECK(bent->check.acting.value() >= sigma * 1e6 * (1.0 - 1e-4));
+  CHECK(bent->check.acting.value() <= sigma * 1e6 * 1.03);
+  // h_w/t = 200, k_tau = 5.34: chi = 0.83 x 37.4 eps sqrt(5.34)/200. V_w is the integral of V S/I
+  // over the clear web: all but what flows beyond it in the flanges.
+  const CheckResult* const shear = of.governing(Criterion::shear_buckling);
+  REQUIRE(shear != nullptr);
+  const double chi = 0.83 * 37.4 * eps * std::sqrt(5.34) / 200.0;
+  CHECK(shear->check.resisting.value() ==
+        Approx(chi * 355e6 * 1.2 * 0.006 / std::sqrt(3.0)).epsilon(1e-9));
+  const double I_gross =
+      2.0 * 400.0 * (12.0 * 606.0 * 606.0 + 144.0) + 6.0 * std::pow(1200.0, 3) / 12;
+  const double mean = 400.0 * 12.0 * 606.0 + 6.0 * 600.0 * 600.0 / 3.0;  // S over the web, mean
+  CHECK(shear->check.acting.value() == Approx(V * mean * 1200.0 / I_gross).epsilon(1e-3));
+  CHECK(shear->check.point == "wall 5");
+  // The last step of each sheet is the factor of its check.
+  int sheets = 0;
+  for (const CheckResult& result : of.checks) {
+    if (!result.path || result.check.station.s.value() > 0.0) continue;
+    INFO(result.check.id);
+    const report::Sheet sheet = sheet_of(project, of, result);
+    REQUIRE(!sheet.steps.empty());
+    const report::Step& last = sheet.steps.back();
+    CHECK(last.symbol == "factor");
+    REQUIRE(!last.formulas.empty());
+    CHECK(std::stod(last.formulas.back()) == Approx(result.check.safety_factor).epsilon(6e-4));
+    ++sheets;
+  }
+  CHECK(sheets >= 2);
+}
+
+TEST_CASE("shear above half of the resistance takes from the moment of a girder, 7.1(1)",
+          "[plates]") {
+  const Project project = parse_project("path.toml", girder_case(girder, 1.5, -350.0));
+  const Verification of = verify(project);
+  const CheckResult* const both = of.governing(Criterion::interaction);
+  REQUIRE(both != nullptr);
+  CHECK(both->check.source == "EN 1993-1-5:2006, 7.1(1), equation 7.1");
+  const double eta_1 = use_of(of, Criterion::effective_section);
+  const double eta_3 = use_of(of, Criterion::shear_buckling);
+  REQUIRE(eta_3 > 0.7);
+  CHECK(both->check.utilisation() > std::max(eta_1, eta_3) * (1.0 - 1e-6));
+  CHECK(both->check.utilisation() < 0.98 / interaction_factor(eta_1, eta_3));
+  // kN and m; of the compressed flange 2 x 0.76309 x 197 mm work, what stands over the web is left
+  // out.
+  const double F_c = 2.0 * 0.76309 * 197.0 * 12.0 * 0.355, F_t = 2.0 * 197.0 * 12.0 * 0.355;
+  const double W = 7200.0 * 0.355, w = F_c - F_t, M_f = F_c * 1.212;
+  const double M_pl = (F_c + F_t) * 0.606 + W * 1.2 / 4.0 * (1.0 - w * w / (W * W));
+  const double f = 1.0 / both->check.utilisation(), m = 350.0 * 1.5 / M_pl;
+  const double used = f * m + (1.0 - M_f / M_pl) * std::pow(2.0 * f * eta_3 - 1.0, 2);
+  // Either 7.1(1) or clause 5 alone ends it.
+  CHECK(used <= 1.0 + 1e-3);
+  CHECK((std::abs(used - 1.0) < 1e-3 || f * eta_3 > 1.0 - 1e-3));
+  const report::Sheet sheet = sheet_of(project, of, *both);
+  CHECK(std::stod(sheet.steps.back().formulas.back()) ==
+        Approx(both->check.safety_factor).epsilon(6e-4));
+}
+
+TEST_CASE("a box as a path is used as the box where no moment acts", "[plates]") {
+  const double b = 600.0, h = 1224.0;
+  const std::string pushed = segment(1.0, "a") + diaphragms({1.0});
+  for (const auto& [N, V] : {std::pair{-3000.0, 0.0}, {0.0, -500.0}}) {
+    const Verification as_box =
+        verified(cantilever(box("a", b, h, 12.0, 8.0), pushed, tip(1.0, V, N)));
+    const Verification as_path =
+        verified(cantilever(section("a", box_path(b, h, 12.0, 8.0)), pushed, tip(1.0, V, N)));
+    for (const Criterion criterion : {Criterion::effective_section, Criterion::shear_buckling}) {
+      // One pass of the box and all of the path differ under M.
+      if (criterion == Criterion::effective_section && V != 0.0) continue;
+      CAPTURE(N, V, to_text(criterion));
+      CHECK(use_of(as_path, criterion) == Approx(use_of(as_box, criterion)).epsilon(1e-6));
+    }
+    CHECK(use_of(as_path, Criterion::interaction) >=
+          use_of(as_box, Criterion::interaction) * (1.0 - 1e-6));
+  }
+}
+
+TEST_CASE("torsion of a box as a path: q = T/(2 A_m) in all four walls", "[plates]") {
+  const double T = 500e3;
+  const std::string twist = fmt::format(
+      "[loads.twist]\nkind = \"force\"\nat = \"4 m\"\nmoment = [\"{} N m\", \"0 N m\", \"0 N "
+      "m\"]\n",
+      T);
+  const Project project =
+      parse_project("path.toml", cantilever(section("a", box_path(600.0, 1224.0, 6.0, 8.0)),
+                                            segment(4.0, "a"), twist, "space = true\n"));
+  const auto path = at(project, 2.0);
+  REQUIRE(path != nullptr);
+  CutForces cut{};
+  cut.T = si<Moment>(T);
+  const double q = T / (2.0 * 0.592 * 1.218);
+  REQUIRE(path->sheared.size() == 4);
+  for (const ShearedWall& wall : path->sheared)
+    CHECK(wall.force_of(cut).value() == Approx(q * wall.panel.depth.value()).epsilon(5e-4));
+}
+
+TEST_CASE("no station of a path is used more than what is reported", "[plates]") {
+  std::mt19937 random(21);
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  int judged = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double b = in(300.0, 400.0), t = in(8.0, 12.0), web = in(6.0, 8.0);
+    const ThinWalled deep = i_section(b, t, in(900.0, 1200.0), web);
+    const ThinWalled shallow = i_section(b * in(0.7, 1.0), t, in(600.0, 900.0), web);
+    const double L = 6.0;
+    const Project project = parse_project(
+        "path.toml",
+        cantilever(section("a", deep) + section("b", shallow),
+                   taper(L, "a", "b") + diaphragms({0.0, 2.0, in(3.0, 5.0), L}) + held(L, 20),
+                   tip(L, -in(20.0, 100.0), -in(0.0, 100.0))));
+    const Verification of = verify(project);
+    const auto runs = run_situations(project, of.model.chosen);
+    std::map<Criterion, double> most;
+    constexpr int steps = 60;
+    for (int k = 0; k <= steps; ++k) {
+      const Station station{project.beam.length() * (static_cast<double>(k) / steps), Side::both};
+      const auto path = slender_path_at(project, station);
+      REQUIRE(path != nullptr);
+      for (const CheckResult& check :
+           check_path(project, station, path, histories_at(runs, station))) {
+        double& use = most[check.check.criterion];
+        use = std::max(use, check.check.utilisation());
+      }
+      ++judged;
+    }
+    const double section_use =
+        std::max(use_of(of, Criterion::effective_section), use_of(of, Criterion::yield));
+    CHECK(most[Criterion::effective_section] <= section_use * (1.0 + 1e-3));
+    CHECK(most[Criterion::shear_buckling] <= use_of(of, Criterion::shear_buckling) * (1.0 + 1e-3));
+    CHECK(most[Criterion::interaction] <= std::max({use_of(of, Criterion::interaction), section_use,
+                                                    use_of(of, Criterion::shear_buckling)}) *
+                                              (1.0 + 1e-3));
+  }
+  CHECK(judged > 300);
+}
+
+TEST_CASE("splitting its walls changes no verdict of a path", "[plates]") {
+  const Verification whole = verified(girder_case(girder, 6.0, -100.0));
+  const Verification in_two =
+      verified(girder_case(split(split(girder, 4, 0.35), 0, 0.5), 6.0, -100.0));
+  for (const Criterion criterion : {Criterion::yield, Criterion::effective_section,
+                                    Criterion::shear_buckling, Criterion::interaction}) {
+    CAPTURE(to_text(criterion));
+    CHECK(use_of(in_two, criterion) == Approx(use_of(whole, criterion)).epsilon(1e-6));
+  }
+  CHECK(in_two.verdict == whole.verdict);
+}
+
+TEST_CASE("what of a path is not judged keeps the verdict back", "[plates]") {
+  SECTION("a force without a diaphragm") {
+    const Verification of = verified(
+        cantilever(section("a", girder), segment(6.0, "a") + held(6.0, 20), tip(6.0, -50.0)));
+    CHECK(has_blocking_gate(of, "clause 6"));
+    CHECK(of.verdict == Verdict::not_applicable);
+    CHECK(!has_blocking_gate(verified(girder_case(girder, 6.0, -50.0)), "clause 6"));
+  }
+  SECTION("a rib, a lip, reduced stresses, steep walls") {
+    const auto found = [](const ThinWalled& path, const std::string& words,
+                          const std::string& strength = "") {
+      const Verification of = verified(
+          cantilever(section("a", path), segment(2.0, "a") + diaphragms({2.0}) + held(2.0, 20),
+                     tip(2.0, -0.5), "", strength));
+      CAPTURE(words);
+      CHECK(of.verdict == Verdict::not_applicable);
+      CHECK(has_blocking_gate(of, words));
+      CHECK(of.governing(Criterion::effective_section) == nullptr);
+    };
+    ThinWalled ribbed = girder;
+    ribbed = split(ribbed, 4, 0.2);
+    const std::size_t foot = ribbed.nodes.size() - 1;
+    add_wall(ribbed, foot, add_node(ribbed, mm_place(80.0, 363.6)), 8.0);
+    found(ribbed, "a rib stands on it");
+    ThinWalled lipped = channel(300.0, 150.0, 2.0, 2.0);
+    add_wall(lipped, lipped.walls[0].from, add_node(lipped, mm_place(150.0, 100.0)), 2.0);
+    add_wall(lipped, lipped.walls[2].to, add_node(lipped, mm_place(150.0, -100.0)), 2.0);
+    found(lipped, "a lip alone");
+    found(girder, "plates = \"effective widths\"", "plates = \"reduced stresses\"\n");
+    // 400/(2000) is 11.3 degrees on each side.
+    const Verification steep = verified(
+        cantilever(section("a", girder) + section("b", i_section(400.0, 12.0, 400.0, 6.0)),
+                   taper(2.0, "a", "b") + diaphragms({2.0}) + held(2.0, 20), tip(2.0, -10.0)));
+    CHECK(has_blocking_gate(steep, "above 10 deg"));
+  }
+  SECTION("a web into which its flange may buckle: 0.55 E/f_y sqrt(A_w/A_fc)") {
+    // 0.55 x 591.5 x sqrt(1500 x 5/(500 x 40)) = 199 < 300.
+    const Verification of = verified(girder_case(i_section(500.0, 40.0, 1500.0, 5.0), 6.0, -50.0));
+    CHECK(has_blocking_gate(of, "its flange may buckle into it"));
+  }
+  SECTION("the stem of a T that bears shear") {
+    ThinWalled tee;
+    const std::size_t top = add_node(tee, mm_place(0.0, 100.0));
+    add_wall(tee, add_node(tee, mm_place(100.0, 100.0)), top, 10.0);
+    add_wall(tee, top, add_node(tee, mm_place(-100.0, 100.0)), 10.0);
+    add_wall(tee, top, add_node(tee, mm_place(0.0, -200.0)), 6.0, 5.0);
+    CHECK(has_blocking_gate(verified(girder_case(tee, 0.5, -60.0)), "free edge"));
+  }
+  SECTION("flanges that shear lag reduces") {
+    const std::string text = girder_case(girder, 2.0, -20.0);
+    Project project = parse_project("path.toml", text);
+    CHECK(!has_blocking_gate(verify(project), "shear lag"));
+    project.strength.shear_lag = true;
+    CHECK(has_blocking_gate(verify(project), "shear lag"));
+  }
+}
+
+TEST_CASE("a web that breathes, and a plate of which less than half works, keep fatigue back",
+          "[plates]") {
+  const std::string cycles =
+      "[[situations]]\nname = \"on\"\nloads = { tip = 1.0 }\n"
+      "[[situations]]\nname = \"off\"\nloads = { tip = 0.0 }\n"
+      "[[situations]]\nname = \"lift\"\nbetween = [\"on\", \"off\"]\ncycles = 1000\n";
+  // tau = 200e3/7200 = 28 MPa; sigma_E = 190e3/200^2 = 4.75 MPa: 1.1 x 28/(5.34 x 4.75) = 1.2.
+  CHECK(has_gate(verified(girder_case(girder, 1.0, -200.0) + fatigue + cycles), "breathes"));
+  // Its web, evenly compressed by 150 MPa: lambda_red = 200/(28.4 eps 2) sqrt(150/355) = 2.8.
+  CHECK(has_gate(verified(girder_case(girder, 1.0, 0.0, -2500.0) + fatigue + cycles),
+                 "less than 0.5"));
+}
+
+TEST_CASE("a path that turns over is judged as a member by its effective section", "[plates]") {
+  const Verification of = verified(cantilever(
+      section("a", girder), segment(6.0, "a") + diaphragms({6.0}) + held(6.0, 3), tip(6.0, -20.0)));
+  REQUIRE(of.model.second_order.lateral);
+  REQUIRE(of.model.second_order.lateral->part > no_turning_over_below);
+  const auto member = std::find_if(
+      of.checks.begin(), of.checks.end(),
+      [](const CheckResult& result) { return result.check.id == "member-buckling/sideways"; });
+  if (of.model.second_order.lateral->part < 1.0) {
+    REQUIRE(member != of.checks.end());
+    // M/(W_eff f_y), by the hand calculation above: more than by the whole section.
+    const CheckResult* const bent = of.governing(Criterion::effective_section);
+    REQUIRE(bent != nullptr);
+    CHECK(member->member->load.bent >= bent->check.utilisation() * (1.0 - 1e-6));
+  }
+}
+
+}  // namespace slender_path_test
