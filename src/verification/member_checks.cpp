@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "boxbeam/section/section_properties.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "boxbeam/verification/plate_checks.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 
 namespace boxbeam {
@@ -39,7 +42,7 @@ CheckResult check_of(const Project& project, double use, const std::string& poin
   return result;
 }
 
-/// What slender walls of paths take from a member, the most of some stations of each segment:
+/// What slender plates take from a member, the most of some stations of each segment:
 /// A/A_eff and W/W_eff, by which N/(A f_y) and M/(W f_y) grow, and how much of the latter the shift
 /// of N's centroid makes of the former.
 struct MemberLoss {
@@ -68,14 +71,41 @@ void add_loss(const Project& project, const Station& station, MemberLoss& loss) 
   loss.shift = std::max(loss.shift, shift);
 }
 
+/// The same of a box, shear lag left out.
+void add_box_loss(const Project& project, const Station& station, MemberLoss& loss) {
+  const auto plates = slender_plates_at(project, {}, station);
+  if (!plates) return;
+  const EffectiveBox& of = plates->box;
+  const double area = of.alone(ActingAlone::compression).sums.area;
+  loss.area = std::max(loss.area, of.box().gross.area / area);
+  const SectionProperties whole = properties_of(judged_section_at(project, station));
+  double shift = 0.0;
+  for (const bool about_y : {true, false}) {
+    double left = std::numeric_limits<double>::infinity();
+    for (const double sign : {1.0, -1.0}) {
+      CutForces cut;
+      (about_y ? cut.M_y : cut.M_z) = si<Moment>(sign);
+      const CornerUse worst = of.worst_corner(cut);
+      left = std::min(left, std::abs((about_y ? worst.W_y : worst.W_z).value()));
+    }
+    loss.modulus = std::max(loss.modulus, (about_y ? whole.W_y : whole.W_z).value() / left);
+    shift += area * std::abs((about_y ? of.shift_z() : of.shift_y()).value()) / left;
+  }
+  loss.shift = std::max(loss.shift, shift);
+}
+
 MemberLoss loss_of(const Project& project) {
   constexpr int inside = 8;
   MemberLoss loss;
+  const auto look_at = [&](const Station& station) {
+    add_loss(project, station, loss);
+    add_box_loss(project, station, loss);
+  };
   for (const Segment& segment : project.beam.segments) {
-    add_loss(project, {segment.start, Side::behind}, loss);
-    add_loss(project, {segment.end(), Side::before}, loss);
+    look_at({segment.start, Side::behind});
+    look_at({segment.end(), Side::before});
     for (int i = 1; i < inside && segment.from != segment.to; ++i)
-      add_loss(project, {segment.start + segment.length * (static_cast<double>(i) / inside)}, loss);
+      look_at({segment.start + segment.length * (static_cast<double>(i) / inside)});
   }
   return loss;
 }
@@ -85,6 +115,11 @@ MemberLoss loss_of(const Project& project) {
 std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate) {
   std::vector<CheckResult> checks;
   const double gamma_M1 = project.strength.gamma_M1;
+  const auto counts = [](const auto& of, double least) { return of && of->part > least; };
+  const bool looked_at = estimate.in_plane.part > no_buckling_below ||
+                         counts(estimate.across, no_buckling_below) ||
+                         counts(estimate.lateral, no_turning_over_below);
+  if (!looked_at) return checks;
   const MemberLoss loss = loss_of(project);
   MemberLoad load{loss.area * estimate.compressed, 0.0, 0.0};
   load.bent = loss.modulus * bent_by(estimate) + loss.shift * load.compressed;

@@ -163,9 +163,7 @@ class Estimating {
       const PlateOf first = first_to_yield(plates_around(project, place.station.s, wall));
       const auto yield = yield_strength_of(*first.material, wall);
       yield_.push_back(yield ? yield->value() : unbounded);
-      const Extent extent = extent_of(section.outer);
-      const Length out = std::max(extent.y_high, Length(-extent.y_low));
-      modulus_across_.push_back((properties_of(section).I_z / out).value());
+      modulus_across_.push_back(properties_of(section).W_z.value());
     }
     result_.whole = true;
     result_.across.emplace();
