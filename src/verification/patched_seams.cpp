@@ -45,17 +45,18 @@ std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<P
   for (const std::size_t k : {0U, 1U}) {
     basis.share = std::abs(shares[k]);
     if (!(basis.share > 0.0)) continue;
-    of.plate = webs[k];
+    const BoxPlate web = webs[k];
+    of.plate = web;
     for (const BoxPlate flange : flanges_of(patch)) {
       const auto throat = std::find_if(judged.seams.begin(), judged.seams.end(),
-                                       [&](const auto& at) { return joins(*at, webs[k], flange); });
+                                       [&](const auto& at) { return joins(*at, web, flange); });
       if (throat == judged.seams.end()) continue;
       const PlateOf& joined = (*throat)->joined;
       const auto tensile = tensile_strength_of(*joined.material, joined.thickness);
       if (!tensile) continue;
       const Length a = seam_throat_of(**throat);
       const auto spread = [&](const Patch& at) {
-        return spread_of(at, web_of(walls, webs[k], flange, at, station));
+        return spread_of(at, web_of(walls, web, flange, at, station));
       };
       const Spread own = spread(patch);
       PatchedSeam seam{*throat,

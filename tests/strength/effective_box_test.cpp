@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "boxbeam/section/normal_stress.hpp"
 #include "boxbeam/section/section_properties.hpp"
 #include "catch.hpp"
 
