@@ -403,7 +403,8 @@ std::vector<Origin> origins_in(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
       const std::string path = entry.path().string();
-      if (!path.ends_with(".toml") || path.find("/catalogue/") != std::string::npos) continue;
+      const auto in = [&](const char* name) { return path.find(name) != std::string::npos; };
+      if (!path.ends_with(".toml") || in("/catalogue/") || in("/studies/")) continue;
       paths.push_back(path);
     }
   }
