@@ -13,10 +13,13 @@ auto flexural(Record& record, const MemberLoad& load, BucklingCurve curve, doubl
   const auto critical = record.given("n_cr", load.critical, {}, "largest N/N_cr");
   const auto m = record.given("m", load.bent, {}, "largest M/(W f_y) of the bent beam");
   using Number = decltype(n * 1.0);
+  const auto gamma = [&] { return record.known("gamma_M1", gamma_M1, {ValueKind::factor}); };
+  // A mechanism may buckle by what compresses others of its bodies.
+  if (!(load.compressed > 0.0))
+    return Number(record.define("use", gamma() * m, "nothing compresses the beam itself"));
   const Number lambda(record.define("lambda", sqrt(critical / n)));
   const Number chi = column::reduction<Record, Number>(record, lambda, curve);
-  return Number(record.define(
-      "use", record.known("gamma_M1", gamma_M1, {ValueKind::factor}) * (n / chi + m)));
+  return Number(record.define("use", gamma() * (n / chi + m)));
 }
 
 template <class Record>
@@ -38,7 +41,6 @@ auto lateral(Record& record, const MemberLoad& load, BucklingCurve curve, double
 
 double flexural_use(const MemberLoad& load, BucklingCurve curve, double gamma_M1) {
   constexpr NoDerivation plainly;
-  if (!(load.compressed > 0.0)) return gamma_M1 * load.bent;
   return flexural(plainly, load, curve, gamma_M1);
 }
 

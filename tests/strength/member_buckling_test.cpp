@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "boxbeam/core/derivation.hpp"
 #include "catch.hpp"
 
 namespace member_buckling_test {
@@ -30,6 +31,15 @@ TEST_CASE("a published column: chi = 0.878, 2297 kN") {
   const double N_cr = pi * pi * 210e9 * I / 16.0, N = 2297e3;
   const MemberLoad load{N / (A * 355e6), 0.0, N / N_cr};
   CHECK(flexural_use(load, BucklingCurve::a, 1.0) == Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("where other bodies are compressed the beam's bending counts, and its sheet is finite") {
+  // N/N_cr of the mechanism, none of it in the beam.
+  const MemberLoad load{0.0, 0.3, 0.16};
+  CHECK(flexural_use(load, BucklingCurve::c, 1.1) == Approx(1.1 * 0.3));
+  Derivation steps;
+  CHECK(derive_flexural_use(steps, load, BucklingCurve::c, 1.1).value() == Approx(1.1 * 0.3));
+  for (const DerivationStep& step : steps.steps()) CHECK(std::isfinite(step.value.value()));
 }
 
 TEST_CASE("properties of members that hold for every load") {
