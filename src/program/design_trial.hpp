@@ -31,6 +31,8 @@ std::string trouble_of(const Try& attempt) {
     return in_short(error);
   } catch (const AnalysisError& error) {
     return in_short(error);
+  } catch (const OutputError& error) {  // a result that is no number
+    return error.what();
   }
 }
 

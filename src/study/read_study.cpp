@@ -258,6 +258,10 @@ Study read(const CaseDocument& document, std::string text) {
   study.columns =
       results.texts({"columns", "keys of results.json, \"verdict\", \"governing\""}, false);
   if (study.columns.empty()) study.columns = {"verdict", "governing", "utilisation", "beam.mass"};
+  for (const Variable& variable : study.variables)
+    if (std::find(study.columns.begin(), study.columns.end(), variable.name) != study.columns.end())
+      results.problem("columns", fmt::format("\"{}\" is a variable and a column", variable.name),
+                      "give the variable another name");
   results.finish();
   root.finish();
   problems.raise();

@@ -236,6 +236,7 @@ TEST_CASE("broken studies say what is wrong and what to write", "[study]") {
       {head + "[variables.status]\nvalues = [1.0]\n", "name of a variable"},
       {head + x + "values = [1.0]\nvalue = 3\n", "value"},
       {head + x + "values = [1.0]\n[resuts]\n", "results"},
+      {head + x + "values = [1.0]\n[results]\ncolumns = [\"x\"]\n", "a variable and a column"},
       {head + "seeds = 3\n" + x + "values = [1.0]\n", "seed"},
   };
   for (const Broken& broken : all) {
