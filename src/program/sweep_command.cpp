@@ -269,8 +269,8 @@ int run_sweep(const SweepOptions& options) {
   progress.now("verifying the case as it is");
   const StudyDesigns designs(study);
   const Manifest manifest{study.name,
-                          study.path,
-                          study.case_file,
+                          fs::path(study.path).filename().string(),
+                          study.case_written,
                           designs.sha256(),
                           study.seed,
                           designs.size(),

@@ -23,6 +23,7 @@ std::string slope_text(const Sensitivity& input, Criterion criterion) {
   const auto number = [](double value) {
     return std::abs(value) < least_slope ? std::string("0") : fmt::format("{:+.2f}", value);
   };
+  if (slope.error > 0.3 * std::abs(slope.value()) + 10.0 * least_slope) return "?";
   if (slope.kinks()) return fmt::format("{} | {}", number(*slope.down), number(*slope.up));
   return number(slope.value());
 }
@@ -31,7 +32,9 @@ const char* explanation =
     "By how many percent the governing safety factor of a criterion changes where an input grows "
     "by "
     "one percent: +1 in proportion, -3 with the third power against it. Where two numbers stand, "
-    "another place or clause governs on the two sides: that of less before, that of more behind.";
+    "another place or clause governs on the two sides: that of less before, that of more behind. A "
+    "question mark: the differences by both steps do not "
+    "agree, as where a check is listed for some of the values only.";
 
 /// What is said below: inputs that are not in the table.
 std::string rest_text(const Sensitivities& of) {

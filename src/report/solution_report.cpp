@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "document_fields.hpp"
 #include "text_layout.hpp"
 
@@ -47,6 +50,12 @@ report::MarkedText solution_text(const Solution& solution) {
                of.governing, fmt::format("{:.1f}", 100.0 * of.utilisation)});
   }
   text += table.text();
+  constexpr double at_limit = 1e-9;
+  if (std::any_of(solution.values.begin(), solution.values.end(),
+                  [](const SolvedValue& of) { return std::abs(of.utilisation - 1.0) < at_limit; }))
+    text += layout::paragraph(
+        "Used 100 %: what is wanted is the limit itself, where the last digit decides between pass "
+        "and fail.");
   const Roots& search = solution.search;
   for (const JumpOver& jump : search.jumps) {
     text += layout::paragraph(

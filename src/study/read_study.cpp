@@ -143,9 +143,11 @@ Variable read_variable(const std::string& name, TableReader& table,
                        std::set<std::string>& keys_taken) {
   Variable variable;
   variable.name = name;
-  if (!is_identifier(name) || name == "design" || name == "status")
+  static const std::set<std::string> reserved{"design", "status", "verdict", "governing",
+                                              "utilisation"};
+  if (!is_identifier(name) || reserved.count(name) > 0)
     table.problem("", fmt::format("\"{}\" cannot be the name of a variable", name),
-                  "letters, digits and \"_\", a letter first; not design or status");
+                  "letters, digits and \"_\", a letter first; not that of a column");
   if (table.has({"key", "of the case, which takes the value"}))
     variable.keys.push_back(table.text("key"));
   if (table.has({"keys", "several that take it together"}))
@@ -235,6 +237,7 @@ Study read(const CaseDocument& document, std::string text) {
   const std::string file = of.text({"case", "file of the case, beside the study"});
   const std::filesystem::path beside = std::filesystem::path(document.path).parent_path();
   study.case_file = (beside / file).lexically_normal().string();
+  study.case_written = file;
   study.seed = static_cast<std::uint64_t>(of.whole_number({"seed", "of random numbers"}, 1));
   if (of.has({"samples", "of variables that scatter"}))
     study.samples = static_cast<std::size_t>(std::max(0, of.whole_number("samples")));
@@ -258,6 +261,11 @@ Study read(const CaseDocument& document, std::string text) {
   study.columns =
       results.texts({"columns", "keys of results.json, \"verdict\", \"governing\""}, false);
   if (study.columns.empty()) study.columns = {"verdict", "governing", "utilisation", "beam.mass"};
+  std::set<std::string> columns_taken;
+  for (const std::string& column : study.columns)
+    if (!columns_taken.insert(column).second)
+      results.problem("columns", fmt::format("column \"{}\" stands twice", column),
+                      "write each once");
   for (const Variable& variable : study.variables)
     if (std::find(study.columns.begin(), study.columns.end(), variable.name) != study.columns.end())
       results.problem("columns", fmt::format("\"{}\" is a variable and a column", variable.name),

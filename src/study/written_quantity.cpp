@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "boxbeam/project/quantity_text.hpp"
 
@@ -24,7 +25,7 @@ std::optional<WrittenQuantity> quantity_written_in(std::string_view text) {
   const char* const end = text.data() + text.size();
   const char* const begin = text.starts_with('+') ? text.data() + 1 : text.data();
   const auto [at, error] = std::from_chars(begin, end, quantity.value);
-  if (error != std::errc{}) return std::nullopt;
+  if (error != std::errc{} || !std::isfinite(quantity.value)) return std::nullopt;
   std::string_view unit(at, static_cast<std::size_t>(end - at));
   while (unit.starts_with(' ')) unit.remove_prefix(1);
   while (unit.ends_with(' ')) unit.remove_suffix(1);
@@ -34,7 +35,8 @@ std::optional<WrittenQuantity> quantity_written_in(std::string_view text) {
 }
 
 std::optional<WrittenQuantity> quantity_written_in(const Node& node) {
-  if (node.kind == Node::Kind::number) return WrittenQuantity{node.number, ""};
+  if (node.kind == Node::Kind::number && std::isfinite(node.number))
+    return WrittenQuantity{node.number, ""};
   if (node.kind == Node::Kind::text) return quantity_written_in(node.text);
   return std::nullopt;
 }

@@ -255,8 +255,12 @@ NeighbourChecks check_pins(const Project& project, const std::deque<SituationRun
     check.required = pin.required;
     check.source = "EN 1993-1-8:2005, 3.13.2, table 3.10";
     checks.results.push_back(std::move(result));
-    for (const LugInput& lug : pin.lugs)
+    for (const LugInput& lug : pin.lugs) {
       checks.results.push_back(check_lug(project, pin, lug, worst));
+      if (!lug.plate.end)
+        checks.not_judged.push_back({Criterion::pin, name_of(pin, lug) + ", end before its hole",
+                                     "the lug has no \"end\""});
+    }
     if (pin.replaceable)
       checks.results.push_back(
           check_in_service(project, pin, worst_of(project, runs, force, false)));

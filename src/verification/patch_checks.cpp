@@ -6,6 +6,7 @@
 #include <map>
 
 #include "boxbeam/numerics/extremum.hpp"
+#include "boxbeam/verification/distorted_stretch.hpp"
 #include "patch_search.hpp"
 
 namespace boxbeam {
@@ -30,11 +31,18 @@ struct PathForce {
   bool open = false;  ///< without a diaphragm that takes it
 };
 
+/// What is not judged of slender paths.
+struct OnPaths {
+  /// By the name of the force, and whether a diaphragm is missing.
+  std::map<std::pair<std::string, bool>, PathForce> forces;
+  PatchSearch::PathTorque torque;
+};
+
 /// Looks at one run.
 class PatchRun {
  public:
   PatchRun(const Project& project, PatchSearch& search, const SituationRun& run,
-           std::map<BorneKey, WorstPatch>& worst, std::map<std::string, PathForce>& on_paths)
+           std::map<BorneKey, WorstPatch>& worst, OnPaths& on_paths)
       : project_(&project), search_(&search), run_(&run), worst_(&worst), on_paths_(&on_paths) {}
 
   void look() {
@@ -63,6 +71,7 @@ class PatchRun {
   std::map<BorneKey, double> look_at(Time time, const BeamLoads& loads,
                                      const CutForceDiagram& diagram) {
     std::map<BorneKey, double> uses;
+    note_torque(loads);
     const std::vector<Patch> patches = search_->patches_of(loads);
     for (const Patch& patch : patches) {
       note_on_path(patch);
@@ -84,10 +93,16 @@ class PatchRun {
 
   void note_on_path(const Patch& patch) {
     if (!search_->bears_on_path(patch)) return;
+    const bool open = search_->comes_into_path(patch);
     const Force size = run_->situation->load_factor * abs(patch.force);
-    PathForce& most = (*on_paths_)[patch.name];
-    if (!(size > most.size)) return;
-    most = {patch.s, size, search_->comes_into_path(patch) || most.open};
+    PathForce& most = on_paths_->forces[{patch.name, open}];
+    if (size > most.size) most = {patch.s, size, open};
+  }
+
+  void note_torque(const BeamLoads& loads) {
+    const PatchSearch::PathTorque of = search_->torque_into_path(loads);
+    if (of.torque.value() > least_torque(*run_) && of.torque > on_paths_->torque.torque)
+      on_paths_->torque = of;
   }
 
   std::map<BorneKey, double> look_at(Time time) {
@@ -158,7 +173,7 @@ class PatchRun {
   PatchSearch* search_;
   const SituationRun* run_;
   std::map<BorneKey, WorstPatch>* worst_;
-  std::map<std::string, PathForce>* on_paths_;
+  OnPaths* on_paths_;
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
@@ -256,6 +271,19 @@ Gate gate_of(const Project& project, const std::string& name, const PathForce& o
           of.open};
 }
 
+void add_gates(const Project& project, const OnPaths& of, std::vector<Gate>& gates) {
+  for (const auto& [key, force] : of.forces) gates.push_back(gate_of(project, key.first, force));
+  if (of.torque.torque > Moment{}) {
+    const std::size_t segment = segment_at(project.beam, {of.torque.s, Side::both});
+    gates.push_back({project.beam.segments[segment].name, "",
+                     fmt::format("at s = {:.4g} m a torque of {:.4g} kN m comes into a path around "
+                                 "cells: how it distorts it is not judged; [[beam.diaphragms]] say "
+                                 "what keeps it in shape, or write it as kind = \"box\"",
+                                 of.torque.s.value(), 1e-3 * of.torque.torque.value()),
+                     true});
+  }
+}
+
 }  // namespace
 
 PatchChecks check_patches(const Project& project, const std::deque<SituationRun>& runs,
@@ -265,9 +293,9 @@ PatchChecks check_patches(const Project& project, const std::deque<SituationRun>
   if (!search.has_something_to_do()) return found;
   std::map<BorneKey, WorstPatch> worst;
   for (const SituationRun& run : runs) search.learn_clamps(run);
-  std::map<std::string, PathForce> on_paths;
+  OnPaths on_paths;
   for (const SituationRun& run : runs) PatchRun(project, search, run, worst, on_paths).look();
-  for (const auto& [name, force] : on_paths) found.gates.push_back(gate_of(project, name, force));
+  add_gates(project, on_paths, found.gates);
   // A use this small is none, as stress is (`no_stress_at`).
   constexpr double no_use = 1e-6;
   const auto add = [&](CheckResult result) {

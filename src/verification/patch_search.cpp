@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "boxbeam/project/plate_material.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
@@ -34,6 +35,7 @@ PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>&
     for (const Station& end :
          {Station{segment.start, Side::behind}, Station{segment.end(), Side::before}}) {
       const auto walls = walls_at(end);
+      look_at_plates(end, of);
       if (!walls) {
         const bool path = slender_path_at(project, end) != nullptr;
         of.path = of.path || path;
@@ -47,6 +49,66 @@ PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>&
       }
     }
   }
+}
+
+void PatchSearch::look_at_plates(const Station& station, Slender& of) const {
+  // Clause 6 bears some 18 t^2 f_y of a force; weight over the depth of a web is far below t^2 f_y.
+  const Section section = judged_section_at(*project_, station);
+  const auto take = [&](Length thickness, Length depth, Stress yield) {
+    of.none = std::min(of.none, Force(thickness * thickness * yield));
+    of.depth = std::max(of.depth, depth);
+  };
+  if (const auto walls = walls_at(station)) {
+    for (const BoxWall& wall : walls->walls)
+      take(wall.thickness, wall.clear(), wall.yield_strength);
+    return;
+  }
+  const auto* const path = std::get_if<ThinWalled>(&section.outer);
+  if (path == nullptr || !slender_path_at(*project_, station)) return;
+  constexpr Stress least_yield = 235e6 * pascal;
+  const Extent extent = extent_of(section.outer);
+  const Length depth = std::max(extent.z_high - extent.z_low, extent.y_high - extent.y_low);
+  for (const ThinWall& wall : path->walls) take(wall.thickness, depth, least_yield);
+  of.closed = of.closed || enclosed_area_of(section.outer).value() > 0.0;
+}
+
+const Diaphragm* PatchSearch::diaphragm_at(Length s) const {
+  for (const Diaphragm& of : project_->beam.diaphragms)
+    if (abs(of.s - s) <= same_place * project_->beam.length()) return &of;
+  return nullptr;
+}
+
+PatchSearch::PathTorque PatchSearch::torque_into_path(const BeamLoads& loads) const {
+  PathTorque most;
+  for (const PointLoad& load : loads.points) {
+    const Length s = std::clamp(load.s, Length{}, project_->beam.length());
+    const Slender& of = slender_[segment_at(project_->beam, {s, Side::both})];
+    const Moment torque = si<Moment>(std::abs(load.moment.x()));
+    if (of.path && of.closed && torque > most.torque && diaphragm_at(s) == nullptr)
+      most = {s, torque};
+  }
+  return most;
+}
+
+std::optional<Patch> PatchSearch::patch_of(const LineLoad& line, bool along_z) const {
+  const Slender& of =
+      slender_[segment_at(project_->beam, {line.start + 0.5 * line.length, Side::both})];
+  if (!(along_z ? of.along_z : of.along_y)) return std::nullopt;
+  const Polynomial<3>& per_length = line.force[along_z ? 2 : 1];
+  const Length over = std::min(line.length, of.depth);
+  Patch patch;
+  for (const double part : {0.0, 0.5, 1.0}) {
+    const Length middle = 0.5 * over + part * (line.length - over);
+    const Force force = si<Force>(per_length(middle.value()) * over.value());
+    if (!(abs(force) > abs(patch.force))) continue;
+    patch.force = force;
+    patch.s = line.start + middle;
+  }
+  if (!(abs(patch.force) > of.none)) return std::nullopt;
+  patch.name = "a load along the beam";
+  patch.along_z = along_z;
+  patch.stiff_length = over;
+  return patch;
 }
 
 void PatchSearch::learn_clamps(const SituationRun& run) {
@@ -93,6 +155,10 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
     }
   }
   add_groups(patches);
+  for (const LineLoad& line : loads.lines)
+    for (const bool along_z : {true, false})
+      if (along_z || project_->in_space)
+        if (std::optional<Patch> patch = patch_of(line, along_z)) patches.push_back(*patch);
   return patches;
 }
 
@@ -170,12 +236,9 @@ const LoadIntroduction* PatchSearch::introduction_at(Length s) const {
 
 bool PatchSearch::say_how_it_comes_in(Patch& patch) {
   const TaperedBeam& beam = project_->beam;
-  const Length near = same_place * beam.length();
   const LoadIntroduction* const by = introduction_at(patch.s);
   if (by != nullptr && !by->stiff_length) return false;
-  for (const Diaphragm& of : beam.diaphragms) {
-    if (abs(of.s - patch.s) <= near) patch.diaphragm = &of;
-  }
+  patch.diaphragm = diaphragm_at(patch.s);
   if (by != nullptr) {
     patch.stiff_length = *by->stiff_length;
     used_.insert(by);

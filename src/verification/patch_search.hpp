@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -65,6 +66,13 @@ class PatchSearch {
   std::vector<Borne> worst_of(const Patch& patch, const std::vector<Patch>& all,
                               const CutForceDiagram& diagram);
 
+  /// Torque that comes into a slender path around cells where no diaphragm stands: the largest of
+  /// these loads.
+  struct PathTorque {
+    Length s;
+    Moment torque;
+  };
+  PathTorque torque_into_path(const BeamLoads& loads) const;
   /// Whether a force comes into a slender path where no diaphragm takes it: it is not judged.
   bool comes_into_path(const Patch& patch) const;
   /// Whether one comes into a slender path at a diaphragm, whose bearing is not judged.
@@ -81,6 +89,10 @@ class PatchSearch {
   struct Slender {
     bool along_z = false, along_y = false;
     bool path = false;  ///< a thin-walled one, whose walls are not judged
+    /// A force over a plate's depth that is far below what bears it.
+    Force none = si<Force>(std::numeric_limits<double>::infinity());
+    Length depth;         ///< the largest
+    bool closed = false;  ///< a path around cells
   };
 
   /// The section of a station by its effective widths and, where these do not judge it, by reduced
@@ -97,6 +109,11 @@ class PatchSearch {
 
   /// By the introduction of the narrowest stretch.
   const LoadIntroduction* introduction_at(Length s) const;
+
+  void look_at_plates(const Station& station, Slender& of) const;
+  /// The largest of a load along the beam over a plate's depth.
+  std::optional<Patch> patch_of(const LineLoad& line, bool along_z) const;
+  const Diaphragm* diaphragm_at(Length s) const;
 
   /// Whether the patch is to be looked at.
   bool say_how_it_comes_in(Patch& patch);

@@ -188,13 +188,19 @@ bool divide(RemedySearch& search, Length from, Length to) {
   const Length thickness = diaphragm_thickness(search);
   const auto closest =
       static_cast<std::size_t>(2.0 * ((to - from) / height_of(search.profile())).value());
-  const auto passing = first_passing(
-      std::clamp<std::size_t>(closest, 1, most_panels), [&](std::size_t i) -> Outcome {
-        const AddedDiaphragms added = diaphragms_of(search, {from, to, i + 1}, thickness);
-        if (added.set.empty()) return std::nullopt;
-        const auto changed = search.changed_by(added.set);
-        return changed ? search.judged(*changed) : std::nullopt;
-      });
+  const auto outcome = [&](std::size_t i) -> Outcome {
+    const AddedDiaphragms added = diaphragms_of(search, {from, to, i + 1}, thickness);
+    if (added.set.empty()) return std::nullopt;
+    const auto changed = search.changed_by(added.set);
+    return changed ? search.judged(*changed) : std::nullopt;
+  };
+  // More are not always better: what keeps a box in shape between two may stretch its edges more.
+  constexpr std::size_t few = 6;
+  const std::size_t count = std::clamp<std::size_t>(closest, 1, most_panels);
+  std::optional<Passing> passing;
+  for (std::size_t i = 0; i < std::min(few, count) && !passing; ++i)
+    if (const Outcome at = outcome(i)) passing = Passing{i, *at};
+  if (!passing) passing = first_passing(count, outcome);
   if (!passing) return false;
   const Division division{from, to, passing->candidate + 1};
   AddedDiaphragms added = diaphragms_of(search, division, thickness);
@@ -216,7 +222,9 @@ void look_at_diaphragms(RemedySearch& search) {
   if (divide(search, from, to)) return;
   const bool whole = from == Length{} && to == beam.length();
   if (!whole && divide(search, Length{}, beam.length())) return;
-  search.remedies.in_vain.emplace_back("diaphragms at half the depth of the beam");
+  search.remedies.in_vain.push_back(
+      fmt::format("{:.6g} mm diaphragms at half the depth of the beam",
+                  1e3 * diaphragm_thickness(search).value()));
 }
 
 void look_at_diaphragm(RemedySearch& search) {

@@ -11,6 +11,7 @@
 #include "boxbeam/verification/model_gates.hpp"
 #include "boxbeam/verification/patch_checks.hpp"
 #include "boxbeam/verification/plausibility.hpp"
+#include "boxbeam/verification/twisting.hpp"
 
 namespace boxbeam {
 namespace {
@@ -138,9 +139,12 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
   append(material_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
+  Twisting twisting = look_at_twisting(project, runs, model.second_order);
+  append(std::move(twisting.gates), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(patches.not_judged), not_judged);
+  append(std::move(twisting.not_judged), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);

@@ -114,6 +114,8 @@ TEST_CASE("a quantity keeps its unit and its digits", "[study]") {
   CHECK(quantity_written_in("1.5")->unit.empty());
   CHECK_FALSE(quantity_written_in("S355"));
   CHECK_FALSE(quantity_written_in("12 parsec"));
+  CHECK_FALSE(quantity_written_in("nan mm"));
+  CHECK_FALSE(quantity_written_in("inf"));
   CHECK(*ratio_of_units("m", "mm") == Approx(1e-3));
   CHECK(*ratio_of_units("mm", "m") == Approx(1e3));
   CHECK_FALSE(ratio_of_units("m", "s"));

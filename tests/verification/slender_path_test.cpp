@@ -329,4 +329,67 @@ TEST_CASE("a box that turns over is judged as a member by its effective section,
   CHECK(member->member->load.bent >= bent->check.utilisation() * (1.0 - 1e-6));
 }
 
+TEST_CASE("a wheel that starts at a diaphragm comes into the web behind it", "[plates]") {
+  const auto wheel = [](const std::string& from, const std::string& to) {
+    return "[loads.wheel]\nkind = \"wheel\"\nfrom = \"" + from + "\"\nto = \"" + to +
+           "\"\nforce = [\"0 kN\", \"-280 kN\"]\n";
+  };
+  for (const auto& [from, to] : {std::pair{"0 m", "6 m"}, {"0.1 m", "5.9 m"}, {"6 m", "0 m"}}) {
+    CAPTURE(from);
+    const Verification of = verified(cantilever(
+        section("a", girder), segment(6.0, "a") + diaphragms({2.0, 4.0, 6.0}) + held(6.0, 20),
+        "[supports.end]\nkind = \"roller\"\nat = \"6 m\"\n" + wheel(from, to)));
+    CHECK(has_blocking_gate(of, "clause 6"));
+  }
+}
+
+TEST_CASE("a load on a short length comes in like a force", "[plates]") {
+  // 350 kN on 100 mm of a web of 6 mm.
+  const std::string line =
+      "[loads.q]\nkind = \"line\"\nfrom = \"1.45 m\"\nto = \"1.55 m\"\n"
+      "force_per_length = [\"0 kN/m\", \"-3500 kN/m\"]\n";
+  const std::string beam = segment(3.0, "a") + diaphragms({3.0}) + held(3.0, 20);
+  CHECK(has_blocking_gate(verified(cantilever(section("a", girder), beam, line)), "clause 6"));
+  // Of a box as the same force over as long a stiff bearing, whose place is told.
+  const std::string plates = box("a", 400.0, 1200.0, 12.0, 6.0);
+  const auto use_of = [&](const std::string& loads, const std::string& more) {
+    const Verification of = verified(cantilever(plates, beam + more, loads));
+    const CheckResult* const worst = of.governing(Criterion::patch_loading);
+    REQUIRE(worst != nullptr);
+    return worst->check.utilisation();
+  };
+  const double as_line = use_of(line, "");
+  const double as_force =
+      use_of("[loads.q]\nkind = \"force\"\nat = \"1.5 m\"\nforce = [\"0 kN\", \"-350 kN\"]\n",
+             "[[beam.load_introductions]]\nstation = \"1.5 m\"\nstiff_length = \"100 mm\"\n");
+  CHECK(as_line == Approx(as_force).epsilon(0.02));
+}
+
+TEST_CASE(
+    "torque into a slender path around cells keeps the verdict back where nothing holds its shape",
+    "[plates]") {
+  const auto with = [](const std::vector<double>& at) {
+    return verified(cantilever(
+        section("a", box_path(1200.0, 1200.0, 8.0, 8.0)), segment(12.0, "a") + diaphragms(at),
+        "[loads.twist]\nkind = \"force\"\nat = \"6 m\"\nforce = [\"0 N\", \"0 N\", \"0 N\"]\n"
+        "moment = [\"600 kN m\", \"0 N m\", \"0 N m\"]\n",
+        "space = true\n"));
+  };
+  CHECK(has_blocking_gate(with({12.0}), "cells"));
+  CHECK_FALSE(has_blocking_gate(with({6.0, 12.0}), "cells"));
+}
+
+TEST_CASE("an open path that may buckle by twisting says so", "[plates]") {
+  // G I_T/i_0^2 by hand: I_T = (2 400 12^3 + 1200 6^3)/3 = 547200 mm^4, i_0^2 = (3.64e9
+  // + 1.28e8)/16800 mm^2: 81e9 5.472e-7/0.2243 = 198 kN.
+  const auto under = [](double N) {
+    return verified(cantilever(section("a", girder),
+                               segment(1.0, "a") + diaphragms({1.0}) + held(1.0, 10),
+                               tip(1.0, -1.0, -N)));
+  };
+  CHECK(has_blocking_gate(under(2000.0), "N is 10.1 of G I_T/i_0^2"));
+  CHECK_FALSE(has_blocking_gate(under(7.0), "twisting"));
+  CHECK_FALSE(has_blocking_gate(under(-2000.0), "twisting"));
+}
+
 }  // namespace slender_path_test

@@ -33,8 +33,9 @@ struct Variable {
 struct Study {
   std::string path;
   std::string name;
-  std::string text;       ///< of the file
-  std::string case_file;  ///< from the working folder
+  std::string text;          ///< of the file
+  std::string case_file;     ///< from the working folder
+  std::string case_written;  ///< as the study has it
   std::uint64_t seed = 1;
   std::size_t samples = 0;  ///< of variables that scatter
   Sampling sampling = Sampling::random;
