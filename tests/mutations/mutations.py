@@ -258,7 +258,7 @@ MUTATIONS = [
          ("across-and-lateral", "of->part + (estimate.across ? estimate.across->factored : 0.0)", "of->part",
           "Dunkerley: N across the plane together with turning over", "lateral_estimate_test")),
     *_in("src/strength", "member_buckling.cpp",
-         ("member-gamma", "{ValueKind::factor}) * (n / chi + m)", "{ValueKind::factor}) * n / chi + m",
+         ("member-gamma", "gamma() * (n / chi + m)", "gamma() * n / chi + m",
           "gamma_M1 counts for N and for M", "member_buckling_test")),
     *_in("src/verification", "second_order_estimate.cpp",
          ("member-extremes", "estimating.take_extremes(runs);", "",
