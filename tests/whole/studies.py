@@ -117,7 +117,7 @@ def check_kills(folder, study, expected):
         process = subprocess.Popen([PROGRAM, "sweep", study, "--out", out, "--threads", "2", "--quiet", *resume],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         try:
-            process.wait(timeout=0.25 + 0.05 * (attempt % 7))
+            process.wait(timeout=0.15 + 0.02 * (attempt % 5))
             break
         except subprocess.TimeoutExpired:
             process.send_signal(signal.SIGKILL if attempt % 2 else signal.SIGINT)
