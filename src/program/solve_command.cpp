@@ -71,7 +71,7 @@ std::optional<WrittenQuantity> own_amount(const SolveOptions& options) {
   const Node* const node = value_at(document.root, options.key);
   if (node == nullptr && options.between.empty()) throw unknown_key(options, document.root);
   if (node == nullptr) return std::nullopt;
-  const std::optional<WrittenQuantity> own = quantity_written_in(*node);
+  std::optional<WrittenQuantity> own = quantity_written_in(*node);
   if (!own)
     throw InputError(
         {document.problem_at(node->place, fmt::format("{} is no number", options.key),

@@ -34,8 +34,10 @@ std::map<Criterion, Slope> slopes_of(const std::map<Criterion, double>& as_it_is
   std::map<Criterion, Slope> slopes;
   const std::array down{results_at(1.0 - h), results_at(1.0 - 2.0 * h)};
   const std::array up{results_at(1.0 + h), results_at(1.0 + 2.0 * h)};
-  for (const auto& [criterion, f] : as_it_is) {
-    const auto value_in = [&, which = criterion](const auto& results) -> std::optional<double> {
+  for (const auto& entry : as_it_is) {
+    const Criterion which = entry.first;
+    const double f = entry.second;
+    const auto value_in = [&](const auto& results) -> std::optional<double> {
       if (!results) return std::nullopt;
       const auto found = results->find(which);
       if (found == results->end() || !std::isfinite(found->second)) return std::nullopt;
@@ -58,7 +60,7 @@ std::map<Criterion, Slope> slopes_of(const std::map<Criterion, double>& as_it_is
       slope.down = slope.up = (4.0 * fine - coarse) / 3.0;
       slope.error = std::abs(fine - coarse) / 3.0;
     }
-    slopes[criterion] = slope;
+    slopes[which] = slope;
   }
   return slopes;
 }
