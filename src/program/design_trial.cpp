@@ -17,19 +17,20 @@ std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
   return verify_beams(std::move(beams));
 }
 
-std::string in_short(const InputError& error) {
-  const std::vector<Problem>& problems = error.problems();
-  std::string text = problems.empty() ? error.what() : problems.front().message;
+std::string in_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
 
+std::string in_short(const InputError& error) {
+  const std::vector<Problem>& problems = error.problems();
+  return in_one_line(problems.empty() ? error.what() : problems.front().message);
+}
+
 std::string in_short(const AnalysisError& error) {
   const AnalysisFailure& failure = error.failure();
-  std::string text =
-      failure.where.empty() ? failure.what : fmt::format("{}: {}", failure.where, failure.what);
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  return in_one_line(failure.where.empty() ? failure.what
+                                           : fmt::format("{}: {}", failure.where, failure.what));
 }
 
 }  // namespace boxbeam::program

@@ -18,6 +18,8 @@ std::vector<VerifiedBeam> verify_design(const CaseOptions& options,
 template <class Try>
 std::string trouble_of(const Try& attempt);
 
+std::string in_one_line(std::string text);
+
 /// The first thing that is wrong, in one line.
 std::string in_short(const InputError& error);
 std::string in_short(const AnalysisError& error);
@@ -32,7 +34,7 @@ std::string trouble_of(const Try& attempt) {
   } catch (const AnalysisError& error) {
     return in_short(error);
   } catch (const OutputError& error) {  // a result that is no number
-    return error.what();
+    return in_one_line(error.what());
   }
 }
 

@@ -150,7 +150,6 @@ StudySummary publish_study(const Manifest& manifest, const std::string& folder,
       const std::size_t end = text.find('\n', from);
       cells = cells_in(std::string_view(text).substr(from, end - from));
       from = end + 1;
-      if (cells.size() != columns.size()) continue;
       statistics.take({cells.begin() + 1, cells.end() - 1}, cells.back());
     }
   }
@@ -266,8 +265,8 @@ int run_sweep(const SweepOptions& options) {
   const std::string folder = options.out.empty() ? "reports/" + study.name : options.out;
   require_folder(folder);
   require_file_beside(options.json, folder);
-  Progress progress(!options.quiet);
-  progress.now("verifying the case as it is");
+  std::optional<Progress> progress(std::in_place, !options.quiet);
+  progress->now("verifying the case as it is");
   const StudyDesigns designs(study);
   const Manifest manifest{study.name,
                           fs::path(study.path).filename().string(),
@@ -289,14 +288,20 @@ int run_sweep(const SweepOptions& options) {
   std::vector<std::size_t> todo;
   for (std::size_t chunk = shard.index; chunk < manifest.chunks(); chunk += shard.count)
     if (!store.read(chunk)) todo.push_back(chunk);
-  Sweep(designs, manifest, store, std::move(todo)).run(threads_of(options), progress);
+  Sweep(designs, manifest, store, std::move(todo)).run(threads_of(options), *progress);
+  progress.reset();  // its line is gone before the result is printed
   if (shard.count > 1) {
     put_text(layout::line(fmt::format("Part {} of {} is in {}; boxbeam merge joins all parts",
                                       shard.index + 1, shard.count, store.folder().string())));
     return all_pass;
   }
-  const StudySummary summary =
-      publish_study(manifest, folder, [&](std::size_t chunk) { return *store.read(chunk); });
+  const StudySummary summary = publish_study(manifest, folder, [&](std::size_t chunk) {
+    std::optional<std::string> rows = store.read(chunk);
+    if (!rows)
+      throw OutputError(
+          fmt::format("chunk {} in {} is not as it was written", chunk, store.folder().string()));
+    return *std::move(rows);
+  });
   store.remove();
   return say(summary, folder, options.json);
 }

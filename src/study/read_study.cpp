@@ -81,7 +81,11 @@ void read_values(TableReader& table, Variable& variable) {
     return item.kind == Node::Kind::text && !quantity_written_in(item);
   };
   if (std::all_of(node.items.begin(), node.items.end(), is_word)) {
-    for (const Node& item : node.items) variable.words.push_back(item.text);
+    for (const Node& item : node.items) {
+      variable.words.push_back(item.text);
+      if (item.text.find('\n') != std::string::npos)
+        table.problem("values", "a word of \"values\" has more than one line", "write it in one");
+    }
     return;
   }
   OneUnit unit(table, variable);

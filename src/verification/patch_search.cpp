@@ -82,33 +82,63 @@ PatchSearch::PathTorque PatchSearch::torque_into_path(const BeamLoads& loads) co
   PathTorque most;
   for (const PointLoad& load : loads.points) {
     const Length s = std::clamp(load.s, Length{}, project_->beam.length());
-    const Slender& of = slender_[segment_at(project_->beam, {s, Side::both})];
+    const auto is_closed = [&](Side side) {
+      const Slender& of = slender_[segment_at(project_->beam, {s, side})];
+      return of.path && of.closed;
+    };
     const Moment torque = si<Moment>(std::abs(load.moment.x()));
-    if (of.path && of.closed && torque > most.torque && diaphragm_at(s) == nullptr)
-      most = {s, torque};
+    if (!(torque > most.torque) || diaphragm_at(s) != nullptr) continue;
+    if (is_closed(Side::both) || (s.value() > 0.0 && is_closed(Side::before))) most = {s, torque};
   }
   return most;
 }
 
-std::optional<Patch> PatchSearch::patch_of(const LineLoad& line, bool along_z) const {
-  const Slender& of =
-      slender_[segment_at(project_->beam, {line.start + 0.5 * line.length, Side::both})];
-  if (!(along_z ? of.along_z : of.along_y)) return std::nullopt;
-  const Polynomial<3>& per_length = line.force[along_z ? 2 : 1];
-  const Length over = std::min(line.length, of.depth);
-  Patch patch;
-  for (const double part : {0.0, 0.5, 1.0}) {
-    const Length middle = 0.5 * over + part * (line.length - over);
-    const Force force = si<Force>(per_length(middle.value()) * over.value());
-    if (!(abs(force) > abs(patch.force))) continue;
-    patch.force = force;
-    patch.s = line.start + middle;
+void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
+                            std::vector<Patch>& patches) const {
+  const auto largest_on = [&](const LineLoad& line) {
+    const Polynomial<3>& per_length = line.force[along_z ? 2 : 1];
+    double most = 0.0;
+    for (const double part : {0.0, 0.5, 1.0}) {
+      const double value = per_length(part * line.length.value());
+      if (std::abs(value) > std::abs(most)) most = value;
+    }
+    return most;
+  };
+  for (std::size_t i = 0; i < lines.size();) {
+    // A load goes on beyond the end of a segment, where its weight is another.
+    double most = largest_on(lines[i]);
+    Length end = lines[i].start, middle = end + 0.5 * lines[i].length;
+    Slender of;
+    const Length start = end;
+    for (bool first = true; i < lines.size(); first = false, ++i) {
+      const double here = largest_on(lines[i]);
+      const bool alike = here * most > 0.0 && std::abs(here) <= 2.0 * std::abs(most) &&
+                         std::abs(most) <= 2.0 * std::abs(here);
+      if (!first && !alike) break;
+      end = lines[i].start + lines[i].length;
+      const Length centre = lines[i].start + 0.5 * lines[i].length;
+      if (std::abs(here) > std::abs(most)) {
+        most = here;
+        middle = centre;
+      }
+      const Slender& at = slender_[segment_at(project_->beam, {centre, Side::both})];
+      of.along_z = of.along_z || at.along_z;
+      of.along_y = of.along_y || at.along_y;
+      of.none = std::min(of.none, at.none);
+      of.depth = std::max(of.depth, at.depth);
+    }
+    if (!(along_z ? of.along_z : of.along_y)) continue;
+    Patch patch;
+    patch.stiff_length = std::min(Length(end - start), of.depth);
+    patch.force = si<Force>(most * patch.stiff_length.value());
+    if (!(abs(patch.force) > of.none)) continue;
+    const Length half = 0.5 * patch.stiff_length;
+    patch.s = std::clamp(middle, Length(start + half),
+                         Length(std::max(Length(end - half), Length(start + half))));
+    patch.name = "a load along the beam";
+    patch.along_z = along_z;
+    patches.push_back(std::move(patch));
   }
-  if (!(abs(patch.force) > of.none)) return std::nullopt;
-  patch.name = "a load along the beam";
-  patch.along_z = along_z;
-  patch.stiff_length = over;
-  return patch;
 }
 
 void PatchSearch::learn_clamps(const SituationRun& run) {
@@ -155,10 +185,8 @@ std::vector<Patch> PatchSearch::patches_of(const BeamLoads& loads) {
     }
   }
   add_groups(patches);
-  for (const LineLoad& line : loads.lines)
-    for (const bool along_z : {true, false})
-      if (along_z || project_->in_space)
-        if (std::optional<Patch> patch = patch_of(line, along_z)) patches.push_back(*patch);
+  add_lines(loads.lines, true, patches);
+  if (project_->in_space) add_lines(loads.lines, false, patches);
   return patches;
 }
 

@@ -111,8 +111,9 @@ class PatchSearch {
   const LoadIntroduction* introduction_at(Length s) const;
 
   void look_at_plates(const Station& station, Slender& of) const;
-  /// The largest of a load along the beam over a plate's depth.
-  std::optional<Patch> patch_of(const LineLoad& line, bool along_z) const;
+  /// Loads along the beam, each by the largest of it over a plate's depth.
+  void add_lines(const std::vector<LineLoad>& lines, bool along_z,
+                 std::vector<Patch>& patches) const;
   const Diaphragm* diaphragm_at(Length s) const;
 
   /// Whether the patch is to be looked at.

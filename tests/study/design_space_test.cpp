@@ -240,6 +240,7 @@ TEST_CASE("broken studies say what is wrong and what to write", "[study]") {
       {head + x + "values = [1.0]\n[results]\ncolumns = [\"verdict\", \"verdict\"]\n", "twice"},
       {head + "[variables.verdict]\nvalues = [1.0]\n", "name of a variable"},
       {head + x + "values = [nan, inf]\n", "no number"},
+      {head + x + "values = [\"a\\nb\"]\n", "more than one line"},
       {head + x + "distribution = \"normal\"\nmean = \"nan mm\"\nsd = \"1 mm\"\n", "no number"},
       {head + "seeds = 3\n" + x + "values = [1.0]\n", "seed"},
   };

@@ -363,6 +363,12 @@ TEST_CASE("a load on a short length comes in like a force", "[plates]") {
       use_of("[loads.q]\nkind = \"force\"\nat = \"1.5 m\"\nforce = [\"0 kN\", \"-350 kN\"]\n",
              "[[beam.load_introductions]]\nstation = \"1.5 m\"\nstiff_length = \"100 mm\"\n");
   CHECK(as_line == Approx(as_force).epsilon(0.02));
+  // Nor does it matter where segments meet.
+  const std::string two = segment(1.5, "a") + segment(1.5, "a") + diaphragms({3.0}) + held(3.0, 20);
+  const Verification across = verified(cantilever(plates, two, line));
+  REQUIRE(across.governing(Criterion::patch_loading) != nullptr);
+  CHECK(across.governing(Criterion::patch_loading)->check.utilisation() ==
+        Approx(as_line).epsilon(0.02));
 }
 
 TEST_CASE(
