@@ -7,6 +7,7 @@ namespace boxbeam::charts {
 namespace {
 
 constexpr std::array all{
+    Topic{"verdict", "The whole verification", verdict},
     Topic{"kinematics", "Positions, velocities and accelerations", kinematics},
     Topic{"precision", "Precision of the arithmetic", precision},
     Topic{"reactions", "Reactions of the joints", reactions},

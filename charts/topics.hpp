@@ -23,6 +23,7 @@ std::span<const Topic> topics();
 const Topic* topic_named(std::string_view name);
 
 // The topics, each in a file of its own.
+TopicResult verdict(const Scenes& scenes, const Effort& effort);
 TopicResult kinematics(const Scenes& scenes, const Effort& effort);
 TopicResult reactions(const Scenes& scenes, const Effort& effort);
 TopicResult cut_forces(const Scenes& scenes, const Effort& effort);

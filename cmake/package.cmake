@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libboxbeam-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libeigen3-dev, libboost-dev, libboost-iostreams-dev, libboost-filesystem-dev, libfmt-dev, \
-libtomlplusplus-dev, libmd-dev, libmuparser-dev")
+libtomlplusplus-dev, libmd-dev, libmuparser-dev, libnlopt-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "library of boxbeam, verification of moving welded beams
  Headers, static library and CMake package (find_package(boxbeam)) for

@@ -7,7 +7,7 @@ say() { printf '%s\n' "$*" >&2; }
 
 # Debian packages the build needs; gnuplot draws the plots, pdflatex sets the PDF, the Python standard library runs checks.
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libboost-dev libboost-iostreams-dev
-  libboost-filesystem-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev libmuparser-dev librandom123-dev
+  libboost-filesystem-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev libmuparser-dev libnlopt-dev librandom123-dev
   libgnuplot-iostream-dev libspectra-dev gnuplot-nox
   texlive-latex-base texlive-latex-recommended lmodern)
 # Of the tests: validation against schemas, reading PDF, building Debian packages, finite elements, NetCDF.

@@ -25,6 +25,7 @@
 #include "program/init_command.hpp"
 #include "program/manual.hpp"
 #include "program/motion_command.hpp"
+#include "program/optimise_command.hpp"
 #include "program/section_command.hpp"
 #include "program/solve_command.hpp"
 #include "program/sweep_command.hpp"
@@ -230,6 +231,11 @@ Entry solve_entry(CLI::App& app) {
           [options] { return run_solve(*options); }};
 }
 
+void add_netcdf(CLI::App& command, bool& netcdf) {
+  command.add_flag("--netcdf", netcdf,
+                   "write the rows as typed columns too, rows.nc: NetCDF-4, which is HDF5");
+}
+
 Entry sweep_entry(CLI::App& app) {
   const auto options = std::make_shared<SweepOptions>();
   CLI::App& command = *app.add_subcommand("sweep", "verify all designs of a study");
@@ -252,10 +258,27 @@ Entry sweep_entry(CLI::App& app) {
       ->type_name("I/N");
   command.add_flag("--resume", options->resume, "go on with a study that was broken off");
   command.add_flag("--quiet,-q", options->quiet, "no progress");
+  add_netcdf(command, options->netcdf);
   add_json(command, options->json, "summary", "the text");
   return {&command,
           {"boxbeam sweep study.toml", "boxbeam sweep study.toml --shard 2/8 --out part2"},
           [options] { return run_sweep(*options); }};
+}
+
+Entry optimise_entry(CLI::App& app) {
+  const auto options = std::make_shared<OptimiseOptions>();
+  CLI::App& command =
+      *app.add_subcommand("optimise", "look for the design of a study with the least of a result");
+  command.add_option("STUDY", options->study, "what may be chosen, and what is to be least")
+      ->required()
+      ->type_name("FILE.toml");
+  command
+      .add_option("--threads", options->threads,
+                  "how many designs are verified at once (default: as many as the machine can)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}))
+      ->type_name("NUMBER");
+  add_json(command, options->json, "result", "the text");
+  return {&command, {"boxbeam optimise study.toml"}, [options] { return run_optimise(*options); }};
 }
 
 Entry merge_entry(CLI::App& app) {
@@ -268,6 +291,7 @@ Entry merge_entry(CLI::App& app) {
       .add_option("--out,-o", options->out,
                   "folder of rows.csv and study.json (default: the first one)")
       ->type_name("DIR");
+  add_netcdf(command, options->netcdf);
   add_json(command, options->json, "summary", "the text");
   return {&command, {"boxbeam merge part1 part2"}, [options] { return run_merge(*options); }};
 }
@@ -529,14 +553,13 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version,-V", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
   CommandLine line;
-  const std::vector<Entry> entries{init_entry(app),         validate_entry(app),
-                                   verify_entry(app),       explain_entry(app),
-                                   compare_entry(app),      motion_entry(app),
-                                   section_entry(app),      fatigue_entry(app),
-                                   solve_entry(app),        sweep_entry(app),
-                                   merge_entry(app),        chart_entry(app),
-                                   schema_entry(app),       completion_entry(app, line),
-                                   manual_entry(app, line), help_entry(app, line)};
+  const std::vector<Entry> entries{
+      init_entry(app),         validate_entry(app),  verify_entry(app),
+      explain_entry(app),      compare_entry(app),   motion_entry(app),
+      section_entry(app),      fatigue_entry(app),   solve_entry(app),
+      sweep_entry(app),        merge_entry(app),     optimise_entry(app),
+      chart_entry(app),        schema_entry(app),    completion_entry(app, line),
+      manual_entry(app, line), help_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {

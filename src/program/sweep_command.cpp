@@ -19,6 +19,7 @@
 #include "boxbeam/report/files.hpp"
 #include "boxbeam/report/study_report.hpp"
 #include "program/chunk_store.hpp"
+#include "program/column_file.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
@@ -103,27 +104,10 @@ Manifest manifest_of(const std::string& text, const std::string& folder) {
   }
 }
 
-/// The cells of a row that was written here.
-std::vector<std::string> cells_in(std::string_view row) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const char c = row[i];
-    if (quoted && c == '"' && i + 1 < row.size() && row[i + 1] == '"')
-      cells.back() += row[++i];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
-}
-
-/// Joins all chunks into rows.csv and study.json of a folder. `rows_of`: those of a chunk.
+/// Joins all chunks into rows.csv and study.json of a folder, and rows.nc where it is wanted.
+/// `rows_of`: those of a chunk.
 template <class RowsOf>
-StudySummary publish_study(const Manifest& manifest, const std::string& folder,
+StudySummary publish_study(const Manifest& manifest, const std::string& folder, bool netcdf,
                            const RowsOf& rows_of) {
   StudySummary summary{manifest.name,
                        manifest.study_file,
@@ -157,7 +141,12 @@ StudySummary publish_study(const Manifest& manifest, const std::string& folder,
   if (!rows) throw OutputError(update.in_place(path) + " cannot be written: the disk may be full");
   statistics.put_into(summary);
   write_file(update.path() + "/study.json", study_json(summary));
-  update.publish({"rows.csv", "study.json"});
+  std::vector<std::string> files{"rows.csv", "study.json"};
+  if (netcdf) {
+    files.emplace_back("rows.nc");
+    write_column_file(update.path() + "/rows.nc", path, columns, summary);
+  }
+  update.publish(files);
   return summary;
 }
 
@@ -245,13 +234,11 @@ std::size_t threads_of(const SweepOptions& options) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-std::string written_text(const std::string& folder) {
-  return "\n" + layout::line(fmt::format("Written to {}: rows.csv, study.json", folder));
-}
-
-int say(const StudySummary& summary, const std::string& folder, const std::string& json) {
+int say(const StudySummary& summary, const std::string& folder, bool netcdf,
+        const std::string& json) {
   report::MarkedText text = study_text(summary);
-  text += written_text(folder);
+  text += "\n" + layout::line(fmt::format("Written to {}: rows.csv, study.json{}", folder,
+                                          netcdf ? ", rows.nc" : ""));
   put_result(json, study_json(summary), text);
   return summary.failed == summary.designs ? not_possible : all_pass;
 }
@@ -261,6 +248,7 @@ int say(const StudySummary& summary, const std::string& folder, const std::strin
 int run_sweep(const SweepOptions& options) {
   report::clear_up_before_the_end();
   const Shard shard = shard_in(options.shard);
+  if (options.netcdf) require_column_files();
   const Study study = read_study(options.study);
   const std::string folder = options.out.empty() ? "reports/" + study.name : options.out;
   require_folder(folder);
@@ -295,20 +283,22 @@ int run_sweep(const SweepOptions& options) {
                                       shard.index + 1, shard.count, store.folder().string())));
     return all_pass;
   }
-  const StudySummary summary = publish_study(manifest, folder, [&](std::size_t chunk) {
-    std::optional<std::string> rows = store.read(chunk);
-    if (!rows)
-      throw OutputError(
-          fmt::format("chunk {} in {} is not as it was written", chunk, store.folder().string()));
-    return *std::move(rows);
-  });
+  const StudySummary summary =
+      publish_study(manifest, folder, options.netcdf, [&](std::size_t chunk) {
+        std::optional<std::string> rows = store.read(chunk);
+        if (!rows)
+          throw OutputError(fmt::format("chunk {} in {} is not as it was written", chunk,
+                                        store.folder().string()));
+        return *std::move(rows);
+      });
   store.remove();
-  return say(summary, folder, options.json);
+  return say(summary, folder, options.netcdf, options.json);
 }
 
 int run_merge(const MergeOptions& options) {
   report::clear_up_before_the_end();
   const std::string folder = options.out.empty() ? options.folders.front() : options.out;
+  if (options.netcdf) require_column_files();
   require_folder(folder);
   require_file_beside(options.json, folder);
   std::vector<ChunkStore> stores;
@@ -340,10 +330,10 @@ int run_merge(const MergeOptions& options) {
                                  std::min(missing * manifest.chunk, manifest.designs),
                                  manifest.designs, first * manifest.chunk + 1),
                      "run boxbeam sweep for the other parts, and give all folders");
-  const StudySummary summary =
-      publish_study(manifest, folder, [&](std::size_t chunk) { return *rows_of(chunk); });
+  const StudySummary summary = publish_study(manifest, folder, options.netcdf,
+                                             [&](std::size_t chunk) { return *rows_of(chunk); });
   for (const ChunkStore& store : stores) store.remove();
-  return say(summary, folder, options.json);
+  return say(summary, folder, options.netcdf, options.json);
 }
 
 }  // namespace boxbeam::program

@@ -12,6 +12,7 @@ struct SweepOptions {
   std::string shard;        ///< "2/8": the second of eight parts; "": all
   bool resume = false;
   bool quiet = false;
+  bool netcdf = false;  ///< rows.nc as well
   std::string json;
 };
 
@@ -21,6 +22,7 @@ int run_sweep(const SweepOptions& options);
 struct MergeOptions {
   std::vector<std::string> folders;
   std::string out;  ///< "": the first of them
+  bool netcdf = false;
   std::string json;
 };
 

@@ -74,6 +74,11 @@ Json schema_of_solution() {
                    [](report::Fields& to) { report::put_solution(to, {}); });
 }
 
+Json schema_of_optimum() {
+  return described(head("optimum", "The best design of a study (boxbeam optimise --json)"),
+                   [](report::Fields& to) { report::put_optimum(to, {}); });
+}
+
 Json schema_of_study() {
   return described(head("study", "Designs of a study (boxbeam sweep --json)"),
                    [](report::Fields& to) { report::put_study(to, {}); });
@@ -84,13 +89,11 @@ struct Schema {
   Json (*schema)();
 };
 
-constexpr Schema schemas[] = {{"results", schema_of_results},
-                              {"motion", schema_of_motion},
-                              {"fatigue", schema_of_fatigue},
-                              {"section", schema_of_section},
-                              {"comparison", schema_of_comparison},
-                              {"solution", schema_of_solution},
-                              {"study", schema_of_study}};
+constexpr Schema schemas[] = {
+    {"results", schema_of_results},       {"motion", schema_of_motion},
+    {"fatigue", schema_of_fatigue},       {"section", schema_of_section},
+    {"comparison", schema_of_comparison}, {"solution", schema_of_solution},
+    {"optimum", schema_of_optimum},       {"study", schema_of_study}};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "boxbeam/report/comparison.hpp"
+#include "boxbeam/report/optimum_report.hpp"
 #include "boxbeam/study/sensitivities.hpp"
 #include "boxbeam/study/solution.hpp"
 #include "boxbeam/study/study_summary.hpp"
@@ -26,6 +27,7 @@ void put_section_summary(Fields& to, const SectionSummary& summary);
 void put_sensitivities(Fields& to, const Sensitivities& of);
 void put_study(Fields& to, const StudySummary& summary);
 void put_solution(Fields& to, const Solution& solution);
+void put_optimum(Fields& to, const OptimumReport& of);
 void put_comparison(Fields& to, const Project& project, const Comparison& comparison);
 
 }  // namespace boxbeam::report

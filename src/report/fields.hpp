@@ -145,6 +145,8 @@ class Fields {
     for (const T& item : items)
       member(field, name_of(item), all, [&](Fields& fields) { fill(fields, item); });
   }
+  /// Numbers by names of the user's own, each of its own unit.
+  void named_numbers(const Field& field, const std::vector<std::pair<std::string, double>>& values);
   /// Words by names of the user's own.
   void named_words(const Field& field,
                    const std::vector<std::pair<std::string, std::string>>& values,

@@ -113,6 +113,35 @@ std::vector<double> DesignSpace::shares_of(std::size_t sample) const {
   return shares;
 }
 
+void complete(std::vector<Setting>& design, const Study& study) {
+  for (std::size_t i = 0; i < design.size(); ++i) {
+    const Variable& variable = study.variables[i];
+    if (variable.expression.empty()) continue;
+    try {
+      mu::Parser parser;
+      for (std::size_t k = 0; k < i; ++k)
+        if (study.variables[k].words.empty())
+          parser.DefineConst(study.variables[k].name, design[k].number);
+      parser.SetExpr(variable.expression);
+      design[i].number = parser.Eval();
+    } catch (const mu::Parser::exception_type& error) {
+      throw AnalysisError({fmt::format("\"{}\": {}", variable.expression, error.GetMsg()),
+                           "variable " + variable.name,
+                           {},
+                           {},
+                           {},
+                           {}});
+    }
+    if (!std::isfinite(design[i].number))
+      throw AnalysisError({fmt::format("\"{}\" has no finite value", variable.expression),
+                           "variable " + variable.name,
+                           {},
+                           {},
+                           {},
+                           {}});
+  }
+}
+
 std::vector<Setting> DesignSpace::at(std::size_t index) const {
   std::vector<Setting> design(study_->variables.size());
   std::size_t rest = index / samples_;
@@ -132,32 +161,7 @@ std::vector<Setting> DesignSpace::at(std::size_t index) const {
       design[i].number = study_->variables[i].distribution->quantile(shares[k]);
     }
   }
-  for (std::size_t i = 0; i < design.size(); ++i) {
-    const Variable& variable = study_->variables[i];
-    if (variable.expression.empty()) continue;
-    try {
-      mu::Parser parser;
-      for (std::size_t k = 0; k < i; ++k)
-        if (study_->variables[k].words.empty())
-          parser.DefineConst(study_->variables[k].name, design[k].number);
-      parser.SetExpr(variable.expression);
-      design[i].number = parser.Eval();
-    } catch (const mu::Parser::exception_type& error) {
-      throw AnalysisError({fmt::format("\"{}\": {}", variable.expression, error.GetMsg()),
-                           "variable " + variable.name,
-                           {},
-                           {},
-                           {},
-                           {}});
-    }
-    if (!std::isfinite(design[i].number))
-      throw AnalysisError({fmt::format("\"{}\" has no finite value", variable.expression),
-                           "variable " + variable.name,
-                           {},
-                           {},
-                           {},
-                           {}});
-  }
+  complete(design, *study_);
   return design;
 }
 

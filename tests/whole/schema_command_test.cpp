@@ -27,7 +27,8 @@ TEST_CASE("schema: another document is refused with those that there are", "[sch
   const test::ProgramResult result = test::run_program({"schema", "report"});
   CHECK(result.exit_code == 2);
   CHECK(result.out.empty());
-  CHECK(result.err.find("{case,results,motion,fatigue,section,comparison,solution,study,keys}") !=
+  CHECK(result.err.find(
+            "{case,results,motion,fatigue,section,comparison,solution,optimum,study,keys}") !=
         std::string::npos);
 }
 

@@ -42,6 +42,10 @@ class DesignSpace {
   std::vector<std::vector<std::uint32_t>> shares_;
 };
 
+/// Gives the variables of a design that are expressions their numbers. Throws AnalysisError where
+/// one has none.
+void complete(std::vector<Setting>& design, const Study& study);
+
 /// A number between 0 and 1, both excluded, of a seed and two counters.
 double uniform_number(std::uint64_t seed, std::uint64_t sample, std::uint32_t variable);
 

@@ -24,9 +24,20 @@ struct Variable {
   std::vector<std::string> keys;             ///< of the case; none: it stands in expressions alone
   std::string unit;                          ///< of its numbers; "" where they have none
   std::vector<double> values;                ///< one after the other
+  bool is_grid = false;                      ///< values in equal steps; an optimum may lie between
   std::vector<std::string> words;            ///< likewise, where they are no numbers: "S355"
   std::optional<Distribution> distribution;  ///< instead
   std::string expression;                    ///< instead: of the variables before it
+};
+
+/// What `boxbeam optimise` is to find.
+struct OptimiseDemand {
+  std::vector<std::string> minimise;    ///< one goal or two, expressions of variables and results
+  bool checks = false;                  ///< every check of the case passes
+  std::vector<std::string> subject_to;  ///< expressions that are not below zero
+  std::size_t starts = 8;               ///< of searches
+  std::size_t designs = 2000;           ///< at most, of all combinations of lists
+  std::size_t points = 11;              ///< of the front of two goals
 };
 
 /// A study as its file has it.
@@ -34,7 +45,7 @@ struct Study {
   std::string path;
   std::string name;
   std::string text;          ///< of the file
-  std::string case_file;     ///< from the working folder
+  std::string case_file;     ///< from the working folder; "" without
   std::string case_written;  ///< as the study has it
   std::uint64_t seed = 1;
   std::size_t samples = 0;  ///< of variables that scatter
@@ -44,6 +55,7 @@ struct Study {
   /// Of the normal variables behind those that scatter, by the order of these; empty where all are
   /// independent.
   Eigen::MatrixXd correlation;
+  std::optional<OptimiseDemand> optimise;
 };
 
 /// Reads a study. Throws InputError with all problems.

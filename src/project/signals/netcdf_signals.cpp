@@ -1,14 +1,13 @@
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "file_unit.hpp"
+#include "loaded_library.hpp"
 #include "signal_reader.hpp"
 
 namespace boxbeam {
@@ -17,14 +16,12 @@ namespace {
 constexpr const char* netcdf_hint =
     "give the .nc file that MBDyn writes with \"output results: netcdf\"";
 
-/// What is used of libnetcdf, which is loaded when the first such file is read: with the thirty
-/// libraries that it brings the program would take twice as long to start for all others.
-/// Signatures and constants: netcdf.h 4, whose binary interface has been the same since 4.0.
-struct NetcdfLibrary {
+/// What is used of libnetcdf for reading. Signatures and constants: netcdf.h 4, whose binary
+/// interface has been the same since 4.0.
+struct NetcdfLibrary : LoadedLibrary {
   static constexpr int read_only = 0, no_error = 0, longest_name = 256, most_dimensions = 1024;
   static constexpr int letters = 2, whole_32 = 4, doubles = 6, unsigned_32 = 9, whole_64 = 10,
                        unsigned_64 = 11;
-  static constexpr const char* names[] = {"libnetcdf.so.19", "libnetcdf.so"};
 
   int (*open)(const char*, int, int*) = nullptr;
   int (*close)(int) = nullptr;
@@ -37,17 +34,7 @@ struct NetcdfLibrary {
   int (*text)(int, int, const char*, char*) = nullptr;
   int (*values)(int, int, const std::size_t*, const std::size_t*, double*) = nullptr;
 
-  NetcdfLibrary() {
-    void* library = nullptr;
-    for (const char* name : names) {
-      if (library == nullptr) library = ::dlopen(name, RTLD_NOW | RTLD_LOCAL);
-    }
-    if (library == nullptr) return;
-    const auto take = [&](auto& function, const char* name) {
-      function = reinterpret_cast<std::decay_t<decltype(function)>>(::dlsym(library, name));
-      complete_ = complete_ && function != nullptr;
-    };
-    complete_ = true;
+  NetcdfLibrary() : LoadedLibrary(netcdf_names) {
     take(open, "nc_open");
     take(close, "nc_close");
     take(message, "nc_strerror");
@@ -59,10 +46,6 @@ struct NetcdfLibrary {
     take(text, "nc_get_att_text");
     take(values, "nc_get_vara_double");
   }
-  bool is_there() const { return complete_; }
-
- private:
-  bool complete_ = false;
 };
 
 const NetcdfLibrary& netcdf() {

@@ -1,0 +1,390 @@
+#include "program/optimise_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "boxbeam/core/error.hpp"
+#include "boxbeam/report/optimum_report.hpp"
+#include "boxbeam/report/result_book.hpp"
+#include "boxbeam/study/design_space.hpp"
+#include "boxbeam/study/expression.hpp"
+#include "program/design_trial.hpp"
+#include "program/exit_code.hpp"
+#include "program/outputs.hpp"
+#include "program/progress.hpp"
+#include "program/terminal.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+/// Of a design all goals, and the margins of the limits.
+struct Judged {
+  std::vector<double> goals;
+  std::vector<double> margins;
+  std::string trouble;
+};
+
+/// How far a check is from its limit: 1 - use, beyond it -ln(use), which has the same slope there
+/// and does not run away.
+double margin_of(double use) {
+  constexpr double farthest = -50.0;
+  if (use <= 1.0) return 1.0 - use;
+  return std::isfinite(use) ? std::max(farthest, -std::log(use)) : farthest;
+}
+
+/// What a study is to be the best of, and the names that stand in its expressions.
+class BestDesign {
+ public:
+  explicit BestDesign(const Study& study) : study_(&study), demand_(&*study.optimise) {
+    for (std::size_t i = 0; i < study.variables.size(); ++i) add_choice(i);
+    if (choices_.empty())
+      throw InputError(fmt::format("{}: no variable may be chosen", study.path),
+                       "write grid = { from = ..., to = ..., count = 2 } or values = [...]");
+    if (demand_->checks)
+      for (const Criterion criterion : criteria) limits_.emplace_back(to_text(criterion));
+    for (const std::string& limit : demand_->subject_to) limits_.push_back(limit);
+    for (const auto* of : {&demand_->minimise, &demand_->subject_to})
+      for (const std::string& expression : *of) look_at(expression);
+    require_results();
+  }
+
+  const Study& study() const { return *study_; }
+  const OptimiseDemand& demand() const { return *demand_; }
+  const std::vector<Choice>& choices() const { return choices_; }
+  const std::vector<std::string>& units() const { return units_; }
+  const std::vector<std::string>& limits() const { return limits_; }
+  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::string>& results() const { return results_; }
+  bool has_case() const { return !study_->case_file.empty(); }
+
+  std::string goal_unit(const std::string& goal) const {
+    const auto found = result_units_.find(goal);
+    return found == result_units_.end() || found->second == "1" ? "" : found->second;
+  }
+
+  /// All variables of a design.
+  std::vector<Setting> settings_of(const std::vector<double>& chosen) const {
+    std::vector<Setting> design(study_->variables.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) design[places_[i]].number = chosen[i];
+    complete(design, *study_);
+    return design;
+  }
+
+  std::vector<VerifiedBeam> verified(const std::vector<Setting>& design) const {
+    CaseOptions options;
+    options.file = study_->case_file;
+    return verify_design(options, DesignSpace(*study_).overrides(design));
+  }
+
+ private:
+  void add_choice(std::size_t i) {
+    const Variable& variable = study_->variables[i];
+    if (!variable.expression.empty()) return;
+    Choice choice{variable.name, 0.0, 0.0, {}};
+    if (variable.distribution) {
+      choice.from = variable.distribution->a;
+      choice.to = variable.distribution->b;
+    } else if (variable.is_grid) {
+      choice.from = std::min(variable.values.front(), variable.values.back());
+      choice.to = std::max(variable.values.front(), variable.values.back());
+    } else {
+      choice.values = variable.values;
+      std::sort(choice.values.begin(), choice.values.end());
+      choice.values.erase(std::unique(choice.values.begin(), choice.values.end()),
+                          choice.values.end());
+    }
+    if (choice.values.empty() && !(choice.from < choice.to))
+      throw InputError(
+          fmt::format("{}: the ends of variable {} are the same", study_->path, variable.name),
+          "write two that are apart");
+    choices_.push_back(std::move(choice));
+    units_.push_back(variable.unit);
+    places_.push_back(i);
+  }
+
+  /// Its names are variables, else results.
+  void look_at(const std::string& expression) {
+    try {
+      for (const std::string& name : names_in(expression)) {
+        if (std::find(names_.begin(), names_.end(), name) != names_.end()) continue;
+        const auto is_it = [&](const Variable& of) { return of.name == name; };
+        if (std::any_of(study_->variables.begin(), study_->variables.end(), is_it)) continue;
+        names_.push_back(name);
+        results_.push_back(name);
+      }
+      std::vector<std::string> names;
+      for (const Variable& variable : study_->variables) names.push_back(variable.name);
+      names.insert(names.end(), results_.begin(), results_.end());
+      StudyExpression looked_at(expression, names);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(fmt::format("{}: \"{}\": {}", study_->path, expression, error.what()),
+                       "write an expression of variables and of keys of results.json");
+    }
+    names_.clear();
+    for (const Variable& variable : study_->variables) names_.push_back(variable.name);
+    names_.insert(names_.end(), results_.begin(), results_.end());
+  }
+
+  /// What is asked for must be there: in the case as it is, else in the middle of the choices.
+  void require_results() {
+    if (results_.empty()) return;
+    if (!has_case())
+      throw InputError(
+          fmt::format("{}: there is no variable \"{}\"", study_->path, results_.front()),
+          "name it in [variables], or write case = \"...\" in [study]");
+    CaseOptions options;
+    options.file = study_->case_file;
+    const ResultBook book = results_of(verify_design(options, {}));
+    for (const std::string& name : results_) {
+      const ResultValue* const value = book.find(name);
+      if (value == nullptr)
+        throw InputError(
+            fmt::format("{}: there is no variable or result \"{}\"", study_->path, name),
+            book.hint_for(name));
+      result_units_[name] = value->unit;
+    }
+  }
+
+  const Study* study_;
+  const OptimiseDemand* demand_;
+  std::vector<Choice> choices_;
+  std::vector<std::string> units_;
+  std::vector<std::size_t> places_;  ///< of the choices among the variables
+  std::vector<std::string> limits_;
+  std::vector<std::string> names_;    ///< in expressions: all variables, then results
+  std::vector<std::string> results_;  ///< keys that stand in expressions
+  std::map<std::string, std::string> result_units_;
+};
+
+/// Judges designs for one thread.
+class Judge {
+ public:
+  explicit Judge(const BestDesign& problem) : problem_(&problem) {
+    for (const std::string& goal : problem.demand().minimise)
+      goals_.emplace_back(goal, problem.names());
+    for (const std::string& limit : problem.demand().subject_to)
+      limits_.emplace_back(limit, problem.names());
+  }
+
+  Judged at(const std::vector<double>& chosen) {
+    Judged judged;
+    judged.trouble = trouble_of([&] { judge(chosen, judged); });
+    return judged;
+  }
+
+ private:
+  void judge(const std::vector<double>& chosen, Judged& judged) {
+    const std::vector<Setting> design = problem_->settings_of(chosen);
+    std::vector<double> numbers;
+    for (const Setting& setting : design) numbers.push_back(setting.number);
+    if (problem_->demand().checks || !problem_->results().empty()) {
+      const std::vector<VerifiedBeam> beams = problem_->verified(design);
+      if (problem_->demand().checks) add_checks(beams, judged);
+      if (!problem_->results().empty()) {
+        const ResultBook book = results_of(beams);
+        for (const std::string& name : problem_->results()) {
+          const ResultValue* const value = book.find(name);
+          if (value == nullptr)
+            throw AnalysisError({fmt::format("there is no {}", name), "", {}, {}, {}, {}});
+          numbers.push_back(value->value);
+        }
+      }
+    }
+    for (StudyExpression& goal : goals_) judged.goals.push_back(goal.at(numbers));
+    for (StudyExpression& limit : limits_) judged.margins.push_back(limit.at(numbers));
+  }
+
+  static AnalysisError not_judged(const Verification& of) {
+    const auto blocking = std::find_if(of.gates.begin(), of.gates.end(),
+                                       [](const Gate& gate) { return gate.blocks; });
+    return AnalysisError({blocking == of.gates.end() ? "not applicable" : blocking->finding,
+                          "not judged",
+                          {},
+                          {},
+                          {},
+                          {}});
+  }
+
+  /// The worst use of each criterion; one that judges nothing keeps its limit.
+  static void add_checks(const std::vector<VerifiedBeam>& beams, Judged& judged) {
+    std::array<double, criteria.size()> margins;
+    margins.fill(1.0);
+    for (const VerifiedBeam& beam : beams) {
+      const Verification& of = beam.verification;
+      if (of.verdict == Verdict::not_applicable) throw not_judged(of);
+      for (std::size_t i = 0; i < criteria.size(); ++i)
+        if (const CheckResult* const worst = of.governing(criteria[i]))
+          margins[i] = std::min(margins[i], margin_of(worst->check.utilisation()));
+    }
+    judged.margins.assign(margins.begin(), margins.end());
+  }
+
+  const BestDesign* problem_;
+  std::vector<StudyExpression> goals_, limits_;
+};
+
+/// Designs that were judged, so that none is twice.
+class Memory {
+ public:
+  std::optional<Judged> find(const std::vector<double>& chosen) {
+    const std::lock_guard lock(mutex_);
+    const auto found = known_.find(chosen);
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+  }
+  /// How many there are.
+  std::size_t keep(const std::vector<double>& chosen, const Judged& judged) {
+    constexpr std::size_t most = 200'000;
+    const std::lock_guard lock(mutex_);
+    if (known_.size() < most) known_.emplace(chosen, judged);
+    return ++count_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::vector<double>, Judged> known_;
+  std::size_t count_ = 0;
+};
+
+class Optimising {
+ public:
+  Optimising(const BestDesign& problem, std::size_t threads, Progress& progress)
+      : problem_(&problem), threads_(threads), progress_(&progress) {}
+
+  /// The least of one goal, of the other no more than so much.
+  Optimum least(std::size_t goal, std::optional<double> of_other = {}) {
+    OptimumQuestion question;
+    question.choices = problem_->choices();
+    question.limits = problem_->limits();
+    if (of_other) question.limits.push_back("the other goal");
+    question.threads = threads_;
+    question.starts = problem_->demand().starts;
+    question.designs = problem_->demand().designs;
+    question.seed = problem_->study().seed;
+    question.make = [=, this] {
+      return
+          [=, this, judge = std::make_shared<Judge>(*problem_)](const std::vector<double>& chosen) {
+            return worth(*judge, chosen, goal, of_other);
+          };
+    };
+    return optimum_of(question);
+  }
+
+  /// Between the least of the one and the least of the other in equal steps of the second.
+  std::vector<FrontPoint> front(const Optimum& first) {
+    std::vector<FrontPoint> points;
+    const Optimum second = least(1);
+    if (!first.best || !second.best) return points;
+    const double most = goals_at(*first.best)[1], fewest = second.best->goal;
+    const std::size_t count = problem_->demand().points;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double part = static_cast<double>(k) / static_cast<double>(count - 1);
+      const Optimum between = k == 0 ? first : least(0, most + part * (fewest - most));
+      if (between.best) points.push_back({between.best->values, goals_at(*between.best)});
+    }
+    std::sort(points.begin(), points.end(),
+              [](const FrontPoint& a, const FrontPoint& b) { return a.goals < b.goals; });
+    std::vector<FrontPoint> kept;
+    for (FrontPoint& point : points)
+      if (kept.empty() || point.goals[1] < kept.back().goals[1]) kept.push_back(std::move(point));
+    return kept;
+  }
+
+ private:
+  Worth worth(Judge& judge, const std::vector<double>& chosen, std::size_t goal,
+              std::optional<double> of_other) {
+    std::optional<Judged> judged = memory_.find(chosen);
+    if (!judged) {
+      judged = judge.at(chosen);
+      const std::size_t count = memory_.keep(chosen, *judged);
+      if (problem_->has_case()) say(count);
+    }
+    if (!judged->trouble.empty()) return {0.0, {}, judged->trouble};
+    Worth worth{judged->goals[goal], judged->margins, ""};
+    if (of_other) {
+      const double other = judged->goals[1 - goal];
+      const double size = std::max({std::abs(*of_other), std::abs(other), 1e-300});
+      worth.margins.push_back((*of_other - other) / size);
+    }
+    return worth;
+  }
+
+  std::vector<double> goals_at(const ChosenDesign& design) {
+    const std::optional<Judged> known = memory_.find(design.values);
+    return known ? known->goals : Judge(*problem_).at(design.values).goals;
+  }
+
+  void say(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    progress_->now(fmt::format("verification {}", count));
+  }
+
+  const BestDesign* problem_;
+  std::size_t threads_;
+  Progress* progress_;
+  std::mutex mutex_;  ///< of the progress
+  Memory memory_;
+};
+
+OptimumReport report_of(const BestDesign& problem, Optimum optimum, std::vector<FrontPoint> front) {
+  OptimumReport report;
+  report.study = problem.study().path;
+  for (const std::string& goal : problem.demand().minimise)
+    report.goals.push_back({goal, problem.goal_unit(goal)});
+  report.choices = problem.choices();
+  report.units = problem.units();
+  report.optimum = std::move(optimum);
+  report.front = std::move(front);
+  if (!report.optimum.best) return report;
+  const std::vector<Setting> design = problem.settings_of(report.optimum.best->values);
+  for (std::size_t i = 0; i < design.size(); ++i) {
+    const Variable& variable = problem.study().variables[i];
+    if (!variable.expression.empty())
+      report.following.push_back({{variable.name, variable.unit}, design[i].number});
+  }
+  if (!problem.has_case()) return report;
+  const std::vector<VerifiedBeam> beams = problem.verified(design);
+  const Verification& worst = worst_of(beams).verification;
+  report.verdict = to_text(worst.verdict);
+  if (!worst.checks.empty()) {
+    report.governing = worst.checks.front().check.id;
+    report.utilisation = worst.checks.front().check.utilisation();
+  }
+  return report;
+}
+
+}  // namespace
+
+int run_optimise(const OptimiseOptions& options) {
+  require_file(options.json);
+  const Study study = read_study(options.study);
+  if (!study.optimise)
+    throw InputError(fmt::format("{}: the study does not say what is to be least", study.path),
+                     "write [optimise] with minimise = \"beam.mass\"");
+  OptimumReport report;
+  {
+    Progress progress;
+    if (!study.case_file.empty()) progress.now("verifying the case as it is");
+    const BestDesign problem(study);
+    const std::size_t threads =
+        options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+    Optimising optimising(problem, threads, progress);
+    Optimum optimum = optimising.least(0);
+    std::vector<FrontPoint> front;
+    if (study.optimise->minimise.size() == 2) front = optimising.front(optimum);
+    report = report_of(problem, std::move(optimum), std::move(front));
+  }
+  put_result(options.json, optimum_json(report), optimum_text(report));
+  return report.optimum.best ? all_pass : check_fails;
+}
+
+}  // namespace boxbeam::program
