@@ -249,6 +249,18 @@ std::string written_text(const std::string& folder) {
   return "\n" + layout::line(fmt::format("Written to {}: rows.csv, study.json", folder));
 }
 
+/// A study of a limit state alone has no designs that could be verified one by one.
+void require_designs(const Study& study) {
+  if (study.case_file.empty())
+    throw InputError(fmt::format("{}: the study has no case", study.path),
+                     "write case = \"rig.toml\" in [study]");
+  const bool scatters = std::any_of(study.variables.begin(), study.variables.end(),
+                                    [](const Variable& of) { return of.distribution.has_value(); });
+  if (scatters && study.samples == 0)
+    throw InputError(fmt::format("{}: the study says not how many designs are drawn", study.path),
+                     "write samples = 1000 in [study]");
+}
+
 int say(const StudySummary& summary, const std::string& folder, const std::string& json) {
   report::MarkedText text = study_text(summary);
   text += written_text(folder);
@@ -262,6 +274,7 @@ int run_sweep(const SweepOptions& options) {
   report::clear_up_before_the_end();
   const Shard shard = shard_in(options.shard);
   const Study study = read_study(options.study);
+  require_designs(study);
   const std::string folder = options.out.empty() ? "reports/" + study.name : options.out;
   require_folder(folder);
   require_file_beside(options.json, folder);

@@ -211,6 +211,14 @@ void Fields::named_words(const Field& field,
   for (const auto& [name, word] : values) all[name] = word;
 }
 
+void Fields::named_numbers(const Field& field,
+                           const std::vector<std::pair<std::string, double>>& values) {
+  if (is_describing())
+    return describe(field, {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}});
+  Json& all = put(field, Json::object());
+  for (const auto& [name, value] : values) all[name] = finite(value);
+}
+
 void Fields::take(const std::string& prefix, const std::vector<ResultValue>& values) {
   for (const ResultValue& value : values)
     values_->push_back({fmt::format("{}.{}", prefix, value.key), value.unit, value.value});

@@ -149,6 +149,8 @@ class Fields {
   void named_words(const Field& field,
                    const std::vector<std::pair<std::string, std::string>>& values,
                    FieldNames words);
+  /// Numbers without unit likewise.
+  void named_numbers(const Field& field, const std::vector<std::pair<std::string, double>>& values);
 
  private:
   using Fill = std::function<void(Fields&)>;

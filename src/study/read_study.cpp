@@ -12,6 +12,7 @@
 #include "boxbeam/project/table_reader.hpp"
 #include "boxbeam/study/study.hpp"
 #include "boxbeam/study/written_quantity.hpp"
+#include "read_reliability.hpp"
 
 namespace boxbeam {
 namespace {
@@ -238,9 +239,12 @@ Study read(const CaseDocument& document, std::string text) {
   study.text = std::move(text);
   study.name = std::filesystem::path(document.path).stem().string();
   TableReader of = root.table({"study", "what is studied, and how"});
-  const std::string file = of.text({"case", "file of the case, beside the study"});
+  // A limit state may be one of variables alone.
+  const std::optional<std::string> fallback =
+      root.is_there("limit_state") ? std::optional<std::string>("") : std::nullopt;
+  const std::string file = of.text({"case", "file of the case, beside the study"}, fallback);
   const std::filesystem::path beside = std::filesystem::path(document.path).parent_path();
-  study.case_file = (beside / file).lexically_normal().string();
+  if (!file.empty()) study.case_file = (beside / file).lexically_normal().string();
   study.case_written = file;
   study.seed = static_cast<std::uint64_t>(of.whole_number({"seed", "of random numbers"}, 1));
   if (of.has({"samples", "of variables that scatter"}))
@@ -257,7 +261,7 @@ Study read(const CaseDocument& document, std::string text) {
                       "write [variables.t] with key = \"sections.A1.flange\" and values = [...]");
   const bool scatters = std::any_of(study.variables.begin(), study.variables.end(),
                                     [](const Variable& of) { return of.distribution.has_value(); });
-  if (problems.empty() && scatters && study.samples == 0)
+  if (problems.empty() && scatters && study.samples == 0 && !root.is_there("limit_state"))
     of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
                "write samples = 1000 in [study]");
   read_correlation(root, study);
@@ -275,6 +279,7 @@ Study read(const CaseDocument& document, std::string text) {
       results.problem("columns", fmt::format("\"{}\" is a variable and a column", variable.name),
                       "give the variable another name");
   results.finish();
+  read_reliability(root, study);
   root.finish();
   problems.raise();
   return study;

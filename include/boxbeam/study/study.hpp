@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "boxbeam/study/distribution.hpp"
+#include "boxbeam/study/reliability.hpp"
 
 namespace boxbeam {
 
@@ -34,7 +35,7 @@ struct Study {
   std::string path;
   std::string name;
   std::string text;          ///< of the file
-  std::string case_file;     ///< from the working folder
+  std::string case_file;     ///< from the working folder; "" without a case
   std::string case_written;  ///< as the study has it
   std::uint64_t seed = 1;
   std::size_t samples = 0;  ///< of variables that scatter
@@ -44,6 +45,7 @@ struct Study {
   /// Of the normal variables behind those that scatter, by the order of these; empty where all are
   /// independent.
   Eigen::MatrixXd correlation;
+  std::optional<ReliabilityDemand> reliability;  ///< where it has a limit state
 };
 
 /// Reads a study. Throws InputError with all problems.
