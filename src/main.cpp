@@ -26,6 +26,7 @@
 #include "program/manual.hpp"
 #include "program/motion_command.hpp"
 #include "program/optimise_command.hpp"
+#include "program/reliability_command.hpp"
 #include "program/section_command.hpp"
 #include "program/solve_command.hpp"
 #include "program/sweep_command.hpp"
@@ -296,6 +297,29 @@ Entry merge_entry(CLI::App& app) {
   return {&command, {"boxbeam merge part1 part2"}, [options] { return run_merge(*options); }};
 }
 
+Entry reliability_entry(CLI::App& app) {
+  const auto options = std::make_shared<ReliabilityOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "reliability", "find the probability that a case or a formula passes a limit state");
+  command.add_option("STUDY", options->study, "what scatters of which case, and where it fails")
+      ->required()
+      ->type_name("FILE.toml");
+  command
+      .add_option("--out,-o", options->out,
+                  "folder of reliability.json and figures (default: reports/NAME of the study)")
+      ->type_name("DIR");
+  command
+      .add_option("--threads", options->threads,
+                  "how many designs are judged at once (default: as many as the machine can)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}))
+      ->type_name("NUMBER");
+  command.add_flag("--quiet,-q", options->quiet, "no progress");
+  add_json(command, options->json, "result", "the text");
+  return {&command, {"boxbeam reliability study.toml"}, [options] {
+            return run_reliability(*options);
+          }};
+}
+
 Entry schema_entry(CLI::App& app) {
   const auto document = std::make_shared<std::string>("case");
   CLI::App& command = *app.add_subcommand(
@@ -553,13 +577,15 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version,-V", std::string("boxbeam ") + version, "print the version");
   app.require_subcommand(1);
   CommandLine line;
-  const std::vector<Entry> entries{
-      init_entry(app),         validate_entry(app),  verify_entry(app),
-      explain_entry(app),      compare_entry(app),   motion_entry(app),
-      section_entry(app),      fatigue_entry(app),   solve_entry(app),
-      sweep_entry(app),        merge_entry(app),     optimise_entry(app),
-      chart_entry(app),        schema_entry(app),    completion_entry(app, line),
-      manual_entry(app, line), help_entry(app, line)};
+  const std::vector<Entry> entries{init_entry(app),         validate_entry(app),
+                                   verify_entry(app),       explain_entry(app),
+                                   compare_entry(app),      motion_entry(app),
+                                   section_entry(app),      fatigue_entry(app),
+                                   solve_entry(app),        sweep_entry(app),
+                                   merge_entry(app),        optimise_entry(app),
+                                   reliability_entry(app),  chart_entry(app),
+                                   schema_entry(app),       completion_entry(app, line),
+                                   manual_entry(app, line), help_entry(app, line)};
   line = line_of(app, entries);
   const auto parsed = [&]() -> const Entry* {
     for (const Entry& entry : entries) {

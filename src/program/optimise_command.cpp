@@ -17,7 +17,7 @@
 #include "boxbeam/report/optimum_report.hpp"
 #include "boxbeam/report/result_book.hpp"
 #include "boxbeam/study/design_space.hpp"
-#include "boxbeam/study/expression.hpp"
+#include "boxbeam/study/named_expression.hpp"
 #include "program/design_trial.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -76,14 +76,14 @@ class BestDesign {
   std::vector<Setting> settings_of(const std::vector<double>& chosen) const {
     std::vector<Setting> design(study_->variables.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) design[places_[i]].number = chosen[i];
-    complete(design, *study_);
+    take_expressions(*study_, design);
     return design;
   }
 
   std::vector<VerifiedBeam> verified(const std::vector<Setting>& design) const {
     CaseOptions options;
     options.file = study_->case_file;
-    return verify_design(options, DesignSpace(*study_).overrides(design));
+    return verify_design(options, overrides_of(*study_, design));
   }
 
  private:
@@ -125,7 +125,7 @@ class BestDesign {
       std::vector<std::string> names;
       for (const Variable& variable : study_->variables) names.push_back(variable.name);
       names.insert(names.end(), results_.begin(), results_.end());
-      StudyExpression looked_at(expression, names);
+      NamedExpression looked_at(expression, names);
     } catch (const std::invalid_argument& error) {
       throw InputError(fmt::format("{}: \"{}\": {}", study_->path, expression, error.what()),
                        "write an expression of variables and of keys of results.json");
@@ -200,8 +200,8 @@ class Judge {
         }
       }
     }
-    for (StudyExpression& goal : goals_) judged.goals.push_back(goal.at(numbers));
-    for (StudyExpression& limit : limits_) judged.margins.push_back(limit.at(numbers));
+    for (NamedExpression& goal : goals_) judged.goals.push_back(goal.at(numbers));
+    for (NamedExpression& limit : limits_) judged.margins.push_back(limit.at(numbers));
   }
 
   static AnalysisError not_judged(const Verification& of) {
@@ -230,7 +230,7 @@ class Judge {
   }
 
   const BestDesign* problem_;
-  std::vector<StudyExpression> goals_, limits_;
+  std::vector<NamedExpression> goals_, limits_;
 };
 
 /// Designs that were judged, so that none is twice.

@@ -41,9 +41,6 @@ std::string cell_of(const std::string& column, const std::vector<VerifiedBeam>& 
 }  // namespace
 
 StudyDesigns::StudyDesigns(const Study& study) : study_(&study), space_(study) {
-  if (study.case_file.empty())
-    throw InputError(fmt::format("{}: the study names no case to verify", study.path),
-                     "write case = \"...\" in [study]");
   columns_ = {{"design", ""}};
   for (const Variable& variable : study.variables)
     columns_.push_back({variable.name, variable.unit});

@@ -234,6 +234,18 @@ std::size_t threads_of(const SweepOptions& options) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
+/// A study of a limit state alone has no designs that could be verified one by one.
+void require_designs(const Study& study) {
+  if (study.case_file.empty())
+    throw InputError(fmt::format("{}: the study has no case", study.path),
+                     "write case = \"rig.toml\" in [study]");
+  const bool scatters = std::any_of(study.variables.begin(), study.variables.end(),
+                                    [](const Variable& of) { return of.distribution.has_value(); });
+  if (scatters && study.samples == 0)
+    throw InputError(fmt::format("{}: the study says not how many designs are drawn", study.path),
+                     "write samples = 1000 in [study]");
+}
+
 int say(const StudySummary& summary, const std::string& folder, bool netcdf,
         const std::string& json) {
   report::MarkedText text = study_text(summary);
@@ -250,6 +262,7 @@ int run_sweep(const SweepOptions& options) {
   const Shard shard = shard_in(options.shard);
   if (options.netcdf) require_column_files();
   const Study study = read_study(options.study);
+  require_designs(study);
   const std::string folder = options.out.empty() ? "reports/" + study.name : options.out;
   require_folder(folder);
   require_file_beside(options.json, folder);

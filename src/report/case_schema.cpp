@@ -84,16 +84,22 @@ Json schema_of_study() {
                    [](report::Fields& to) { report::put_study(to, {}); });
 }
 
+Json schema_of_reliability() {
+  return described(head("reliability", "Probability of failure (boxbeam reliability --json)"),
+                   [](report::Fields& to) { report::put_reliability(to, {}); });
+}
+
 struct Schema {
   const char* document;
   Json (*schema)();
 };
 
 constexpr Schema schemas[] = {
-    {"results", schema_of_results},       {"motion", schema_of_motion},
-    {"fatigue", schema_of_fatigue},       {"section", schema_of_section},
-    {"comparison", schema_of_comparison}, {"solution", schema_of_solution},
-    {"optimum", schema_of_optimum},       {"study", schema_of_study}};
+    {"results", schema_of_results},        {"motion", schema_of_motion},
+    {"fatigue", schema_of_fatigue},        {"section", schema_of_section},
+    {"comparison", schema_of_comparison},  {"solution", schema_of_solution},
+    {"optimum", schema_of_optimum},        {"study", schema_of_study},
+    {"reliability", schema_of_reliability}};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include "boxbeam/report/optimum_report.hpp"
 #include "boxbeam/study/sensitivities.hpp"
 #include "boxbeam/study/solution.hpp"
+#include "boxbeam/study/study_reliability.hpp"
 #include "boxbeam/study/study_summary.hpp"
 #include "boxbeam/verification/any_motion_result.hpp"
 #include "boxbeam/verification/history_fatigue.hpp"
@@ -26,6 +27,7 @@ void put_history(Fields& to, const HistoryDemand& demand, const HistoryFatigue& 
 void put_section_summary(Fields& to, const SectionSummary& summary);
 void put_sensitivities(Fields& to, const Sensitivities& of);
 void put_study(Fields& to, const StudySummary& summary);
+void put_reliability(Fields& to, const StudyReliability& of);
 void put_solution(Fields& to, const Solution& solution);
 void put_optimum(Fields& to, const OptimumReport& of);
 void put_comparison(Fields& to, const Project& project, const Comparison& comparison);

@@ -213,11 +213,10 @@ void Fields::named_words(const Field& field,
 
 void Fields::named_numbers(const Field& field,
                            const std::vector<std::pair<std::string, double>>& values) {
-  if (is_describing()) {
+  if (is_describing())
     return describe(field, {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}});
-  }
   Json& all = put(field, Json::object());
-  for (const auto& [name, number] : values) all[name] = finite(number);
+  for (const auto& [name, value] : values) all[name] = finite(value);
 }
 
 void Fields::take(const std::string& prefix, const std::vector<ResultValue>& values) {

@@ -55,6 +55,48 @@ std::size_t count_of(const Variable& variable) {
 
 }  // namespace
 
+void take_expressions(const Study& study, std::vector<Setting>& design) {
+  for (std::size_t i = 0; i < design.size(); ++i) {
+    const Variable& variable = study.variables[i];
+    if (variable.expression.empty()) continue;
+    try {
+      mu::Parser parser;
+      for (std::size_t k = 0; k < i; ++k)
+        if (study.variables[k].words.empty())
+          parser.DefineConst(study.variables[k].name, design[k].number);
+      parser.SetExpr(variable.expression);
+      design[i].number = parser.Eval();
+    } catch (const mu::Parser::exception_type& error) {
+      throw AnalysisError({fmt::format("\"{}\": {}", variable.expression, error.GetMsg()),
+                           "variable " + variable.name,
+                           {},
+                           {},
+                           {},
+                           {}});
+    }
+    if (!std::isfinite(design[i].number))
+      throw AnalysisError({fmt::format("\"{}\" has no finite value", variable.expression),
+                           "variable " + variable.name,
+                           {},
+                           {},
+                           {},
+                           {}});
+  }
+}
+
+std::vector<Setting> design_of(const Study& study, const std::vector<double>& scattering) {
+  std::vector<Setting> design(study.variables.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < design.size(); ++i) {
+    const Variable& variable = study.variables[i];
+    if (variable.distribution) design[i].number = scattering[next++];
+    if (!variable.values.empty()) design[i].number = variable.values.front();
+    if (!variable.words.empty()) design[i].word = variable.words.front();
+  }
+  take_expressions(study, design);
+  return design;
+}
+
 double uniform_number(std::uint64_t seed, std::uint64_t sample, std::uint32_t variable) {
   const Philox::ctr_type bits = block_of(seed, sample, variable, 0);
   return between_0_and_1(bits[0], bits[1]);
@@ -113,35 +155,6 @@ std::vector<double> DesignSpace::shares_of(std::size_t sample) const {
   return shares;
 }
 
-void complete(std::vector<Setting>& design, const Study& study) {
-  for (std::size_t i = 0; i < design.size(); ++i) {
-    const Variable& variable = study.variables[i];
-    if (variable.expression.empty()) continue;
-    try {
-      mu::Parser parser;
-      for (std::size_t k = 0; k < i; ++k)
-        if (study.variables[k].words.empty())
-          parser.DefineConst(study.variables[k].name, design[k].number);
-      parser.SetExpr(variable.expression);
-      design[i].number = parser.Eval();
-    } catch (const mu::Parser::exception_type& error) {
-      throw AnalysisError({fmt::format("\"{}\": {}", variable.expression, error.GetMsg()),
-                           "variable " + variable.name,
-                           {},
-                           {},
-                           {},
-                           {}});
-    }
-    if (!std::isfinite(design[i].number))
-      throw AnalysisError({fmt::format("\"{}\" has no finite value", variable.expression),
-                           "variable " + variable.name,
-                           {},
-                           {},
-                           {},
-                           {}});
-  }
-}
-
 std::vector<Setting> DesignSpace::at(std::size_t index) const {
   std::vector<Setting> design(study_->variables.size());
   std::size_t rest = index / samples_;
@@ -161,14 +174,14 @@ std::vector<Setting> DesignSpace::at(std::size_t index) const {
       design[i].number = study_->variables[i].distribution->quantile(shares[k]);
     }
   }
-  complete(design, *study_);
+  take_expressions(*study_, design);
   return design;
 }
 
-std::vector<std::string> DesignSpace::overrides(const std::vector<Setting>& design) const {
+std::vector<std::string> overrides_of(const Study& study, const std::vector<Setting>& design) {
   std::vector<std::string> set;
   for (std::size_t i = 0; i < design.size(); ++i) {
-    const Variable& variable = study_->variables[i];
+    const Variable& variable = study.variables[i];
     const std::string value = variable.words.empty()
                                   ? to_text(WrittenQuantity{design[i].number, variable.unit})
                                   : design[i].word;

@@ -50,13 +50,7 @@ const NormalRule& normal_rule() {
 
 /// The value of a variable whose normal one is z, less its mean, over its standard deviation.
 double standardised(const Distribution& x, double z) {
-  constexpr double least = std::numeric_limits<double>::min();
-  const double u = std::max(least, normal_share_below(z));
-  const double value = x.kind == DistributionKind::normal      ? x.a + x.b * z
-                       : x.kind == DistributionKind::lognormal ? std::exp(x.a + x.b * z)
-                       : u < 1.0                               ? x.quantile(u)
-                                 : x.quantile(std::nextafter(1.0, 0.0));
-  return (value - x.mean()) / x.standard_deviation();
+  return (x.value_at(z) - x.mean()) / x.standard_deviation();
 }
 
 /// The correlation of two variables whose normal ones have this.
@@ -87,6 +81,24 @@ double Distribution::quantile(double u) const {
     case DistributionKind::weibull: return a * std::pow(-std::log1p(-u), 1.0 / b);
     case DistributionKind::gumbel: return a - b * std::log(-std::log(u));
     case DistributionKind::exponential: return -a * std::log1p(-u);
+  }
+  return 0.0;
+}
+
+double Distribution::value_at(double z) const {
+  constexpr double least = std::numeric_limits<double>::min();
+  const double below = std::max(least, normal_share_below(z));
+  const double above = std::max(least, normal_share_below(-z));
+  // Logarithms of the smaller share by itself: the other one is 1 but for it.
+  const double log_below = z < 0.0 ? std::log(below) : std::log1p(-above);
+  const double log_above = z > 0.0 ? std::log(above) : std::log1p(-below);
+  switch (kind) {
+    case DistributionKind::normal: return a + b * z;
+    case DistributionKind::lognormal: return std::exp(a + b * z);
+    case DistributionKind::uniform: return z < 0.0 ? a + below * (b - a) : b - above * (b - a);
+    case DistributionKind::weibull: return a * std::pow(-log_above, 1.0 / b);
+    case DistributionKind::gumbel: return a - b * std::log(-log_below);
+    case DistributionKind::exponential: return -a * log_above;
   }
   return 0.0;
 }

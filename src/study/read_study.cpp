@@ -12,6 +12,8 @@
 #include "boxbeam/project/table_reader.hpp"
 #include "boxbeam/study/study.hpp"
 #include "boxbeam/study/written_quantity.hpp"
+#include "read_optimise.hpp"
+#include "read_reliability.hpp"
 
 namespace boxbeam {
 namespace {
@@ -240,50 +242,6 @@ void read_case(TableReader& of, bool may_be_missing, Study& study) {
   study.case_file = (beside / study.case_written).lexically_normal().string();
 }
 
-void read_optimise(TableReader& root, Study& study) {
-  OptimiseDemand demand;
-  TableReader table = root.table("optimise");
-  const Key goals{"minimise", "one goal or two, of variables and results: \"beam.mass\""};
-  if (!table.has(goals) || table.peek("minimise")->kind == Node::Kind::text)
-    demand.minimise.push_back(table.text(goals));
-  else
-    demand.minimise = table.texts(goals, true);
-  if (demand.minimise.size() > 2)
-    table.problem("minimise", "more than two goals", "write one, or two for a front of both");
-  for (const std::string& limit :
-       table.texts({"subject_to", "\"checks\", and expressions that are not below zero"}, false)) {
-    if (limit == "checks")
-      demand.checks = true;
-    else
-      demand.subject_to.push_back(limit);
-  }
-  if (!table.is_there("subject_to")) demand.checks = !study.case_file.empty();
-  if (demand.checks && study.case_file.empty())
-    table.problem("subject_to", "there are no checks without a case",
-                  "write case = \"...\" in [study], or expressions");
-  const auto count = [&](const Key& key, std::size_t& value, int least) {
-    const int written = table.whole_number(key, static_cast<int>(value));
-    if (written < least || static_cast<std::size_t>(written) > most_values)
-      table.problem(key.name, fmt::format("\"{}\" is {}", key.name, written),
-                    fmt::format("write {} to {}", least, most_values));
-    else
-      value = static_cast<std::size_t>(written);
-  };
-  count({"starts", "of searches, the first in the middle"}, demand.starts, 1);
-  count({"designs", "at most, of all combinations of lists"}, demand.designs, 1);
-  count({"points", "of the front of two goals"}, demand.points, 2);
-  for (const Variable& variable : study.variables) {
-    if (!variable.words.empty())
-      table.problem("", fmt::format("variable \"{}\" is a list of words", variable.name),
-                    "an optimum is of numbers: sweep tries words");
-    if (variable.distribution && variable.distribution->kind != DistributionKind::uniform)
-      table.problem("", fmt::format("variable \"{}\" scatters", variable.name),
-                    "an optimum chooses: write values, or grid with its ends");
-  }
-  table.finish();
-  study.optimise = std::move(demand);
-}
-
 Study read(const CaseDocument& document, std::string text) {
   ProblemList problems(document);
   TableReader root(problems, document.root, "");
@@ -292,7 +250,7 @@ Study read(const CaseDocument& document, std::string text) {
   study.text = std::move(text);
   study.name = std::filesystem::path(document.path).stem().string();
   TableReader of = root.table({"study", "what is studied, and how"});
-  read_case(of, root.is_there("optimise"), study);
+  read_case(of, root.is_there("limit_state") || root.is_there("optimise"), study);
   study.seed = static_cast<std::uint64_t>(of.whole_number({"seed", "of random numbers"}, 1));
   if (of.has({"samples", "of variables that scatter"}))
     study.samples = static_cast<std::size_t>(std::max(0, of.whole_number("samples")));
@@ -309,11 +267,12 @@ Study read(const CaseDocument& document, std::string text) {
   const bool scatters =
       std::any_of(study.variables.begin(), study.variables.end(),
                   [](const Variable& one) { return one.distribution.has_value(); });
-  if (problems.empty() && scatters && study.samples == 0 && !root.is_there("optimise"))
+  if (problems.empty() && scatters && study.samples == 0 && !root.is_there("limit_state") &&
+      !root.is_there("optimise"))
     of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
                "write samples = 1000 in [study]");
   read_correlation(root, study);
-  if (root.has({"optimise", "what boxbeam optimise is to find"})) read_optimise(root, study);
+  read_optimise(root, study);
   TableReader results = root.table({"results", "what is kept of each design"}, false);
   study.columns =
       results.texts({"columns", "keys of results.json, \"verdict\", \"governing\""}, false);
@@ -328,6 +287,7 @@ Study read(const CaseDocument& document, std::string text) {
       results.problem("columns", fmt::format("\"{}\" is a variable and a column", variable.name),
                       "give the variable another name");
   results.finish();
+  read_reliability(root, study);
   root.finish();
   problems.raise();
   return study;

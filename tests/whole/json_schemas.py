@@ -31,7 +31,7 @@ def schema_of(document):
 
 
 VALIDATORS = {
-    name: schema_of(name) for name in ("results", "motion", "fatigue", "section", "comparison", "solution", "optimum", "study")
+    name: schema_of(name) for name in ("results", "motion", "fatigue", "section", "comparison", "solution", "optimum", "study", "reliability")
 }
 
 

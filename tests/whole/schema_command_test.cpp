@@ -12,7 +12,7 @@ TEST_CASE("schema: of the case by default, of every document by name", "[schema]
   CHECK(of_case.exit_code == 0);
   CHECK(of_case.out == test::run_program({"schema", "case"}).out);
   for (const std::string document :
-       {"case", "results", "motion", "fatigue", "section", "comparison"}) {
+       {"case", "results", "motion", "fatigue", "section", "comparison", "reliability"}) {
     INFO(document);
     const test::ProgramResult result = test::run_program({"schema", document});
     CHECK(result.exit_code == 0);
@@ -27,9 +27,8 @@ TEST_CASE("schema: another document is refused with those that there are", "[sch
   const test::ProgramResult result = test::run_program({"schema", "report"});
   CHECK(result.exit_code == 2);
   CHECK(result.out.empty());
-  CHECK(result.err.find(
-            "{case,results,motion,fatigue,section,comparison,solution,optimum,study,keys}") !=
-        std::string::npos);
+  CHECK(result.err.find("{case,results,motion,fatigue,section,comparison,solution,optimum,study,"
+                        "reliability,keys}") != std::string::npos);
 }
 
 }  // namespace schema_command_test

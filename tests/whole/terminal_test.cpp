@@ -114,9 +114,9 @@ Words options_in(const std::string& help) {
   return options;
 }
 
-const Words commands{"init",    "validate", "verify",     "explain", "compare", "motion",
-                     "section", "fatigue",  "solve",      "sweep",   "merge",   "optimise",
-                     "chart",   "schema",   "completion", "manual",  "help"};
+const Words commands{"init",        "validate", "verify", "explain",    "compare", "motion",
+                     "section",     "fatigue",  "solve",  "sweep",      "merge",   "optimise",
+                     "reliability", "chart",    "schema", "completion", "manual",  "help"};
 
 std::string help_of(const std::string& command) {
   const test::ProgramResult result = test::run_program({command, "--help"});

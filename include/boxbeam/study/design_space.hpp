@@ -14,6 +14,13 @@ struct Setting {
   std::string word;  ///< instead, of a variable of words
 };
 
+/// The design in which the variables that scatter have these values, in their order; of others the
+/// first value. Throws AnalysisError where an expression has none.
+std::vector<Setting> design_of(const Study& study, const std::vector<double>& scattering);
+
+/// A design as --set, one for every key.
+std::vector<std::string> overrides_of(const Study& study, const std::vector<Setting>& design);
+
 /// All designs of a study: every combination of the variables with values, for each of these every
 /// sample of those that scatter; the last variable changes first. A design hangs on the study and
 /// its index alone, whoever asks for it and in whatever order.
@@ -28,8 +35,9 @@ class DesignSpace {
   std::size_t size() const { return size_; }
   /// Values of all variables, in their order. Throws AnalysisError where an expression has none.
   std::vector<Setting> at(std::size_t index) const;
-  /// As --set, one for every key.
-  std::vector<std::string> overrides(const std::vector<Setting>& design) const;
+  std::vector<std::string> overrides(const std::vector<Setting>& design) const {
+    return overrides_of(*study_, design);
+  }
 
  private:
   std::vector<double> shares_of(std::size_t sample) const;
@@ -42,9 +50,9 @@ class DesignSpace {
   std::vector<std::vector<std::uint32_t>> shares_;
 };
 
-/// Gives the variables of a design that are expressions their numbers. Throws AnalysisError where
-/// one has none.
-void complete(std::vector<Setting>& design, const Study& study);
+/// Gives the variables of a design that are tied to others their numbers. Throws AnalysisError
+/// where an expression has none.
+void take_expressions(const Study& study, std::vector<Setting>& design);
 
 /// A number between 0 and 1, both excluded, of a seed and two counters.
 double uniform_number(std::uint64_t seed, std::uint64_t sample, std::uint32_t variable);

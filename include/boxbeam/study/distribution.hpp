@@ -19,6 +19,8 @@ struct Distribution {
 
   /// The value that a share u of all is below, 0 < u < 1.
   double quantile(double u) const;
+  /// The same where the share is that of a standard normal variable below z; exact far out, too.
+  double value_at(double z) const;
   double mean() const;
   double standard_deviation() const;
 };

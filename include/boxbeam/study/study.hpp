@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "boxbeam/study/distribution.hpp"
+#include "boxbeam/study/reliability.hpp"
 
 namespace boxbeam {
 
@@ -45,7 +46,7 @@ struct Study {
   std::string path;
   std::string name;
   std::string text;          ///< of the file
-  std::string case_file;     ///< from the working folder; "" without
+  std::string case_file;     ///< from the working folder; "" without a case
   std::string case_written;  ///< as the study has it
   std::uint64_t seed = 1;
   std::size_t samples = 0;  ///< of variables that scatter
@@ -56,6 +57,7 @@ struct Study {
   /// independent.
   Eigen::MatrixXd correlation;
   std::optional<OptimiseDemand> optimise;
+  std::optional<ReliabilityDemand> reliability;  ///< where it has a limit state
 };
 
 /// Reads a study. Throws InputError with all problems.

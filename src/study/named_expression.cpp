@@ -1,4 +1,4 @@
-#include "boxbeam/study/expression.hpp"
+#include "boxbeam/study/named_expression.hpp"
 
 #include <muParser.h>
 
@@ -13,7 +13,7 @@ constexpr const char* of_names = "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGH
 }  // namespace
 
 /// The parser looks at the numbers, which therefore stay in their place.
-struct StudyExpression::Parsed {
+struct NamedExpression::Parsed {
   mu::Parser parser;
   std::vector<double> numbers;
 };
@@ -31,7 +31,7 @@ std::vector<std::string> names_in(const std::string& expression) {
   }
 }
 
-StudyExpression::StudyExpression(const std::string& text, const std::vector<std::string>& names)
+NamedExpression::NamedExpression(const std::string& text, const std::vector<std::string>& names)
     : parsed_(std::make_unique<Parsed>()) {
   parsed_->numbers.resize(names.size());
   try {
@@ -45,11 +45,11 @@ StudyExpression::StudyExpression(const std::string& text, const std::vector<std:
   }
 }
 
-StudyExpression::~StudyExpression() = default;
-StudyExpression::StudyExpression(StudyExpression&&) noexcept = default;
-StudyExpression& StudyExpression::operator=(StudyExpression&&) noexcept = default;
+NamedExpression::~NamedExpression() = default;
+NamedExpression::NamedExpression(NamedExpression&&) noexcept = default;
+NamedExpression& NamedExpression::operator=(NamedExpression&&) noexcept = default;
 
-double StudyExpression::at(const std::vector<double>& numbers) {
+double NamedExpression::at(const std::vector<double>& numbers) {
   std::copy(numbers.begin(), numbers.end(), parsed_->numbers.begin());
   try {
     return parsed_->parser.Eval();

@@ -11,13 +11,13 @@ namespace boxbeam {
 std::vector<std::string> names_in(const std::string& expression);
 
 /// An expression of named numbers, read once. Not for several threads at once.
-class StudyExpression {
+class NamedExpression {
  public:
   /// Throws std::invalid_argument where it names others.
-  StudyExpression(const std::string& text, const std::vector<std::string>& names);
-  ~StudyExpression();
-  StudyExpression(StudyExpression&&) noexcept;
-  StudyExpression& operator=(StudyExpression&&) noexcept;
+  NamedExpression(const std::string& text, const std::vector<std::string>& names);
+  ~NamedExpression();
+  NamedExpression(NamedExpression&&) noexcept;
+  NamedExpression& operator=(NamedExpression&&) noexcept;
 
   /// With the numbers of the names, in their order. May be no number. Throws std::invalid_argument.
   double at(const std::vector<double>& numbers);
