@@ -4,6 +4,9 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS boxbeam RUNTIME COMPONENT program)
+if(BOXBEAM_MPI)
+  install(TARGETS boxbeam_mpi LIBRARY DESTINATION lib/boxbeam COMPONENT program)
+endif()
 install(DIRECTORY sections/ DESTINATION ${CMAKE_INSTALL_DATADIR}/boxbeam/sections COMPONENT program)
 # For editors that complete and check a case by its schema.
 install(FILES ${CMAKE_BINARY_DIR}/share/case.schema.json ${CMAKE_BINARY_DIR}/share/results.schema.json

@@ -167,9 +167,9 @@ class BestDesign {
 };
 
 /// Judges designs for one thread.
-class Judge {
+class DesignJudge {
  public:
-  explicit Judge(const BestDesign& problem) : problem_(&problem) {
+  explicit DesignJudge(const BestDesign& problem) : problem_(&problem) {
     for (const std::string& goal : problem.demand().minimise)
       goals_.emplace_back(goal, problem.names());
     for (const std::string& limit : problem.demand().subject_to)
@@ -271,10 +271,10 @@ class Optimising {
     question.designs = problem_->demand().designs;
     question.seed = problem_->study().seed;
     question.make = [=, this] {
-      return
-          [=, this, judge = std::make_shared<Judge>(*problem_)](const std::vector<double>& chosen) {
-            return worth(*judge, chosen, goal, of_other);
-          };
+      return [=, this,
+              judge = std::make_shared<DesignJudge>(*problem_)](const std::vector<double>& chosen) {
+        return worth(*judge, chosen, goal, of_other);
+      };
     };
     return optimum_of(question);
   }
@@ -288,7 +288,9 @@ class Optimising {
     const std::size_t count = problem_->demand().points;
     for (std::size_t k = 0; k < count; ++k) {
       const double part = static_cast<double>(k) / static_cast<double>(count - 1);
-      const Optimum between = k == 0 ? first : least(0, most + part * (fewest - most));
+      const Optimum between = k == 0           ? first
+                              : k + 1 == count ? second
+                                               : least(0, most + part * (fewest - most));
       if (between.best) points.push_back({between.best->values, goals_at(*between.best)});
     }
     std::sort(points.begin(), points.end(),
@@ -300,7 +302,7 @@ class Optimising {
   }
 
  private:
-  Worth worth(Judge& judge, const std::vector<double>& chosen, std::size_t goal,
+  Worth worth(DesignJudge& judge, const std::vector<double>& chosen, std::size_t goal,
               std::optional<double> of_other) {
     std::optional<Judged> judged = memory_.find(chosen);
     if (!judged) {
@@ -320,7 +322,7 @@ class Optimising {
 
   std::vector<double> goals_at(const ChosenDesign& design) {
     const std::optional<Judged> known = memory_.find(design.values);
-    return known ? known->goals : Judge(*problem_).at(design.values).goals;
+    return known ? known->goals : DesignJudge(*problem_).at(design.values).goals;
   }
 
   void say(std::size_t count) {

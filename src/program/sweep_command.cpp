@@ -23,6 +23,7 @@
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
+#include "program/ranks.hpp"
 #include "program/study_designs.hpp"
 #include "program/terminal.hpp"
 #include "report/csv_cells.hpp"
@@ -162,8 +163,12 @@ std::string duration_text(double seconds) {
 class Sweep {
  public:
   Sweep(const StudyDesigns& designs, const Manifest& manifest, const ChunkStore& store,
-        std::vector<std::size_t> chunks)
-      : designs_(&designs), manifest_(&manifest), store_(&store), chunks_(std::move(chunks)) {}
+        std::vector<std::size_t> chunks, Ranks& ranks)
+      : designs_(&designs),
+        manifest_(&manifest),
+        store_(&store),
+        chunks_(std::move(chunks)),
+        ranks_(&ranks) {}
 
   void run(std::size_t threads, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
@@ -175,6 +180,7 @@ class Sweep {
         workers.emplace_back([this] { work(); });
       while (!finished(workers.size())) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        ranks_->serve();
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         const double rate = static_cast<double>(done_) / passed.count();
         const double left = rate > 0.0 ? static_cast<double>(total - done_) / rate : 0.0;
@@ -182,7 +188,9 @@ class Sweep {
                                  done_.load(), total, rate, duration_text(left), failed_.load()));
       }
     }
+    const bool anywhere = ranks_->any(trouble_ != nullptr);
     if (trouble_) std::rethrow_exception(trouble_);
+    if (anywhere) throw EndedElsewhere{};
   }
 
  private:
@@ -193,7 +201,7 @@ class Sweep {
 
   void work() {
     for (;;) {
-      const std::size_t next = next_++;
+      const std::size_t next = ranks_->next();
       if (next >= chunks_.size() || stop_) break;
       try {
         do_chunk(chunks_[next]);
@@ -223,7 +231,8 @@ class Sweep {
   const Manifest* manifest_;
   const ChunkStore* store_;
   std::vector<std::size_t> chunks_;
-  std::atomic<std::size_t> next_{0}, done_{0}, failed_{0}, ended_{0};
+  Ranks* ranks_;
+  std::atomic<std::size_t> done_{0}, failed_{0}, ended_{0};
   std::atomic<bool> stop_{false};
   std::mutex mutex_;  ///< of the store and the trouble
   std::exception_ptr trouble_;
@@ -255,18 +264,25 @@ int say(const StudySummary& summary, const std::string& folder, bool netcdf,
   return summary.failed == summary.designs ? not_possible : all_pass;
 }
 
-}  // namespace
+/// Chunks of an earlier run must be of this study.
+void begin_store(const ChunkStore& store, const SweepOptions& options) {
+  if (store.stands()) {
+    if (!options.resume && options.shard.empty())
+      throw InputError(
+          fmt::format("{} holds designs of a study that has not ended", store.folder().string()),
+          "--resume goes on with it; else remove the folder");
+    store.require_same();
+  }
+  store.begin();
+}
 
-int run_sweep(const SweepOptions& options) {
-  report::clear_up_before_the_end();
-  const Shard shard = shard_in(options.shard);
-  if (options.netcdf) require_column_files();
+int sweep(const SweepOptions& options, const Shard& shard, Ranks& ranks) {
   const Study study = read_study(options.study);
   require_designs(study);
   const std::string folder = options.out.empty() ? "reports/" + study.name : options.out;
   require_folder(folder);
   require_file_beside(options.json, folder);
-  std::optional<Progress> progress(std::in_place, !options.quiet);
+  std::optional<Progress> progress(std::in_place, !options.quiet && ranks.is_first());
   progress->now("verifying the case as it is");
   const StudyDesigns designs(study);
   const Manifest manifest{study.name,
@@ -278,19 +294,14 @@ int run_sweep(const SweepOptions& options) {
                           chunk_size(designs.size()),
                           designs.columns()};
   const ChunkStore store(fs::path(folder) / "chunks", to_json(manifest));
-  if (store.stands()) {
-    if (!options.resume && options.shard.empty())
-      throw InputError(
-          fmt::format("{} holds designs of a study that has not ended", store.folder().string()),
-          "--resume goes on with it; else remove the folder");
-    store.require_same();
-  }
-  store.begin();
+  ranks.first_alone([&] { begin_store(store, options); });
   std::vector<std::size_t> todo;
   for (std::size_t chunk = shard.index; chunk < manifest.chunks(); chunk += shard.count)
     if (!store.read(chunk)) todo.push_back(chunk);
-  Sweep(designs, manifest, store, std::move(todo)).run(threads_of(options), *progress);
+  ranks.meet();  // all have the same list before the first chunk of it is done
+  Sweep(designs, manifest, store, std::move(todo), ranks).run(threads_of(options), *progress);
   progress.reset();  // its line is gone before the result is printed
+  if (!ranks.is_first()) return all_pass;
   if (shard.count > 1) {
     put_text(layout::line(fmt::format("Part {} of {} is in {}; boxbeam merge joins all parts",
                                       shard.index + 1, shard.count, store.folder().string())));
@@ -306,6 +317,20 @@ int run_sweep(const SweepOptions& options) {
       });
   store.remove();
   return say(summary, folder, options.netcdf, options.json);
+}
+
+}  // namespace
+
+int run_sweep(const SweepOptions& options) {
+  report::clear_up_before_the_end();
+  const Shard shard = shard_in(options.shard);
+  if (options.netcdf) require_column_files();
+  Ranks ranks;
+  try {
+    return sweep(options, shard, ranks);
+  } catch (const EndedElsewhere&) {
+    return not_possible;
+  }
 }
 
 int run_merge(const MergeOptions& options) {

@@ -27,6 +27,7 @@ const std::string& unit_of(const OptimumReport& of, const std::string& choice) {
 std::string range_of(const Choice& choice, const std::string& unit) {
   if (choice.values.empty())
     return fmt::format("{:.6g} to {}", choice.from, amount(choice.to, unit));
+  if (choice.values.size() == 1) return "the study gives no other";
   return fmt::format("one of {}, {:.6g} to {}", choice.values.size(), choice.values.front(),
                      amount(choice.values.back(), unit));
 }

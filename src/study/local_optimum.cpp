@@ -263,20 +263,31 @@ void balance(Scaled& scaled, const OptimumQuestion& question, LocalOptimum& opti
 
 }  // namespace
 
-LocalOptimum local_optimum(const OptimumQuestion& question,
-                           const OptimumQuestion::Function& function, std::vector<double> start,
-                           Tally& tally) {
+LocalOptimum rough_optimum(const OptimumQuestion& question,
+                           const OptimumQuestion::Function& function,
+                           const std::vector<double>& start, Tally& tally) {
   Scaled scaled(question, function, start, tally);
   const int n = static_cast<int>(scaled.size());
-  if (n > 0) {
-    // The first finds the neighbourhood without derivatives, past kinks; the second the last
-    // digits.
-    constexpr double near = 1e-5, close = 1e-12;
-    search(scaled, NLOPT_LN_COBYLA, near, 100 * (n + 1));
-    if (scaled.best().trouble.empty()) search(scaled, NLOPT_LD_MMA, close, 300);
+  constexpr double near = 1e-5;
+  if (n > 0) search(scaled, NLOPT_LN_COBYLA, near, 100 * (n + 1));
+  return {scaled.best_values(), scaled.best(), {}, 0.0};
+}
+
+LocalOptimum exact_optimum(const OptimumQuestion& question,
+                           const OptimumQuestion::Function& function, const LocalOptimum& near,
+                           Tally& tally) {
+  Scaled scaled(question, function, near.values, tally);
+  if (scaled.size() == 0 || !scaled.best().trouble.empty()) return near;
+  constexpr double close = 1e-12;
+  constexpr int rounds = 15, iterations = 20;
+  for (int round = 0; round < rounds; ++round) {
+    const Worth before = scaled.best();
+    search(scaled, NLOPT_LD_MMA, close, iterations);
+    const double gain = before.goal - scaled.best().goal;
+    if (keeps_limits(before) && gain <= close * std::abs(before.goal)) break;
   }
   LocalOptimum optimum{scaled.best_values(), scaled.best(), {}, 0.0};
-  if (n > 0 && keeps_limits(optimum.worth)) balance(scaled, question, optimum);
+  if (keeps_limits(optimum.worth)) balance(scaled, question, optimum);
   return optimum;
 }
 

@@ -34,8 +34,14 @@ struct LocalOptimum {
   double imbalance = 0.0;  ///< of the slopes, part of the goal's
 };
 
-LocalOptimum local_optimum(const OptimumQuestion& question,
-                           const OptimumQuestion::Function& function, std::vector<double> start,
+/// The neighbourhood, without derivatives and therefore past kinks: COBYLA.
+LocalOptimum rough_optimum(const OptimumQuestion& question,
+                           const OptimumQuestion::Function& function,
+                           const std::vector<double>& start, Tally& tally);
+
+/// Its last digits, by the method of moving asymptotes, and what holds it.
+LocalOptimum exact_optimum(const OptimumQuestion& question,
+                           const OptimumQuestion::Function& function, const LocalOptimum& near,
                            Tally& tally);
 
 /// Multipliers, none below zero, with which columns come nearest to a vector. Source: Lawson,

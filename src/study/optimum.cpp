@@ -153,15 +153,16 @@ class Search {
       found[i] = optimum_.exhaustive ? of_combination(function, designs_.combination(i), tallies[i])
                  : designs_.has_lists()
                      ? descended(function, designs_.start(i), tallies[i])
-                     : local_optimum(*question_, function, designs_.start(i), tallies[i]);
+                     : rough_optimum(*question_, function, designs_.start(i), tallies[i]);
     });
     Tally tally;
     for (const Tally& one : tallies) tally.add(one);
-    const auto best = std::min_element(
+    LocalOptimum best = *std::min_element(
         found.begin(), found.end(),
         [](const LocalOptimum& a, const LocalOptimum& b) { return is_better(a.worth, b.worth); });
-    if (!optimum_.exhaustive) count_agreeing(found, *best);
-    conclude(*best, tally);
+    if (!optimum_.exhaustive) count_agreeing(found, best);
+    if (!designs_.has_lists()) best = exact_optimum(*question_, question_->make(), best, tally);
+    conclude(best, tally);
     optimum_.evaluations = tally.evaluations;
     optimum_.troubled = tally.troubled;
     optimum_.first_trouble = tally.first_trouble;
@@ -176,10 +177,10 @@ class Search {
     LocalOptimum best;
     for (std::size_t i = 0; i < (designs_.has_bounds() ? starts : 1); ++i) {
       LocalOptimum found =
-          local_optimum(*question_, function, designs_.with(designs_.start(i), steps), tally);
+          rough_optimum(*question_, function, designs_.with(designs_.start(i), steps), tally);
       if (i == 0 || is_better(found.worth, best.worth)) best = std::move(found);
     }
-    return best;
+    return designs_.has_bounds() ? exact_optimum(*question_, function, best, tally) : best;
   }
 
   /// From neighbour to better neighbour, the best of all first.
@@ -202,7 +203,7 @@ class Search {
   }
 
   void count_agreeing(const std::vector<LocalOptimum>& found, const LocalOptimum& best) {
-    constexpr double same = 1e-6;
+    constexpr double same = 1e-4;  // before the last digits are found
     optimum_.starts = found.size();
     for (const LocalOptimum& one : found) {
       const double apart = std::abs(one.worth.goal - best.worth.goal);

@@ -249,8 +249,9 @@ Study read(const CaseDocument& document, std::string text) {
   study.path = document.path;
   study.text = std::move(text);
   study.name = std::filesystem::path(document.path).stem().string();
-  TableReader of = root.table({"study", "what is studied, and how"});
-  read_case(of, root.is_there("limit_state") || root.is_there("optimise"), study);
+  const bool of_expressions = root.is_there("limit_state") || root.is_there("optimise");
+  TableReader of = root.table({"study", "what is studied, and how"}, !of_expressions);
+  read_case(of, of_expressions, study);
   study.seed = static_cast<std::uint64_t>(of.whole_number({"seed", "of random numbers"}, 1));
   if (of.has({"samples", "of variables that scatter"}))
     study.samples = static_cast<std::size_t>(std::max(0, of.whole_number("samples")));
@@ -267,8 +268,7 @@ Study read(const CaseDocument& document, std::string text) {
   const bool scatters =
       std::any_of(study.variables.begin(), study.variables.end(),
                   [](const Variable& one) { return one.distribution.has_value(); });
-  if (problems.empty() && scatters && study.samples == 0 && !root.is_there("limit_state") &&
-      !root.is_there("optimise"))
+  if (problems.empty() && scatters && study.samples == 0 && !of_expressions)
     of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
                "write samples = 1000 in [study]");
   read_correlation(root, study);

@@ -63,7 +63,7 @@ struct Optimum {
   std::optional<double>
       imbalance;  ///< of the slopes, part of the goal's; where a choice has bounds
   std::size_t starts = 0,
-              agreeing = 0;  ///< searches, and those that ended at the same goal to 1e-6
+              agreeing = 0;  ///< searches, and those that ended at the same goal to 1e-4
   std::size_t evaluations = 0, troubled = 0;
   std::string first_trouble;
 };
