@@ -259,8 +259,9 @@ Study read(const CaseDocument& document, std::string text) {
   if (problems.empty() && study.variables.empty())
     variables.problem("", "the study has no variables",
                       "write [variables.t] with key = \"sections.A1.flange\" and values = [...]");
-  const bool scatters = std::any_of(study.variables.begin(), study.variables.end(),
-                                    [](const Variable& of) { return of.distribution.has_value(); });
+  const bool scatters =
+      std::any_of(study.variables.begin(), study.variables.end(),
+                  [](const Variable& variable) { return variable.distribution.has_value(); });
   if (problems.empty() && scatters && study.samples == 0 && !root.is_there("limit_state"))
     of.problem("samples", "variables scatter, but \"samples\" says not how many designs are drawn",
                "write samples = 1000 in [study]");
