@@ -214,7 +214,8 @@ void Fields::named_words(const Field& field,
 void Fields::named_numbers(const Field& field,
                            const std::vector<std::pair<std::string, double>>& values) {
   if (is_describing())
-    return describe(field, {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}});
+    return describe(field, {{"type", "object"},
+                            {"additionalProperties", {{"type", "number"}, {"x-unit", "1"}}}});
   Json& all = put(field, Json::object());
   for (const auto& [name, value] : values) all[name] = finite(value);
 }

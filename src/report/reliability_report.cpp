@@ -154,9 +154,9 @@ report::MarkedText reliability_text(const StudyReliability& of) {
     return most;
   }();
   if (unjudged > 0)
-    text += layout::item(fmt::format(
-        "designs that cannot be judged count as failing, up to {} of a method; the first: {}",
-        unjudged, of.result.first_trouble));
+    text += layout::item(
+        fmt::format("designs that could not be judged, up to {} of a method; the first: {}",
+                    unjudged, of.result.first_trouble));
   constexpr std::size_t most_points = 4;
   for (std::size_t i = 0; i < std::min(most_points, of.points.size()); ++i)
     text += table_of_point(of, i);

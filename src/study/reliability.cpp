@@ -219,6 +219,12 @@ ReliabilityResult reliability_of(LimitState& limit_state, const ReliabilityDeman
       point.curvatures = -point.curvatures.reverse().eval();
     }
   compare(result);
+  if (search.unjudged > 0)
+    result.remarks.push_back(fmt::format(
+        "{} designs on the way to design points could not be judged: how probable these are is no "
+        "part of form, sorm and importance, but of monte-carlo and subset, where they count as "
+        "failing",
+        search.unjudged));
   result.first_trouble = limit_state.first_trouble();
   result.calls = limit_state.calls();
   return result;

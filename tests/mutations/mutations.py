@@ -364,4 +364,16 @@ MUTATIONS = [
           "ends of flats in fatigue", "stiffener_remedies_test"),
          ("flat-edge", "if (high > low) return {{1.0 - fifth}", "if (high < low) return {{1.0 - fifth}",
           "flats stand at the compressed edge of a web", "stiffener_remedies_test")),
+    # --------------------------------------------------------------------------------------- study
+    *_in("src/study", "design_points.cpp",
+         ("saddle", "} else if (least < -flat) {", "} else if (least < -1e9) {",
+          "a saddle is no design point", "reliability_test"),
+         ("curvature-sign", "1.0 + point.beta * point.curvatures[0]", "1.0 - point.beta * point.curvatures[0]",
+          "which points are next to the origin", "reliability_test")),
+    *_in("src/study", "simulations.cpp",
+         ("importance-weight", "u.dot(points[i]) - 0.5 * u.squaredNorm()", "u.dot(points[i]) - u.squaredNorm()",
+          "density of samples about a design point", "reliability_test")),
+    *_in("src/study", "study_reliability.cpp",
+         ("alpha-correlated", "factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(alpha);", "",
+          "importance of correlated variables", "read_reliability_test")),
 ]

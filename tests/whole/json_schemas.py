@@ -16,9 +16,10 @@ import jsonschema
 
 PROGRAM, PROJECT = sys.argv[1], pathlib.Path(sys.argv[2])
 # Keys of these are names that the user gives.
-NAMED_BY_USER = {"bodies", "points", "joints", "reactions", "steps", "branch"}
+NAMED_BY_USER = {"bodies", "points", "joints", "reactions", "steps", "branch", "alpha"}
 # Keys that a document may lack.
-OPTIONAL = {"sensitivities", "I_T", "shear_centre", "harmonic", "class", "effective", "shear", "interaction", "reduced_stress", "plates"}
+OPTIONAL = {"sensitivities", "I_T", "shear_centre", "harmonic", "class", "effective", "shear", "interaction", "reduced_stress", "plates",
+            "form", "sorm", "monte-carlo", "importance", "subset"}
 NO_PICTURES = ("--no-plots", "--no-html", "--no-pdf")
 failures = []
 
@@ -182,6 +183,14 @@ with tempfile.TemporaryDirectory() as folder:
     study = run("sweep", "sections/sledge-rig/studies/stroke-and-frequency.toml", "--out", folder, "--json", "-")
     check("study", study, "study")
     check_refuses_changes("study", study, "study")
+    formula = pathlib.Path(folder) / "formula.toml"
+    formula.write_text(
+        '[study]\n[variables.r]\ndistribution = "normal"\nmean = 4\nsd = 1\n'
+        '[limit_state]\nexpression = "r"\n[reliability]\nyears = 2\n'
+        'methods = ["form", "sorm", "monte-carlo", "importance", "subset"]\n')
+    reliability = run("reliability", formula, "--out", folder, "--json", "-")
+    check("reliability", reliability, "reliability")
+    check_refuses_changes("reliability", reliability, "reliability")
 
 for failure in failures[:50]:
     print(failure)

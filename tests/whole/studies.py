@@ -1,5 +1,6 @@
 """Studies as a user runs them: the same bytes by one thread, two, by parts joined, and after having been
-killed again and again; rows beside `boxbeam verify`; `boxbeam solve` put back into the case.
+killed again and again; rows beside `boxbeam verify`; `boxbeam solve` put back into the case; `boxbeam reliability`
+beside a closed form and `solve`.
 
 Usage: studies.py PROGRAM ROOT
 """
@@ -213,6 +214,104 @@ def check_wrong_studies(folder):
         check("--shard" in done.stderr, f"{shard}: {done.stderr}")
 
 
+PAIR = """[study]
+seed = 1
+samples = 100000
+[variables.r]
+distribution = "normal"
+mean = 4
+sd = 1
+[variables.s]
+distribution = "normal"
+mean = 2
+sd = 1
+[limit_state]
+expression = "r - s"
+[reliability]
+methods = ["form", "sorm", "monte-carlo", "importance", "subset"]
+years = 2
+"""
+
+# Of the rig's fatigue factor: a stroke that scatters alone, so that a root of the factor is beta.
+STROKE = f"""[study]
+case = "{RIG}"
+[variables.stroke]
+key = "drivers.exciter.amplitude"
+distribution = "normal"
+mean = "0.14 m"
+sd = "5 mm"
+[limit_state]
+check = "fatigue"
+[reliability]
+methods = ["form"]
+starts = 1
+"""
+
+
+def check_reliability(folder):
+    study = folder / "pair.toml"
+    study.write_text(PAIR)
+    run("reliability", study, "--out", folder / "pair1", "--threads", 1, "--quiet")
+    text = (folder / "pair1/reliability.json").read_bytes()
+    run("reliability", study, "--out", folder / "pair4", "--threads", 4, "--quiet")
+    check(text == (folder / "pair4/reliability.json").read_bytes(), "four threads find other numbers than one")
+    check((folder / "pair1/importance.svg").exists() and (folder / "pair1/convergence.svg").exists(), "figures")
+    methods = json.loads(text)["methods"]
+    exact = 0.0786496035  # of N(4, 1) below N(2, 1)
+    check(abs(methods["form"]["beta"] - 2 ** 0.5) < 1e-9 and methods["form"]["converged"], f"beta {methods['form']}")
+    check(abs(methods["form"]["alpha"]["s"] - 0.5 ** 0.5) < 1e-6, "alpha of a load")
+    for name, of in methods.items():
+        margin = 4 * of["cov"] * exact if "cov" in of else 1e-6
+        check(abs(of["p_f"] - exact) < margin, f"{name}: {of['p_f']}")
+        check(abs((1 - of["p_f_per_year"]) ** 2 - (1 - of["p_f"])) < 1e-12, f"{name}: of a year")
+    study.write_text(PAIR.replace("seed = 1", "seed = 2"))
+    other = json.loads(run("reliability", study, "--out", folder / "pair5", "--quiet", "--json", "-").stdout)
+    check(other["methods"]["subset"]["p_f"] != methods["subset"]["p_f"], "another seed, the same samples")
+
+    # One variable of a case: beta is how many standard deviations the stroke of a factor of 1 is away.
+    study = folder / "stroke.toml"
+    study.write_text(STROKE)
+    form = json.loads(run("reliability", study, "--out", folder / "stroke", "--quiet", "--json", "-").stdout)["methods"]["form"]
+    required = 2.0  # by the rig
+    limit = json.loads(run("solve", RIG, "--for", "drivers.exciter.amplitude", "--such-that",
+                           f"fatigue.safety_factor = {required}", "--json", "-").stdout)["roots"][0]["value"]
+    beta = (limit - 0.14) / 0.005
+    print(f"  beta {form['beta']}, by solve {beta}")
+    check(form["converged"] and abs(form["beta"] - beta) < 1e-3, f"beta {form['beta']}, by solve {beta}")
+    check(abs(form["design_points"][0]["variables"][0]["value"] - limit) < 1e-5, "stroke at the design point")
+    check(form["alpha"]["stroke"] > 0, "a stroke that resists")
+
+
+def check_wrong_reliability(folder):
+    broken = folder / "broken.toml"
+    for text, (old, new), says in (
+            (PAIR, ('"r - s"', '"r - t"'), "no number of the study"),
+            (PAIR, ('"r - s"', '"r - "'), "write a formula"),
+            (PAIR, ("expression", "check"), "the study has none"),
+            (PAIR, ("expression", "expresion"), "expression"),
+            (PAIR, ('"sorm"', '"fosm"'), "one of form, sorm"),
+            (PAIR, ("years = 2", "years = 0"), "years"),
+            (PAIR, ("years = 2", "per_level = 1"), "below 20"),
+            (PAIR, ("years = 2", "variation = 1.5"), "says nothing"),
+            (PAIR, ("years = 2", "level = 3"), "level"),
+            (PAIR, ('distribution = "normal"\nmean = 4\nsd = 1', "values = [3, 4]"), "several values"),
+            (PAIR, ('[limit_state]\nexpression = "r - s"', ""), "where a design fails"),
+            (STROKE, ('"fatigue"', '"fatige"'), "fatigue"),
+            (STROKE, ('"fatigue"', '"deflection"'), "has no check"),
+            (STROKE, ('check = "fatigue"', 'expression = "2 - beam.mass"\n[results]\ncolumns = ["beam.mas"]'),
+             "no number of the study"),
+            (STROKE, ('check = "fatigue"', 'expression = "2 - beam.mas"\n[results]\ncolumns = ["beam.mas"]'), "beam.mass"),
+            (STROKE, ("drivers.exciter", "driver.exciter"), "driver"),
+            (STROKE, (str(RIG), "missing.toml"), "missing.toml")):
+        check(old in text, f"{old} is not in the study")
+        broken.write_text(text.replace(old, new, 1))
+        done = run("reliability", broken, "--out", folder / "none", "--quiet", code=2)
+        check(says in done.stderr, f"{new}: {done.stderr}")
+        check(not (folder / "none").exists(), f"{new}: something was written")
+    broken.write_text(PAIR)
+    check("no case" in run("sweep", broken, "--out", folder / "none", code=2).stderr, "a sweep without a case")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -224,6 +323,8 @@ def main():
         check_solve(folder)
         check_sensitivities(folder)
         check_wrong_studies(folder)
+        check_reliability(folder)
+        check_wrong_reliability(folder)
         print(f"  {time.monotonic() - start:.0f} s")
     for words in failures[:30]:
         print("FAILED", words)
