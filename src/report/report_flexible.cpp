@@ -24,6 +24,15 @@ const char* kind_text(flexible::LinkKind kind) {
   return "";
 }
 
+const char* element_text(flexible::Element element) {
+  switch (element) {
+    case flexible::Element::classical: return "classical rigid finite elements";
+    case flexible::Element::corrected: return "corrected rigid finite elements";
+    case flexible::Element::exact: return "continuous links between nodes (exact form)";
+  }
+  return "";
+}
+
 std::string angle_text(double angle) {
   return text::significant(angle * 180.0 / std::numbers::pi, 5);
 }
@@ -140,12 +149,10 @@ Table joint_forces_table(const FlexibleMotionResult& motion) {
 
 Entries entries_of(const Mechanism& mechanism) {
   Entries entries;
-  entries.emplace_back(
-      "division",
-      fmt::format(
-          "{} rigid finite elements, {}",
-          mechanism.element == flexible::Element::classical ? "classical" : "corrected",
-          mechanism.nodes_at_joints ? "nodes at joints and loads" : "parts of a link all equal"));
+  entries.emplace_back("division",
+                       fmt::format("{}, {}", element_text(mechanism.element),
+                                   mechanism.nodes_at_joints ? "nodes at joints and loads"
+                                                             : "parts of a link all equal"));
   for (const flexible::Load& load : mechanism.loads) {
     entries.emplace_back("load", load_text(mechanism, load));
   }

@@ -18,6 +18,13 @@ constexpr std::size_t most_modes_of_start = 192;
 
 }  // namespace
 
+flexible::Mechanism with_modes_of_division(flexible::Mechanism mechanism) {
+  if (mechanism.element == flexible::Element::exact) {
+    mechanism.element = flexible::Element::corrected;
+  }
+  return mechanism;
+}
+
 flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model) {
   flexible::Mechanism mechanism =
       modelled(of, {ModelLevel::flexible, 0, 0, model.element, model.axial});
