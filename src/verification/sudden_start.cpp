@@ -62,6 +62,15 @@ StartSpan start_span_of(const flexible::ModalModel& model) {
 LoadHistory loads_after_start(const Project& project, const Situation& situation,
                               const ElasticModel& model) {
   const flexible::Mechanism mechanism = with_all_elements(flexible_in(project, situation), model);
+  if (mechanism.element == flexible::Element::exact) {
+    throw AnalysisError(
+        {"a sudden start is the sum of the modes of divided links, which the exact "
+         "form has not; write element = \"corrected\"",
+         "mechanism",
+         {},
+         {},
+         {}});
+  }
   if (mechanism.frequency == 0.0) {
     throw AnalysisError({"no load vibrates: there is nothing to start", "mechanism", {}, {}, {}});
   }
