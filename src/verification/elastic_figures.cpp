@@ -58,6 +58,17 @@ std::vector<double> swept_frequencies(double drive, const std::vector<flexible::
   return frequencies;
 }
 
+/// Those that are drawn, and all below a frequency.
+std::vector<flexible::Mode> exact_modes_beyond(const flexible::Structure& structure,
+                                               double frequency) {
+  constexpr std::size_t most = 192;
+  for (std::size_t count = modes_drawn;; count *= 2) {
+    std::vector<flexible::Mode> modes = flexible::modes_of(structure, count);
+    const bool all = modes.size() < count || modes.back().frequency > frequency;
+    if (all || count >= most) return modes;
+  }
+}
+
 /// By the exact form at every frequency.
 JointLines exact_lines_over_frequency(const flexible::Structure& structure,
                                       const std::vector<flexible::Mode>& modes) {
@@ -130,7 +141,7 @@ ElasticFigures elastic_figures_of(const Project& project, const SituationRun& ru
       posture_figure(project, {&structure, {flexible::no_loads<double>(structure), {}}, 1.0}, "");
   const double drive = motion.response.frequency;
   if (motion.mechanism->element == flexible::Element::exact) {
-    const std::vector<flexible::Mode> modes = flexible::modes_of(structure, modes_drawn);
+    const std::vector<flexible::Mode> modes = exact_modes_beyond(structure, 1.8 * drive);
     figures.modes = mode_figures(project, structure, modes);
     if (drive == 0.0) return figures;
     figures.over_frequency = exact_lines_over_frequency(structure, modes);

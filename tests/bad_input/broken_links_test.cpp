@@ -34,6 +34,17 @@ BrokenCase with(const std::string& lines, const std::string& at, std::vector<std
   return {lines, text, line_of(at, text), std::move(said)};
 }
 
+/// The exact form without nodes at joints, and without the sudden start that it has not either.
+BrokenCase exact_with_equal_parts() {
+  std::string text = truck();
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"corrected\"", "\"exact\""},
+                                 {"\"nodes at joints\"", "\"equal\""},
+                                 {"sudden_start = true", "sudden_start = false"}}) {
+    text.replace(text.find(from), from.size(), to);
+  }
+  return {"exact, equal parts", text, line_of("division = ", text), {"has its nodes at joints"}};
+}
+
 }  // namespace
 
 TEST_CASE("links that cannot be are refused", "[bad_input][flexible]") {
@@ -184,9 +195,7 @@ TEST_CASE("what belongs to rigid mechanisms is refused in one of elastic links",
            {"\"forces\" is known for rigid mechanisms only", "[loads.<name>]"}),
       changed("element = \"corrected\"", "element = \"precise\"",
               {"\"element\" cannot be \"precise\"", "classical"}),
-      changed("element = \"corrected\"\ndivision = \"nodes at joints\"",
-              "element = \"exact\"\ndivision = \"equal\"", {"has its nodes at joints"},
-              "division = \"equal\""),
+      exact_with_equal_parts(),
       changed("element = \"corrected\"", "element = \"exact\"",
               {"a sudden start is the sum of the modes"}, "sudden_start = true"),
       changed("element = \"corrected\"", "tolerance = 1.5",
