@@ -99,11 +99,25 @@ TriedMethod finite_elements_over(const Question& question, const std::vector<int
   return method;
 }
 
-/// Classical and corrected elements, the former extrapolated, and the outside yardstick.
-std::vector<TriedMethod> methods_over(const Question& question, const std::vector<int>& divisions) {
+/// The exact form, in as many pieces as it takes at a square of omega.
+TriedMethod exact_at(const Question& question, double square, const std::string& where = "") {
+  const flexible::Mechanism whole = unit_cantilever(1, Element::exact);
+  const int pieces = flexible::pieces_at(structure_of(whole), square);
+  TriedMethod method{"exact" + where, {}, false};
+  method.trials.push_back(trial_of(
+      question, fmt::format("{} piece{}", pieces, pieces == 1 ? "" : "s"), pieces, unknowns(pieces),
+      [question, pieces] { return by_parts(question, pieces, Element::exact); }));
+  return method;
+}
+
+/// Classical and corrected elements, the former extrapolated, the outside yardstick, and the exact
+/// form at a square of omega.
+std::vector<TriedMethod> methods_over(const Question& question, const std::vector<int>& divisions,
+                                      double square) {
   return {rigid_elements_over(question, Element::classical, divisions),
           rigid_elements_over(question, Element::corrected, divisions),
-          richardson_over(question, divisions), finite_elements_over(question, divisions)};
+          richardson_over(question, divisions), finite_elements_over(question, divisions),
+          exact_at(question, square)};
 }
 
 void mark_default(TriedMethod& corrected) {
@@ -120,8 +134,9 @@ Chart cantilever_chart(const std::string& name, const std::string& title) {
   chart.operations = "unknowns of the division";
   chart.floor = {round_off, "round-off of double"};
   chart.off_front =
-      "Rigid finite elements are the published method of elastic links; Hermite's elements, which "
-      "the program does not offer, show what else a division would be good for.";
+      "The exact form (element = \"exact\") leaves no error in a single link: its cost is a search "
+      "of frequencies by counts, each of which is a factorisation. Corrected elements stay the "
+      "default, for sudden starts and second order forces are sums over a division.";
   return chart;
 }
 
@@ -153,15 +168,17 @@ Chart frequency_chart(int k, const Effort& effort) {
                           [k](const HermiteBeam& beam) { return hermite_omega(beam, k); }};
   std::vector<int> divisions = divisions_up_to(effort.quick ? 32 : 256);
   if (k > 1) divisions.erase(divisions.begin());  // two parts have no third frequency of a beam
-  std::vector<TriedMethod> methods = methods_over(question, divisions);
+  std::vector<TriedMethod> methods =
+      methods_over(question, divisions, question.exact * question.exact);
   mark_default(methods[1]);
   chart.series = timed(methods, effort);
   chart.guides = {{2.0, 0}, {3.0, 1}, {4.0, 3}};
   chart.lesson = fmt::format(
       "Classical elements converge with order {:.2f}, corrected ones with {:.2f} at the same cost: "
-      "{:.1e} instead of {:.1e} at {} parts.",
+      "{:.1e} instead of {:.1e} at {} parts. The exact form leaves {:.0e}.",
       order_seen(chart.series[0]), order_seen(chart.series[1]), default_point(chart)->error,
-      point_of(chart.series[0], default_parts()).error, default_parts());
+      point_of(chart.series[0], default_parts()).error, default_parts(),
+      chart.series.back().points.front().error);
   return chart;
 }
 
@@ -179,7 +196,7 @@ Chart deflection_chart(const Effort& effort) {
       },
       hermite_deflection};
   const std::vector<int> divisions = divisions_up_to(effort.quick ? 64 : 1024);
-  std::vector<TriedMethod> methods = methods_over(question, divisions);
+  std::vector<TriedMethod> methods = methods_over(question, divisions, 0.0);
   mark_default(methods[1]);
   chart.series = timed(methods, effort);
   chart.guides = {{2.0, 0}};
@@ -205,7 +222,7 @@ Chart root_moment_chart(const Effort& effort) {
   chart.reference = "Euler and Bernoulli's beam, long double";
   chart.unit = "response from the beam (Hermite: sparse LU)";
   const std::vector<int> divisions = divisions_up_to(effort.quick ? 32 : 256);
-  std::vector<TriedMethod> methods;
+  std::vector<TriedMethod> methods, exact;
   for (const double ratio : {0.3, 0.9}) {
     const long double root = cantilever_root(1);
     const auto omega = static_cast<double>(ratio * root * root);
@@ -223,8 +240,10 @@ Chart root_moment_chart(const Effort& effort) {
     methods.push_back(rigid_elements_over(question, Element::classical, divisions, where));
     methods.push_back(rigid_elements_over(question, Element::corrected, divisions, where));
     methods.push_back(finite_elements_over(question, divisions, where));
+    exact.push_back(exact_at(question, omega * omega, where));
   }
-  for (std::size_t i = 0; i < 3; ++i) methods[i].other_scene = true;
+  methods.insert(methods.end(), exact.begin(), exact.end());
+  for (const std::size_t i : {0U, 1U, 2U, 6U}) methods[i].other_scene = true;
   mark_default(methods[4]);
   chart.series = timed(methods, effort);
   chart.guides = {{2.0, 3}, {3.0, 4}, {4.0, 5}};

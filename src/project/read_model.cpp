@@ -60,12 +60,17 @@ ElasticForm read_model(TableReader& root, Project& project) {
   read_moduli();
   input.retardation = read_retardation(table, input.retardation);
   if (std::holds_alternative<flexible::Mechanism>(project.mechanism)) {
-    constexpr flexible::Element elements[] = {flexible::Element::corrected,
-                                              flexible::Element::classical};
-    form.element = elements[table.choice({"element", "how rigid elements bend"},
-                                         {"corrected", "classical"}, 0)];
+    constexpr flexible::Element elements[] = {
+        flexible::Element::corrected, flexible::Element::classical, flexible::Element::exact};
+    form.element = elements[table.choice(
+        {"element", "how rigid elements bend; \"exact\": the continuous links, without division"},
+        {"corrected", "classical", "exact"}, 0)];
     form.nodes_at_joints = table.choice({"division", "nodes stand at joints, or equal parts"},
                                         {"nodes at joints", "equal"}, 0) == 0;
+    if (form.element == flexible::Element::exact && !form.nodes_at_joints) {
+      table.problem("division", "the exact form of the links has its nodes at joints",
+                    "leave out division, or write element = \"corrected\"");
+    }
   }
   if (std::holds_alternative<planar::Mechanism>(project.mechanism)) {
     input.measured_loads =

@@ -245,7 +245,9 @@ std::string joint_forces_caption(const Source& source) {
 }
 
 std::string sudden_start_caption(const Source& source) {
-  return fmt::format("Forces of the joints after the loads are switched on at once: {}.",
+  const bool exact = flexible_of(source.project).element == flexible::Element::exact;
+  return fmt::format("Forces of the joints after the loads are switched on at once{}: {}.",
+                     exact ? ", by corrected rigid elements" : "",
                      largest_force(source.verification.pictures.elastic->after_start));
 }
 

@@ -113,8 +113,10 @@ std::string harmonic_tables(const FlexibleMotionResult& motion) {
 
 std::string motion_text(const Project& project, const FlexibleMotionResult& motion) {
   std::string out = layout::line(visible(project.title) + ":");
-  out += layout::paragraph(fmt::format("{} rigid finite elements, {} degrees of freedom",
-                                       motion.elements, motion.degrees_of_freedom));
+  const bool exact = flexible_of(project).element == flexible::Element::exact;
+  out += layout::paragraph(fmt::format(
+      "{} {}, {} degrees of freedom", motion.elements,
+      exact ? "nodes of continuous links" : "rigid finite elements", motion.degrees_of_freedom));
   out += layout::paragraph(
       "Forces are what a joint does to the link that is named, in world axes; displacements are "
       "from the unstressed posture. The stated error is what the division of the links leaves, "

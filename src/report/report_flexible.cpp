@@ -24,6 +24,15 @@ const char* kind_text(flexible::LinkKind kind) {
   return "";
 }
 
+const char* element_text(flexible::Element element) {
+  switch (element) {
+    case flexible::Element::classical: return "classical rigid finite elements";
+    case flexible::Element::corrected: return "corrected rigid finite elements";
+    case flexible::Element::exact: return "continuous links between nodes (exact form)";
+  }
+  return "";
+}
+
 std::string angle_text(double angle) {
   return text::significant(angle * 180.0 / std::numbers::pi, 5);
 }
@@ -140,12 +149,10 @@ Table joint_forces_table(const FlexibleMotionResult& motion) {
 
 Entries entries_of(const Mechanism& mechanism) {
   Entries entries;
-  entries.emplace_back(
-      "division",
-      fmt::format(
-          "{} rigid finite elements, {}",
-          mechanism.element == flexible::Element::classical ? "classical" : "corrected",
-          mechanism.nodes_at_joints ? "nodes at joints and loads" : "parts of a link all equal"));
+  entries.emplace_back("division",
+                       fmt::format("{}, {}", element_text(mechanism.element),
+                                   mechanism.nodes_at_joints ? "nodes at joints and loads"
+                                                             : "parts of a link all equal"));
   for (const flexible::Load& load : mechanism.loads) {
     entries.emplace_back("load", load_text(mechanism, load));
   }
@@ -188,16 +195,18 @@ std::unique_ptr<const FrontEndText> text_for(const flexible::Mechanism&, const P
   return std::make_unique<FlexibleText>(project);
 }
 
-std::vector<Block> vibration_blocks(const ElasticFigures& figures, const ElasticModel& model) {
-  const FlexibleMotionResult& motion = figures.motion;
+std::vector<Block> vibration_blocks(const Source& source) {
+  const FlexibleMotionResult& motion = source.verification.pictures.elastic->motion;
+  const bool exact = flexible_of(source.project).element == flexible::Element::exact;
   std::vector<Block> blocks;
   blocks.emplace_back(Subheading{"Natural frequencies and joint forces"});
   blocks.emplace_back(Paragraph{fmt::format(
-      "By all of {} rigid finite elements with {} generalised coordinates, as many parts of every "
+      "By all of {} {} with {} generalised coordinates, as many parts of every "
       "link as the case says or the chosen model has, whichever is more. The loads on the beam "
       "and all checks come from the chosen model itself: {}. Stated errors are those of the "
       "division of the links, with a margin; they say nothing of the data.",
-      motion.elements, motion.degrees_of_freedom, describe(model))});
+      motion.elements, exact ? "nodes of continuous links" : "rigid finite elements",
+      motion.degrees_of_freedom, describe(source.verification.model.chosen))});
   Table frequencies = table_of("", {"mode", "frequency [Hz]", "stated error [Hz]"});
   for (std::size_t i = 0; i < motion.frequencies.size(); ++i) {
     const NaturalFrequency& of = motion.frequencies[i];

@@ -105,8 +105,7 @@ Chapter motion_chapter(const Source& source) {
   add_pictures(source, FigurePlace::motion, chapter.blocks);
   chapter.blocks.emplace_back(critical_table(source));
   if (verification.pictures.elastic) {
-    std::vector<Block> blocks =
-        vibration_blocks(*verification.pictures.elastic, verification.model.chosen);
+    std::vector<Block> blocks = vibration_blocks(source);
     chapter.blocks.insert(chapter.blocks.end(), std::make_move_iterator(blocks.begin()),
                           std::make_move_iterator(blocks.end()));
     add_pictures(source, FigurePlace::vibration, chapter.blocks);

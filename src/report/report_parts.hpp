@@ -34,7 +34,7 @@ Chapter mechanism_chapter(const Source& source);
 Chapter motion_chapter(const Source& source);
 /// Natural frequencies and joint forces, static and vibrating, with the errors of division, and of
 /// which model they are beside the chosen one; report_flexible.cpp.
-std::vector<Block> vibration_blocks(const ElasticFigures& figures, const ElasticModel& model);
+std::vector<Block> vibration_blocks(const Source& source);
 
 Chapter model_chapter(const Source& source);       // report_model.cpp
 Chapter loads_chapter(const Source& source);       // report_loads.cpp

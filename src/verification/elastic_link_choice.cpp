@@ -35,6 +35,34 @@ ModelChoice demanded(const Project& project, const ElasticModel& model) {
   return choice;
 }
 
+/// The exact form, which the case asks for by name, has no division to weigh: whether links are
+/// elastic along their axes.
+ModelChoice choose_exact(const Project& project) {
+  const auto exact = [](bool axial) {
+    return ElasticModel{ModelLevel::flexible, 0, 0, flexible::Element::exact, axial};
+  };
+  ModelChoice choice;
+  choice.tolerance = project.model.tolerance;
+  double largest = 0.0;
+  for (const Situation& situation : project.situations) {
+    if (!situation.runs()) continue;
+    const LadderCase of = ladder_case(project, situation);
+    const std::vector<ComparedPlace> places = places_of(of);
+    largest = std::max(largest, difference_between(stresses_by(of, exact(false), places),
+                                                   stresses_by(of, exact(true), places)));
+    choice.harmonics = {{of.mechanism->frequency, 1.0}};
+  }
+  const bool axial = largest > choice.tolerance;
+  choice.weighed.push_back({exact(false), "elasticity along the axes", largest, largest});
+  if (axial) choice.weighed.push_back({exact(true), "no error of division", 0.0, 0.0});
+  choice.chosen = exact(axial);
+  choice.reason = fmt::format(
+      "{}: the exact form of the links, as the case says, has no error of division; bending links "
+      "taken as rigid along their axes would change the governing stress by {}, tolerance {}",
+      describe(choice.chosen), percent_text(largest), percent_text(choice.tolerance));
+  return choice;
+}
+
 /// What either of two models counts.
 ElasticModel both(const ElasticModel& a, const ElasticModel& b) {
   ElasticModel most;
@@ -101,6 +129,7 @@ ModelChoice choose_for_links(const Project& project) {
   if (project.model.demand == ModelDemand::flexible) {
     return demanded(project, {ModelLevel::flexible, 0, 0, {}, false});
   }
+  if (flexible_of(project).element == flexible::Element::exact) return choose_exact(project);
   std::vector<ModelChoice> choices;
   std::vector<const Situation*> of;
   for (const Situation& situation : project.situations) {

@@ -18,6 +18,13 @@ constexpr std::size_t most_modes_of_start = 192;
 
 }  // namespace
 
+flexible::Mechanism with_modes_of_division(flexible::Mechanism mechanism) {
+  if (mechanism.element == flexible::Element::exact) {
+    mechanism.element = flexible::Element::corrected;
+  }
+  return mechanism;
+}
+
 flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model) {
   flexible::Mechanism mechanism =
       modelled(of, {ModelLevel::flexible, 0, 0, model.element, model.axial});
@@ -55,6 +62,15 @@ StartSpan start_span_of(const flexible::ModalModel& model) {
 LoadHistory loads_after_start(const Project& project, const Situation& situation,
                               const ElasticModel& model) {
   const flexible::Mechanism mechanism = with_all_elements(flexible_in(project, situation), model);
+  if (mechanism.element == flexible::Element::exact) {
+    throw AnalysisError(
+        {"a sudden start is the sum of the modes of divided links, which the exact "
+         "form has not; write element = \"corrected\"",
+         "mechanism",
+         {},
+         {},
+         {}});
+  }
   if (mechanism.frequency == 0.0) {
     throw AnalysisError({"no load vibrates: there is nothing to start", "mechanism", {}, {}, {}});
   }

@@ -183,6 +183,13 @@ TEST_CASE("loads, frequency and model are as is written", "[flexible]") {
   CHECK(link(other, "boom").retardation == Approx(0.04 / (20.0 * std::numbers::pi)));
   CHECK(other.model.retardation == link(other, "boom").retardation);
   CHECK(link(other, "lift").retardation == 0.0);
+
+  std::string exact = truck();
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"corrected\"", "\"exact\""},
+                                 {"sudden_start = true", "sudden_start = false"}}) {
+    exact.replace(exact.find(from), from.size(), to);
+  }
+  CHECK(flexible_of(parse_project("truck.toml", exact, {})).element == flexible::Element::exact);
 }
 
 TEST_CASE("points of the beam's link are places of the beam", "[flexible]") {

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <numbers>
 
+#include "boxbeam/core/error.hpp"
 #include "boxbeam/mechanism/flexible/beam_loads.hpp"
 #include "boxbeam/project/project.hpp"
 #include "boxbeam/report/remarks.hpp"
@@ -197,6 +199,60 @@ TEST_CASE("Drill truck: what a sudden start adds is remarked, without vibration 
   mechanism.frequency = 0.0;
   for (flexible::Load& load : mechanism.loads) load.amplitude.setZero();
   CHECK_FALSE(remarked(project));
+}
+
+TEST_CASE("Drill truck: by the exact form the boom has what fine divisions tend to",
+          "[drill_truck][boom][whole][exact]") {
+  Project project = read_project(truck);
+  project.situations.pop_back();  // no sudden start in this form
+  Project exact = project;
+  flexible_of(exact).element = flexible::Element::exact;
+  const auto run_of = [](const Project& of, int parts) {
+    return std::make_unique<const SituationRun>(
+        of, of.situations.front(), ElasticModel{ModelLevel::flexible, 0, parts, {}, true},
+        SharedMotions{});
+  };
+  const auto by_exact = run_of(exact, 0);
+  CHECK(by_exact->imbalance < 1e-10);
+  const auto moments = [](const SituationRun& run) {
+    std::vector<double> M;
+    for (const double part : {0.0, 0.13, 0.5, 0.77}) {
+      const CutForceDiagram diagram = run.loads.diagram_at(part * run.loads.period());
+      for (const double s : {0.4, 1.49, 1.51, 2.2, 2.7, 4.1})
+        M.push_back(diagram.at({si<Length>(s)}).M_y.value());
+    }
+    return M;
+  };
+  const std::vector<double> expected = moments(*by_exact);
+  const auto error_of = [&](int parts) {
+    double largest = 0.0;
+    const auto run = run_of(project, parts);
+    const std::vector<double> M = moments(*run);
+    for (std::size_t i = 0; i < M.size(); ++i)
+      largest = std::max(largest, std::abs(M[i] - expected[i]));
+    return largest / *std::max_element(expected.begin(), expected.end());
+  };
+  const double coarse = error_of(16), fine = error_of(128);
+  CAPTURE(coarse, fine);
+  CHECK(fine < 0.1 * coarse);
+  CHECK(fine < 1e-5);
+
+  // The program chooses no division, but the elasticity along the axes, which counts here.
+  const Verification result = verify(exact);
+  CHECK(result.model.chosen.axial);
+  CHECK(result.model.reason.find("no error of division") != std::string::npos);
+  const Verification divided = verify(project);
+  for (const Criterion criterion : {Criterion::yield, Criterion::fatigue}) {
+    const CheckResult* own = result.governing(criterion);
+    const CheckResult* other = divided.governing(criterion);
+    REQUIRE(own != nullptr);
+    REQUIRE(other != nullptr);
+    CHECK(own->check.safety_factor ==
+          Approx(other->check.safety_factor).epsilon(project.model.tolerance));
+  }
+  // Asked for all the same, a sudden start is refused.
+  exact.situations.front().sudden_start = true;
+  CHECK_THROWS_AS(verify(exact), AnalysisError);
 }
 
 }  // namespace boxbeam

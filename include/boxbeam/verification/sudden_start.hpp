@@ -7,6 +7,10 @@
 
 namespace boxbeam {
 
+/// The mechanism in a form whose response is a sum of modes: corrected elements in the place of the
+/// exact form.
+flexible::Mechanism with_modes_of_division(flexible::Mechanism mechanism);
+
 /// The mechanism with all its elements, its links never divided coarser than the case says.
 flexible::Mechanism with_all_elements(const flexible::Mechanism& of, const ElasticModel& model);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact_inertia.hpp"
 #include "frequency.hpp"
 
 namespace boxbeam::flexible {
@@ -88,10 +89,14 @@ LineLoad empty_line(const Interval& of) {
 /// What the motion of a link's elements leaves along it.
 class Inertia {
  public:
-  Inertia(const Structure& structure, std::size_t link, const std::vector<MassStretch>& stretches)
+  /// `omega`: of the vibration.
+  Inertia(const Structure& structure, std::size_t link, const std::vector<MassStretch>& stretches,
+          double omega)
       : structure_(&structure),
         link_(link),
         stretches_(&stretches),
+        omega_(omega),
+        exact_(structure.mechanism->element == Element::exact && !divided().springs.empty()),
         gathered_(structure.mechanism->element == Element::corrected &&
                   !divided().springs.empty()) {
     if (!gathered_) return;
@@ -101,13 +106,28 @@ class Inertia {
     }
   }
 
-  /// `motion` times the square of omega.
-  LineLoad line(const Interval& of, const Eigen::Matrix3Xd& motion) const {
-    return gathered_ ? line_of_part(of, motion) : line_of_element(of, motion);
+  /// `motion` times the square of omega: of its real and of its imaginary part.
+  std::array<LineLoad, 2> lines(const Interval& of, const Eigen::Matrix3Xcd& motion) const {
+    if (exact_) return lines_of_exact(of, motion);
+    const auto line = [&](const Eigen::Matrix3Xd& part) {
+      return gathered_ ? line_of_part(of, part) : line_of_element(of, part);
+    };
+    return {line(motion.real()), line(motion.imag())};
   }
 
  private:
   const DividedLink& divided() const { return structure_->links[link_]; }
+
+  std::array<LineLoad, 2> lines_of_exact(const Interval& of,
+                                         const Eigen::Matrix3Xcd& motion) const {
+    const Link& link = structure_->mechanism->links[link_];
+    const SpringElement& spring = divided().springs[of.piece];
+    const Complex z = omega_ * omega_ / Complex(1.0, omega_ * link.retardation);
+    const auto at = static_cast<Eigen::Index>(of.piece);
+    return exact_inertia_of(ExactPart<Complex>(link, spring.from, spring.to, z),
+                            link.stretches[of.stretch], of.from, of.to, motion.col(at),
+                            motion.col(at + 1));
+  }
 
   LineLoad line_of_element(const Interval& of, const Eigen::Matrix3Xd& motion) const {
     const MassStretch& stretch = (*stretches_)[of.stretch];
@@ -172,7 +192,8 @@ class Inertia {
   const Structure* structure_;
   std::size_t link_;
   const std::vector<MassStretch>* stretches_;
-  bool gathered_;
+  double omega_;
+  bool exact_, gathered_;
   std::vector<PartLumps> parts_;
 };
 
@@ -327,10 +348,9 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
       });
 
   const Eigen::Vector2d g = Eigen::Rotation2Dd(-of.angle) * mechanism.gravity;
-  const double square = std::pow(omega_of(response.frequency), 2);
-  const Inertia inertia(structure, index, stretches);
-  const Eigen::Matrix3Xd real = square * inertial[index].real();
-  const Eigen::Matrix3Xd imaginary = square * inertial[index].imag();
+  const double omega = omega_of(response.frequency);
+  const Inertia inertia(structure, index, stretches, omega);
+  const Eigen::Matrix3Xcd moved = omega * omega * inertial[index];
   for (const Interval& interval : intervals) {
     const MassStretch& stretch = stretches[interval.stretch];
     const Polynomial<2> mass =
@@ -338,8 +358,9 @@ BeamResponse beam_response_of(const Structure& structure, int link, const Tapere
     LineLoad& weight = result.constant.lines.emplace_back(empty_line(interval));
     weight.force[0] = g.x() * mass + Polynomial<3>{};
     weight.force[2] = g.y() * mass + Polynomial<3>{};
-    result.sine.lines.push_back(inertia.line(interval, real));
-    result.cosine.lines.push_back(inertia.line(interval, imaginary));
+    const auto [real, imaginary] = inertia.lines(interval, moved);
+    result.sine.lines.push_back(real);
+    result.cosine.lines.push_back(imaginary);
   }
   if (!bears_tension(structure.links[index])) return result;
   const auto add_bent = [&](const Eigen::Matrix3Xd& motion, BeamLoads& loads) {

@@ -17,18 +17,20 @@ namespace {
 /// Smallest pivot of the scaled border over the largest, below which it is singular.
 constexpr double no_pivot = 1e-14;
 
-/// Between two neighbouring elements: the spring, and from the nodes of both to its place.
+/// Between two neighbouring elements: the part, and from the nodes of both to its spring.
+template <class Scalar>
 struct Between {
-  const SpringElement* spring;
-  double to_place;    ///< lever from the node of the element that is gathered
-  double from_other;  ///< and from the node of the other
+  const PartFlexibility<Scalar>& part;
+  Scalar to_place;    ///< lever from the node of the element that is gathered
+  Scalar from_other;  ///< and from the node of the other
 };
 
 /// `i` is gathered towards `next`, its neighbour.
-Between between(const DividedLink& link, std::size_t i, std::size_t next) {
-  const SpringElement& spring = link.springs[std::min(i, next)];
-  return {&spring, spring.reach * (spring.place - link.elements[i].node),
-          spring.reach * (spring.place - link.elements[next].node)};
+template <class Scalar>
+Between<Scalar> between(const LinkStiffness<Scalar>& link, std::size_t i, std::size_t next) {
+  const PartFlexibility<Scalar>& part = link.parts[std::min(i, next)];
+  if (i < next) return {part, part.from_start, part.from_end};
+  return {part, part.from_end, part.from_start};
 }
 
 /// The elements of a link in the order in which they are gathered, with the neighbour each goes to.
@@ -43,19 +45,6 @@ void outward(std::size_t elements, std::size_t retained, const Function& f) {
   for (std::size_t i = retained; i-- > 0;) f(i, i + 1);
   for (std::size_t i = retained + 1; i < elements; ++i) f(i, i - 1);
 }
-
-/// K_g - square M of an element on the axis of a link: along it, and across it and turning.
-template <class Scalar>
-struct AxisStiffness {
-  Scalar uu{}, ww{}, wp{}, pp{};
-
-  void add_inertia(const RigidElement& of, double square) {
-    uu -= square * of.mass;
-    ww -= square * of.mass;
-    wp -= square * of.first_moment.x();
-    pp += of.turning - square * of.inertia;
-  }
-};
 
 /// A part behind a spring may be in resonance by itself, the spring's far side held, though the
 /// whole is not: its pivot is taken for no less than this, relative, and what that changes is given
@@ -82,7 +71,7 @@ struct Pivot {
   Scalar a11, a12, a21, a22, det;
   double size;
 
-  Pivot(const Scalar& f11, const Scalar& f12, const Scalar& f22, const AxisStiffness<Scalar>& D)
+  Pivot(const Scalar& f11, const Scalar& f12, const Scalar& f22, const NodeStiffness<Scalar>& D)
       : a11(1.0 + f11 * D.ww + f12 * D.wp),
         a12(f11 * D.wp + f12 * D.pp),
         a21(f12 * D.ww + f22 * D.wp),
@@ -91,16 +80,29 @@ struct Pivot {
         size(std::abs(a11 * a22) + std::abs(a12 * a21)) {}
 };
 
-/// (square M - K_g) q: what inertia and the forces that are there do in a motion.
 template <class Scalar>
-LinkColumns<Scalar> resistance_of(const Structure& structure, double square,
+void add(const NodeStiffness<Scalar>& of, NodeStiffness<Scalar>& sum) {
+  sum.uu += of.uu;
+  sum.up += of.up;
+  sum.ww += of.ww;
+  sum.wp += of.wp;
+  sum.pp += of.pp;
+}
+
+/// What the nodes themselves do in a motion: (square M - K_g) q.
+template <class Scalar>
+LinkColumns<Scalar> resistance_of(const std::vector<LinkStiffness<Scalar>>& links,
                                   const LinkColumns<Scalar>& motion) {
-  LinkColumns<Scalar> forces = mass_times(structure, motion);
+  LinkColumns<Scalar> forces(motion.size());
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    forces[k] *= square;
-    for (std::size_t i = 0; i < structure.links[k].elements.size(); ++i) {
+    forces[k].resize(3, motion[k].cols());
+    for (std::size_t i = 0; i < links[k].nodes.size(); ++i) {
+      const NodeStiffness<Scalar>& node = links[k].nodes[i];
       const auto column = static_cast<Eigen::Index>(i);
-      forces[k](2, column) -= structure.links[k].elements[i].turning * motion[k](2, column);
+      const auto q = motion[k].col(column);
+      forces[k](0, column) = -(node.uu * q[0] + node.up * q[2]);
+      forces[k](1, column) = -(node.ww * q[1] + node.wp * q[2]);
+      forces[k](2, column) = -(node.up * q[0] + node.wp * q[1] + node.pp * q[2]);
     }
   }
   return forces;
@@ -111,23 +113,21 @@ LinkColumns<Scalar> resistance_of(const Structure& structure, double square,
 template <class Scalar>
 DynamicStiffness<Scalar>::DynamicStiffness(const Structure& structure, double square, double omega)
     : structure_(&structure), square_(square), omega_(omega) {
+  const int pieces = pieces_at(structure, square);
+  if (pieces > 1) {
+    finer_ = std::make_shared<const FinerStructure>(cut(structure, pieces));
+    structure_ = &finer_->structure;
+  }
   const std::size_t links = structure.links.size();
+  for (std::size_t k = 0; k < links; ++k) {
+    links_.push_back(link_stiffness_of<Scalar>(*structure_, k, square, omega));
+  }
   retained_.assign(links, 0);
   list_ports();
   steps_.resize(links);
   stiffness_.resize(links);
   for (std::size_t k = 0; k < links; ++k) factor_link(k);
   factor_border();
-}
-
-template <class Scalar>
-Scalar DynamicStiffness<Scalar>::damped(double flexibility, std::size_t link) const {
-  if constexpr (std::is_same_v<Scalar, double>) {
-    static_cast<void>(link);
-    return flexibility;
-  } else {
-    return flexibility / Complex(1.0, omega_ * structure_->mechanism->links[link].retardation);
-  }
 }
 
 template <class Scalar>
@@ -171,30 +171,29 @@ void DynamicStiffness<Scalar>::list_ports() {
 
 template <class Scalar>
 void DynamicStiffness<Scalar>::factor_link(std::size_t k) {
-  const DividedLink& link = structure_->links[k];
-  const std::size_t n = link.elements.size();
+  const LinkStiffness<Scalar>& link = links_[k];
+  const std::size_t n = link.nodes.size();
   std::vector<Step>& steps = steps_[k];
   steps.resize(n);
-  AxisStiffness<Scalar> carried;  // what the chain at hand hands on to its next element
-  AxisStiffness<Scalar> whole;    // at the element that stays
-  const Scalar damping = damped(1.0, k);
+  NodeStiffness<Scalar> carried;  // what the chain at hand hands on to its next element
+  NodeStiffness<Scalar> whole;    // at the element that stays
   inward(n, retained_[k], [&](std::size_t i, std::size_t next) {
-    AxisStiffness<Scalar> D = carried;
-    D.add_inertia(link.elements[i], square_);
-    const Between at = between(link, i, next);
-    const double e = at.to_place;
+    NodeStiffness<Scalar> D = carried;
+    add(link.nodes[i], D);
+    const Between<Scalar> at = between(link, i, next);
+    const Scalar e = at.to_place;
     D.pp += e * (e * D.ww - 2.0 * D.wp);
     D.wp -= e * D.ww;
     Step& step = steps[i];
-    const Scalar f = damping * at.spring->axial;
+    const Scalar f = at.part.axial;
     const double axial_size = 1.0 + std::abs(f * D.uu);
     const Scalar axial_lack = missing(Scalar(1.0 + f * D.uu), axial_size);
     if (axial_lack != Scalar(0.0)) D.uu += axial_lack / f;
     const Scalar axial = 1.0 + f * D.uu;
     step.axial = 1.0 / axial;
-    const Scalar f11 = damping * at.spring->bending(0, 0);
-    const Scalar f12 = damping * at.spring->bending(0, 1);
-    const Scalar f22 = damping * at.spring->bending(1, 1);
+    const Scalar f11 = at.part.f11;
+    const Scalar f12 = at.part.f12;
+    const Scalar f22 = at.part.f22;
     Pivot<Scalar> pivot(f11, f12, f22, D);
     const Scalar lack = missing(pivot.det, pivot.size);
     if (lack != Scalar(0.0)) {  // a little more or less of what D has anyway
@@ -224,42 +223,37 @@ void DynamicStiffness<Scalar>::factor_link(std::size_t k) {
         gathered_below_ += 2;
       }
     }
-    AxisStiffness<Scalar> S;
+    NodeStiffness<Scalar> S;
     S.uu = D.uu * step.axial;
     S.ww = D.ww * step.b11 + D.wp * step.b21;
     S.wp = D.ww * step.b12 + D.wp * step.b22;
     S.pp = D.wp * step.b12 + D.pp * step.b22;
-    const double o = at.from_other;
+    const Scalar o = at.from_other;
     S.pp += o * (o * S.ww + 2.0 * S.wp);
     S.wp += o * S.ww;
     if (next == retained_[k]) {
-      whole.uu += S.uu;
-      whole.ww += S.ww;
-      whole.wp += S.wp;
-      whole.pp += S.pp;
+      add(S, whole);
       carried = {};
     } else {
       carried = S;
     }
   });
-  const RigidElement& stays = link.elements[retained_[k]];
-  whole.add_inertia(stays, square_);
-  const Scalar up(square_ * stays.first_moment.y());
-  stiffness_[k] << whole.uu, Scalar(0.0), up, Scalar(0.0), whole.ww, whole.wp, up, whole.wp,
-      whole.pp;
+  add(link.nodes[retained_[k]], whole);
+  stiffness_[k] << whole.uu, Scalar(0.0), whole.up, Scalar(0.0), whole.ww, whole.wp, whole.up,
+      whole.wp, whole.pp;
 }
 
 template <class Scalar>
 typename DynamicStiffness<Scalar>::Gathered DynamicStiffness<Scalar>::gather(
     std::size_t k, const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& loads) const {
-  const DividedLink& link = structure_->links[k];
+  const LinkStiffness<Scalar>& link = links_[k];
   const auto n = static_cast<std::size_t>(loads.cols());
   Gathered gathered;
   gathered.at_spring.resize(3, loads.cols());
   gathered.at_retained = loads.col(static_cast<Eigen::Index>(retained_[k]));
   Vector3 carried = Vector3::Zero();
   inward(n, retained_[k], [&](std::size_t i, std::size_t next) {
-    const Between at = between(link, i, next);
+    const Between<Scalar> at = between(link, i, next);
     const Step& step = steps_[k][i];
     const auto column = static_cast<Eigen::Index>(i);
     const Scalar u = loads(0, column) + carried[0];
@@ -282,22 +276,21 @@ template <class Scalar>
 void DynamicStiffness<Scalar>::spread(std::size_t k, const Gathered& gathered,
                                       const Vector3& retained,
                                       Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion) const {
-  const DividedLink& link = structure_->links[k];
-  const Scalar damping = damped(1.0, k);
+  const LinkStiffness<Scalar>& link = links_[k];
   motion.resize(3, gathered.at_spring.cols());
   motion.col(static_cast<Eigen::Index>(retained_[k])) = retained;
-  outward(link.elements.size(), retained_[k], [&](std::size_t i, std::size_t next) {
-    const Between at = between(link, i, next);
+  outward(link.nodes.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+    const Between<Scalar> at = between(link, i, next);
     const Step& step = steps_[k][i];
     const auto column = static_cast<Eigen::Index>(i);
     const auto other = static_cast<Eigen::Index>(next);
-    const auto& F = at.spring->bending;
+    const PartFlexibility<Scalar>& F = at.part;
     const Scalar g1 = gathered.at_spring(1, column);
     const Scalar g2 = gathered.at_spring(2, column);
-    const Scalar u = motion(0, other) + damping * at.spring->axial * gathered.at_spring(0, column);
-    const Scalar w = motion(1, other) + at.from_other * motion(2, other) +
-                     damping * (F(0, 0) * g1 + F(0, 1) * g2);
-    const Scalar p = motion(2, other) + damping * (F(1, 0) * g1 + F(1, 1) * g2);
+    const Scalar u = motion(0, other) + F.axial * gathered.at_spring(0, column);
+    const Scalar w =
+        motion(1, other) + at.from_other * motion(2, other) + (F.f11 * g1 + F.f12 * g2);
+    const Scalar p = motion(2, other) + (F.f12 * g1 + F.f22 * g2);
     motion(0, column) = step.axial * u;
     motion(2, column) = step.b21 * w + step.b22 * p;
     motion(1, column) = step.b11 * w + step.b12 * p - at.to_place * motion(2, column);
@@ -436,6 +429,13 @@ void DynamicStiffness<Scalar>::fail_singular() const {
 
 template <class Scalar>
 Deformation<Scalar> DynamicStiffness<Scalar>::solve(const LinkColumns<Scalar>& loads) const {
+  if (!finer_) return solve_resolved(loads);
+  return at_coarse_nodes(*finer_, solve_resolved(at_finer_nodes(*finer_, loads)));
+}
+
+template <class Scalar>
+Deformation<Scalar> DynamicStiffness<Scalar>::solve_resolved(
+    const LinkColumns<Scalar>& loads) const {
   assert(loads.size() == structure_->links.size());
   Deformation<Scalar> result =
       solve_once(loads, Vector::Zero(static_cast<Eigen::Index>(rows_.size())));
@@ -465,15 +465,14 @@ void DynamicStiffness<Scalar>::refine(const LinkColumns<Scalar>& loads,
                                       Deformation<Scalar>& result) const {
   const std::size_t links = structure_->links.size();
   LinkColumns<Scalar> borne = with_joint_forces(loads, result);
-  const LinkColumns<Scalar> resisted = resistance_of(*structure_, square_, result.motion);
+  const LinkColumns<Scalar> resisted = resistance_of(links_, result.motion);
   LinkColumns<Scalar> change(links);
   for (std::size_t k = 0; k < links; ++k) {
-    const DividedLink& link = structure_->links[k];
-    const Scalar damping = damped(1.0, k);
+    const LinkStiffness<Scalar>& link = links_[k];
     Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& force = borne[k];
     force += resisted[k];
-    inward(link.elements.size(), retained_[k], [&](std::size_t i, std::size_t next) {
-      const Between at = between(link, i, next);
+    inward(link.nodes.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+      const Between<Scalar> at = between(link, i, next);
       auto own = force.col(static_cast<Eigen::Index>(i));
       auto other = force.col(static_cast<Eigen::Index>(next));
       own[2] -= at.to_place * own[1];
@@ -482,21 +481,21 @@ void DynamicStiffness<Scalar>::refine(const LinkColumns<Scalar>& loads,
     });
     Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion = result.motion[k];
     change[k] = motion;
-    outward(link.elements.size(), retained_[k], [&](std::size_t i, std::size_t next) {
-      const Between at = between(link, i, next);
+    outward(link.nodes.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+      const Between<Scalar> at = between(link, i, next);
       const auto far = motion.col(static_cast<Eigen::Index>(next));
       const Vector3 own = force.col(static_cast<Eigen::Index>(i));
-      const auto& F = at.spring->bending;
+      const PartFlexibility<Scalar>& F = at.part;
       Vector3 moved = far;
-      moved[0] += damping * at.spring->axial * own[0];
-      moved[2] += damping * (F(1, 0) * own[1] + F(1, 1) * own[2]);
-      moved[1] += at.from_other * far[2] + damping * (F(0, 0) * own[1] + F(0, 1) * own[2]) -
-                  at.to_place * moved[2];
+      moved[0] += F.axial * own[0];
+      moved[2] += F.f12 * own[1] + F.f22 * own[2];
+      moved[1] +=
+          at.from_other * far[2] + (F.f11 * own[1] + F.f12 * own[2]) - at.to_place * moved[2];
       motion.col(static_cast<Eigen::Index>(i)) = moved;
     });
     change[k] = motion - change[k];
   }
-  LinkColumns<Scalar> rest = resistance_of(*structure_, square_, change);
+  LinkColumns<Scalar> rest = resistance_of(links_, change);
   for (std::size_t k = 0; k < links; ++k) {
     rest[k].col(static_cast<Eigen::Index>(retained_[k])) =
         borne[k].col(static_cast<Eigen::Index>(retained_[k]));

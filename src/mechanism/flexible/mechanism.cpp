@@ -2,9 +2,23 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 
 namespace boxbeam::flexible {
+namespace {
+
+template <int Degree>
+bool is_constant(const Polynomial<Degree>& p) {
+  return std::all_of(p.c.begin() + 1, p.c.end(), [](double c) { return c == 0.0; });
+}
+
+}  // namespace
+
+bool is_uniform(const LinkStretch& of) {
+  return is_constant(of.EA) && is_constant(of.GA) && is_constant(of.EI) && is_constant(of.mass) &&
+         is_constant(of.rotary);
+}
 
 Eigen::Vector2d in_world(const Mechanism& mechanism, const Attachment& at) {
   if (at.link == ground) return at.p;

@@ -12,6 +12,7 @@
 
 #include "boxbeam/core/angle.hpp"
 #include "boxbeam/core/error.hpp"
+#include "exact_modes.hpp"
 
 namespace boxbeam::flexible {
 namespace {
@@ -43,48 +44,6 @@ constexpr int most_runs = 100;
 [[noreturn]] void fail(const std::string& what) {
   throw AnalysisError(
       {fmt::format("the natural frequencies were not found: {}", what), "", {}, {}, {}});
-}
-
-/// A square of a circular frequency for the shift: with the sign turned it lies below all natural
-/// frequencies, and near the lowest that strains: 1/(mass x flexibility), all springs in a row.
-double shift_of(const Structure& structure) {
-  const Mechanism& mechanism = *structure.mechanism;
-  double mass = 0.0;
-  double inertia = 0.0;
-  double flexibility = 0.0;
-  double turning = 0.0;
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
-  Eigen::Vector2d high = -low;
-  const auto reach = [&](const Eigen::Vector2d& place) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  };
-  for (std::size_t k = 0; k < structure.links.size(); ++k) {
-    const Link& link = mechanism.links[k];
-    reach(link.origin);
-    reach(link.origin + link.length * Eigen::Vector2d(std::cos(link.angle), std::sin(link.angle)));
-    for (const RigidElement& element : structure.links[k].elements) {
-      mass += element.mass;
-      inertia += element.inertia;
-    }
-    for (const SpringElement& spring : structure.links[k].springs) {
-      flexibility += spring.axial + spring.bending(0, 0);
-      turning += spring.bending(1, 1);
-    }
-  }
-  for (const Joint& joint : mechanism.joints) {
-    reach(in_world(mechanism, joint.a));
-    for (const std::size_t axis : {0U, 1U, 2U}) {
-      if (joint.stiffness[axis] > 0.0) {
-        (axis < 2 ? flexibility : turning) += 1.0 / joint.stiffness[axis];
-      }
-    }
-  }
-  flexibility += turning * (high - low).squaredNorm();
-  // A flywheel turns on the springs more slowly than any mass moves.
-  const double slowness = mass * flexibility + inertia * turning;
-  if (!std::isfinite(slowness)) fail("masses or flexibilities are beyond all numbers");
-  return slowness > 0.0 ? 1.0 / slowness : 1.0;
 }
 
 /// Motions of all rigid elements as one vector.
@@ -148,7 +107,7 @@ VectorXd random_load(Index size, unsigned number) {
 Problem problem_of(const Structure& structure) {
   constexpr double near = 1e-3;
   constexpr int most_guesses = 8;
-  double below = shift_of(structure);
+  double below = low_square_of(structure);
   for (int guess = 1;; ++guess) {
     Problem problem(structure, below);
     const Coordinates& coordinates = problem.coordinates;
@@ -455,10 +414,60 @@ std::vector<Mode> finished(const Problem& problem, const Found& found, Index ask
   return modes;
 }
 
+/// Whether links vibrate by themselves, in as many modes as one likes.
+bool is_continuous(const Structure& structure) {
+  const Mechanism& mechanism = *structure.mechanism;
+  return mechanism.element == Element::exact &&
+         std::any_of(mechanism.links.begin(), mechanism.links.end(), [](const Link& link) {
+           return link.kind != LinkKind::rigid && rigid_mass_of(link).mass > 0.0;
+         });
+}
+
 }  // namespace
+
+double low_square_of(const Structure& structure) {
+  const Mechanism& mechanism = *structure.mechanism;
+  double mass = 0.0;
+  double inertia = 0.0;
+  double flexibility = 0.0;
+  double turning = 0.0;
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
+  Eigen::Vector2d high = -low;
+  const auto reach = [&](const Eigen::Vector2d& place) {
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  };
+  for (std::size_t k = 0; k < structure.links.size(); ++k) {
+    const Link& link = mechanism.links[k];
+    reach(link.origin);
+    reach(link.origin + link.length * Eigen::Vector2d(std::cos(link.angle), std::sin(link.angle)));
+    for (const RigidElement& element : structure.links[k].elements) {
+      mass += element.mass;
+      inertia += element.inertia;
+    }
+    for (const SpringElement& spring : structure.links[k].springs) {
+      flexibility += spring.axial + spring.bending(0, 0);
+      turning += spring.bending(1, 1);
+    }
+  }
+  for (const Joint& joint : mechanism.joints) {
+    reach(in_world(mechanism, joint.a));
+    for (const std::size_t axis : {0U, 1U, 2U}) {
+      if (joint.stiffness[axis] > 0.0) {
+        (axis < 2 ? flexibility : turning) += 1.0 / joint.stiffness[axis];
+      }
+    }
+  }
+  flexibility += turning * (high - low).squaredNorm();
+  // A flywheel turns on the springs more slowly than any mass moves.
+  const double slowness = mass * flexibility + inertia * turning;
+  if (!std::isfinite(slowness)) fail("masses or flexibilities are beyond all numbers");
+  return slowness > 0.0 ? 1.0 / slowness : 1.0;
+}
 
 std::vector<Mode> modes_of(const Structure& structure, std::size_t count) {
   if (count == 0 || structure.elements() == 0) return {};
+  if (is_continuous(structure)) return exact_modes_of(structure, count);
   const Problem problem = problem_of(structure);
   const Index size = problem.coordinates.size();
   const auto asked = static_cast<Index>(count);

@@ -24,10 +24,17 @@ void add_loads(const Structure& structure, const auto& amount, auto& columns) {
 }
 
 /// Length of a motion by the sizes of masses and inertia in the nodes, of which single ones may be
-/// below zero.
+/// below zero; of the exact form by its mass.
 template <class Scalar>
-double size_of(const Structure& structure, const LinkColumns<Scalar>& motion) {
+double size_of(const Structure& structure, const LinkColumns<Scalar>& motion,
+               const LinkColumns<Scalar>& inertia) {
   double square = 0.0;
+  if (structure.mechanism->element == Element::exact) {
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      square += std::real(motion[k].conjugate().cwiseProduct(inertia[k]).sum());
+    }
+    return std::sqrt(std::max(0.0, square));
+  }
   for (std::size_t k = 0; k < motion.size(); ++k) {
     for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
       const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
@@ -46,9 +53,12 @@ template <class Scalar>
 double distance_from_resonance(const Structure& structure,
                                const DynamicStiffness<Scalar>& stiffness,
                                const LinkColumns<Scalar>& motion, double omega) {
-  const double size = size_of(structure, motion);
-  const double next = size_of(structure, stiffness.solve(mass_times(structure, motion)).motion);
-  return next > 0.0 ? size / (omega * omega * next) : 1.0;
+  const double square = omega * omega;
+  const auto inertia = mass_times(structure, motion, square);
+  const double size = size_of(structure, motion, inertia);
+  const LinkColumns<Scalar> again = stiffness.solve(inertia).motion;
+  const double next = size_of(structure, again, mass_times(structure, again, square));
+  return next > 0.0 ? size / (square * next) : 1.0;
 }
 
 /// The response at a frequency that is none of the structure's own. Throws AnalysisError.
@@ -113,17 +123,14 @@ LinkColumns<Scalar> no_loads(const Structure& structure) {
 }
 
 LinkColumns<double> static_loads(const Structure& structure) {
-  LinkColumns<double> columns = no_loads<double>(structure);
   const Mechanism& mechanism = *structure.mechanism;
+  // What weight does to the nodes is their inertia in an acceleration without turning.
+  LinkColumns<double> columns = no_loads<double>(structure);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Eigen::Vector2d g = Eigen::Rotation2Dd(-mechanism.links[k].angle) * mechanism.gravity;
-    for (std::size_t i = 0; i < structure.links[k].elements.size(); ++i) {
-      const RigidElement& of = structure.links[k].elements[i];
-      columns[k].col(static_cast<Eigen::Index>(i)) =
-          Eigen::Vector3d(of.mass * g.x(), of.mass * g.y(),
-                          of.first_moment.x() * g.y() - of.first_moment.y() * g.x());
-    }
+    columns[k].topRows<2>().colwise() = g;
   }
+  columns = mass_times(structure, columns);
   add_loads(
       structure, [](const Load& load) { return load.constant; }, columns);
   return columns;
@@ -138,23 +145,6 @@ LinkColumns<Complex> harmonic_loads(const Structure& structure) {
       },
       columns);
   return columns;
-}
-
-template <class Scalar>
-LinkColumns<Scalar> mass_times(const Structure& structure, const LinkColumns<Scalar>& motion) {
-  LinkColumns<Scalar> product(motion.size());
-  for (std::size_t k = 0; k < motion.size(); ++k) {
-    product[k].resize(3, motion[k].cols());
-    for (Eigen::Index i = 0; i < motion[k].cols(); ++i) {
-      const RigidElement& of = structure.links[k].elements[static_cast<std::size_t>(i)];
-      const auto q = motion[k].col(i);
-      const Eigen::Vector2d& S = of.first_moment;
-      product[k](0, i) = of.mass * q[0] - S.y() * q[2];
-      product[k](1, i) = of.mass * q[1] + S.x() * q[2];
-      product[k](2, i) = S.x() * q[1] - S.y() * q[0] + of.inertia * q[2];
-    }
-  }
-  return product;
 }
 
 bool is_damped(const Structure& structure) {
@@ -172,6 +162,11 @@ Deformation<double> static_response(const Structure& structure) {
 }
 
 Deformation<Complex> harmonic_response(const Structure& structure, double frequency) {
+  const int pieces = pieces_at(structure, std::pow(omega_of(frequency), 2));
+  if (pieces > 1) {
+    const FinerStructure finer = cut(structure, pieces);
+    return at_coarse_nodes(finer, harmonic_response(finer.structure, frequency));
+  }
   const LinkColumns<Complex> loads = harmonic_loads(structure);
   if (!is_damped(structure)) return undamped_response(structure, loads, frequency);
   const double omega = omega_of(frequency);
@@ -216,8 +211,6 @@ Eigen::Matrix<Scalar, 3, 1> joint_force(const Structure& structure, std::size_t 
 
 template LinkColumns<double> no_loads<double>(const Structure&);
 template LinkColumns<Complex> no_loads<Complex>(const Structure&);
-template LinkColumns<double> mass_times<double>(const Structure&, const LinkColumns<double>&);
-template LinkColumns<Complex> mass_times<Complex>(const Structure&, const LinkColumns<Complex>&);
 template Eigen::Vector3d joint_force<double>(const Structure&, std::size_t,
                                              const Deformation<double>&);
 template Eigen::Vector3cd joint_force<Complex>(const Structure&, std::size_t,

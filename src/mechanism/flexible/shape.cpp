@@ -1,9 +1,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "boxbeam/mechanism/flexible/response.hpp"
+#include "exact_part.hpp"
 
 namespace boxbeam::flexible {
 namespace {
@@ -12,7 +15,7 @@ namespace {
 /// a node, and where a rigid element holds the place.
 std::optional<std::size_t> part_around(const Structure& structure, std::size_t link, double s) {
   const Mechanism& mechanism = *structure.mechanism;
-  if (mechanism.element != Element::corrected || !mechanism.nodes_at_joints) return std::nullopt;
+  if (mechanism.element == Element::classical || !mechanism.nodes_at_joints) return std::nullopt;
   const std::vector<SpringElement>& parts = structure.links[link].springs;
   const auto at = std::find_if(parts.begin(), parts.end(),
                                [&](const SpringElement& part) { return s < part.to; });
@@ -131,6 +134,20 @@ class BentPart {
 
 }  // namespace
 
+namespace {
+
+/// Of a free vibration of the exact form.
+template <class Scalar>
+ExactPart<Scalar> vibrating_part(const Link& link, const SpringElement& part, double square) {
+  Scalar z(square);
+  if constexpr (!std::is_same_v<Scalar, double>) {
+    z /= Complex(1.0, std::sqrt(square) * link.retardation);
+  }
+  return {link, part.from, part.to, z};
+}
+
+}  // namespace
+
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> motion_at(const Structure& structure, const Attachment& place,
                                       const Deformation<Scalar>& of,
@@ -149,9 +166,14 @@ Eigen::Matrix<Scalar, 3, 1> motion_at(const Structure& structure, const Attachme
   FieldAlong<Scalar> own = field;
   own.gravity = (turn.inverse().toRotationMatrix() * field.gravity).eval();
   const auto node = static_cast<Eigen::Index>(*part);
-  const BentPart<Scalar> bent(link, structure.links[index].springs[*part], motion.col(node),
-                              motion.col(node + 1), own);
-  Eigen::Matrix<Scalar, 3, 1> at = bent.at(s);
+  const SpringElement& spring = structure.links[index].springs[*part];
+  Eigen::Matrix<Scalar, 3, 1> at;
+  if (structure.mechanism->element == Element::exact && field.square > 0.0) {
+    at = vibrating_part<Scalar>(link, spring, field.square)
+             .at(s, motion.col(node), motion.col(node + 1));
+  } else {
+    at = BentPart<Scalar>(link, spring, motion.col(node), motion.col(node + 1), own).at(s);
+  }
   at[0] -= place.p.y() * at[2];
   at.template head<2>() = (turn.toRotationMatrix() * at.template head<2>()).eval();
   return at;

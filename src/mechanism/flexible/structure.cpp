@@ -6,21 +6,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "frequency.hpp"
+
 namespace boxbeam::flexible {
 namespace {
 
 /// A joint across a link this many times stiffer than the link in bending holds its end.
 constexpr double holding = 1e4;
-
-template <int Degree>
-bool is_constant(const Polynomial<Degree>& p) {
-  return std::all_of(p.c.begin() + 1, p.c.end(), [](double c) { return c == 0.0; });
-}
-
-bool is_uniform(const LinkStretch& of) {
-  return is_constant(of.EA) && is_constant(of.GA) && is_constant(of.EI) && is_constant(of.mass) &&
-         is_constant(of.rotary);
-}
 
 /// The stretch in which a place of the axis lies.
 const LinkStretch& stretch_at(const Link& link, double s) {
@@ -160,7 +152,7 @@ DividedLink divide(const Link& link, std::vector<double> places, Element element
   divided.springs.reserve(n);
   for (std::size_t i = 0; i <= n; ++i) divided.elements[i].node = nodes[i];
 
-  const bool corrected = element == Element::corrected;
+  const bool corrected = element != Element::classical;
   const bool uniform = link.stretches.size() == 1 && is_uniform(link.stretches.front());
   PartCache cache;
   for (std::size_t i = 0; i < n; ++i) {
@@ -351,6 +343,17 @@ Structure structure_of(const Mechanism& mechanism) {
   for (std::size_t k = 0; k < mechanism.links.size(); ++k) {
     structure.links.push_back(divide(mechanism.links[k], places[k], mechanism.element,
                                      held_ends_of(mechanism, static_cast<int>(k))));
+  }
+  const int pieces = pieces_at(structure, std::pow(omega_of(mechanism.frequency), 2));
+  if (pieces > 1) {
+    const FinerStructure finer = cut(structure, pieces);
+    for (std::size_t k = 0; k < mechanism.links.size(); ++k) {
+      std::vector<double> nodes;
+      for (const RigidElement& of : finer.structure.links[k].elements) nodes.push_back(of.node);
+      Link link = mechanism.links[k];
+      link.parts = 1;
+      structure.links[k] = divide(link, nodes, mechanism.element);
+    }
   }
   for (const Joint& joint : mechanism.joints) {
     Structure::Ends& ends = structure.joints.emplace_back();

@@ -28,6 +28,7 @@ enum class LinkKind {
 enum class Element {
   classical,  ///< EA/D, GA/D, EI/D in a part's middle; every rigid element has its piece's mass
   corrected,  ///< statically exact springs; masses gathered in the nodes
+  exact,      ///< the continuous link at the frequency at hand: its division leaves no error
 };
 
 /// Stiffness and mass per length on a stretch of a link, as polynomials of the distance from the
@@ -41,6 +42,9 @@ struct LinkStretch {
   Polynomial<2> mass;    ///< [kg/m]
   Polynomial<4> rotary;  ///< rho I [kg m]
 };
+
+/// Whether nothing changes along a stretch.
+bool is_uniform(const LinkStretch& of);
 
 /// Mass of a rigid link.
 struct RigidMass {

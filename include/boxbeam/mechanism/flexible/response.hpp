@@ -3,9 +3,11 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <complex>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "boxbeam/mechanism/flexible/link_stiffness.hpp"
 #include "boxbeam/mechanism/flexible/structure.hpp"
 
 namespace boxbeam::flexible {
@@ -29,7 +31,8 @@ struct Deformation {
 ///
 ///     (K + K_g + i omega C - omega^2 M) q = f,   links: C = tau K
 ///
-/// K_g of the forces that are there before anything moves (`RigidElement::turning`).
+/// K_g of the forces that are there before anything moves (`RigidElement::turning`); of the exact
+/// form D(omega) q = f in the place of the left side, at the same nodes.
 ///
 /// for one frequency. A `double` solves without damping, at any square of omega: below zero (a
 /// shift of eigenvalues), zero (statics) and above.
@@ -89,7 +92,7 @@ class DynamicStiffness {
   void factor_link(std::size_t link);
   void list_ports();
   void factor_border();
-  Scalar damped(double flexibility, std::size_t link) const;
+  Deformation<Scalar> solve_resolved(const LinkColumns<Scalar>& loads) const;
   Gathered gather(std::size_t link, const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& loads) const;
   void spread(std::size_t link, const Gathered& gathered, const Vector3& retained,
               Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion) const;
@@ -100,8 +103,10 @@ class DynamicStiffness {
                                         const Deformation<Scalar>& of) const;
   [[noreturn]] void fail_singular() const;
 
-  const Structure* structure_;
+  std::shared_ptr<const FinerStructure> finer_;  ///< in the exact form, where it is cut
+  const Structure* structure_;                   ///< that, or as it was given
   double square_, omega_;
+  std::vector<LinkStiffness<Scalar>> links_;
   std::vector<std::size_t> retained_;                   ///< the element of each link that stays
   std::vector<std::vector<Step>> steps_;                ///< of each link, by element
   std::vector<Eigen::Matrix<Scalar, 3, 3>> stiffness_;  ///< of each link at that element
@@ -127,9 +132,18 @@ LinkColumns<double> static_loads(const Structure& structure);
 /// f e^(i omega t).
 LinkColumns<Complex> harmonic_loads(const Structure& structure);
 
-/// M q, the inertia of a motion.
+/// M q, the inertia of a motion. Of the exact form M = -dD/d(omega^2) at `square`: q^T M q is the
+/// inertia of the links' motion between the nodes as well. Precondition: it is resolved there.
 template <class Scalar>
-LinkColumns<Scalar> mass_times(const Structure& structure, const LinkColumns<Scalar>& motion);
+LinkColumns<Scalar> mass_times(const Structure& structure, const LinkColumns<Scalar>& motion,
+                               double square = 0.0);
+
+/// Of what a finer structure gives, that of the nodes of the one it was cut from; and the other
+/// way, zero in between.
+template <class Scalar>
+Deformation<Scalar> at_coarse_nodes(const FinerStructure& finer, const Deformation<Scalar>& of);
+template <class Scalar>
+LinkColumns<Scalar> at_finer_nodes(const FinerStructure& finer, const LinkColumns<Scalar>& of);
 
 /// Whether any link or joint damps.
 bool is_damped(const Structure& structure);
@@ -174,7 +188,8 @@ struct FieldAlong {
 ///     phi' = m/EI,  w' = phi + Q/GA,  u' = n/EA,  m' = -Q,  Q' = -q,  n' = -p
 ///
 /// exact in statics, of tapered links to the rounding of Gauss's rule with 7 points, as far as the
-/// nodes are; inertia and weight as parabolas between two nodes. In the classical form that of the
+/// nodes are; inertia and weight as parabolas between two nodes. In the exact form a vibration of
+/// the field's frequency is that of the continuous link. In the classical form that of the
 /// rigid element that holds the place. Source: Timoshenko's beam, by virtual work.
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> motion_at(const Structure& structure, const Attachment& place,

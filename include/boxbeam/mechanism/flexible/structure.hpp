@@ -130,7 +130,22 @@ std::array<double, 2> turning_of(const SpringElement& part);
 /// Whether no part of a link buckles between its nodes.
 bool parts_stand(const DividedLink& link);
 
-/// Divides all links and finds what joints and loads take hold of.
+/// Divides all links and finds what joints and loads take hold of. Of the exact form it is resolved
+/// at the frequency of the loads.
 Structure structure_of(const Mechanism& mechanism);
+
+/// Into how many pieces the parts of the exact form are to be cut so that each is far from a
+/// resonance of its own while its nodes are held, at a square of omega, and its power series
+/// converge (`ExactPart`): then it is resolved. Of other forms one. Throws AnalysisError where that
+/// takes more than can be.
+int pieces_at(const Structure& structure, double square);
+
+/// A structure of the exact form with the nodes of another among its own; its answers are the same.
+/// Springs and masses of its parts are not known.
+struct FinerStructure {
+  Structure structure;
+  int pieces = 1;  ///< equal ones, for each part of the other
+};
+FinerStructure cut(const Structure& structure, int pieces);
 
 }  // namespace boxbeam::flexible

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "boxbeam/mechanism/flexible/modes.hpp"
+
+namespace boxbeam::flexible {
+
+/// A square of a circular frequency below all natural frequencies that strain, and near the lowest:
+/// 1/(mass x flexibility), all springs in a row.
+double low_square_of(const Structure& structure);
+
+/// The lowest modes of a structure of the exact form, whose elastic links have mass: frequencies
+/// are counted (`DynamicStiffness::frequencies_below`) and bracketed until no more than those that
+/// agree lie between two counts, then refined by Rayleigh's quotient of the motion that inverse
+/// iteration finds, with the mass of the links between the nodes.
+///
+///     D(lambda_c) Y = M(lambda_c) X,  lambda = lambda_c + theta,  Y^T M X v = theta Y^T M Y v
+///
+/// Each step moves lambda_c there, and the last takes the change of M into account,
+/// theta (3 - m)/2 with the mass m at lambda of a mode that has mass one at lambda_c. None is
+/// missed or found twice: as many as were counted, within their bracket. Source: Wittrick,
+/// Williams, Quarterly Journal of Mechanics and Applied Mathematics 24 (1971).
+std::vector<Mode> exact_modes_of(const Structure& structure, std::size_t count);
+
+}  // namespace boxbeam::flexible
