@@ -22,10 +22,26 @@ struct SlenderPath {
   std::optional<PlasticBox> plastic;   ///< of those like an I
 };
 
+/// Of a path, its plates held at both ends being panels of that length. `looked_at`: the plates, by
+/// name, by which outstands are beyond class 3 and others may buckle in shear.
+SlenderPath slender_path_of(const ThinWalled& profile, const PathSection& path, const Taper& taper,
+                            std::optional<Length> panel_length, double gamma_M1,
+                            const std::vector<PathPlate>& looked_at);
+
+/// What of the force that makes an outstand yield in shear acts in it.
+double sheared_share(const ShearedWall& outstand, const CutForces& cut);
+/// The largest of it that needs no check of its own.
+inline constexpr double hardly_sheared = 0.1;
+/// What is said of one that bears more.
+std::string sheared_outstand_text(double share);
+
+/// Why a path has no effective section, "" where it has: a plate beyond class 3 has no effective
+/// width (`width_obstacle`), a flange may buckle into its web (clause 8), or it does not settle.
+std::string section_obstacle(const EffectivePath& of);
+
 /// Why the plates of a path are not judged by effective widths, "" where they are: where the case
-/// asks for reduced stresses, its walls are inclined by more than 10 degrees (2.3), a plate beyond
-/// class 3 has no effective width (`width_obstacle`), a flange may buckle into its web (clause 8),
-/// or no effective section settles.
+/// asks for reduced stresses, its walls are inclined by more than 10 degrees (2.3), or its section
+/// has an obstacle, here or at an end of its segment.
 std::string path_obstacle(const Project& project, const Station& station);
 
 /// The plates of a station's path; nothing of other profiles, where none of its segment is beyond
