@@ -222,10 +222,9 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
                                const std::string& obstacle, bool judged) {
   const Project& project = *project_;
   const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
-  const bool class_4_judged = judged && !member_buckles_;
   const std::string why_not = obstacle.empty() ? "" : "; its buckling is not judged: " + obstacle;
   for (const SlenderPlate& plate : slender_plates_of(profile, materials)) {
-    if (!class_4_judged) {
+    if (!judged) {
       add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, why_not), true},
           plate.ratio / plate.limit);
     }
@@ -248,7 +247,7 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
         worst.limit > 0.0 ? internal_effective_width(web.depth(), web.thickness,
                                                      std::max(-3.0, worst.psi), class_3.epsilon())
                           : std::nullopt;
-    if (worst.limit > 0.0 && ratio > worst.limit && !class_4_judged) {
+    if (worst.limit > 0.0 && ratio > worst.limit && !judged) {
       const std::string stress = fmt::format(
           "; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
           member_buckles_ ? "; the member is verified for buckling (5.5.2(10))" : " (5.5.2(9))");

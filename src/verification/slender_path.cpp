@@ -66,16 +66,6 @@ double path_slope_of(const Segment& segment) {
   return std::atan(most) * 180.0 / std::numbers::pi;
 }
 
-/// The path of a station, with what supports it across.
-std::optional<PathSection> judged_path_at(const Project& project, const Station& station) {
-  const Section section = judged_section_at(project, station);
-  const ThinWalled* const path = path_in(section);
-  if (path == nullptr) return std::nullopt;
-  auto of = path_section_of(*path, materials_of(project, segment_at(project.beam, station)));
-  if (of) of->length = supported_length_at(project, station);
-  return of;
-}
-
 /// The plate whose flange may buckle into it; "" where none may.
 std::string induced_buckling(const EffectivePath& of) {
   const std::vector<PathPlate>& plates = of.path().plates;
@@ -208,6 +198,15 @@ WebInteraction interaction_of(const SlenderPath& path, const ShearedWall& wall,
   if (web) return path.plastic->web_under(cut, normal, gamma_M0, eta_1, eta_3);
   const double factor = interaction_factor(eta_1, eta_3);
   return {1.0 / factor, 0.0, factor, normal.M_y};
+}
+
+std::optional<PathSection> judged_path_at(const Project& project, const Station& station) {
+  const Section section = judged_section_at(project, station);
+  const ThinWalled* const path = path_in(section);
+  if (path == nullptr) return std::nullopt;
+  auto of = path_section_of(*path, materials_of(project, segment_at(project.beam, station)));
+  if (of) of->length = supported_length_at(project, station);
+  return of;
 }
 
 SlenderPath slender_path_of(const ThinWalled& profile, const PathSection& path, const Taper& taper,

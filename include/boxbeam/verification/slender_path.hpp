@@ -44,6 +44,10 @@ std::string section_obstacle(const EffectivePath& of);
 /// has an obstacle, here or at an end of its segment.
 std::string path_obstacle(const Project& project, const Station& station);
 
+/// The path of a station, with what supports it across; nothing of other profiles, and where a wall
+/// is thicker than its steel has a strength for.
+std::optional<PathSection> judged_path_at(const Project& project, const Station& station);
+
 /// The plates of a station's path; nothing of other profiles, where none of its segment is beyond
 /// class 3 in even compression, or where they are not judged.
 std::shared_ptr<const SlenderPath> slender_path_at(const Project& project, const Station& station);
