@@ -50,7 +50,7 @@ struct MemberLoss {
 };
 
 void add_loss(const Project& project, const Station& station, MemberLoss& loss) {
-  const auto path = slender_path_at(project, station);
+  const auto path = slender_path_at(project, {}, station);
   if (!path) return;
   const EffectivePath& of = path->section;
   const AreaSums& gross = of.path().gross;

@@ -61,7 +61,7 @@ void PatchSearch::look_at_plates(const Station& station, Slender& of) const {
     return;
   }
   const auto* const path = std::get_if<ThinWalled>(&section.outer);
-  if (path == nullptr || !slender_path_at(*project_, station)) return;
+  if (path == nullptr || !slender_path_at(*project_, {}, station)) return;
   constexpr Stress least_yield = 235e6 * pascal;
   const Extent extent = extent_of(section.outer);
   const Length depth = std::max(extent.z_high - extent.z_low, extent.y_high - extent.y_low);
@@ -315,7 +315,7 @@ const PatchSearch::JudgedSection& PatchSearch::judged_at(const Station& station)
   const Section section = judged_section_at(*project_, station);
   if (std::holds_alternative<ThinWalled>(section.outer) &&
       path_obstacle(*project_, station).empty())
-    of.path = std::make_shared<EffectivePath>(*judged_path_at(*project_, station));
+    of.path = std::make_shared<EffectivePath>(*judged_path_at(*project_, *zones_, station));
   if (const auto walls = walls_at(station)) {
     of.box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
     of.reduced = reduced_at(station, section, *walls);

@@ -183,9 +183,9 @@ Length PatchSearch::depth_of_path(const Patch& patch, const JudgedSection& judge
 }
 
 void PatchSearch::look_at_path(const Station& station, Slender& of) {
-  if (!slender_path_at(*project_, station)) return;
+  if (!slender_path_at(*project_, {}, station)) return;
   of.path = of.along_y = of.along_z = true;
-  const PathSection path = *judged_path_at(*project_, station);
+  const PathSection path = *judged_path_at(*project_, {}, station);
   const auto slender = [&](bool along_z) {
     const std::vector<PathWeb> webs = webs_of_path(path, along_z, true).webs;
     return std::any_of(webs.begin(), webs.end(), [](const PathWeb& web) { return web.slender; });

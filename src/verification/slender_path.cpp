@@ -200,12 +200,30 @@ WebInteraction interaction_of(const SlenderPath& path, const ShearedWall& wall,
   return {1.0 / factor, 0.0, factor, normal.M_y};
 }
 
-std::optional<PathSection> judged_path_at(const Project& project, const Station& station) {
+Length lagging_width_of(const PathSection& path, const PathPlate& plate) {
+  const auto node = [&](std::size_t end) { return path.graph.nodes[plate.nodes[end]]; };
+  if (!plate.outstand()) return si<Length>(0.5 * (node(1) - node(0)).norm());
+  const bool high = plate.held_at_high();
+  return si<Length>((node(high ? 1 : 0) - plate.at(high ? plate.low : plate.high)).norm());
+}
+
+std::optional<PathSection> judged_path_at(const Project& project,
+                                          const std::vector<BendingZone>& zones,
+                                          const Station& station) {
   const Section section = judged_section_at(project, station);
   const ThinWalled* const path = path_in(section);
   if (path == nullptr) return std::nullopt;
   auto of = path_section_of(*path, materials_of(project, segment_at(project.beam, station)));
-  if (of) of->length = supported_length_at(project, station);
+  if (!of) return of;
+  of->length = supported_length_at(project, station);
+  for (const PathPlate& plate : of->plates) {
+    const auto share = [&](BendingAxis axis) {
+      const auto lag =
+          plate_lag_at(zones, station, axis, lagging_width_of(*of, plate), plate.thickness);
+      return lag ? ultimate_share_of(*lag) : 1.0;
+    };
+    of->lag.push_back({share(BendingAxis::y), share(BendingAxis::z)});
+  }
   return of;
 }
 
@@ -266,17 +284,19 @@ std::string path_obstacle(const Project& project, const Station& station) {
   constexpr double steepest = 10.0;
   if (const double slope = path_slope_of(segment); slope > steepest)
     return fmt::format("its walls are inclined by {:.3g} deg, above 10 deg (2.3)", slope);
-  const auto path = judged_path_at(project, station);
+  const auto path = judged_path_at(project, {}, station);
   if (!path) return "a wall is thicker than its steel has a strength for";
   return section_obstacle(EffectivePath(*path));
 }
 
-std::shared_ptr<const SlenderPath> slender_path_at(const Project& project, const Station& station) {
+std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
+                                                   const std::vector<BendingZone>& zones,
+                                                   const Station& station) {
   const std::vector<PathPlate> ends = plates_around(project, station);
   if (!is_slender(ends) || !path_obstacle(project, station).empty()) return nullptr;
   const Section section = judged_section_at(project, station);
   return std::make_shared<SlenderPath>(slender_path_of(
-      *path_in(section), *judged_path_at(project, station), taper_at(project.beam, station),
+      *path_in(section), *judged_path_at(project, zones, station), taper_at(project.beam, station),
       panel_length_at(project.beam, station), project.strength.gamma_M1, ends));
 }
 

@@ -154,7 +154,7 @@ TEST_CASE("a force above the web of a girder: its resistance by hand", "[patch]"
   const double F_Rd = 0.5 / std::sqrt(l_y * t * f / F_cr) * f * l_y * t / 1.1;
   CHECK(hook->patch->resistance.value() == Approx(1e3 * F_Rd * 1e-3).epsilon(1e-9));
   // 7.2 with the bending in the middle, M = F L/4, of the effective section there.
-  const auto path = slender_path_at(project, {4.5 * metre, Side::both});
+  const auto path = slender_path_at(project, {}, {4.5 * metre, Side::both});
   REQUIRE(path);
   CutForces cut;
   cut.M_y = si<Moment>(-100e3 * 9.0 / 4.0);
@@ -190,7 +190,7 @@ TEST_CASE("wheels on a girder: no instant between those looked at is worse", "[p
     for (int k = 1; k < 2000; ++k) {
       const double s = 9.0 * k / 2000.0;
       if (std::abs(s - at) < 1e-3) continue;
-      const auto path = slender_path_at(project, {si<Length>(s), Side::both});
+      const auto path = slender_path_at(project, {}, {si<Length>(s), Side::both});
       REQUIRE(path);
       CutForces cut;
       cut.M_y = si<Moment>(-1e3 * P * s * (9.0 - s) / 9.0);

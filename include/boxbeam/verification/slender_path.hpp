@@ -7,6 +7,7 @@
 
 #include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/strength/plastic_box.hpp"
+#include "boxbeam/verification/bending_zones.hpp"
 #include "boxbeam/verification/checks.hpp"
 #include "boxbeam/verification/sheared_plates.hpp"
 #include "boxbeam/verification/station_samples.hpp"
@@ -44,13 +45,21 @@ std::string section_obstacle(const EffectivePath& of);
 /// has an obstacle, here or at an end of its segment.
 std::string path_obstacle(const Project& project, const Station& station);
 
-/// The path of a station, with what supports it across; nothing of other profiles, and where a wall
-/// is thicker than its steel has a strength for.
-std::optional<PathSection> judged_path_at(const Project& project, const Station& station);
+/// Half of the way between the middles of what holds a plate, or from there to its free end: the
+/// width over which shear lag works. Source: EN 1993-1-5:2006, 3.2.1, figure 3.1.
+Length lagging_width_of(const PathSection& path, const PathPlate& plate);
+
+/// The path of a station, with what supports it across and what shear lag leaves of it; nothing of
+/// other profiles, and where a wall is thicker than its steel has a strength for.
+std::optional<PathSection> judged_path_at(const Project& project,
+                                          const std::vector<BendingZone>& zones,
+                                          const Station& station);
 
 /// The plates of a station's path; nothing of other profiles, where none of its segment is beyond
 /// class 3 in even compression, or where they are not judged.
-std::shared_ptr<const SlenderPath> slender_path_at(const Project& project, const Station& station);
+std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
+                                                   const std::vector<BendingZone>& zones,
+                                                   const Station& station);
 
 /// How far they are used in any situation, by the samples of their station.
 Utilisations path_uses_of(const Project& project, const SlenderPath& path,
