@@ -367,7 +367,7 @@ Entry section_entry(CLI::App& app) {
       ->type_name("NAME");
   command
       .add_option("--forces", options->forces,
-                  "cut forces under which the plates of boxes and rectangular tubes are judged, "
+                  "cut forces under which the plates of boxes, tubes and paths are judged, "
                   "\"N = -600 kN, M_y = 1500 kN m\"; of N, V_y, V_z, T, M_y, M_z")
       ->type_name("TEXT");
   add_json(command, options->json, "properties", "the text");

@@ -46,13 +46,13 @@ CornerSteps derive_corner(Derivation& steps, const Project& project, const Check
           yield_resistance(steps, f_y, project.strength.gamma_M0)};
 }
 
+template <class Basis>
 CornerSteps derive_place(Derivation& steps, const Project& project, const Check& check,
-                         const PathBasis& basis) {
-  const EffectivePath& path = basis.path->section;
-  const Traced stress = abs(derive_path_stress(steps, path, basis.cut, basis.use));
+                         const Basis& basis, const EffectivePath& path, const PathUse& use) {
+  const Traced stress = abs(derive_path_stress(steps, path, basis.cut, use));
   steps.note([&] { return instant_of(check); });
-  steps.note([&] { return path.places()[basis.use.place].name; });
-  const Traced f_y = steps.given("f_y", basis.use.yield_strength);
+  steps.note([&] { return path.places()[use.place].name; });
+  const Traced f_y = steps.given("f_y", use.yield_strength);
   return {loaded(steps, basis.load_factor, stress),
           yield_resistance(steps, f_y, project.strength.gamma_M0)};
 }
@@ -182,7 +182,8 @@ Steps path_steps(const Project& project, const CheckResult& result) {
   const PathBasis& basis = *result.path;
   Derivation steps;
   if (result.check.criterion == Criterion::effective_section) {
-    const CornerSteps of = derive_place(steps, project, result.check, basis);
+    const CornerSteps of =
+        derive_place(steps, project, result.check, basis, basis.path->section, basis.use);
     steps.define("factor", of.resisting / of.acting);
     return steps_of(steps);
   }
@@ -191,7 +192,8 @@ Steps path_steps(const Project& project, const CheckResult& result) {
     steps.define("factor", of.resisting / of.acting);
     return steps_of(steps);
   }
-  const CornerSteps normal = derive_place(steps, project, result.check, basis);
+  const CornerSteps normal =
+      derive_place(steps, project, result.check, basis, basis.path->section, basis.use);
   const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
   const ShearSteps shear = derive_shear(steps, project, result.check, basis, *basis.wall);
   const Traced eta_3 = steps.define("eta_3", shear.acting / shear.resisting);
@@ -252,7 +254,10 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
   Derivation steps;
   const Traced all = steps.given("F", basis.force, "what comes in");
   steps.note([&] { return instant_of(result.check); });
-  const Traced share = steps.given("p", basis.share, {}, "of this web, by the lever between both");
+  const bool alone = basis.path && basis.share == 1.0;
+  const Traced share = steps.given(
+      "p", basis.share, {},
+      alone ? "of this web, above which it stands" : "of this web, by the lever between both");
   if (const auto* const web = std::get_if<ReducedWeb>(&basis.bears)) {
     derive_reduced_web(steps, project, result.check, *web, basis, steps.define("F_w", share * all));
     return steps_of(steps);
@@ -269,7 +274,9 @@ Steps patch_steps(const Project& project, const CheckResult& result) {
   const Traced resistance =
       derive_patch_resistance(steps, std::get<PatchedWeb>(basis.bears), gamma_M1);
   const Traced eta_2 = steps.define("eta_2", F / resistance);
-  const CornerSteps normal = derive_corner(steps, project, result.check, basis, *basis.box);
+  const CornerSteps normal =
+      basis.path ? derive_place(steps, project, result.check, basis, *basis.path, basis.place)
+                 : derive_corner(steps, project, result.check, basis, *basis.box);
   const Traced eta_1 = steps.define("eta_1", normal.acting / normal.resisting);
   derive_patch_factor(steps, eta_2, eta_1);
   steps.note([] { return "alone, 6.6, and with the beam's own stress, 7.2"; });

@@ -41,24 +41,24 @@ void put_shear(Fields& to, const Field& field, const SectionUnderForces* under, 
   });
 }
 
+const PlateUnderForces* reduced_of(const SectionUnderForces& under) {
+  return under.reduced ? &under.plates[*under.reduced] : nullptr;
+}
+
 /// What forces do to the plates; all of it is absent without them.
 void put_under(Fields& to, const SectionUnderForces* under) {
   const auto value = [&](const auto& of) { return [&] { return of(*under); }; };
   to.optional().whole({"class", "1 to 4, by the stress that is there; absent without forces"},
                       value([](const SectionUnderForces& of) { return of.section_class; }));
   to.optional().object({"effective", "EN 1993-1-5, 4; absent without forces"}, [&](Fields& of) {
-    of.number("A", "m^2", value([](const SectionUnderForces& u) {
-                return u.box.alone(ActingAlone::compression).sums.area;
-              }));
+    of.number("A", "m^2", value([](const SectionUnderForces& u) { return u.area.value(); }));
     of.number({"e_z", "shift of the centroid under N alone"}, "m",
-              value([](const SectionUnderForces& u) { return u.box.shift_z().value(); }));
-    of.number("e_y", "m",
-              value([](const SectionUnderForces& u) { return u.box.shift_y().value(); }));
-    of.number({"W_y", "at the corner that is used most, signed"}, "m^3",
-              value([](const SectionUnderForces& u) { return u.corner.W_y.value(); }));
-    of.number("W_z", "m^3",
-              value([](const SectionUnderForces& u) { return u.corner.W_z.value(); }));
-    of.number("utilisation", "1", value([](const SectionUnderForces& u) { return u.corner.use; }));
+              value([](const SectionUnderForces& u) { return u.shift_z.value(); }));
+    of.number("e_y", "m", value([](const SectionUnderForces& u) { return u.shift_y.value(); }));
+    of.number({"W_y", "at the place that is used most, signed"}, "m^3",
+              value([](const SectionUnderForces& u) { return u.use.W_y.value(); }));
+    of.number("W_z", "m^3", value([](const SectionUnderForces& u) { return u.use.W_z.value(); }));
+    of.number("utilisation", "1", value([](const SectionUnderForces& u) { return u.use.use; }));
   });
   to.optional().object({"shear", "EN 1993-1-5, 5; absent without forces"}, [&](Fields& of) {
     put_shear(of, "webs", under, true);
@@ -68,17 +68,17 @@ void put_under(Fields& to, const SectionUnderForces* under) {
     of.number("utilisation", "1",
               value([](const SectionUnderForces& u) { return u.interaction_use; }));
   });
-  if (under != nullptr && under->reduced == nullptr) return;
+  if (under != nullptr && !under->reduced) return;
   to.optional().object(
       {"reduced_stress",
-       "clause 10, the plate that is used most; absent without forces, and where stiffeners divide "
-       "a plate"},
+       "clause 10, the plate that is used most; absent without forces, of paths, and where "
+       "stiffeners divide a plate"},
       [&](Fields& of) {
         of.text("plate",
-                value([](const SectionUnderForces& u) { return u.reduced->sheared.name; }));
+                value([](const SectionUnderForces& u) { return reduced_of(u)->sheared.name; }));
         const auto finite = [&](double ReducedStress::*which) -> std::optional<double> {
           if (under == nullptr) return std::nullopt;
-          const double of_plate = under->reduced->reduced.*which;
+          const double of_plate = reduced_of(*under)->reduced.*which;
           return std::isfinite(of_plate) ? std::optional(of_plate) : std::nullopt;
         };
         of.number_or_null({"alpha_ult", "null where nothing acts"}, "1",
@@ -86,34 +86,31 @@ void put_under(Fields& to, const SectionUnderForces* under) {
         of.number_or_null({"alpha_cr", "null where nothing can buckle"}, "1",
                           finite(&ReducedStress::alpha_cr));
         of.number("utilisation", "1",
-                  value([](const SectionUnderForces& u) { return u.reduced->reduced.use; }));
+                  value([](const SectionUnderForces& u) { return reduced_of(u)->reduced.use; }));
       });
 }
 
 std::string under_text(const SectionUnderForces& under) {
-  const EffectiveBox& box = under.box;
-  const CornerUse& corner = under.corner;
+  const SectionUse& use = under.use;
   std::string out =
       "\n" + layout::entry("class", fmt::format("{} under these forces", under.section_class));
   out += layout::entry(
       "effective",
       fmt::format("A_eff {}, centroid shifted by e_z {}, e_y {} (N alone); W_y,eff {}, W_z,eff {}",
-                  in(box.alone(ActingAlone::compression).sums.area, 1e6, "mm^2"),
-                  in(box.shift_z().value(), 1e3, "mm"), in(box.shift_y().value(), 1e3, "mm"),
-                  in(std::abs(corner.W_y.value()), 1e9, "mm^3"),
-                  in(std::abs(corner.W_z.value()), 1e9, "mm^3")));
+                  in(under.area.value(), 1e6, "mm^2"), in(under.shift_z.value(), 1e3, "mm"),
+                  in(under.shift_y.value(), 1e3, "mm"), in(std::abs(use.W_y.value()), 1e9, "mm^3"),
+                  in(std::abs(use.W_z.value()), 1e9, "mm^3")));
   layout::Table table({"check", "plate", "resistance", "use [%]", "EN 1993-1-5"});
-  const auto percent = [](double use) { return text::significant(100.0 * use, 3); };
-  table.row({"effective section",
-             fmt::format("{} at {}", to_text(corner.corner.flange), to_text(corner.corner.web)),
-             text::MPa(corner.yield_strength.value()), percent(corner.use), "4.6"});
+  const auto percent = [](double of) { return text::significant(100.0 * of, 3); };
+  table.row({"effective section", under.place, text::MPa(use.yield_strength.value()),
+             percent(use.use), "4.6"});
   for (const PlateUnderForces& plate : under.plates) {
     table.row({"shear buckling", plate.sheared.name,
                text::amount(plate.sheared.resists.resistance.value(), "N"),
                percent(plate.shear_use), "5.2"});
   }
   table.row({"interaction", "", "", percent(under.interaction_use), "7.1"});
-  const PlateUnderForces* const reduced = under.reduced;
+  const PlateUnderForces* const reduced = reduced_of(under);
   if (reduced != nullptr) {
     table.row({"reduced stress", reduced->sheared.name, "", percent(reduced->reduced.use), "10"});
   }
@@ -123,7 +120,7 @@ std::string under_text(const SectionUnderForces& under) {
               ? "Two routes: effective widths with\n"
                 "  interaction, or reduced stress, which lets nothing yield elsewhere\n"
               : "Reduced stresses (10) are not\n"
-                "  computed of plates that stiffeners divide\n");
+                "  computed of plates that stiffeners divide, nor of thin-walled paths\n");
 }
 
 }  // namespace
@@ -198,8 +195,8 @@ std::string section_text(const SectionSummary& summary) {
     out += layout::entry(
         "source", summary.section.source + (summary.section.unconfirmed ? " (not confirmed)" : ""));
   }
-  if (summary.plates.empty()) return out;
   const std::string under = summary.under ? under_text(*summary.under) : "";
+  if (summary.plates.empty()) return out + under;
   layout::Table table({"plate", "c/t", "class", "class 1 up to", "2", "3"});
   for (const SlenderPlate& plate : summary.plates) {
     table.row({plate.plate, text::significant(plate.ratio, 4),

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
 
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "plate_formulas.hpp"
 
@@ -101,12 +103,21 @@ auto idle_part_of(Record& record, const CompressedPlate& plate, const Number& ep
   const auto c = record.given("c", Length(plate.ratio * plate.thickness));
   record.note([&] { return plate.name; });
   const auto t = record.given("t", plate.thickness);
-  const auto lambda_p = plate::slenderness(record, c / t, epsilon, record.constant("4", 4.0));
-  record.note([] { return "k_sigma = 4: even compression (EN 1993-1-5, 4.4)"; });
-  const auto rho = plate::internal_reduction(record, lambda_p, record.constant("1", 1.0));
+  const auto k_sigma = plate.outstand ? record.constant("0.43", 0.43) : record.constant("4", 4.0);
+  const auto lambda_p = plate::slenderness(record, c / t, epsilon, k_sigma);
+  record.note([&] {
+    return plate.outstand ? "k_sigma = 0.43: outstand in even compression (EN 1993-1-5, 4.4)"
+                          : "k_sigma = 4: even compression (EN 1993-1-5, 4.4)";
+  });
+  const auto rho = plate.outstand
+                       ? plate::outstand_reduction(record, lambda_p)
+                       : plate::internal_reduction(record, lambda_p, record.constant("1", 1.0));
   record.note([] { return "psi = 1"; });
-  const auto idle = record.define(symbol, 2.0 * (c - rho * c) * t);
-  record.note([&] { return "not effective of both plates, " + plate.name; });
+  const auto one = (c - rho * c) * t;
+  const auto idle = record.define(symbol, plate.alike == 2 ? 2.0 * one : one);
+  record.note([&] {
+    return (plate.alike == 2 ? "not effective of both plates, " : "not effective of ") + plate.name;
+  });
   return IdlePart{lambda_p, rho, idle};
 }
 
@@ -120,8 +131,57 @@ void reduce(CompressedPlate& plate, Length thickness, double epsilon) {
   plate.idle = part.idle;
 }
 
+/// Why the effective area of a path in class 4 is not taken, "" where it is.
+std::string path_obstacle(const PathSection& section) {
+  const PathAlone alone = path_alone(section, ActingAlone::compression);
+  for (const PathPlate& of : section.plates) {
+    if (!may_buckle(of)) continue;
+    if (const std::string why = width_obstacle(of); !why.empty()) return why;
+    const auto differs = [&](const PathPlate::Part& part) {
+      return std::abs(section.graph.walls[part.wall].thickness / of.thickness.value() - 1.0) > 1e-9;
+    };
+    if (std::any_of(of.parts.begin(), of.parts.end(), differs))
+      return of.name + ": its thickness changes along it";
+  }
+  const double size = std::sqrt(section.gross.area);
+  const EffectiveCentroid moved = effective_centroid_of(section.gross, alone.sums, 1e-9 * size);
+  const double shift = std::hypot(moved.shift_y.value(), moved.shift_z.value());
+  if (!(shift > 0.0)) return "";
+  return fmt::format(
+      "its effective centroid moves by {:.3g} mm (EN 1993-1-5, 4.3(3)), and what "
+      "that bends is not counted",
+      1e3 * shift);
+}
+
+/// The plates of a path around cells in class 4; false where it is none.
+bool add_slender_path(const ThinWalled& path, Stress yield_strength, CompressedSection& result) {
+  const Material steel = of_strength(yield_strength);
+  const PathSection section = *path_section_of(path, steel);
+  if (std::none_of(section.plates.begin(), section.plates.end(),
+                   [](const PathPlate& of) { return may_buckle(of); }))
+    return false;
+  const double epsilon = epsilon_of(yield_strength);
+  result.class_4 = true;
+  if (result.obstacle.empty()) result.obstacle = path_obstacle(section);
+  for (const PathPlate& of : section.plates) {
+    CompressedPlate plate;
+    plate.name = of.name;
+    plate.ratio = of.clear() / of.thickness;
+    plate.outstand = of.outstand();
+    plate.limit = plate.outstand ? outstand_flange_limits(epsilon).class_3
+                                 : internal_part_limits(1.0, 1.0, epsilon).class_3;
+    plate.alike = 1;
+    if (result.obstacle.empty() && may_buckle(of)) reduce(plate, of.thickness, epsilon);
+    result.plates.push_back(std::move(plate));
+  }
+  return true;
+}
+
 void add_plates(const Profile& profile, Stress yield_strength, CompressedSection& result) {
   if (result.obstacle.empty()) result.obstacle = obstacle_of(profile);
+  if (const auto* const path = std::get_if<ThinWalled>(&profile);
+      path != nullptr && has_cell(*path) && add_slender_path(*path, yield_strength, result))
+    return;
   const double epsilon = epsilon_of(yield_strength);
   const double compressed = internal_part_limits(1.0, 1.0, epsilon).class_3;
   const bool round = std::holds_alternative<RoundTube>(profile);

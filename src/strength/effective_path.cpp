@@ -66,6 +66,20 @@ std::vector<std::array<double, 2>> compressions_of(const AreaSums& sums, const P
   return ends;
 }
 
+/// Leaves that share of what works of a plate.
+void narrow(const PathPlate& plate, double lag, PlateAlone& of) {
+  of.lag = lag;
+  if (of.idle() > 0.0) {
+    of.idle_low -= (1.0 - lag) * (of.idle_low - plate.low);
+    of.idle_high += (1.0 - lag) * (plate.high - of.idle_high);
+    return;
+  }
+  const double idle = (1.0 - lag) * (plate.high - plate.low);
+  of.idle_low = plate.outstand() ? (plate.held_at_high() ? plate.low : plate.high - idle)
+                                 : 0.5 * (plate.low + plate.high - idle);
+  of.idle_high = of.idle_low + idle;
+}
+
 double largest_change(const PathAlone& a, const PathAlone& b) {
   double most = 0.0;
   for (std::size_t k = 0; k < a.plates.size(); ++k) {
@@ -150,13 +164,16 @@ PlateAlone plate_alone(const PathPlate& plate, Stress strength, std::optional<Le
 PathAlone path_alone(const PathSection& path, ActingAlone acting, bool coupled, int most_passes) {
   PathAlone section;
   section.sums = path.gross;
-  const auto judge = [&](const PathPlate& plate, double at_low, double at_high) {
+  const auto judge = [&](std::size_t k, double at_low, double at_high, double lag) {
+    const PathPlate& plate = path.plates[k];
     PlateAlone of = plate_alone(plate, plate.class_strength, path.length, at_low, at_high);
+    if (lag < 1.0) narrow(plate, lag, of);
     take_out(section.sums, path, plate, of);
     return of;
   };
   if (acting == ActingAlone::compression) {
-    for (const PathPlate& plate : path.plates) section.plates.push_back(judge(plate, 1.0, 1.0));
+    for (std::size_t k = 0; k < path.plates.size(); ++k)
+      section.plates.push_back(judge(k, 1.0, 1.0, 1.0));
     return section;
   }
   const auto along_axis = [&](const PathPlate& plate) {
@@ -175,7 +192,9 @@ PathAlone path_alone(const PathSection& path, ActingAlone acting, bool coupled, 
       const auto ends = compressions_of(known, path, acting, coupled);
       for (std::size_t k = 0; k < path.plates.size(); ++k) {
         if (along_axis(path.plates[k]) != flanges) continue;
-        section.plates[k] = judge(path.plates[k], ends[k][0], ends[k][1]);
+        const bool lags = flanges && !path.lag.empty();
+        section.plates[k] =
+            judge(k, ends[k][0], ends[k][1], lags ? path.lag[k][is_about_y(acting) ? 0 : 1] : 1.0);
       }
     }
     known = section.sums;

@@ -18,7 +18,7 @@ bool lose_the_same(const PathSection& path, const PathAlone& section, std::size_
   const auto same = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
   return one.outstand() == other.outstand() && same(one.clear().value(), other.clear().value()) &&
          one.thickness == other.thickness && one.class_strength == other.class_strength &&
-         same(of.psi, and_of.psi) && same(of.idle(), and_of.idle());
+         same(of.psi, and_of.psi) && same(of.idle(), and_of.idle()) && of.lag == and_of.lag;
 }
 
 /// rho of an internal plate, between plate and column where it is short.
@@ -55,6 +55,13 @@ void derive_plates(Derivation& steps, const PathSection& path, const PathAlone& 
       return fmt::format("{} under {}, {}", names, under,
                          plate.outstand() ? "outstand" : "internal");
     });
+    const auto lagging = [&] {
+      return steps.given("beta^kappa", of.lag, {ValueKind::number}, "shear lag (3.3)");
+    };
+    if (!of.pressed || of.width.rho == 1.0) {
+      steps.define("c_idle", (1.0 - lagging()) * c);
+      continue;
+    }
     const Traced t = steps.given("t", plate.thickness);
     const bool tip = plate.outstand() && (of.psi == 1.0 || of.more_at_high != plate.held_at_high());
     const char* const how = of.psi == 1.0       ? "evenly compressed"
@@ -71,10 +78,11 @@ void derive_plates(Derivation& steps, const PathSection& path, const PathAlone& 
     const char* const where = plate.outstand() ? (tip ? "at its free edge" : "beside what works")
                               : of.psi < 0.0   ? "from 0.4 of what works of the compressed width on"
                                                : "from 2/(5 - psi) of what works on";
-    if (of.psi < 0.0)
-      steps.define("c_idle", (1.0 - rho) * c / (1.0 - psi), where);
+    const Traced buckled = of.psi < 0.0 ? (1.0 - rho) * c / (1.0 - psi) : (1.0 - rho) * c;
+    if (of.lag < 1.0)
+      steps.define("c_idle", c - lagging() * (c - buckled), where);
     else
-      steps.define("c_idle", (1.0 - rho) * c, where);
+      steps.define("c_idle", buckled, where);
   }
 }
 

@@ -42,6 +42,17 @@ ClassLimits outstand_flange_limits(double epsilon) {
   return {9.0 * epsilon, 10.0 * epsilon, 14.0 * epsilon};
 }
 
+ClassLimits outstand_part_limits(double alpha, double psi, LargestCompression where,
+                                 double epsilon) {
+  assert(alpha > 0.0 && alpha <= 1.0);
+  const double pressed = where == LargestCompression::at_tip ? alpha : alpha * std::sqrt(alpha);
+  const ClassLimits even = outstand_flange_limits(epsilon);
+  constexpr double rounding = 1e-9;
+  return {even.class_1 / pressed, even.class_2 / pressed,
+          psi > 1.0 - rounding ? even.class_3
+                               : 21.0 * epsilon * std::sqrt(*outstand_buckling_factor(psi, where))};
+}
+
 ClassLimits round_tube_limits(double epsilon) {
   const double epsilon_2 = epsilon * epsilon;
   return {50.0 * epsilon_2, 70.0 * epsilon_2, 90.0 * epsilon_2};

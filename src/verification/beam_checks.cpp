@@ -125,7 +125,7 @@ void check_station(const Project& project, const std::vector<BendingZone>& zones
     keep_worst(std::move(of.beside), beam.beside);
     add_route(project, station, plates->route, plates->steep, beam.routes);
   }
-  if (const auto path = slender_path_at(project, station)) {
+  if (const auto path = slender_path_at(project, zones, station)) {
     append(check_path(project, station, path, histories), beam.checks);
     add_route(project, station, PlateRoute::effective_widths, false, beam.routes);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "boxbeam/project/link_profile.hpp"
@@ -49,8 +50,8 @@ std::string places_text(const std::vector<double>& at) {
   std::string text;
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (i > 0) text += i + 1 == at.size() ? " and " : ", ";
-    // Without the sign of a zero.
-    text += fmt::format("{:.3g} m", at[i] + 0.0);
+    // Without what is below a tenth of a millimetre, and the sign of a zero.
+    text += fmt::format("{:.3g} m", 1e-4 * std::round(1e4 * at[i]) + 0.0);
   }
   return text;
 }

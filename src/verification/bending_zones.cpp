@@ -172,27 +172,39 @@ std::vector<BendingZone> bending_zones_of(const Project& project,
   return zones;
 }
 
-std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, const Section& section,
-                                     const Station& station, BendingAxis axis) {
+std::optional<ShearLag> plate_lag_at(const std::vector<BendingZone>& zones, const Station& station,
+                                     BendingAxis axis, Length b_0, Length thickness,
+                                     Area stiffeners) {
   const Length s = station.s;
   const auto zone = std::find_if(zones.begin(), zones.end(), [&](const BendingZone& z) {
     if (z.axis != axis || s < z.from || s > z.to) return false;
     return station.side == Side::before ? s > z.from : station.side == Side::both || s < z.to;
   });
-  if (zone == zones.end()) return std::nullopt;
-  const auto plates = wide_plates_of(section.outer, axis);
-  if (!plates) return std::nullopt;
+  if (zone == zones.end() || !shear_lag_counts(b_0, zone->effective_length)) return std::nullopt;
   ShearLag lag;
-  lag.b_0 = 0.5 * plates->middles;
+  lag.b_0 = b_0;
   lag.effective_length = zone->effective_length;
-  if (!shear_lag_counts(lag.b_0, lag.effective_length)) return std::nullopt;
-  lag.thickness = plates->thickness;
-  lag.stiffeners = plates->stiffeners;
+  lag.thickness = thickness;
+  lag.stiffeners = stiffeners;
   lag.kappa = shear_lag_kappa(lag.b_0, lag.thickness, lag.stiffeners, lag.effective_length);
   lag.region = zone->region;
   lag.beta = shear_lag_factor(lag.kappa, zone->region);
+  return lag;
+}
+
+double ultimate_share_of(const ShearLag& lag) {
+  return std::max(lag.beta, std::pow(lag.beta, lag.kappa));
+}
+
+std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, const Section& section,
+                                     const Station& station, BendingAxis axis) {
+  const auto plates = wide_plates_of(section.outer, axis);
+  if (!plates) return std::nullopt;
+  auto lag = plate_lag_at(zones, station, axis, 0.5 * plates->middles, plates->thickness,
+                          plates->stiffeners);
+  if (!lag) return std::nullopt;
   // What is left out lies in the middle, of the width between the webs' middles.
-  lag.flange_part = std::max(1e-3, 1.0 - (1.0 - lag.beta) * (plates->middles / plates->clear));
+  lag->flange_part = std::max(1e-3, 1.0 - (1.0 - lag->beta) * (plates->middles / plates->clear));
   return lag;
 }
 

@@ -222,10 +222,9 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
                                const std::string& obstacle, bool judged) {
   const Project& project = *project_;
   const std::vector<Web> webs = project.in_space ? plates_of(profile) : webs_of(profile, alike);
-  const bool class_4_judged = judged && !member_buckles_;
   const std::string why_not = obstacle.empty() ? "" : "; its buckling is not judged: " + obstacle;
   for (const SlenderPlate& plate : slender_plates_of(profile, materials)) {
-    if (!class_4_judged) {
+    if (!judged) {
       add("class", {segment, plate.plate, class_4_text(plate.ratio, plate.limit, why_not), true},
           plate.ratio / plate.limit);
     }
@@ -248,7 +247,7 @@ void PlateGates::look_at_class(const std::string& segment, const Profile& profil
         worst.limit > 0.0 ? internal_effective_width(web.depth(), web.thickness,
                                                      std::max(-3.0, worst.psi), class_3.epsilon())
                           : std::nullopt;
-    if (worst.limit > 0.0 && ratio > worst.limit && !class_4_judged) {
+    if (worst.limit > 0.0 && ratio > worst.limit && !judged) {
       const std::string stress = fmt::format(
           "; under {:.3g} MPa, psi = {:.2f}{}", worst.most * 1e-6, worst.psi,
           member_buckles_ ? "; the member is verified for buckling (5.5.2(10))" : " (5.5.2(9))");
@@ -293,26 +292,31 @@ void PlateGates::look_at_shear_lag(const std::string& segment, const std::string
       -lag->beta);
 }
 
-/// Of a path shear lag is only looked at, not judged: its flanges are any plates that lie along the
-/// axis of bending, within 45 degrees, of an internal one half of its width.
+/// Of a path the flanges are any plates that lie along the axis of bending, within 45 degrees. Its
+/// effective section counts shear lag, the stresses of the whole one do not.
 void PlateGates::look_at_path_lag(const std::string& segment, const Station& station,
                                   const SlenderPath& path) {
-  for (const BendingZone& zone : *zones_) {
-    if (station.s < zone.from || station.s > zone.to) continue;
-    for (const PathPlate& plate : path.section.path().plates) {
-      const double y = std::abs(plate.direction.x()), z = std::abs(plate.direction.y());
-      if (zone.axis == BendingAxis::y ? y < z : z < y) continue;
-      const Length b_0 = (plate.outstand() ? 1.0 : 0.5) * plate.clear();
-      if (!shear_lag_counts(b_0, zone.effective_length)) continue;
-      add("shear lag",
-          {segment, plate.name,
-           fmt::format(
-               "b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: shear "
-               "lag counts (EN 1993-1-5, 3.1), and of paths it is not judged",
-               b_0.value() * 1e3, zone.effective_length.value()),
-           true},
-          (b_0 / zone.effective_length).value());
-    }
+  const PathSection& section = path.section.path();
+  for (const PathPlate& plate : section.plates) {
+    const bool along_y = std::abs(plate.direction.x()) > std::abs(plate.direction.y());
+    const auto lag = plate_lag_at(*zones_, station, along_y ? BendingAxis::y : BendingAxis::z,
+                                  lagging_width_of(section, plate), plate.thickness);
+    if (!lag) continue;
+    const bool blocks = project_->fatigue.asked;
+    add("shear lag",
+        {segment, plate.name,
+         fmt::format("b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: shear "
+                     "lag counts; with kappa = {:.3g} a part of the width works, beta^kappa = "
+                     "{:.3g} of it in the effective section at the worst station (EN 1993-1-5, "
+                     "3.3){}",
+                     lag->b_0.value() * 1e3, lag->effective_length.value(), lag->kappa,
+                     ultimate_share_of(*lag),
+                     blocks ? fmt::format("; the stresses by which fatigue is judged are those of "
+                                          "the whole section, without beta = {:.3g} (3.2)",
+                                          lag->beta)
+                            : std::string()),
+         blocks},
+        -lag->beta);
   }
 }
 
@@ -371,7 +375,7 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
   const bool alike = webs_are_alike(section, materials);
   const std::string obstacle = plates_obstacle(*project_, station);
   const auto judged = slender_plates_at(*project_, *zones_, station);
-  const auto path = slender_path_at(*project_, station);
+  const auto path = slender_path_at(*project_, *zones_, station);
   look_at_class(segment, section.outer, materials, alike, sums, histories, obstacle,
                 judged != nullptr || path != nullptr);
   if (section.inner) {

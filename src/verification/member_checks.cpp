@@ -50,7 +50,7 @@ struct MemberLoss {
 };
 
 void add_loss(const Project& project, const Station& station, MemberLoss& loss) {
-  const auto path = slender_path_at(project, station);
+  const auto path = slender_path_at(project, {}, station);
   if (!path) return;
   const EffectivePath& of = path->section;
   const AreaSums& gross = of.path().gross;
@@ -112,12 +112,13 @@ MemberLoss loss_of(const Project& project) {
 
 }  // namespace
 
-std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate) {
+std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate,
+                                      const std::optional<BucklingLoad>& twisting) {
   std::vector<CheckResult> checks;
   const double gamma_M1 = project.strength.gamma_M1;
   const auto counts = [](const auto& of, double least) { return of && of->part > least; };
   const bool looked_at = estimate.in_plane.part > no_buckling_below ||
-                         counts(estimate.across, no_buckling_below) ||
+                         counts(estimate.across, no_buckling_below) || twisting ||
                          counts(estimate.lateral, no_turning_over_below);
   if (!looked_at) return checks;
   const MemberLoss loss = loss_of(project);
@@ -132,8 +133,15 @@ std::vector<CheckResult> check_member(const Project& project, const SecondOrderE
   bends(estimate.in_plane, project.in_space ? "along z" : "in the plane of motion");
   if (estimate.across)
     bends(*estimate.across, project.in_space ? "along y" : "across the plane of motion");
+  if (twisting) {
+    load.critical = twisting->factored;
+    const double use = flexural_use(load, BucklingCurve::c, gamma_M1);
+    checks.push_back(check_of(project, use, "by twisting", twisting->situation, twisting->when,
+                              {false, twisting->held, load}));
+  }
   if (const auto& of = estimate.lateral; of && of->part > no_turning_over_below && of->part < 1.0) {
-    load.critical = of->part + (estimate.across ? estimate.across->factored : 0.0);
+    const double across = estimate.across ? estimate.across->factored : 0.0;
+    load.critical = of->part + (twisting ? std::max(across, twisting->factored) : across);
     const double use = lateral_use(load, BucklingCurve::d, gamma_M1);
     checks.push_back(check_of(project, use, "sideways and turning over", of->situation, of->when,
                               {true, of->held, load}));

@@ -24,11 +24,11 @@ struct WorstPatch {
 /// A patch and whether its seams are meant, not its webs.
 using BorneKey = std::pair<PatchKey, bool>;
 
-/// A force that comes into a slender path, where it is largest.
+/// A force into a path that is not judged, where it is largest.
 struct PathForce {
   Length s;
   Force size;
-  bool open = false;  ///< without a diaphragm that takes it
+  std::string why;
 };
 
 /// What is not judged of slender paths.
@@ -92,11 +92,11 @@ class PatchRun {
   }
 
   void note_on_path(const Patch& patch) {
-    if (!search_->bears_on_path(patch)) return;
-    const bool open = search_->comes_into_path(patch);
+    const auto of = search_->unjudged_on_path(patch);
+    if (!of) return;
     const Force size = run_->situation->load_factor * abs(patch.force);
-    PathForce& most = on_paths_->forces[{patch.name, open}];
-    if (size > most.size) most = {patch.s, size, open};
+    PathForce& most = on_paths_->forces[{patch.name, of->open}];
+    if (size > most.size) most = {patch.s, size, of->why};
   }
 
   void note_torque(const BeamLoads& loads) {
@@ -177,6 +177,7 @@ class PatchRun {
 };
 
 std::string plate_text(const Project& project, const Borne& borne) {
+  if (!borne.wall.empty()) return borne.wall;
   const FourWalls& walls = borne.basis.box->box();
   const BoxWall &left = walls.of(BoxPlate::left_web), &right = walls.of(BoxPlate::right_web);
   const bool alike =
@@ -246,41 +247,42 @@ Gate gate_of(const Project& project, const WorstPatch& worst) {
   const PatchBasis& basis = worst.borne.basis;
   const std::size_t segment = segment_at(project.beam, {worst.patch.s, Side::both});
   return {project.beam.segments[segment].name, plate_text(project, worst.borne),
-          fmt::format("at s = {:.4g} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
+          fmt::format("at s = {} m it takes {:.4g} kN of \"{}\" and {} {:.4g} kN under an edge "
                       "(stiff length 0, EN 1993-1-5, clause 6): [[beam.diaphragms]] take it, or "
                       "[[beam.load_introductions]] say how it comes in",
-                      worst.patch.s.value(),
+                      to_text(Station{worst.patch.s, Side::both}),
                       1e-3 * (basis.load_factor * basis.share * basis.force).value(),
                       worst.patch.name, worst.borne.is_seam() ? "its seam bears" : "bears",
                       1e-3 * basis.resistance.value()),
           true};
 }
 
-Gate gate_of(const Project& project, const std::string& name, const PathForce& of) {
+Gate gate_of(const Project& project, const std::string& name, bool open, const PathForce& of) {
   const std::size_t segment = segment_at(project.beam, {of.s, Side::both});
   const std::string what =
-      fmt::format("at s = {:.4g} m \"{}\", {:.4g} kN, comes into walls of a path that may buckle",
-                  of.s.value(), name, 1e-3 * of.size.value());
+      fmt::format("at s = {} m \"{}\", {:.4g} kN, comes into walls of a path",
+                  to_text(Station{of.s, Side::both}), name, 1e-3 * of.size.value());
   return {project.beam.segments[segment].name, "",
-          of.open ? what +
-                        ": what they bear of it is not judged (EN 1993-1-5, clause 6); "
-                        "[[beam.diaphragms]] say what takes it"
-                  : what +
-                        " where a diaphragm is taken to bear it, which is not judged (EN "
-                        "1993-1-5, 9.4)",
-          of.open};
+          open ? what + ": what they bear of it is not judged (EN 1993-1-5, clause 6): " + of.why +
+                     "; [[beam.diaphragms]] say what takes it"
+               : what +
+                     " where a diaphragm is taken to bear it, which is not judged (EN 1993-1-5, "
+                     "9.4)",
+          open};
 }
 
 void add_gates(const Project& project, const OnPaths& of, std::vector<Gate>& gates) {
-  for (const auto& [key, force] : of.forces) gates.push_back(gate_of(project, key.first, force));
+  for (const auto& [key, force] : of.forces)
+    gates.push_back(gate_of(project, key.first, key.second, force));
   if (of.torque.torque > Moment{}) {
     const std::size_t segment = segment_at(project.beam, {of.torque.s, Side::both});
-    gates.push_back({project.beam.segments[segment].name, "",
-                     fmt::format("at s = {:.4g} m a torque of {:.4g} kN m comes into a path around "
-                                 "cells: how it distorts it is not judged; [[beam.diaphragms]] say "
-                                 "what keeps it in shape, or write it as kind = \"box\"",
-                                 of.torque.s.value(), 1e-3 * of.torque.torque.value()),
-                     true});
+    gates.push_back(
+        {project.beam.segments[segment].name, "",
+         fmt::format("at s = {} m a torque of {:.4g} kN m comes into a path around "
+                     "cells: how it distorts it is not judged; [[beam.diaphragms]] say "
+                     "what keeps it in shape, or write it as kind = \"box\"",
+                     to_text(Station{of.torque.s, Side::both}), 1e-3 * of.torque.torque.value()),
+         true});
   }
 }
 

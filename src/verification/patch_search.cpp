@@ -37,10 +37,7 @@ PatchSearch::PatchSearch(const Project& project, const std::vector<BendingZone>&
       const auto walls = walls_at(end);
       look_at_plates(end, of);
       if (!walls) {
-        const bool path = slender_path_at(project, end) != nullptr;
-        of.path = of.path || path;
-        of.along_y = of.along_y || path;
-        of.along_z = of.along_z || path;
+        look_at_path(end, of);
         continue;
       }
       for (const BoxPlate plate : box_plates) {
@@ -64,7 +61,7 @@ void PatchSearch::look_at_plates(const Station& station, Slender& of) const {
     return;
   }
   const auto* const path = std::get_if<ThinWalled>(&section.outer);
-  if (path == nullptr || !slender_path_at(*project_, station)) return;
+  if (path == nullptr || !slender_path_at(*project_, {}, station)) return;
   constexpr Stress least_yield = 235e6 * pascal;
   const Extent extent = extent_of(section.outer);
   const Length depth = std::max(extent.z_high - extent.z_low, extent.y_high - extent.y_low);
@@ -76,21 +73,6 @@ const Diaphragm* PatchSearch::diaphragm_at(Length s) const {
   for (const Diaphragm& of : project_->beam.diaphragms)
     if (abs(of.s - s) <= same_place * project_->beam.length()) return &of;
   return nullptr;
-}
-
-PatchSearch::PathTorque PatchSearch::torque_into_path(const BeamLoads& loads) const {
-  PathTorque most;
-  for (const PointLoad& load : loads.points) {
-    const Length s = std::clamp(load.s, Length{}, project_->beam.length());
-    const auto is_closed = [&](Side side) {
-      const Slender& of = slender_[segment_at(project_->beam, {s, side})];
-      return of.path && of.closed;
-    };
-    const Moment torque = si<Moment>(std::abs(load.moment.x()));
-    if (!(torque > most.torque) || diaphragm_at(s) != nullptr) continue;
-    if (is_closed(Side::both) || (s.value() > 0.0 && is_closed(Side::before))) most = {s, torque};
-  }
-  return most;
 }
 
 void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
@@ -206,24 +188,16 @@ std::vector<Borne> PatchSearch::worst_of(const Patch& patch, const std::vector<P
   for (const Side side : {Side::before, Side::behind}) {
     if (side == Side::before ? patch.s == Length{} : patch.s == end) continue;
     const Station station{patch.s, side};
-    const JudgedBox& judged = box_at(station);
-    if (!judged.box) continue;
+    const JudgedSection& judged = judged_at(station);
     const CutForces cut = diagram.at(station);
+    if (judged.path) {
+      for (Borne& of : path_ways_at(patch, station, judged, cut)) take(std::move(of));
+    }
+    if (!judged.box) continue;
     for (Borne& of : ways_at(patch, station, judged, cut)) take(std::move(of));
     for (Borne& of : seams_at(patch, all, station, judged, cut)) take(std::move(of));
   }
   return worst;
-}
-
-bool PatchSearch::bears_on_path(const Patch& patch) const {
-  const TaperedBeam& beam = project_->beam;
-  const Side before = patch.s.value() > 0.0 ? Side::before : Side::both;
-  return slender_[segment_at(beam, {patch.s, Side::both})].path ||
-         slender_[segment_at(beam, {patch.s, before})].path;
-}
-
-bool PatchSearch::comes_into_path(const Patch& patch) const {
-  return patch.diaphragm == nullptr && bears_on_path(patch);
 }
 
 double PatchSearch::factor_of(const PatchBasis& basis) const {
@@ -232,13 +206,17 @@ double PatchSearch::factor_of(const PatchBasis& basis) const {
 }
 
 double PatchSearch::eta_1_of(const PatchBasis& basis) const {
-  return project_->strength.gamma_M0 * basis.corner.use;
+  return project_->strength.gamma_M0 * (basis.path ? basis.place.use : basis.corner.use);
 }
 
 std::string PatchSearch::obstacle_of(const LoadIntroduction& of) {
   for (const Length& s : {of.from, of.to}) {
-    if (!box_at({s, s < project_->beam.length() ? Side::behind : Side::before}).box)
-      return "only boxes and rectangular tubes are";
+    const Station station{s, s < project_->beam.length() ? Side::behind : Side::before};
+    const JudgedSection& judged = judged_at(station);
+    if (judged.box || judged.path) continue;
+    return std::holds_alternative<ThinWalled>(judged_section_at(*project_, station).outer)
+               ? path_obstacle(*project_, station)
+               : "only boxes, rectangular tubes and thin-walled paths are";
   }
   return used_.count(&of) > 0 ? "" : "no force of the case is known to come in there";
 }
@@ -279,7 +257,7 @@ bool PatchSearch::say_how_it_comes_in(Patch& patch) {
   return patch.along_z ? of.along_z || before.along_z : of.along_y || before.along_y;
 }
 
-void PatchSearch::add_groups(std::vector<Patch>& patches) const {
+void PatchSearch::add_groups(std::vector<Patch>& patches) {
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.s < b.s; });
   const std::size_t singles = patches.size();
@@ -317,22 +295,28 @@ void PatchSearch::add_groups(std::vector<Patch>& patches) const {
   }
 }
 
-Length PatchSearch::depth_at(const Patch& patch) const {
+Length PatchSearch::depth_at(const Patch& patch) {
   const auto walls = walls_at({patch.s, Side::both});
-  if (!walls) return {};
+  if (!walls) {
+    const Side side = patch.s < project_->beam.length() ? Side::behind : Side::before;
+    return depth_of_path(patch, judged_at({patch.s, side}));
+  }
   return walls->of(patch.along_z ? BoxPlate::left_web : BoxPlate::top_flange).clear();
 }
 
-const PatchSearch::JudgedBox& PatchSearch::box_at(const Station& station) {
+const PatchSearch::JudgedSection& PatchSearch::judged_at(const Station& station) {
   const auto key = std::pair(station.s.value(), station.side);
-  const auto known = boxes_.find(key);
-  if (known != boxes_.end()) return known->second;
+  const auto known = judged_.find(key);
+  if (known != judged_.end()) return known->second;
   // Of what slides along the beam the places never end.
   constexpr std::size_t most = 4096;
-  if (boxes_.size() >= most) boxes_.clear();
-  JudgedBox of;
+  if (judged_.size() >= most) judged_.clear();
+  JudgedSection of;
+  const Section section = judged_section_at(*project_, station);
+  if (std::holds_alternative<ThinWalled>(section.outer) &&
+      path_obstacle(*project_, station).empty())
+    of.path = std::make_shared<EffectivePath>(*judged_path_at(*project_, *zones_, station));
   if (const auto walls = walls_at(station)) {
-    const Section section = judged_section_at(*project_, station);
     of.box = std::make_shared<EffectiveBox>(*walls, lag_shares_at(*zones_, section, station));
     of.reduced = reduced_at(station, section, *walls);
     const auto* const welded = std::get_if<Box>(&section.outer);
@@ -341,7 +325,7 @@ const PatchSearch::JudgedBox& PatchSearch::box_at(const Station& station) {
         of.seams.push_back(std::make_shared<const StressPoint>(std::move(throat)));
     }
   }
-  return boxes_.emplace(key, std::move(of)).first->second;
+  return judged_.emplace(key, std::move(of)).first->second;
 }
 
 std::vector<std::shared_ptr<const ReducedPlate>> PatchSearch::reduced_at(
@@ -371,7 +355,7 @@ PatchSearch::Shared PatchSearch::shared_by_webs(const Patch& patch, const FourWa
 }
 
 std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& station,
-                                        const JudgedBox& judged, const CutForces& cut) const {
+                                        const JudgedSection& judged, const CutForces& cut) const {
   const FourWalls& walls = judged.box->box();
   const auto [webs, shares] = shared_by_webs(patch, walls);
   Borne of;
@@ -385,13 +369,19 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& stati
     basis.share = std::abs(shares[k]);
     of.plate = webs[k];
     if (patch.diaphragm != nullptr) {
-      const BearingStiffener stiffener = stiffener_of(walls, webs[k], *patch.diaphragm, station);
+      const BoxWall& wall = walls.of(webs[k]);
+      const BoxWall& across =
+          walls.of(is_flange(webs[k]) ? BoxPlate::left_web : BoxPlate::top_flange);
+      const BearingStiffener stiffener =
+          stiffener_of(wall.clear(), wall.thickness, wall.yield_strength, across.clear(),
+                       *patch.diaphragm, station);
       basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
       basis.bears = stiffener;
       ways.push_back(of);
       continue;
     }
-    for (const PatchedWeb& web : webs_of(walls, webs[k], patch, station)) {
+    const PatchedWeb by_flange = web_of(walls, webs[k], flanges_of(patch).front(), patch, station);
+    for (const PatchedWeb& web : in_every_way(by_flange, patch)) {
       const auto plate = reduced_plate_of(judged, webs[k]);
       if (plate != nullptr && basis.share > 0.0)
         bear_by_reduced_stresses(plate, web, patch.force.value() < 0.0, basis);
@@ -403,7 +393,7 @@ std::vector<Borne> PatchSearch::ways_at(const Patch& patch, const Station& stati
   return ways;
 }
 
-std::shared_ptr<const ReducedPlate> PatchSearch::reduced_plate_of(const JudgedBox& judged,
+std::shared_ptr<const ReducedPlate> PatchSearch::reduced_plate_of(const JudgedSection& judged,
                                                                   BoxPlate plate) {
   std::shared_ptr<const ReducedPlate> alike;
   for (const auto& of : judged.reduced) {
@@ -446,15 +436,18 @@ PatchedWeb PatchSearch::web_of(const FourWalls& walls, BoxPlate plate, BoxPlate 
   web.flange_thickness = flange.thickness;
   web.flange_inside = 0.5 * flange.clear();
   web.flange_strength = flange.yield_strength;
+  return web_under(web, patch, station);
+}
+
+PatchedWeb PatchSearch::web_under(PatchedWeb web, const Patch& patch,
+                                  const Station& station) const {
   web.stiff_length = patch.stiff_length;
   web.length = panel_length_at(project_->beam, station);
   web.entry = patch.opposed ? ForceEntry::both_flanges : ForceEntry::one_flange;
   return web;
 }
 
-std::vector<PatchedWeb> PatchSearch::webs_of(const FourWalls& walls, BoxPlate plate,
-                                             const Patch& patch, const Station& station) const {
-  PatchedWeb web = web_of(walls, plate, flanges_of(patch).front(), patch, station);
+std::vector<PatchedWeb> PatchSearch::in_every_way(PatchedWeb web, const Patch& patch) const {
   std::vector<PatchedWeb> ways{web};
   if (const auto to_end = distance_to_end(patch)) {
     // From 2/3 h_w on k_F is that of a force far from the end.
@@ -484,19 +477,17 @@ std::optional<Length> PatchSearch::distance_to_end(const Patch& patch) const {
   return nearest;
 }
 
-BearingStiffener PatchSearch::stiffener_of(const FourWalls& walls, BoxPlate plate,
-                                           const Diaphragm& diaphragm,
+BearingStiffener PatchSearch::stiffener_of(Length depth, Length thickness, Stress yield_strength,
+                                           Length inside, const Diaphragm& diaphragm,
                                            const Station& station) const {
-  const BoxWall& wall = walls.of(plate);
-  const BoxWall& across = walls.of(is_flange(plate) ? BoxPlate::left_web : BoxPlate::top_flange);
   BearingStiffener of;
-  of.web_depth = wall.clear();
-  of.web_thickness = wall.thickness;
+  of.web_depth = depth;
+  of.web_thickness = thickness;
   of.web_before = station.s;
   of.web_behind = project_->beam.length() - station.s;
   of.thickness = diaphragm.thickness;
-  of.width = 0.5 * (across.clear() - diaphragm.opening);
-  of.yield_strength = wall.yield_strength;
+  of.width = 0.5 * (inside - diaphragm.opening);
+  of.yield_strength = yield_strength;
   const Material& steel =
       materials_of(*project_, segment_at(project_->beam, station)).of(PlateKind::inner);
   if (const auto own = yield_strength_of(steel, diaphragm.thickness))

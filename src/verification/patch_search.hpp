@@ -43,9 +43,12 @@ std::array<BoxPlate, 2> flanges_of(const Patch& patch);
 struct Borne {
   PatchBasis basis;
   BoxPlate plate = BoxPlate::left_web;
+  std::string wall = {};  ///< of a path, in its place
 
   bool is_seam() const { return std::holds_alternative<PatchedSeam>(basis.bears); }
 };
+
+struct PathWebs;
 
 /// What forces do to the webs that they come into, of the loads of one instant.
 class PatchSearch {
@@ -73,10 +76,14 @@ class PatchSearch {
     Moment torque;
   };
   PathTorque torque_into_path(const BeamLoads& loads) const;
-  /// Whether a force comes into a slender path where no diaphragm takes it: it is not judged.
-  bool comes_into_path(const Patch& patch) const;
-  /// Whether one comes into a slender path at a diaphragm, whose bearing is not judged.
-  bool bears_on_path(const Patch& patch) const;
+  /// A force into a path that is not judged: into its walls, or at a diaphragm, whose bearing is
+  /// not judged.
+  struct OnPath {
+    bool open = false;  ///< without a diaphragm that takes it
+    std::string why;
+  };
+  /// Nothing where what it does is judged, or nothing of it is a slender path.
+  std::optional<OnPath> unjudged_on_path(const Patch& patch);
 
   /// On all loads, without the situation's own.
   double factor_of(const PatchBasis& basis) const;
@@ -88,7 +95,8 @@ class PatchSearch {
  private:
   struct Slender {
     bool along_z = false, along_y = false;
-    bool path = false;  ///< a thin-walled one, whose walls are not judged
+    bool path = false;                              ///< a thin-walled one
+    bool web_along_z = false, web_along_y = false;  ///< of it a web that may buckle in shear
     /// A force over a plate's depth that is far below what bears it.
     Force none = si<Force>(std::numeric_limits<double>::infinity());
     Length depth;         ///< the largest
@@ -97,8 +105,9 @@ class PatchSearch {
 
   /// The section of a station by its effective widths and, where these do not judge it, by reduced
   /// stresses; with its seams where they are fillets.
-  struct JudgedBox {
+  struct JudgedSection {
     std::shared_ptr<const EffectiveBox> box;
+    std::shared_ptr<const EffectivePath> path;  ///< in its place
     std::vector<std::shared_ptr<const ReducedPlate>> reduced;
     std::vector<std::shared_ptr<const StressPoint>> seams;
   };
@@ -111,6 +120,12 @@ class PatchSearch {
   const LoadIntroduction* introduction_at(Length s) const;
 
   void look_at_plates(const Station& station, Slender& of) const;
+  /// patched_paths.cpp
+  void look_at_path(const Station& station, Slender& of);
+  /// Why what a path bears of a patch is not judged, "" where it is.
+  std::string path_obstacle_of(const Patch& patch, const PathWebs& of) const;
+  std::vector<Borne> path_ways_at(const Patch& patch, const Station& station,
+                                  const JudgedSection& judged, const CutForces& cut) const;
   /// Loads along the beam, each by the largest of it over a plate's depth.
   void add_lines(const std::vector<LineLoad>& lines, bool along_z,
                  std::vector<Patch>& patches) const;
@@ -120,11 +135,12 @@ class PatchSearch {
   bool say_how_it_comes_in(Patch& patch);
 
   /// Adds those that stand close together as one, and says which are opposed.
-  void add_groups(std::vector<Patch>& patches) const;
+  void add_groups(std::vector<Patch>& patches);
 
-  Length depth_at(const Patch& patch) const;
+  Length depth_at(const Patch& patch);
+  static Length depth_of_path(const Patch& patch, const JudgedSection& judged);
 
-  const JudgedBox& box_at(const Station& station);
+  const JudgedSection& judged_at(const Station& station);
 
   std::vector<std::shared_ptr<const ReducedPlate>> reduced_at(const Station& station,
                                                               const Section& section,
@@ -137,13 +153,13 @@ class PatchSearch {
   };
   static Shared shared_by_webs(const Patch& patch, const FourWalls& walls);
 
-  std::vector<Borne> ways_at(const Patch& patch, const Station& station, const JudgedBox& judged,
-                             const CutForces& cut) const;
+  std::vector<Borne> ways_at(const Patch& patch, const Station& station,
+                             const JudgedSection& judged, const CutForces& cut) const;
 
   /// The seams by which a patch comes into the webs, pushing onto the one flange or pulling at the
   /// other. patched_seams.cpp
   std::vector<Borne> seams_at(const Patch& patch, const std::vector<Patch>& all,
-                              const Station& station, const JudgedBox& judged,
+                              const Station& station, const JudgedSection& judged,
                               const CutForces& cut) const;
   /// What a patch loads of a seam, within the ends of the beam.
   struct Spread {
@@ -152,7 +168,7 @@ class PatchSearch {
   Spread spread_of(const Patch& patch, const PatchedWeb& web) const;
 
   /// Of webs that are stressed alike the one there is.
-  static std::shared_ptr<const ReducedPlate> reduced_plate_of(const JudgedBox& judged,
+  static std::shared_ptr<const ReducedPlate> reduced_plate_of(const JudgedSection& judged,
                                                               BoxPlate plate);
 
   void bear_by_effective_widths(const PatchedWeb& web, PatchBasis& basis) const;
@@ -163,14 +179,16 @@ class PatchSearch {
   /// A web as a force comes to it by a flange, far from an end.
   PatchedWeb web_of(const FourWalls& walls, BoxPlate plate, BoxPlate flange, const Patch& patch,
                     const Station& station) const;
-  /// In every way that may be meant.
-  std::vector<PatchedWeb> webs_of(const FourWalls& walls, BoxPlate plate, const Patch& patch,
-                                  const Station& station) const;
+  PatchedWeb web_under(PatchedWeb web, const Patch& patch, const Station& station) const;
+  /// In every way that may be meant: far from an end, and near one.
+  std::vector<PatchedWeb> in_every_way(PatchedWeb web, const Patch& patch) const;
 
   /// From the stiff length to the nearer end of the beam that no diaphragm keeps off.
   std::optional<Length> distance_to_end(const Patch& patch) const;
 
-  BearingStiffener stiffener_of(const FourWalls& walls, BoxPlate plate, const Diaphragm& diaphragm,
+  /// `inside`: from web to web.
+  BearingStiffener stiffener_of(Length depth, Length thickness, Stress yield_strength,
+                                Length inside, const Diaphragm& diaphragm,
                                 const Station& station) const;
 
   const Project* project_;
@@ -178,7 +196,7 @@ class PatchSearch {
   std::vector<Slender> slender_;  ///< by segment
   std::set<std::string> clamps_;
   std::set<const LoadIntroduction*> used_;  ///< by which a force has come in
-  std::map<std::pair<double, Side>, JudgedBox> boxes_;
+  std::map<std::pair<double, Side>, JudgedSection> judged_;
 };
 
 }  // namespace boxbeam

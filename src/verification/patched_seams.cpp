@@ -30,7 +30,7 @@ PatchSearch::Spread PatchSearch::spread_of(const Patch& patch, const PatchedWeb&
 }
 
 std::vector<Borne> PatchSearch::seams_at(const Patch& patch, const std::vector<Patch>& all,
-                                         const Station& station, const JudgedBox& judged,
+                                         const Station& station, const JudgedSection& judged,
                                          const CutForces& cut) const {
   // What a diaphragm takes goes through its own welds; several are judged where they meet.
   std::vector<Borne> ways;

@@ -111,7 +111,7 @@ LagShares lag_shares_at(const std::vector<BendingZone>& zones, const Section& se
                         const Station& station) {
   const ShearLags lags = shear_lags_at(zones, section, station);
   const auto share = [](const std::optional<ShearLag>& lag) {
-    return lag ? std::max(lag->beta, std::pow(lag->beta, lag->kappa)) : 1.0;
+    return lag ? ultimate_share_of(*lag) : 1.0;
   };
   return {share(lags.flanges), share(lags.webs)};
 }

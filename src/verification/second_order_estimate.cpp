@@ -12,6 +12,7 @@
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/column_buckling.hpp"
 #include "boxbeam/strength/material.hpp"
 #include "boxbeam/verification/front_end.hpp"
@@ -165,6 +166,11 @@ class Estimating {
       yield_.push_back(yield ? yield->value() : unbounded);
       modulus_across_.push_back(properties_of(section).W_z.value());
     }
+    for (const Segment& segment : project.beam.segments) {
+      const Profile& profile = segment.from.outer;
+      open_ = open_ || (std::holds_alternative<ThinWalled>(profile) &&
+                        !(enclosed_area_of(profile).value() > 0.0));
+    }
     result_.whole = true;
     result_.across.emplace();
     if (lateral_.is_known()) result_.lateral.emplace();
@@ -212,10 +218,12 @@ class Estimating {
     }
   }
 
-  /// The largest of all instants, where the beam as a member counts; of the bent beam as a bow's.
+  /// The largest of all instants, where the beam as a member counts or may twist; of the bent beam
+  /// as a bow's.
   void take_extremes(const std::deque<SituationRun>& runs) {
     const auto counts = [](double part) { return part > no_buckling_below; };
-    if (!counts(result_.in_plane.part) && !(result_.across && counts(result_.across->part)) &&
+    if (!open_ && !counts(result_.in_plane.part) &&
+        !(result_.across && counts(result_.across->part)) &&
         !(result_.lateral && result_.lateral->part > no_turning_over_below))
       return;
     double straight = 0.0;
@@ -303,6 +311,7 @@ class Estimating {
   std::vector<ComparedPlace> places_;
   std::vector<double> yield_;           ///< of the flanges there [Pa]
   std::vector<double> modulus_across_;  ///< W_z there [m^3]
+  bool open_ = false;  ///< a segment of open thin walls, which may twist under compression
   LateralEstimate lateral_;
   BeamAlone in_plane_, across_;
   SecondOrderEstimate result_;
@@ -339,10 +348,12 @@ std::vector<std::string> assumed_holds_of(const SecondOrderEstimate& of, bool in
 }
 
 std::string lateral_text(const LateralLoad& of) {
+  // Of a beam that nothing turns over nobody has asked how it is held.
   return fmt::format(
-      "lateral torsional buckling: M/M_cr = {:.3g} at most, the beam {}, forces at the edge where "
-      "they turn it over",
-      of.part, of.held);
+      "lateral torsional buckling: M/M_cr = {:.3g} at most, {}forces at the edge where they turn "
+      "it "
+      "over",
+      of.part, of.held.empty() ? "" : "the beam " + of.held + ", ");
 }
 
 std::string second_order_text(const SecondOrderEstimate& of) {

@@ -45,6 +45,15 @@ bool is_slender(const std::vector<PathPlate>& plates) {
                      [](const PathPlate& plate) { return may_buckle(plate); });
 }
 
+/// Why plates beyond class 3 have no effective width; "" where all have.
+std::string widths_obstacle(const std::vector<PathPlate>& plates) {
+  for (const PathPlate& plate : plates) {
+    const std::string why = may_buckle(plate) ? width_obstacle(plate) : "";
+    if (!why.empty()) return why;
+  }
+  return "";
+}
+
 /// How steep the walls of a segment are: the fastest of their nodes.
 double path_slope_of(const Segment& segment) {
   const ThinWalled &from = *path_in(segment.from), &to = *path_in(segment.to);
@@ -55,16 +64,6 @@ double path_slope_of(const Segment& segment) {
                      std::abs(((b.z - a.z) / segment.length).value())});
   }
   return std::atan(most) * 180.0 / std::numbers::pi;
-}
-
-/// The path of a station, with what supports it across.
-std::optional<PathSection> judged_path_at(const Project& project, const Station& station) {
-  const Section section = judged_section_at(project, station);
-  const ThinWalled* const path = path_in(section);
-  if (path == nullptr) return std::nullopt;
-  auto of = path_section_of(*path, materials_of(project, segment_at(project.beam, station)));
-  if (of) of->length = supported_length_at(project, station);
-  return of;
 }
 
 /// The plate whose flange may buckle into it; "" where none may.
@@ -201,53 +200,104 @@ WebInteraction interaction_of(const SlenderPath& path, const ShearedWall& wall,
   return {1.0 / factor, 0.0, factor, normal.M_y};
 }
 
+Length lagging_width_of(const PathSection& path, const PathPlate& plate) {
+  const auto node = [&](std::size_t end) { return path.graph.nodes[plate.nodes[end]]; };
+  if (!plate.outstand()) return si<Length>(0.5 * (node(1) - node(0)).norm());
+  const bool high = plate.held_at_high();
+  return si<Length>((node(high ? 1 : 0) - plate.at(high ? plate.low : plate.high)).norm());
+}
+
+std::optional<PathSection> judged_path_at(const Project& project,
+                                          const std::vector<BendingZone>& zones,
+                                          const Station& station) {
+  const Section section = judged_section_at(project, station);
+  const ThinWalled* const path = path_in(section);
+  if (path == nullptr) return std::nullopt;
+  auto of = path_section_of(*path, materials_of(project, segment_at(project.beam, station)));
+  if (!of) return of;
+  of->length = supported_length_at(project, station);
+  for (const PathPlate& plate : of->plates) {
+    const auto share = [&](BendingAxis axis) {
+      const auto lag =
+          plate_lag_at(zones, station, axis, lagging_width_of(*of, plate), plate.thickness);
+      return lag ? ultimate_share_of(*lag) : 1.0;
+    };
+    of->lag.push_back({share(BendingAxis::y), share(BendingAxis::z)});
+  }
+  return of;
+}
+
+SlenderPath slender_path_of(const ThinWalled& profile, const PathSection& path, const Taper& taper,
+                            std::optional<Length> panel_length, double gamma_M1,
+                            const std::vector<PathPlate>& looked_at) {
+  SlenderPath of{EffectivePath(path), {}, {}, {}};
+  of.plastic = PlasticBox::of_path(of.section);
+  const auto is = [&](const ShearedWall& wall, const auto& what) {
+    return std::any_of(looked_at.begin(), looked_at.end(), [&](const PathPlate& plate) {
+      return plate.name == wall.name && what(plate);
+    });
+  };
+  of.sheared = sheared_walls_of(profile, path, taper, false);
+  for (ShearedWall& wall : of.sheared) {
+    wall.panel.length = panel_length;
+    wall.resists = shear_resistance_of(wall.panel, gamma_M1);
+    wall.may_buckle = is(wall, [](const PathPlate& plate) {
+      return shear_buckling_need(plate.clear(), plate.thickness, plate.class_strength,
+                                 shear_hardening_factor(plate.class_strength))
+          .check_needed();
+    });
+  }
+  of.outstands = sheared_walls_of(profile, path, taper, true);
+  std::erase_if(of.outstands, [&](const ShearedWall& wall) {
+    return !is(wall, [](const PathPlate& plate) { return may_buckle(plate); });
+  });
+  return of;
+}
+
+double sheared_share(const ShearedWall& outstand, const CutForces& cut) {
+  const ShearPanel& panel = outstand.panel;
+  return outstand.force_of(cut) /
+         (panel.yield_strength * panel.depth * panel.thickness / std::numbers::sqrt3);
+}
+
+std::string sheared_outstand_text(double share) {
+  return fmt::format(
+      "it has a free edge, is beyond class 3 and bears shear, {:.3g} of what makes it yield: its "
+      "buckling under that is not judged (EN 1993-1-5, clause 5, is for plates between flanges)",
+      share);
+}
+
+std::string section_obstacle(const EffectivePath& of) {
+  const std::string why = widths_obstacle(of.path().plates);
+  if (!why.empty()) return why;
+  if (!of.settled()) return "its effective section does not settle step by step (4.4)";
+  return induced_buckling(of);
+}
+
 std::string path_obstacle(const Project& project, const Station& station) {
   const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
   const std::vector<PathPlate> ends = plates_around(project, station);
   if (ends.empty()) return "a profile inside another shares its buckling";
-  for (const PathPlate& plate : ends) {
-    const std::string why = may_buckle(plate) ? width_obstacle(plate) : "";
-    if (!why.empty()) return why;
-  }
+  if (const std::string why = widths_obstacle(ends); !why.empty()) return why;
   if (project.strength.plates == PlateRoute::reduced_stresses)
     return "reduced stresses are for boxes: write plates = \"effective widths\" under [strength]";
   constexpr double steepest = 10.0;
   if (const double slope = path_slope_of(segment); slope > steepest)
     return fmt::format("its walls are inclined by {:.3g} deg, above 10 deg (2.3)", slope);
-  const auto path = judged_path_at(project, station);
+  const auto path = judged_path_at(project, {}, station);
   if (!path) return "a wall is thicker than its steel has a strength for";
-  const EffectivePath of(*path);
-  if (!of.settled()) return "its effective section does not settle step by step (4.4)";
-  return is_slender(ends) ? induced_buckling(of) : "";
+  return section_obstacle(EffectivePath(*path));
 }
 
-std::shared_ptr<const SlenderPath> slender_path_at(const Project& project, const Station& station) {
+std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
+                                                   const std::vector<BendingZone>& zones,
+                                                   const Station& station) {
   const std::vector<PathPlate> ends = plates_around(project, station);
   if (!is_slender(ends) || !path_obstacle(project, station).empty()) return nullptr;
   const Section section = judged_section_at(project, station);
-  const PathSection path = *judged_path_at(project, station);
-  auto of = std::make_shared<SlenderPath>(SlenderPath{EffectivePath(path), {}, {}, {}});
-  of->plastic = PlasticBox::of_path(of->section);
-  const Taper taper = taper_at(project.beam, station);
-  of->sheared = sheared_walls_of(*path_in(section), path, taper, false);
-  of->outstands = sheared_walls_of(*path_in(section), path, taper, true);
-  std::erase_if(of->outstands, [&](const ShearedWall& wall) {
-    return std::none_of(ends.begin(), ends.end(), [&](const PathPlate& plate) {
-      return plate.name == wall.name && may_buckle(plate);
-    });
-  });
-  const std::optional<Length> length = panel_length_at(project.beam, station);
-  for (ShearedWall& wall : of->sheared) {
-    wall.panel.length = length;
-    wall.resists = shear_resistance_of(wall.panel, project.strength.gamma_M1);
-    wall.may_buckle = std::any_of(ends.begin(), ends.end(), [&](const PathPlate& plate) {
-      return plate.name == wall.name &&
-             shear_buckling_need(plate.clear(), plate.thickness, plate.class_strength,
-                                 shear_hardening_factor(plate.class_strength))
-                 .check_needed();
-    });
-  }
-  return of;
+  return std::make_shared<SlenderPath>(slender_path_of(
+      *path_in(section), *judged_path_at(project, zones, station), taper_at(project.beam, station),
+      panel_length_at(project.beam, station), project.strength.gamma_M1, ends));
 }
 
 Utilisations path_uses_of(const Project& project, const SlenderPath& path,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "boxbeam/strength/effective_width.hpp"
 #include "boxbeam/strength/section_class.hpp"
@@ -104,7 +103,7 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPlates
 
 void PlateGates::look_at_slender(const std::string& segment, const SlenderPath& path,
                                  const std::vector<SituationHistory>& histories) {
-  constexpr double never_breathes = 120.0, hardly_sheared = 0.1;
+  constexpr double never_breathes = 120.0;
   const StrengthDemand& strength = project_->strength;
   const PathSection& section = path.section.path();
   for (const PathPlate& plate : section.plates) {
@@ -143,24 +142,14 @@ void PlateGates::look_at_slender(const std::string& segment, const SlenderPath& 
   }
   // A flange of an I has a little of it beside its web, the stem of a T all.
   for (const ShearedWall& wall : path.outstands) {
-    const Force yields =
-        wall.panel.yield_strength * wall.panel.depth * wall.panel.thickness / std::numbers::sqrt3;
     double most = 0.0;
     for (const SituationHistory& of : histories) {
       const double factor = strength.required * of.situation->load_factor * strength.gamma_M0;
       for (const CutForces& cut : of.history.samples())
-        most = std::max(most, factor * (wall.force_of(cut) / yields).value());
+        most = std::max(most, factor * sheared_share(wall, cut));
     }
     if (most <= hardly_sheared) continue;
-    add("sheared outstand",
-        {segment, wall.name,
-         fmt::format(
-             "it has a free edge, is beyond class 3 and bears shear, {:.3g} of what makes it "
-             "yield: its buckling under that is not judged (EN 1993-1-5, clause 5, is for "
-             "plates between flanges)",
-             most),
-         true},
-        most);
+    add("sheared outstand", {segment, wall.name, sheared_outstand_text(most), true}, most);
   }
 }
 

@@ -124,7 +124,7 @@ class AlongBeam {
       for (std::size_t k = 0; k < plate_criteria.size(); ++k)
         values[k] = uses.of(plate_criteria[k]);
     }
-    if (const auto path = slender_path_at(*project_, station)) {
+    if (const auto path = slender_path_at(*project_, *zones_, station)) {
       const Utilisations uses = path_uses_of(*project_, *path, samples);
       for (std::size_t k = 0; k < plate_criteria.size(); ++k)
         values[k] = uses.of(plate_criteria[k]);

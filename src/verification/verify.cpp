@@ -128,9 +128,10 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
   leave_out_without_effect(beam.checks);
   NeighbourChecks neighbours = check_neighbours(project, runs);
 
-  std::vector<CheckResult> checks =
-      all_checks(std::move(beam.checks), neighbours, check_member(project, model.second_order),
-                 check_deflection(project, runs));
+  const auto twisting = twisting_load_of(project, runs, model.second_order);
+  std::vector<CheckResult> checks = all_checks(std::move(beam.checks), neighbours,
+                                               check_member(project, model.second_order, twisting),
+                                               check_deflection(project, runs));
   require_numbers(beam.stations, checks, model);
   sort_worst_first(checks);
   sort_worst_first(beam.beside);
@@ -139,12 +140,9 @@ Verification judge(const Project& project, const std::deque<SituationRun>& runs,
   append(material_gates_of(project), gates);
   append(stability_gates_of(project, runs), gates);
   append(distortion_gates_of(project, distortion.estimates, checks), gates);
-  Twisting twisting = look_at_twisting(project, runs, model.second_order);
-  append(std::move(twisting.gates), gates);
   std::vector<NotJudged> not_judged =
       not_judged_in(project, checks, std::move(neighbours.not_judged));
   append(std::move(patches.not_judged), not_judged);
-  append(std::move(twisting.not_judged), not_judged);
 
   std::vector<MotionSummary> motions = motion_summaries_of(project, runs);
   std::vector<CriticalInstant> instants = critical_instants_of(project, beam.stations, checks);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxbeam/core/derivation.hpp"
 #include "catch.hpp"
 
 namespace compressed_section_test {
@@ -115,6 +116,31 @@ TEST_CASE("what cannot be judged says so, with its reason") {
   Box stiffened = symmetric_box(mm(200), mm(200), mm(12), mm(12));
   stiffened.stiffeners = {{BoxPlate::top_flange, mm(0), mm(100), mm(5)}};
   says(reason(stiffened), "stiffener 1: c/t = 20");
+}
+
+TEST_CASE("a box of thin walls bears what the box bears, unlike ones say why they are not judged") {
+  const auto as_path = [](double left) {
+    // Mid-lines of a box of 600 x 400, plates of 4 mm, walls as long as its plates are.
+    ThinWalled path{
+        {{mm(298), mm(198)}, {mm(-298), mm(198)}, {mm(298), mm(-198)}, {mm(-298), mm(-198)}}, {}};
+    path.walls = {{0, 1, mm(4), mm(-2), mm(-2)},
+                  {2, 3, mm(4), mm(-2), mm(-2)},
+                  {0, 2, mm(left), mm(2), mm(2)},
+                  {1, 3, mm(4), mm(2), mm(2)}};
+    return path;
+  };
+  const CompressedSection box = section_of(symmetric_box(mm(600), mm(400), mm(4), mm(4)));
+  const CompressedSection path = section_of(as_path(4.0));
+  REQUIRE(box.class_4);
+  CHECK(path.class_4);
+  CHECK(path.obstacle.empty());
+  CHECK(path.area.value() == Approx(box.area.value()).epsilon(1e-9));
+  CHECK(path.effective.value() == Approx(box.effective.value()).epsilon(1e-9));
+  Derivation steps;
+  CHECK(derive_effective_area(steps, path, si<Stress>(f_y)).value() ==
+        Approx(path.effective.value()).epsilon(1e-9));
+  const CompressedSection unlike = section_of(as_path(6.0));
+  CHECK(unlike.obstacle.find("centroid moves") != std::string::npos);
 }
 
 TEST_CASE("a nested profile is judged as well as the one around it") {

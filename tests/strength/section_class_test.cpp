@@ -43,6 +43,18 @@ TEST_CASE("internal parts: bending with axial force, by hand") {
   check_limits(internal_part_limits(0.4, -4.0, 1.0), 90.0, 103.75, 620.0);
 }
 
+TEST_CASE("outstand parts: under a gradient of stress, by hand") {
+  const LargestCompression tip = LargestCompression::at_tip,
+                           support = LargestCompression::at_support;
+  for (const LargestCompression where : {tip, support})
+    check_limits(outstand_part_limits(1.0, 1.0, where, 1.0), 9.0, 10.0, 14.0);
+  // Half of it pressed: k_sigma = 0.57 + 0.21 + 0.07 at the tip, 1.7 + 5 + 17.1 at the support.
+  check_limits(outstand_part_limits(0.5, -1.0, tip, 0.81), 0.81 * 18.0, 0.81 * 20.0,
+               0.81 * 21.0 * std::sqrt(0.85));
+  check_limits(outstand_part_limits(0.5, -1.0, support, 0.81), 0.81 * 18.0 * std::sqrt(2.0),
+               0.81 * 20.0 * std::sqrt(2.0), 0.81 * 21.0 * std::sqrt(23.8));
+}
+
 TEST_CASE("internal parts: a part in tension is never slender") {
   const ClassLimits limits = internal_part_limits(0.0, -infinity, 0.81);
   CHECK(limits.class_1 == infinity);

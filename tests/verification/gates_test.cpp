@@ -177,10 +177,13 @@ TEST_CASE("a web in even compression: 42 eps, with eps by its stress") {
     CHECK(contains(gate.finding, "rho = 0.783"));
     CHECK(contains(gate.finding, "hole \"h\" is wider than 0.05 of its plate"));
   }
-  // 5.5.2(10): where the member may buckle, table 5.2 as it is, and no effective section.
+  // 5.5.2(10): where the member may buckle, table 5.2 as it is; with an effective section it is
+  // judged as a member by that.
   ModelChoice slender_member;
   slender_member.second_order.in_plane.part = 0.05;
-  CHECK(gates_under(0.1, slender_member, false).size() == 2);
+  CHECK(gates_under(0.1, slender_member, false).empty());
+  CHECK(gates_under(0.1, {}, true).empty());
+  CHECK(gates_under(0.1, slender_member, true).size() == 2);
 }
 
 TEST_CASE("a web too slender in bending is of class 4 under its actual stress") {

@@ -23,6 +23,10 @@ struct PathSection {
   std::vector<Stress> yield_strengths;  ///< likewise
   /// Between supports across all of them; nothing: so long that they do not help.
   std::optional<Length> length = {};
+  /// By plate: what shear lag leaves of its width where the beam bends about y and about z at the
+  /// ultimate limit state, beta^kappa >= beta; empty: all of it. Source: EN 1993-1-5:2006, 3.3,
+  /// note 3.
+  std::vector<std::array<double, 2>> lag = {};
 };
 
 /// Nothing where a wall is thicker than its material's table goes. The length is left open.
@@ -37,6 +41,7 @@ struct PlateAlone {
   bool pressed = false;       ///< an edge is compressed; otherwise all of it works
   bool more_at_high = false;  ///< the end of the larger compression
   EffectiveWidth width;       ///< of its compressed width, where it is pressed
+  double lag = 1.0;           ///< what shear lag leaves of the width that would work
   double idle_low = 0.0, idle_high = 0.0;  ///< what does not work, along the plate [m]
 
   double idle() const { return idle_high - idle_low; }
@@ -66,8 +71,10 @@ struct PathAlone {
 ///                  pass. More passes take both from the section before, until no psi changes by
 ///                  more than 1e-10.
 ///
-/// `coupled`: by the stress of unsymmetric bending in place of that of each axis by itself. Source:
-/// EN 1993-1-5:2006, 4.3, 4.4.
+/// What shear lag takes of plates along the axis of bending, it takes beside what does not work, or
+/// in the middle of an internal plate and from the free end of an outstand on. `coupled`: by the
+/// stress of unsymmetric bending in place of that of each axis by itself. Source: EN
+/// 1993-1-5:2006, 4.3, 4.4.
 PathAlone path_alone(const PathSection& path, ActingAlone acting, bool coupled = false,
                      int most_passes = 60);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "boxbeam/core/units.hpp"
+#include "boxbeam/strength/effective_width.hpp"
 
 namespace boxbeam {
 
@@ -36,6 +37,19 @@ ClassLimits internal_part_limits(double alpha, double psi, double epsilon);
 /// Limits of c/t of an outstand flange in even compression: 9, 10 and 14 eps.
 /// Source: EN 1993-1-1:2005, table 5.2, sheet 2.
 ClassLimits outstand_flange_limits(double epsilon);
+
+/// Limits of c/t of an outstand part under linear stress.
+///
+///     class 1, 2:  largest compression at the tip: 9, 10 eps/alpha, at the support: 9, 10
+///                  eps/(alpha sqrt(alpha))
+///     class 3:     even compression: 14 eps, else 21 eps sqrt(k_sigma)
+///
+/// alpha  share of the part in compression when the section is fully plastic, 0 to 1
+/// psi    as of the buckling factor: -3 (tip), -1 (support) to 1
+///
+/// Source: EN 1993-1-1:2005, table 5.2, sheet 2; k_sigma of EN 1993-1-5, table 4.2.
+ClassLimits outstand_part_limits(double alpha, double psi, LargestCompression where,
+                                 double epsilon);
 
 /// Limits of d/t of a round tube in bending or compression: 50, 70 and 90 eps^2.
 /// Source: EN 1993-1-1:2005, table 5.2, sheet 3.

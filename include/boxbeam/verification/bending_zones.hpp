@@ -46,6 +46,16 @@ struct ShearLag : WidePlate {  ///< b_0: half of the width between the middles o
 std::optional<ShearLag> shear_lag_at(const std::vector<BendingZone>& zones, const Section& section,
                                      const Station& station, BendingAxis axis = BendingAxis::y);
 
+/// Shear lag of a plate of any profile at a station, where the beam bends about an axis; nothing
+/// where it does not count. `flange_part` is left open.
+std::optional<ShearLag> plate_lag_at(const std::vector<BendingZone>& zones, const Station& station,
+                                     BendingAxis axis, Length b_0, Length thickness,
+                                     Area stiffeners = {});
+
+/// What it leaves at the ultimate limit state, beta^kappa >= beta. Source: EN 1993-1-5:2006, 3.3,
+/// note 3.
+double ultimate_share_of(const ShearLag& lag);
+
 /// Shear lag of both bendings at a place. One effective section serves both: what is idle in the
 /// flanges under M_y and what is idle in the webs under M_z is left out of it together. Each plate
 /// is the web of the other bending and would there be whole, and either reduction alone lowers both

@@ -116,8 +116,10 @@ struct PatchBasis {
   Force resistance;
   /// Which the stress of the beam there is by: its effective sections, whole where none buckles.
   std::shared_ptr<const EffectiveBox> box;
+  std::shared_ptr<const EffectivePath> path = {};  ///< of paths, in its place
   CutForces cut;
   CornerUse corner;
+  PathUse place = {};  ///< of paths
   double load_factor = 1.0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "boxbeam/verification/checks.hpp"
@@ -7,9 +8,11 @@
 
 namespace boxbeam {
 
-/// The beam as a member: flexural buckling in the plane and across it, lateral torsional buckling,
-/// each where it counts (N/N_cr, M/M_cr above 0.04) and does not stop the verdict (1.0). By the
-/// largest of what acts anywhere at any instant (`flexural_use`, `lateral_use`), curves c and d.
-std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate);
+/// The beam as a member: flexural buckling in the plane and across it, by twisting, lateral
+/// torsional buckling, each where it counts (N/N_cr, M/M_cr above 0.04) and does not stop the
+/// verdict (1.0). By the largest of what acts anywhere at any instant (`flexural_use`,
+/// `lateral_use`), curves c and d. `twisting`: of open beams (`twisting_load_of`).
+std::vector<CheckResult> check_member(const Project& project, const SecondOrderEstimate& estimate,
+                                      const std::optional<BucklingLoad>& twisting);
 
 }  // namespace boxbeam

@@ -1,26 +1,23 @@
 #pragma once
 
 #include <deque>
-#include <vector>
+#include <optional>
 
-#include "boxbeam/verification/gates.hpp"
 #include "boxbeam/verification/second_order_estimate.hpp"
 #include "boxbeam/verification/situation_run.hpp"
 
 namespace boxbeam {
 
-/// What is said of open thin-walled beams that may buckle by twisting under compression.
-struct Twisting {
-  std::vector<Gate> gates;
-  std::vector<NotJudged> not_judged;
-};
-
-/// Compares the compression of open thin-walled segments with G I_T/i_0^2, i_0 about the shear
-/// centre: the load at which they buckle by twisting alone is above that by what warping resists.
-/// Where N is more than 0.04 of it and more than bending sideways leaves of its own critical load,
-/// the verdict says that this is not judged; where walls may buckle, too, it is kept back. Source:
-/// EN 1993-1-1:2005, 6.3.1.4; Timoshenko, Gere, Theory of Elastic Stability (1961), section 5.4.
-Twisting look_at_twisting(const Project& project, const std::deque<SituationRun>& runs,
-                          const SecondOrderEstimate& estimate);
+/// N/N_cr of beams of open thin walls under compression, bending both ways and twisting at once,
+/// where it is above `no_buckling_below` and above that of bending alone.
+///
+/// By the largest compression of each open segment at any instant, the length between places held
+/// against turning that it reaches over (beyond the outermost, and where there is but one, warping
+/// resists nothing), the weakest of its sections, and the largest N/N_cr of bending, each on the
+/// safe side. Source: EN 1993-1-1:2005, 6.3.1.4; Timoshenko, Gere, Theory of Elastic Stability
+/// (1961), section 5.4.
+std::optional<BucklingLoad> twisting_load_of(const Project& project,
+                                             const std::deque<SituationRun>& runs,
+                                             const SecondOrderEstimate& estimate);
 
 }  // namespace boxbeam

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxbeam/strength/effective_path.hpp"
+#include "boxbeam/strength/patch_loading.hpp"
+#include "patch_search.hpp"
+
+namespace boxbeam {
+
+/// A wall of a path into which a flange leads forces across the beam.
+struct PathWeb {
+  const PathPlate* plate = nullptr;
+  Length place;          ///< of its mid-line, across the force
+  PatchedWeb bears;      ///< far from an end, under no force yet
+  bool slender = false;  ///< it may buckle in shear
+};
+
+/// The walls of a path that bear forces along z, or along y, between two flanges.
+struct PathWebs {
+  std::vector<PathWeb> webs;  ///< one, or two from the higher place on
+  std::string obstacle;       ///< why it is not judged what they bear; "" where it is
+};
+
+/// One or two walls square to the flanges at both their ends, between the same two levels.
+/// `onto_high`: the forces push onto the flange at the higher end. The flange is as wide as the
+/// plates that meet the wall there: outstands, and half of those that lead on to another one.
+/// Source: EN 1993-1-5:2006, 6.1, 6.5.
+PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high);
+
+/// The place of a force across its own direction, by its couple.
+Length place_of(const Patch& patch);
+
+}  // namespace boxbeam

@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "boxbeam/strength/shear_buckling.hpp"
+#include "boxbeam/verification/slender_path.hpp"
+#include "patched_path.hpp"
+#include "plate_panels.hpp"
+
+namespace boxbeam {
+namespace {
+
+/// What is less than that, over a length of the section, is round-off.
+constexpr double flat = 1e-9;
+
+/// Whether a plate bears forces as a web does; an obstacle where it does so unlike one.
+bool is_web(const PathPlate& plate, Eigen::Index along, std::string& obstacle) {
+  if (plate.outstand()) return false;
+  if (!plate.straight) {
+    obstacle = plate.name + " is folded";
+    return false;
+  }
+  if (std::abs(plate.direction[along]) <= flat) return false;
+  if (std::abs(plate.direction[1 - along]) > flat)
+    obstacle = plate.name + " is inclined";
+  else if (plate.ribbed)
+    obstacle = "a rib stands on " + plate.name;
+  return obstacle.empty();
+}
+
+/// The flange at an end of a wall, as far as it is the wall's; "" or why it leads nothing in.
+std::string lead_by_flange(const PathSection& path, const PathPlate& wall, std::size_t end,
+                           Eigen::Index along, PatchedWeb& web) {
+  std::vector<Length> widths;
+  for (const PathPlate& of : path.plates) {
+    const bool meets = of.nodes[0] == wall.nodes[end] || of.nodes[1] == wall.nodes[end];
+    // What reaches no farther than the face of what it stands on leads nothing.
+    if (&of == &wall || !meets || of.clear() < flat * wall.clear()) continue;
+    if (!of.straight || std::abs(of.direction[along]) > flat)
+      return fmt::format("{} is no flange square to {}", of.name, wall.name);
+    widths.push_back((of.outstand() ? 1.0 : 0.5) * of.clear());
+    const bool first = widths.size() == 1;
+    web.flange_thickness = first ? of.thickness : std::min(web.flange_thickness, of.thickness);
+    web.flange_strength =
+        first ? of.yield_strength : std::min(web.flange_strength, of.yield_strength);
+  }
+  if (widths.empty()) return "no flange leads it into " + wall.name;
+  web.flange_inside = widths[0];
+  if (widths.size() > 1) web.flange_outside = widths[1];
+  return "";
+}
+
+}  // namespace
+
+PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
+  const Eigen::Index along = along_z ? 1 : 0;
+  const double near = flat * std::sqrt(path.gross.area);
+  PathWebs found;
+  std::pair<double, double> levels;
+  for (const PathPlate& plate : path.plates) {
+    if (!is_web(plate, along, found.obstacle)) {
+      if (!found.obstacle.empty()) return found;
+      continue;
+    }
+    const double a = plate.at(plate.low)[along], b = plate.at(plate.high)[along];
+    const std::pair<double, double> own = std::minmax(a, b);
+    if (found.webs.empty()) levels = own;
+    if (std::abs(own.first - levels.first) > near || std::abs(own.second - levels.second) > near) {
+      found.obstacle = "its webs stand at unlike levels";
+      return found;
+    }
+    PathWeb& of = found.webs.emplace_back();
+    of.plate = &plate;
+    of.place = si<Length>(plate.at(plate.low)[1 - along]);
+    of.bears.depth = plate.clear();
+    of.bears.thickness = plate.thickness;
+    of.bears.yield_strength = plate.yield_strength;
+    of.slender = shear_buckling_need(plate.clear(), plate.thickness, plate.class_strength,
+                                     shear_hardening_factor(plate.class_strength))
+                     .check_needed();
+    const std::size_t end = (b > a) == onto_high ? 1 : 0;
+    for (const std::size_t k : {1 - end, end}) {
+      found.obstacle = lead_by_flange(path, plate, k, along, of.bears);
+      if (!found.obstacle.empty()) return found;
+    }
+  }
+  if (found.webs.empty())
+    found.obstacle =
+        fmt::format("no wall along {} between two flanges bears it", along_z ? "z" : "y");
+  else if (found.webs.size() > 2)
+    found.obstacle = fmt::format("{} walls share it", found.webs.size());
+  std::sort(found.webs.begin(), found.webs.end(),
+            [](const PathWeb& a, const PathWeb& b) { return a.place > b.place; });
+  return found;
+}
+
+Length place_of(const Patch& patch) {
+  // M_x = y F_z - z F_y.
+  return (patch.along_z ? 1.0 : -1.0) * patch.couple / patch.force;
+}
+
+std::string PatchSearch::path_obstacle_of(const Patch& patch, const PathWebs& of) const {
+  if (!of.obstacle.empty()) return of.obstacle;
+  // In the plane forces act in that of the web.
+  if (!project_->in_space && of.webs.size() == 1) return "";
+  const PathWeb &first = of.webs.front(), &last = of.webs.back();
+  const Length at = place_of(patch);
+  const Length above = at - first.place - 0.5 * first.bears.thickness;
+  const Length below = last.place - at - 0.5 * last.bears.thickness;
+  const Length beside = std::max(above, below);
+  if (!(beside > flat * first.bears.depth)) return "";
+  return fmt::format("it comes in {:.3g} mm beside {}, onto a flange that it bends",
+                     1e3 * beside.value(), (above > below ? first : last).plate->name);
+}
+
+std::optional<PatchSearch::OnPath> PatchSearch::unjudged_on_path(const Patch& patch) {
+  std::optional<OnPath> found;
+  for (const Side side : {Side::before, Side::behind}) {
+    if (side == Side::before ? patch.s == Length{} : patch.s == project_->beam.length()) continue;
+    const Station station{patch.s, side};
+    const bool slender = slender_[segment_at(project_->beam, station)].path;
+    const bool asked = patch.given && patch.diaphragm == nullptr;
+    const JudgedSection& judged = judged_at(station);
+    if (!judged.path || !(slender || asked)) continue;
+    const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
+    const std::string why = path_obstacle_of(patch, of);
+    const bool column = why.empty() && of.webs.size() == 2;
+    if (patch.diaphragm != nullptr ? column : why.empty()) continue;
+    if (!found || patch.diaphragm == nullptr) found = {patch.diaphragm == nullptr, why};
+  }
+  return found;
+}
+
+std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& station,
+                                             const JudgedSection& judged,
+                                             const CutForces& cut) const {
+  std::vector<Borne> ways;
+  const PathWebs of = webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{});
+  if (!path_obstacle_of(patch, of).empty()) return ways;
+  const Slender& here = slender_[segment_at(project_->beam, station)];
+  if (!patch.given && !(patch.along_z ? here.web_along_z : here.web_along_y)) return ways;
+  Borne borne;
+  PatchBasis& basis = borne.basis;
+  basis.force = abs(patch.force);
+  basis.path = judged.path;
+  basis.cut = cut;
+  basis.place = judged.path->worst_place(cut);
+  const PathWeb &first = of.webs.front(), &last = of.webs.back();
+  const Length between = first.place - last.place;
+  for (const PathWeb& web : of.webs) {
+    basis.share = 1.0;
+    if (of.webs.size() == 2) {
+      const double by_first = ((place_of(patch) - last.place) / between).value();
+      basis.share = std::abs(&web == &first ? by_first : 1.0 - by_first);
+    }
+    borne.wall = web.plate->name;
+    if (patch.diaphragm != nullptr) {
+      if (of.webs.size() != 2) continue;
+      const Length inside = between - 0.5 * (first.bears.thickness + last.bears.thickness);
+      const BearingStiffener stiffener =
+          stiffener_of(web.bears.depth, web.bears.thickness, web.bears.yield_strength, inside,
+                       *patch.diaphragm, station);
+      basis.resistance = bearing_resistance_of(stiffener, project_->strength.gamma_M1);
+      basis.bears = stiffener;
+      ways.push_back(borne);
+      continue;
+    }
+    for (const PatchedWeb& way : in_every_way(web_under(web.bears, patch, station), patch)) {
+      bear_by_effective_widths(way, basis);
+      ways.push_back(borne);
+    }
+  }
+  return ways;
+}
+
+Length PatchSearch::depth_of_path(const Patch& patch, const JudgedSection& judged) {
+  if (!judged.path) return {};
+  const std::vector<PathWeb> webs =
+      webs_of_path(judged.path->path(), patch.along_z, patch.force < Force{}).webs;
+  return webs.empty() ? Length{} : webs.front().bears.depth;
+}
+
+void PatchSearch::look_at_path(const Station& station, Slender& of) {
+  if (!slender_path_at(*project_, {}, station)) return;
+  of.path = of.along_y = of.along_z = true;
+  const PathSection path = *judged_path_at(*project_, {}, station);
+  const auto slender = [&](bool along_z) {
+    const std::vector<PathWeb> webs = webs_of_path(path, along_z, true).webs;
+    return std::any_of(webs.begin(), webs.end(), [](const PathWeb& web) { return web.slender; });
+  };
+  of.web_along_z = of.web_along_z || slender(true);
+  of.web_along_y = of.web_along_y || slender(false);
+}
+
+PatchSearch::PathTorque PatchSearch::torque_into_path(const BeamLoads& loads) const {
+  PathTorque most;
+  for (const PointLoad& load : loads.points) {
+    const Length s = std::clamp(load.s, Length{}, project_->beam.length());
+    const auto is_closed = [&](Side side) {
+      const Slender& of = slender_[segment_at(project_->beam, {s, side})];
+      return of.path && of.closed;
+    };
+    const Moment torque = si<Moment>(std::abs(load.moment.x()));
+    if (!(torque > most.torque) || diaphragm_at(s) != nullptr) continue;
+    if (is_closed(Side::both) || (s.value() > 0.0 && is_closed(Side::before))) most = {s, torque};
+  }
+  return most;
+}
+
+}  // namespace boxbeam
