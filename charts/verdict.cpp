@@ -47,6 +47,7 @@ class VerdictChart {
     chart_.error = "relative error of the governing factor";
     chart_.reference = fmt::format("{}: {:.4f}", by, factor_);
     chart_.unit = "verification of the case, read and without report";
+    chart_.floor = {reference_tolerance, "what the reference is sure of"};
     chart_.needed_low = 1e-3;
     chart_.needed_high = tolerance;
   }
@@ -57,8 +58,8 @@ class VerdictChart {
            bool is_default = false) {
     Trial trial;
     try {
-      constexpr double least = 1e-16;
-      const double error = std::max(least, std::abs(governing_of(project) / factor_ - 1.0));
+      const double error =
+          std::max(reference_tolerance, std::abs(governing_of(project) / factor_ - 1.0));
       trial = {{setting, parameter, {}, {}, error, "", is_default},
                [project] { keep(governing_of(project)); }};
     } catch (const AnalysisError& error) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 
@@ -109,21 +108,18 @@ double compression_of(const CutForceDiagram& diagram) {
   return most;
 }
 
-/// Instants spread over the time, and those of largest compression; ascending.
+/// Instants spread over the time, and those of largest compression. The most compressed first: of
+/// the others it is then mostly enough to know that they are not nearer to buckling.
 std::vector<std::size_t> instants_of(const LoadHistory& history) {
-  std::vector<std::pair<double, std::size_t>> compressions;
-  for (std::size_t i = 0; i < history.instants(); ++i) {
-    compressions.emplace_back(compression_of(history.diagram(i)), i);
-  }
-  std::vector<std::size_t> instants;
+  std::vector<std::pair<double, std::size_t>> pressed;
+  for (std::size_t i = 0; i < history.instants(); ++i)
+    pressed.emplace_back(compression_of(history.diagram(i)), i);
+  std::stable_sort(pressed.begin(), pressed.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   const std::size_t step = std::max<std::size_t>(1, history.instants() / spread);
-  for (std::size_t i = 0; i < history.instants(); i += step) instants.push_back(i);
-  const std::size_t count = std::min(peaks, compressions.size());
-  std::partial_sort(compressions.begin(), compressions.begin() + static_cast<std::ptrdiff_t>(count),
-                    compressions.end(), std::greater<>());
-  for (std::size_t i = 0; i < count; ++i) instants.push_back(compressions[i].second);
-  std::sort(instants.begin(), instants.end());
-  instants.erase(std::unique(instants.begin(), instants.end()), instants.end());
+  std::vector<std::size_t> instants;
+  for (std::size_t k = 0; k < pressed.size(); ++k)
+    if (k < peaks || pressed[k].second % step == 0) instants.push_back(pressed[k].second);
   return instants;
 }
 
