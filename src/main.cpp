@@ -2,7 +2,6 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <functional>
@@ -18,6 +17,7 @@
 #include "program/command_line.hpp"
 #include "program/compare_command.hpp"
 #include "program/completion.hpp"
+#include "program/entries.hpp"
 #include "program/exit_code.hpp"
 #include "program/explain_command.hpp"
 #include "program/failures.hpp"
@@ -25,11 +25,7 @@
 #include "program/init_command.hpp"
 #include "program/manual.hpp"
 #include "program/motion_command.hpp"
-#include "program/optimise_command.hpp"
-#include "program/reliability_command.hpp"
 #include "program/section_command.hpp"
-#include "program/solve_command.hpp"
-#include "program/sweep_command.hpp"
 #include "program/terminal.hpp"
 #include "program/validate_command.hpp"
 #include "program/verify_command.hpp"
@@ -42,98 +38,12 @@ namespace {
 using namespace boxbeam;
 using namespace boxbeam::program;
 
-/// A command: what parses it, how it is called, and what it does.
-struct Entry {
-  CLI::App* app;
-  std::vector<std::string> examples;
-  std::function<int()> run;
-};
-
-/// A number as text, whole and without unit.
-std::optional<double> number_in(const std::string& text) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-/// What is wrong with the value of --tolerance, or nothing.
-std::string tolerance_trouble(const std::string& text) {
-  const std::optional<double> fraction = number_in(text);
-  if (fraction && *fraction >= 1e-9 && *fraction < 1.0) return "";
-  return "\"" + text + "\" is no tolerance; write a fraction, for example 0.01 for 1 %";
-}
-
 /// What is wrong with the value of --at, or nothing. Farther away the phase of the motion is lost
 /// in the rounding of the period.
 std::string instant_trouble(const std::string& text) {
   const std::optional<double> seconds = number_in(text);
   if (seconds && std::abs(*seconds) <= 1e9) return "";
   return "\"" + text + "\" is no instant; write seconds without unit, for example 1.071";
-}
-
-/// What is wrong with a number on the command line that lies between two others, or nothing. The
-/// text "nan" is a number to a parser, and beyond no limit.
-std::function<std::string(const std::string&)> range_trouble(double low, double high,
-                                                             const char* example) {
-  return [=](const std::string& text) -> std::string {
-    const std::optional<double> number = number_in(text);
-    if (number && *number >= low && *number <= high) return "";
-    return fmt::format("\"{}\" is no number from {:g} to {:g}; write for example {}", text, low,
-                       high, example);
-  };
-}
-
-/// Options of which one value belongs to one mention.
-template <class Value>
-CLI::Option* add_repeated(CLI::App& command, const char* name, std::vector<Value>& values,
-                          const char* says, const char* type) {
-  return command.add_option(name, values, says)->allow_extra_args(false)->type_name(type);
-}
-
-void add_json(CLI::App& command, std::string& file, const char* what, const char* instead) {
-  command
-      .add_option("--json", file,
-                  std::string("also write the ") + what +
-                      " as JSON to this file; - for standard output instead of " + instead)
-      ->type_name("FILE");
-}
-
-CLI::Option* add_choice(CLI::App& command, const char* name, std::string& word,
-                        std::vector<std::string> words, const char* says) {
-  return command.add_option(name, word, says)->check(CLI::IsMember(std::move(words)));
-}
-
-CLI::Option* add_set(CLI::App& command, CaseOptions& options) {
-  return add_repeated(
-      command, "--set", options.set,
-      "override a key of the case, --set bodies.sledge.mass=\"20 t\"; may be repeated",
-      "KEY=VALUE");
-}
-
-/// The case and what may be changed of it.
-void add_case(CLI::App& command, CaseOptions& options) {
-  command.add_option("CASE", options.file, "case file")->required()->type_name("FILE.toml");
-  add_set(command, options);
-}
-
-/// Likewise, of what is verified.
-void add_verified_case(CLI::App& command, CaseOptions& options) {
-  add_case(command, options);
-  command
-      .add_option("--beam", options.beam,
-                  "one of several beams (default: verify all, else the first)")
-      ->type_name("NAME");
-  add_choice(command, "--dynamics", options.dynamics, {"rigorous", "newton-chain"},
-             "where the loads on the beam come from (default: as the case says)");
-  add_choice(command, "--model", options.model, {"auto", "rigid", "flexible"},
-             "auto: the cheapest sufficient one (default: as the case says, else auto)");
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "of --model auto, on the governing stress: 0.01 for 1 % (default: as the case "
-                  "says, else 0.01)")
-      ->check(tolerance_trouble)
-      ->type_name("FRACTION");
 }
 
 Entry verify_entry(CLI::App& app) {
@@ -201,123 +111,6 @@ Entry compare_entry(CLI::App& app) {
   return {&command,
           {"boxbeam compare published.toml thesis.csv --dynamics newton-chain"},
           [options] { return run_compare(*options); }};
-}
-
-Entry solve_entry(CLI::App& app) {
-  const auto options = std::make_shared<SolveOptions>();
-  CLI::App& command = *app.add_subcommand(
-      "solve", "find the values of a key of the case that give a wanted result");
-  add_verified_case(command, options->of_case);
-  command
-      .add_option("--for", options->key,
-                  "key of the case that is looked for: sections.A1.flange, drivers.drive.amplitude")
-      ->required()
-      ->type_name("KEY");
-  command
-      .add_option("--such-that", options->such_that,
-                  "what is wanted, a key of results.json and its value: \"fatigue.safety_factor = "
-                  "2\", \"beam.mass = 2 t\"")
-      ->required()
-      ->type_name("RESULT=VALUE");
-  command
-      .add_option("--between", options->between,
-                  "two values between which to look (default: a quarter of what the case says to "
-                  "four times as much)")
-      ->expected(2)
-      ->type_name("A B");
-  add_json(command, options->json, "values", "the text");
-  return {&command,
-          {"boxbeam solve rig.toml --for sections.A1.flange --such-that \"fatigue.safety_factor = "
-           "2\""},
-          [options] { return run_solve(*options); }};
-}
-
-void add_netcdf(CLI::App& command, bool& netcdf) {
-  command.add_flag("--netcdf", netcdf,
-                   "write the rows as typed columns too, rows.nc: NetCDF-4, which is HDF5");
-}
-
-Entry sweep_entry(CLI::App& app) {
-  const auto options = std::make_shared<SweepOptions>();
-  CLI::App& command = *app.add_subcommand("sweep", "verify all designs of a study");
-  command.add_option("STUDY", options->study, "what changes of which case")
-      ->required()
-      ->type_name("FILE.toml");
-  command
-      .add_option("--out,-o", options->out,
-                  "folder of rows.csv and study.json (default: reports/NAME of the study)")
-      ->type_name("DIR");
-  command
-      .add_option("--threads", options->threads,
-                  "how many designs are verified at once (default: as many as the machine can)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}))
-      ->type_name("NUMBER");
-  command
-      .add_option("--shard", options->shard,
-                  "only this part of the designs: 2/8, the second of eight; boxbeam merge joins "
-                  "them")
-      ->type_name("I/N");
-  command.add_flag("--resume", options->resume, "go on with a study that was broken off");
-  command.add_flag("--quiet,-q", options->quiet, "no progress");
-  add_netcdf(command, options->netcdf);
-  add_json(command, options->json, "summary", "the text");
-  return {&command,
-          {"boxbeam sweep study.toml", "boxbeam sweep study.toml --shard 2/8 --out part2"},
-          [options] { return run_sweep(*options); }};
-}
-
-Entry optimise_entry(CLI::App& app) {
-  const auto options = std::make_shared<OptimiseOptions>();
-  CLI::App& command =
-      *app.add_subcommand("optimise", "look for the design of a study with the least of a result");
-  command.add_option("STUDY", options->study, "what may be chosen, and what is to be least")
-      ->required()
-      ->type_name("FILE.toml");
-  command
-      .add_option("--threads", options->threads,
-                  "how many designs are verified at once (default: as many as the machine can)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}))
-      ->type_name("NUMBER");
-  add_json(command, options->json, "result", "the text");
-  return {&command, {"boxbeam optimise study.toml"}, [options] { return run_optimise(*options); }};
-}
-
-Entry merge_entry(CLI::App& app) {
-  const auto options = std::make_shared<MergeOptions>();
-  CLI::App& command = *app.add_subcommand("merge", "join the parts of a study");
-  command.add_option("DIR", options->folders, "folders of boxbeam sweep --shard")
-      ->required()
-      ->type_name("DIR");
-  command
-      .add_option("--out,-o", options->out,
-                  "folder of rows.csv and study.json (default: the first one)")
-      ->type_name("DIR");
-  add_netcdf(command, options->netcdf);
-  add_json(command, options->json, "summary", "the text");
-  return {&command, {"boxbeam merge part1 part2"}, [options] { return run_merge(*options); }};
-}
-
-Entry reliability_entry(CLI::App& app) {
-  const auto options = std::make_shared<ReliabilityOptions>();
-  CLI::App& command = *app.add_subcommand(
-      "reliability", "find the probability that a case or a formula passes a limit state");
-  command.add_option("STUDY", options->study, "what scatters of which case, and where it fails")
-      ->required()
-      ->type_name("FILE.toml");
-  command
-      .add_option("--out,-o", options->out,
-                  "folder of reliability.json and figures (default: reports/NAME of the study)")
-      ->type_name("DIR");
-  command
-      .add_option("--threads", options->threads,
-                  "how many designs are judged at once (default: as many as the machine can)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}))
-      ->type_name("NUMBER");
-  command.add_flag("--quiet,-q", options->quiet, "no progress");
-  add_json(command, options->json, "result", "the text");
-  return {&command, {"boxbeam reliability study.toml"}, [options] {
-            return run_reliability(*options);
-          }};
 }
 
 Entry schema_entry(CLI::App& app) {

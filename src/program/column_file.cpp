@@ -46,7 +46,7 @@ const NetcdfWriting& netcdf() {
   return library;
 }
 
-double number_in(const std::string& cell) {
+double cell_number(const std::string& cell) {
   double number = std::numeric_limits<double>::quiet_NaN();
   std::from_chars(cell.data(), cell.data() + cell.size(), number);
   return number;
@@ -123,7 +123,7 @@ class ColumnFile {
         check(netcdf().put_whole(id_, variables_[k], &rows_, &count, numbers.data()));
       } else {
         std::vector<double> numbers;
-        for (const std::string& cell : cells_[k]) numbers.push_back(number_in(cell));
+        for (const std::string& cell : cells_[k]) numbers.push_back(cell_number(cell));
         check(netcdf().put_doubles(id_, variables_[k], &rows_, &count, numbers.data()));
       }
       cells_[k].clear();

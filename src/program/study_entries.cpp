@@ -1,0 +1,127 @@
+#include <memory>
+
+#include "program/entries.hpp"
+#include "program/optimise_command.hpp"
+#include "program/reliability_command.hpp"
+#include "program/solve_command.hpp"
+#include "program/sweep_command.hpp"
+
+namespace boxbeam::program {
+namespace {
+
+void add_netcdf(CLI::App& command, bool& netcdf) {
+  command.add_flag("--netcdf", netcdf,
+                   "write the rows as typed columns too, rows.nc: NetCDF-4, which is HDF5");
+}
+
+void add_threads(CLI::App& command, std::size_t& threads) {
+  command
+      .add_option("--threads", threads,
+                  "how many designs are verified at once (default: as many as the machine can)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}))
+      ->type_name("NUMBER");
+}
+
+}  // namespace
+
+Entry solve_entry(CLI::App& app) {
+  const auto options = std::make_shared<SolveOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "solve", "find the values of a key of the case that give a wanted result");
+  add_verified_case(command, options->of_case);
+  command
+      .add_option("--for", options->key,
+                  "key of the case that is looked for: sections.A1.flange, drivers.drive.amplitude")
+      ->required()
+      ->type_name("KEY");
+  command
+      .add_option("--such-that", options->such_that,
+                  "what is wanted, a key of results.json and its value: \"fatigue.safety_factor = "
+                  "2\", \"beam.mass = 2 t\"")
+      ->required()
+      ->type_name("RESULT=VALUE");
+  command
+      .add_option("--between", options->between,
+                  "two values between which to look (default: a quarter of what the case says to "
+                  "four times as much)")
+      ->expected(2)
+      ->type_name("A B");
+  add_json(command, options->json, "values", "the text");
+  return {&command,
+          {"boxbeam solve rig.toml --for sections.A1.flange --such-that \"fatigue.safety_factor = "
+           "2\""},
+          [options] { return run_solve(*options); }};
+}
+
+Entry sweep_entry(CLI::App& app) {
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App& command = *app.add_subcommand("sweep", "verify all designs of a study");
+  command.add_option("STUDY", options->study, "what changes of which case")
+      ->required()
+      ->type_name("FILE.toml");
+  command
+      .add_option("--out,-o", options->out,
+                  "folder of rows.csv and study.json (default: reports/NAME of the study)")
+      ->type_name("DIR");
+  add_threads(command, options->threads);
+  command
+      .add_option("--shard", options->shard,
+                  "only this part of the designs: 2/8, the second of eight; boxbeam merge joins "
+                  "them")
+      ->type_name("I/N");
+  command.add_flag("--resume", options->resume, "go on with a study that was broken off");
+  command.add_flag("--quiet,-q", options->quiet, "no progress");
+  add_netcdf(command, options->netcdf);
+  add_json(command, options->json, "summary", "the text");
+  return {&command,
+          {"boxbeam sweep study.toml", "boxbeam sweep study.toml --shard 2/8 --out part2"},
+          [options] { return run_sweep(*options); }};
+}
+
+Entry optimise_entry(CLI::App& app) {
+  const auto options = std::make_shared<OptimiseOptions>();
+  CLI::App& command =
+      *app.add_subcommand("optimise", "look for the design of a study with the least of a result");
+  command.add_option("STUDY", options->study, "what may be chosen, and what is to be least")
+      ->required()
+      ->type_name("FILE.toml");
+  add_threads(command, options->threads);
+  add_json(command, options->json, "result", "the text");
+  return {&command, {"boxbeam optimise study.toml"}, [options] { return run_optimise(*options); }};
+}
+
+Entry merge_entry(CLI::App& app) {
+  const auto options = std::make_shared<MergeOptions>();
+  CLI::App& command = *app.add_subcommand("merge", "join the parts of a study");
+  command.add_option("DIR", options->folders, "folders of boxbeam sweep --shard")
+      ->required()
+      ->type_name("DIR");
+  command
+      .add_option("--out,-o", options->out,
+                  "folder of rows.csv and study.json (default: the first one)")
+      ->type_name("DIR");
+  add_netcdf(command, options->netcdf);
+  add_json(command, options->json, "summary", "the text");
+  return {&command, {"boxbeam merge part1 part2"}, [options] { return run_merge(*options); }};
+}
+
+Entry reliability_entry(CLI::App& app) {
+  const auto options = std::make_shared<ReliabilityOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "reliability", "find the probability that a case or a formula passes a limit state");
+  command.add_option("STUDY", options->study, "what scatters of which case, and where it fails")
+      ->required()
+      ->type_name("FILE.toml");
+  command
+      .add_option("--out,-o", options->out,
+                  "folder of reliability.json and figures (default: reports/NAME of the study)")
+      ->type_name("DIR");
+  add_threads(command, options->threads);
+  command.add_flag("--quiet,-q", options->quiet, "no progress");
+  add_json(command, options->json, "result", "the text");
+  return {&command, {"boxbeam reliability study.toml"}, [options] {
+            return run_reliability(*options);
+          }};
+}
+
+}  // namespace boxbeam::program
