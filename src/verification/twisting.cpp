@@ -84,6 +84,7 @@ double compression_in(const OpenSegment& of, const CutForceDiagram& diagram) {
 
 /// The longest way between places held against turning that a segment reaches over.
 double length_over(const OpenSegment& of, std::vector<double> held, double beam) {
+  if (held.empty()) return unheld;
   std::sort(held.begin(), held.end());
   const double near = 1e-6 * beam;
   double longest = 0.0;
