@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
-#include <set>
 #include <stdexcept>
 
 #include "boxbeam/core/error.hpp"
-#include "boxbeam/report/result_book.hpp"
 #include "boxbeam/study/design_space.hpp"
 #include "boxbeam/study/named_expression.hpp"
+#include "program/design_numbers.hpp"
 #include "program/design_trial.hpp"
 
 namespace boxbeam::program {
@@ -61,13 +59,11 @@ double largest_use(const std::string& check, const std::vector<VerifiedBeam>& be
 class Judge {
  public:
   Judge(const Study& study, const StudyTransformation& transformation)
-      : study_(&study), transformation_(&transformation) {
-    std::set<std::string> names;
+      : study_(&study),
+        transformation_(&transformation),
+        numbers_(study, study.reliability->expressions) {
     for (const std::string& text : study.reliability->expressions)
-      for (const std::string& name : names_in(text)) names.insert(name);
-    names_.assign(names.begin(), names.end());
-    for (const std::string& text : study.reliability->expressions)
-      expressions_.emplace_back(text, names_);
+      expressions_.emplace_back(text, numbers_.names());
   }
 
   /// Throws InputError and AnalysisError.
@@ -95,41 +91,10 @@ class Judge {
     return response;
   }
 
-  /// Columns that expressions name and that results have not; the hint for the first one.
-  void require_columns(const std::vector<VerifiedBeam>& beams) const {
-    const ResultBook book = results_of(beams);
-    for (const std::string& name : names_)
-      if (!is_variable(name) && name != "utilisation" && book.find(name) == nullptr)
-        throw InputError(fmt::format("{}: there is no result \"{}\"", study_->path, name),
-                         book.hint_for(name));
-  }
-
  private:
-  bool is_variable(const std::string& name) const {
-    return std::any_of(study_->variables.begin(), study_->variables.end(),
-                       [&](const Variable& of) { return of.name == name; });
-  }
-
   void take_expressions(const std::vector<Setting>& design, const std::vector<VerifiedBeam>& beams,
                         Response& response) {
-    std::optional<ResultBook> book;
-    std::vector<double> numbers;
-    for (const std::string& name : names_) {
-      const auto variable = std::find_if(study_->variables.begin(), study_->variables.end(),
-                                         [&](const Variable& of) { return of.name == name; });
-      if (variable != study_->variables.end()) {
-        numbers.push_back(
-            design[static_cast<std::size_t>(variable - study_->variables.begin())].number);
-        continue;
-      }
-      if (!book) book = results_of(beams);
-      const ResultValue* const value = book->find(name);
-      if (name != "utilisation" && value == nullptr) {
-        response.trouble = fmt::format("there is no {}", name);
-        return;
-      }
-      numbers.push_back(name == "utilisation" ? largest_use("all", beams) : value->value);
-    }
+    const std::vector<double> numbers = numbers_.of(design, beams);
     for (NamedExpression& expression : expressions_) {
       const double g = expression.at(numbers);
       if (std::isnan(g)) response.trouble = "an expression is no number";
@@ -142,7 +107,7 @@ class Judge {
 
   const Study* study_;
   const StudyTransformation* transformation_;
-  std::vector<std::string> names_;  ///< in expressions
+  DesignNumbers numbers_;  ///< in expressions
   std::vector<NamedExpression> expressions_;
 };
 
@@ -173,7 +138,7 @@ CaseLimitState limit_state_of_case(const Study& study, std::size_t threads) {
   const std::vector<VerifiedBeam> medians =
       first.verified(first.design_at(Eigen::VectorXd::Zero(transformation->dimension())));
   require_checks(study, medians);
-  first.require_columns(medians);
+  DesignNumbers(study, study.reliability->expressions).units_in(medians);
   const auto make = [transformation, &study]() -> LimitState::Function {
     const auto judge = std::make_shared<Judge>(study, *transformation);
     return [transformation, judge](const Eigen::VectorXd& u) { return judge->at(u); };

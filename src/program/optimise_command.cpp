@@ -9,15 +9,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
-#include <stdexcept>
 #include <thread>
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/report/optimum_report.hpp"
-#include "boxbeam/report/result_book.hpp"
-#include "boxbeam/study/design_space.hpp"
 #include "boxbeam/study/named_expression.hpp"
+#include "program/design_numbers.hpp"
 #include "program/design_trial.hpp"
 #include "program/exit_code.hpp"
 #include "program/outputs.hpp"
@@ -45,7 +42,8 @@ double margin_of(double use) {
 /// What a study is to be the best of, and the names that stand in its expressions.
 class BestDesign {
  public:
-  explicit BestDesign(const Study& study) : study_(&study), demand_(&*study.optimise) {
+  explicit BestDesign(const Study& study)
+      : study_(&study), demand_(&*study.optimise), numbers_(study, expressions_of(*demand_)) {
     for (std::size_t i = 0; i < study.variables.size(); ++i) add_choice(i);
     if (choices_.empty())
       throw InputError(fmt::format("{}: no variable may be chosen", study.path),
@@ -53,9 +51,11 @@ class BestDesign {
     if (demand_->checks)
       for (const Criterion criterion : criteria) limits_.emplace_back(to_text(criterion));
     for (const std::string& limit : demand_->subject_to) limits_.push_back(limit);
-    for (const auto* of : {&demand_->minimise, &demand_->subject_to})
-      for (const std::string& expression : *of) look_at(expression);
-    require_results();
+    if (!numbers_.asks_results()) return;
+    numbers_.require_case();
+    CaseOptions options;
+    options.file = study.case_file;
+    result_units_ = numbers_.units_in(verify_design(options, {}));
   }
 
   const Study& study() const { return *study_; }
@@ -63,8 +63,7 @@ class BestDesign {
   const std::vector<Choice>& choices() const { return choices_; }
   const std::vector<std::string>& units() const { return units_; }
   const std::vector<std::string>& limits() const { return limits_; }
-  const std::vector<std::string>& names() const { return names_; }
-  const std::vector<std::string>& results() const { return results_; }
+  const DesignNumbers& numbers() const { return numbers_; }
   bool has_case() const { return !study_->case_file.empty(); }
 
   std::string goal_unit(const std::string& goal) const {
@@ -87,6 +86,12 @@ class BestDesign {
   }
 
  private:
+  static std::vector<std::string> expressions_of(const OptimiseDemand& demand) {
+    std::vector<std::string> all = demand.minimise;
+    all.insert(all.end(), demand.subject_to.begin(), demand.subject_to.end());
+    return all;
+  }
+
   void add_choice(std::size_t i) {
     const Variable& variable = study_->variables[i];
     if (!variable.expression.empty()) return;
@@ -112,57 +117,13 @@ class BestDesign {
     places_.push_back(i);
   }
 
-  /// Its names are variables, else results.
-  void look_at(const std::string& expression) {
-    try {
-      for (const std::string& name : names_in(expression)) {
-        if (std::find(names_.begin(), names_.end(), name) != names_.end()) continue;
-        const auto is_it = [&](const Variable& of) { return of.name == name; };
-        if (std::any_of(study_->variables.begin(), study_->variables.end(), is_it)) continue;
-        names_.push_back(name);
-        results_.push_back(name);
-      }
-      std::vector<std::string> names;
-      for (const Variable& variable : study_->variables) names.push_back(variable.name);
-      names.insert(names.end(), results_.begin(), results_.end());
-      NamedExpression looked_at(expression, names);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(fmt::format("{}: \"{}\": {}", study_->path, expression, error.what()),
-                       "write an expression of variables and of keys of results.json");
-    }
-    names_.clear();
-    for (const Variable& variable : study_->variables) names_.push_back(variable.name);
-    names_.insert(names_.end(), results_.begin(), results_.end());
-  }
-
-  /// What is asked for must be there: in the case as it is, else in the middle of the choices.
-  void require_results() {
-    if (results_.empty()) return;
-    if (!has_case())
-      throw InputError(
-          fmt::format("{}: there is no variable \"{}\"", study_->path, results_.front()),
-          "name it in [variables], or write case = \"...\" in [study]");
-    CaseOptions options;
-    options.file = study_->case_file;
-    const ResultBook book = results_of(verify_design(options, {}));
-    for (const std::string& name : results_) {
-      const ResultValue* const value = book.find(name);
-      if (value == nullptr)
-        throw InputError(
-            fmt::format("{}: there is no variable or result \"{}\"", study_->path, name),
-            book.hint_for(name));
-      result_units_[name] = value->unit;
-    }
-  }
-
   const Study* study_;
   const OptimiseDemand* demand_;
   std::vector<Choice> choices_;
   std::vector<std::string> units_;
   std::vector<std::size_t> places_;  ///< of the choices among the variables
   std::vector<std::string> limits_;
-  std::vector<std::string> names_;    ///< in expressions: all variables, then results
-  std::vector<std::string> results_;  ///< keys that stand in expressions
+  DesignNumbers numbers_;  ///< in expressions
   std::map<std::string, std::string> result_units_;
 };
 
@@ -171,9 +132,9 @@ class DesignJudge {
  public:
   explicit DesignJudge(const BestDesign& problem) : problem_(&problem) {
     for (const std::string& goal : problem.demand().minimise)
-      goals_.emplace_back(goal, problem.names());
+      goals_.emplace_back(goal, problem.numbers().names());
     for (const std::string& limit : problem.demand().subject_to)
-      limits_.emplace_back(limit, problem.names());
+      limits_.emplace_back(limit, problem.numbers().names());
   }
 
   Judged at(const std::vector<double>& chosen) {
@@ -185,21 +146,11 @@ class DesignJudge {
  private:
   void judge(const std::vector<double>& chosen, Judged& judged) {
     const std::vector<Setting> design = problem_->settings_of(chosen);
-    std::vector<double> numbers;
-    for (const Setting& setting : design) numbers.push_back(setting.number);
-    if (problem_->demand().checks || !problem_->results().empty()) {
-      const std::vector<VerifiedBeam> beams = problem_->verified(design);
-      if (problem_->demand().checks) add_checks(beams, judged);
-      if (!problem_->results().empty()) {
-        const ResultBook book = results_of(beams);
-        for (const std::string& name : problem_->results()) {
-          const ResultValue* const value = book.find(name);
-          if (value == nullptr)
-            throw AnalysisError({fmt::format("there is no {}", name), "", {}, {}, {}, {}});
-          numbers.push_back(value->value);
-        }
-      }
-    }
+    std::vector<VerifiedBeam> beams;
+    if (problem_->demand().checks || problem_->numbers().asks_results())
+      beams = problem_->verified(design);
+    if (problem_->demand().checks) add_checks(beams, judged);
+    const std::vector<double> numbers = problem_->numbers().of(design, beams);
     for (NamedExpression& goal : goals_) judged.goals.push_back(goal.at(numbers));
     for (NamedExpression& limit : limits_) judged.margins.push_back(limit.at(numbers));
   }

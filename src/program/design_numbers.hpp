@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "boxbeam/study/design_space.hpp"
+#include "boxbeam/verification/verify.hpp"
+
+namespace boxbeam::program {
+
+/// The numbers that expressions of a study name: variables, keys of results.json, and
+/// "utilisation", that of the check that is used most.
+class DesignNumbers {
+ public:
+  /// Looks at the study, which stays. Throws InputError where an expression is none.
+  DesignNumbers(const Study& study, const std::vector<std::string>& expressions);
+
+  /// In the order of the numbers.
+  const std::vector<std::string>& names() const { return names_; }
+  /// Whether any is a result, for which a design must be verified.
+  bool asks_results() const { return !results_.empty(); }
+
+  /// Units of the results that are named, "1" without. Throws InputError where one is none of these
+  /// beams', or where the study has no case.
+  std::map<std::string, std::string> units_in(const std::vector<VerifiedBeam>& beams) const;
+  void require_case() const;
+
+  /// Of a design and, where results are asked, its beams. Throws AnalysisError where a result is
+  /// missing.
+  std::vector<double> of(const std::vector<Setting>& design,
+                         const std::vector<VerifiedBeam>& beams) const;
+
+ private:
+  const Study* study_;
+  std::vector<std::string> names_;
+  std::vector<std::string> results_;  ///< of the names those that are no variables
+};
+
+/// Use of the check that is used most, of all beams.
+double largest_use_of(const std::vector<VerifiedBeam>& beams);
+
+}  // namespace boxbeam::program
