@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "boxbeam/study/distribution.hpp"
 #include "boxbeam/study/series_system.hpp"
@@ -60,7 +61,8 @@ MethodResult second_order(const DesignPoints& found) {
   std::vector<HalfSpace> breitung, by_both;
   for (const DesignPoint& point : found.points) {
     const double of_normal = normal_share_below(-point.beta);
-    const double psi = std::exp(-0.5 * point.beta * point.beta) / std::sqrt(2.0 * M_PI) / of_normal;
+    const double psi =
+        std::exp(-0.5 * point.beta * point.beta) / std::sqrt(2.0 * std::numbers::pi) / of_normal;
     const std::optional<double> first = bent(point, point.beta), second = bent(point, psi);
     if (point.kinked || !first || !second) {
       result.reason =
