@@ -40,7 +40,7 @@ std::string table_of_methods(const StudyReliability& of) {
                                  std::to_string(by.calls)};
     if (of.years) {
       row.push_back(or_dash(yearly, "{:.4g}"));
-      row.push_back(yearly ? fmt::format("{:.4f}", index_of(*yearly)) : "-");
+      row.push_back(or_dash(yearly ? reliability_index(*yearly) : std::nullopt, "{:.4f}"));
     }
     table.row(row);
   }
@@ -75,7 +75,7 @@ void put_common(report::Fields& to, const MethodResult& by, const std::optional<
   const std::optional<double> yearly =
       by.p_f && years ? std::optional(per_year(*by.p_f, *years)) : std::nullopt;
   to.number_or_null({"p_f_per_year", "where years of service are given"}, "1", yearly);
-  to.number_or_null("beta_per_year", "1", yearly ? std::optional(index_of(*yearly)) : std::nullopt);
+  to.number_or_null("beta_per_year", "1", yearly ? reliability_index(*yearly) : std::nullopt);
   to.number({"p_f_low", "Ditlevsen's bounds of form and sorm, else of 95 % confidence"}, "1",
             by.low);
   to.number("p_f_high", "1", by.high);

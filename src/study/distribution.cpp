@@ -87,18 +87,18 @@ double Distribution::quantile(double u) const {
 
 double Distribution::value_at(double z) const {
   constexpr double least = std::numeric_limits<double>::min();
-  const double below = std::max(least, normal_share_below(z));
-  const double above = std::max(least, normal_share_below(-z));
+  const auto below = [&] { return std::max(least, normal_share_below(z)); };
+  const auto above = [&] { return std::max(least, normal_share_below(-z)); };
   // Logarithms of the smaller share by itself: the other one is 1 but for it.
-  const double log_below = z < 0.0 ? std::log(below) : std::log1p(-above);
-  const double log_above = z > 0.0 ? std::log(above) : std::log1p(-below);
+  const auto log_below = [&] { return z < 0.0 ? std::log(below()) : std::log1p(-above()); };
+  const auto log_above = [&] { return z > 0.0 ? std::log(above()) : std::log1p(-below()); };
   switch (kind) {
     case DistributionKind::normal: return a + b * z;
     case DistributionKind::lognormal: return std::exp(a + b * z);
-    case DistributionKind::uniform: return z < 0.0 ? a + below * (b - a) : b - above * (b - a);
-    case DistributionKind::weibull: return a * std::pow(-log_above, 1.0 / b);
-    case DistributionKind::gumbel: return a - b * std::log(-log_below);
-    case DistributionKind::exponential: return -a * log_above;
+    case DistributionKind::uniform: return z < 0.0 ? a + below() * (b - a) : b - above() * (b - a);
+    case DistributionKind::weibull: return a * std::pow(-log_above(), 1.0 / b);
+    case DistributionKind::gumbel: return a - b * std::log(-log_below());
+    case DistributionKind::exponential: return -a * log_above();
   }
   return 0.0;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "boxbeam/study/distribution.hpp"
 #include "boxbeam/study/series_system.hpp"
@@ -48,7 +49,7 @@ std::optional<double> bent(const DesignPoint& point, double psi) {
     if (!(factor > 0.0)) return std::nullopt;
     share /= std::sqrt(factor);
   }
-  if (share >= 1.0) return std::nullopt;
+  if (!(share > 0.0 && share < 1.0)) return std::nullopt;
   return share;
 }
 
@@ -60,7 +61,8 @@ MethodResult second_order(const DesignPoints& found) {
   std::vector<HalfSpace> breitung, by_both;
   for (const DesignPoint& point : found.points) {
     const double of_normal = normal_share_below(-point.beta);
-    const double psi = std::exp(-0.5 * point.beta * point.beta) / std::sqrt(2.0 * M_PI) / of_normal;
+    const double psi =
+        std::exp(-0.5 * point.beta * point.beta) / std::sqrt(2.0 * std::numbers::pi) / of_normal;
     const std::optional<double> first = bent(point, point.beta), second = bent(point, psi);
     if (point.kinked || !first || !second) {
       result.reason =
@@ -72,11 +74,13 @@ MethodResult second_order(const DesignPoints& found) {
                     point.beta);
       return result;
     }
-    breitung.push_back({index_of(*first), point.alpha});
-    by_both.push_back({index_of(*second), point.alpha});
+    breitung.push_back({*reliability_index(*first), point.alpha});
+    by_both.push_back({*reliability_index(*second), point.alpha});
   }
   take_union(by_both, found.mean_fails, result);
-  result.beta = index_of(*result.p_f);
+  // Of the rarer side, whose probability is not lost beside 1.
+  const std::optional<double> rarer = reliability_index(probability_of_any(by_both).high);
+  if (rarer) result.beta = found.mean_fails ? -*rarer : *rarer;
   const double high = probability_of_any(breitung).high;
   result.breitung = found.mean_fails ? 1.0 - high : high;
   return result;
@@ -157,7 +161,10 @@ const char* to_text(ReliabilityMethod method) {
   return "";
 }
 
-double index_of(double p_f) { return -normal_quantile(p_f); }
+std::optional<double> reliability_index(double p_f) {
+  if (!(p_f > 0.0 && p_f < 1.0)) return std::nullopt;
+  return -normal_quantile(p_f);
+}
 
 double per_year(double p_f, double years) { return -std::expm1(std::log1p(-p_f) / years); }
 
@@ -219,6 +226,11 @@ ReliabilityResult reliability_of(LimitState& limit_state, const ReliabilityDeman
       point.curvatures = -point.curvatures.reverse().eval();
     }
   compare(result);
+  if (!result.points.empty() && result.points.front().kinked)
+    result.remarks.emplace_back(
+        "the nearest design point lies at a kink of the limit state, which form knows nothing of: "
+        "ask "
+        "for importance or subset");
   if (search.unjudged > 0)
     result.remarks.push_back(fmt::format(
         "{} designs on the way to design points could not be judged: how probable these are is no "

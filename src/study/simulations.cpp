@@ -59,8 +59,14 @@ void conclude(MethodResult& result, const ReliabilityDemand& demand) {
         last.samples, last.high);
     return;
   }
+  if (last.p_f >= 1.0) {
+    result.reason = fmt::format(
+        "all of {} samples fail: p_f is above {:.6g} with 97.5 % confidence, no more is known",
+        last.samples, last.low);
+    return;
+  }
   result.p_f = last.p_f;
-  result.beta = index_of(last.p_f);
+  result.beta = reliability_index(last.p_f);
   result.converged = last.variation <= demand.variation && result.failing >= fewest_failing;
   if (!result.converged && result.reason.empty())
     result.reason = fmt::format(

@@ -83,8 +83,8 @@ ReliabilityResult reliability_of(LimitState& limit_state, const ReliabilityDeman
                                  std::uint64_t seed,
                                  const std::function<void(const std::string&)>& progress = {});
 
-/// The index that belongs to a probability of failure, -Phi^-1(p_f).
-double index_of(double p_f);
+/// The index that belongs to a probability of failure, -Phi^-1(p_f); nothing of 0 and 1.
+std::optional<double> reliability_index(double p_f);
 
 /// Of one year, where years fail independently of each other: 1 - (1 - p_f)^(1/years).
 double per_year(double p_f, double years);
