@@ -20,7 +20,7 @@ constexpr double no_pivot = 1e-14;
 /// Between two neighbouring elements: the part, and from the nodes of both to its spring.
 template <class Scalar>
 struct Between {
-  const PartFlexibility<Scalar>& part;
+  PartFlexibility<Scalar> part;
   Scalar to_place;    ///< lever from the node of the element that is gathered
   Scalar from_other;  ///< and from the node of the other
 };
@@ -28,7 +28,7 @@ struct Between {
 /// `i` is gathered towards `next`, its neighbour.
 template <class Scalar>
 Between<Scalar> between(const LinkStiffness<Scalar>& link, std::size_t i, std::size_t next) {
-  const PartFlexibility<Scalar>& part = link.parts[std::min(i, next)];
+  const PartFlexibility<Scalar> part = link.part(std::min(i, next));
   if (i < next) return {part, part.from_start, part.from_end};
   return {part, part.from_end, part.from_start};
 }
@@ -96,8 +96,8 @@ LinkColumns<Scalar> resistance_of(const std::vector<LinkStiffness<Scalar>>& link
   LinkColumns<Scalar> forces(motion.size());
   for (std::size_t k = 0; k < forces.size(); ++k) {
     forces[k].resize(3, motion[k].cols());
-    for (std::size_t i = 0; i < links[k].nodes.size(); ++i) {
-      const NodeStiffness<Scalar>& node = links[k].nodes[i];
+    for (std::size_t i = 0; i < links[k].nodes(); ++i) {
+      const NodeStiffness<Scalar> node = links[k].node(i);
       const auto column = static_cast<Eigen::Index>(i);
       const auto q = motion[k].col(column);
       forces[k](0, column) = -(node.uu * q[0] + node.up * q[2]);
@@ -172,14 +172,14 @@ void DynamicStiffness<Scalar>::list_ports() {
 template <class Scalar>
 void DynamicStiffness<Scalar>::factor_link(std::size_t k) {
   const LinkStiffness<Scalar>& link = links_[k];
-  const std::size_t n = link.nodes.size();
+  const std::size_t n = link.nodes();
   std::vector<Step>& steps = steps_[k];
   steps.resize(n);
   NodeStiffness<Scalar> carried;  // what the chain at hand hands on to its next element
   NodeStiffness<Scalar> whole;    // at the element that stays
   inward(n, retained_[k], [&](std::size_t i, std::size_t next) {
     NodeStiffness<Scalar> D = carried;
-    add(link.nodes[i], D);
+    add(link.node(i), D);
     const Between<Scalar> at = between(link, i, next);
     const Scalar e = at.to_place;
     D.pp += e * (e * D.ww - 2.0 * D.wp);
@@ -238,7 +238,7 @@ void DynamicStiffness<Scalar>::factor_link(std::size_t k) {
       carried = S;
     }
   });
-  add(link.nodes[retained_[k]], whole);
+  add(link.node(retained_[k]), whole);
   stiffness_[k] << whole.uu, Scalar(0.0), whole.up, Scalar(0.0), whole.ww, whole.wp, whole.up,
       whole.wp, whole.pp;
 }
@@ -279,7 +279,7 @@ void DynamicStiffness<Scalar>::spread(std::size_t k, const Gathered& gathered,
   const LinkStiffness<Scalar>& link = links_[k];
   motion.resize(3, gathered.at_spring.cols());
   motion.col(static_cast<Eigen::Index>(retained_[k])) = retained;
-  outward(link.nodes.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+  outward(link.nodes(), retained_[k], [&](std::size_t i, std::size_t next) {
     const Between<Scalar> at = between(link, i, next);
     const Step& step = steps_[k][i];
     const auto column = static_cast<Eigen::Index>(i);
@@ -471,7 +471,7 @@ void DynamicStiffness<Scalar>::refine(const LinkColumns<Scalar>& loads,
     const LinkStiffness<Scalar>& link = links_[k];
     Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& force = borne[k];
     force += resisted[k];
-    inward(link.nodes.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+    inward(link.nodes(), retained_[k], [&](std::size_t i, std::size_t next) {
       const Between<Scalar> at = between(link, i, next);
       auto own = force.col(static_cast<Eigen::Index>(i));
       auto other = force.col(static_cast<Eigen::Index>(next));
@@ -481,7 +481,7 @@ void DynamicStiffness<Scalar>::refine(const LinkColumns<Scalar>& loads,
     });
     Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& motion = result.motion[k];
     change[k] = motion;
-    outward(link.nodes.size(), retained_[k], [&](std::size_t i, std::size_t next) {
+    outward(link.nodes(), retained_[k], [&](std::size_t i, std::size_t next) {
       const Between<Scalar> at = between(link, i, next);
       const auto far = motion.col(static_cast<Eigen::Index>(next));
       const Vector3 own = force.col(static_cast<Eigen::Index>(i));

@@ -25,16 +25,6 @@ void add(const NodeStiffness<Scalar>& of, const Scalar& factor, NodeStiffness<Sc
   sum.pp += factor * of.pp;
 }
 
-template <class Scalar>
-NodeStiffness<Scalar> node_of(const RigidElement& of, double square) {
-  NodeStiffness<Scalar> node;
-  node.uu = node.ww = -square * of.mass;
-  node.up = square * of.first_moment.y();
-  node.wp = -square * of.first_moment.x();
-  node.pp = of.turning - square * of.inertia;
-  return node;
-}
-
 /// 1 + i omega tau.
 template <class Scalar>
 Scalar damping_of(const Link& link, double omega) {
@@ -45,29 +35,6 @@ Scalar damping_of(const Link& link, double omega) {
   } else {
     return {1.0, omega * link.retardation};
   }
-}
-
-template <class Scalar>
-LinkStiffness<Scalar> divided_stiffness(const Link& link, const DividedLink& divided, double square,
-                                        double omega) {
-  LinkStiffness<Scalar> of;
-  of.nodes.reserve(divided.elements.size());
-  for (const RigidElement& element : divided.elements) {
-    of.nodes.push_back(node_of<Scalar>(element, square));
-  }
-  const Scalar flexible = 1.0 / damping_of<Scalar>(link, omega);
-  of.parts.reserve(divided.springs.size());
-  for (std::size_t i = 0; i < divided.springs.size(); ++i) {
-    const SpringElement& spring = divided.springs[i];
-    PartFlexibility<Scalar>& part = of.parts.emplace_back();
-    part.axial = flexible * spring.axial;
-    part.f11 = flexible * spring.bending(0, 0);
-    part.f12 = flexible * spring.bending(0, 1);
-    part.f22 = flexible * spring.bending(1, 1);
-    part.from_start = spring.reach * (spring.place - divided.elements[i].node);
-    part.from_end = spring.reach * (spring.place - divided.elements[i + 1].node);
-  }
-  return of;
 }
 
 /// Whether two parts of a link have the same stiffness: equally long ones where nothing changes.
@@ -93,22 +60,19 @@ void over_parts(const Link& link, const DividedLink& divided, const Scalar& z, c
 }
 
 template <class Scalar>
-LinkStiffness<Scalar> exact_stiffness(const Link& link, const DividedLink& divided, double square,
-                                      double omega) {
-  LinkStiffness<Scalar> of;
-  of.nodes.resize(divided.elements.size());
-  of.parts.resize(divided.springs.size());
-  const Scalar damping = damping_of<Scalar>(link, omega);
-  over_parts(link, divided, Scalar(square / damping),
+void make_exact(const Link& link, const Scalar& damping, LinkStiffness<Scalar>& of) {
+  of.exact_nodes.resize(of.divided->elements.size());
+  of.exact_parts.resize(of.divided->springs.size());
+  over_parts(link, *of.divided, Scalar(of.square / damping),
              [&](std::size_t i, const ExactPart<Scalar>& part) {
-               add(part.start, damping, of.nodes[i]);
-               add(part.end, damping, of.nodes[i + 1]);
-               of.parts[i] = part.between;
-               of.parts[i].axial /= damping;
-               of.parts[i].f11 /= damping;
-               of.parts[i].f22 /= damping;
+               add(part.start, damping, of.exact_nodes[i]);
+               add(part.end, damping, of.exact_nodes[i + 1]);
+               PartFlexibility<Scalar>& between = of.exact_parts[i];
+               between = part.between;
+               between.axial /= damping;
+               between.f11 /= damping;
+               between.f22 /= damping;
              });
-  return of;
 }
 
 bool is_exact(const Structure& structure, std::size_t link) {
@@ -179,9 +143,10 @@ template <class Scalar>
 LinkStiffness<Scalar> link_stiffness_of(const Structure& structure, std::size_t link, double square,
                                         double omega) {
   const Link& of = structure.mechanism->links[link];
-  const DividedLink& divided = structure.links[link];
-  if (!is_exact(structure, link)) return divided_stiffness<Scalar>(of, divided, square, omega);
-  return exact_stiffness<Scalar>(of, divided, square, omega);
+  const Scalar damping = damping_of<Scalar>(of, omega);
+  LinkStiffness<Scalar> stiffness{&structure.links[link], square, 1.0 / damping};
+  if (is_exact(structure, link)) make_exact(of, damping, stiffness);
+  return stiffness;
 }
 
 int pieces_at(const Structure& structure, double square) {

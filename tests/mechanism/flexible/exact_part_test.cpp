@@ -63,7 +63,7 @@ TEST_CASE("exact part: nodes and spring have the dynamic stiffness of the contin
     const Structure structure = structure_of(mechanism);
     REQUIRE(pieces_at(structure, 0.999 * square) == 1);
     const LinkStiffness<double> link = link_stiffness_of<double>(structure, 0, square, 0.0);
-    const auto& part = link.parts.front();
+    const auto part = link.part(0);
     // From d_1 = A d_0 + B p_0: K_01 = -B^-1.
     const test::Transfer T =
         test::transfer_of(bar, static_cast<long double>(square), static_cast<long double>(h));
@@ -75,10 +75,10 @@ TEST_CASE("exact part: nodes and spring have the dynamic stiffness of the contin
     CHECK(K_ww * part.from_start == Approx(static_cast<double>(T(1, 2) / det)).epsilon(1e-12));
     // K_00 = B^-1 A less the spring: what inertia leaves, small against both.
     const long double ww = (T(1, 3) * T(0, 0) - T(0, 3) * T(1, 0)) / det - T(1, 3) / det;
-    CHECK(link.nodes[0].ww == Approx(static_cast<double>(ww)).epsilon(1e-12 + 1e-17 / phase));
-    CHECK(link.nodes[1].ww == Approx(link.nodes[0].ww).epsilon(1e-12));
-    CHECK(link.nodes[1].wp == Approx(-link.nodes[0].wp).epsilon(1e-12));
-    CHECK(link.nodes[1].pp == Approx(link.nodes[0].pp).epsilon(1e-12));
+    CHECK(link.node(0).ww == Approx(static_cast<double>(ww)).epsilon(1e-12 + 1e-17 / phase));
+    CHECK(link.node(1).ww == Approx(link.node(0).ww).epsilon(1e-12));
+    CHECK(link.node(1).wp == Approx(-link.node(0).wp).epsilon(1e-12));
+    CHECK(link.node(1).pp == Approx(link.node(0).pp).epsilon(1e-12));
   }
 }
 
