@@ -10,7 +10,7 @@ set -eu
 . "$(dirname "$0")/common.sh"
 cd "$root"
 
-install_missing "${packages[@]}" clang-format clang-tidy git
+install_missing "${packages[@]}" clang-format clang-tidy git libopenmpi-dev
 
 say "== Formatting (clang-format)"
 git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run --Werror
@@ -23,7 +23,7 @@ mapfile -t changed < <(if [ -n "$base" ]; then
   else git ls-files 'src/*.cpp' 'charts/*.cpp'; fi)
 if [ ${#changed[@]} -gt 0 ]; then
   # Configured without precompiled headers, which are another compiler's; nothing is built there.
-  configure build-analyse -DBOXBEAM_TESTS=OFF -DBOXBEAM_BENCH=OFF
+  configure build-analyse -DBOXBEAM_TESTS=OFF -DBOXBEAM_BENCH=OFF -DBOXBEAM_MPI=ON
   printf '%s\n' "${changed[@]}" | xargs -P "$(nproc)" -n 4 \
     clang-tidy -p build-analyse --quiet --extra-arg=-Wno-unknown-warning-option
 fi
