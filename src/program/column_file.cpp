@@ -52,11 +52,22 @@ double cell_number(const std::string& cell) {
   return number;
 }
 
+}  // namespace
+
+void require_column_files() {
+  if (netcdf().is_there()) return;
+  throw InputError("--netcdf: NetCDF files are written by libnetcdf, which is not installed here",
+                   "install it (Debian: libnetcdf19), or read rows.csv");
+}
+
+namespace {
+
 class ColumnFile {
  public:
   ColumnFile(const std::string& path, const std::vector<Column>& columns,
              const StudySummary& summary)
       : path_(path) {
+    require_column_files();
     check(netcdf().create(path.c_str(), NetcdfWriting::netcdf_4, &id_));
     open_ = true;
     put_text(NetcdfWriting::of_file, "title", summary.name);
@@ -77,7 +88,7 @@ class ColumnFile {
     cells_.resize(columns.size());
   }
   ~ColumnFile() {
-    if (open_) netcdf().close(id_);
+    if (open_ && netcdf().is_there()) netcdf().close(id_);
   }
   ColumnFile(const ColumnFile&) = delete;
   ColumnFile& operator=(const ColumnFile&) = delete;
@@ -140,12 +151,6 @@ class ColumnFile {
 };
 
 }  // namespace
-
-void require_column_files() {
-  if (netcdf().is_there()) return;
-  throw InputError("--netcdf: NetCDF files are written by libnetcdf, which is not installed here",
-                   "install it (Debian: libnetcdf19), or read rows.csv");
-}
 
 void write_column_file(const std::string& path, const std::string& rows,
                        const std::vector<Column>& columns, const StudySummary& summary) {

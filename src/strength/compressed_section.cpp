@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/effective_path.hpp"
 #include "boxbeam/strength/plate_slenderness.hpp"
 #include "plate_formulas.hpp"
@@ -69,11 +70,28 @@ bool is_convex(const std::vector<SectionPlace>& loop) {
   return left != right;
 }
 
+/// Whether a section of walls around cells may buckle by twisting before it yields: where
+/// G I_T/i_0^2 is below 25 A f_y, lambda_T above 0.2 (EN 1993-1-1, 6.3.1.2(4)).
+bool may_twist(const Profile& profile, Stress yield_strength) {
+  constexpr double G = 8.1e10, stocky = 25.0;  // EN 1993-1-1, 3.2.6 [Pa]
+  const TorsionProperties torsion = torsion_properties_of({profile, {}});
+  if (!torsion.I_T || !torsion.shear_centre) return true;
+  const SectionProperties p = properties_of({profile, {}});
+  const double y = (torsion.shear_centre->y - p.centroid_y).value();
+  const double z = (torsion.shear_centre->z - p.centroid_z).value();
+  const double polar = (p.I_y + p.I_z).value() + p.area.value() * (y * y + z * z);
+  return G * torsion.I_T->value() < stocky * polar * yield_strength.value();
+}
+
 /// Why no plate of a profile can be judged, whatever its slenderness.
-std::string obstacle_of(const Profile& profile) {
+std::string obstacle_of(const Profile& profile, Stress yield_strength) {
   if (const auto* path = std::get_if<ThinWalled>(&profile); path != nullptr && !has_cell(*path)) {
     return "an open thin-walled section may twist as it buckles, and its torsional and "
            "flexural-torsional buckling is not computed (EN 1993-1-1, 6.3.1.4)";
+  }
+  if (std::holds_alternative<ThinWalled>(profile) && may_twist(profile, yield_strength)) {
+    return "its cells hardly resist twisting, and torsional buckling is not computed (EN 1993-1-1, "
+           "6.3.1.4)";
   }
   if (const auto* solid = std::get_if<Polygon>(&profile);
       solid != nullptr && (!solid->hollows.empty() || !is_convex(solid->outer))) {
@@ -178,7 +196,7 @@ bool add_slender_path(const ThinWalled& path, Stress yield_strength, CompressedS
 }
 
 void add_plates(const Profile& profile, Stress yield_strength, CompressedSection& result) {
-  if (result.obstacle.empty()) result.obstacle = obstacle_of(profile);
+  if (result.obstacle.empty()) result.obstacle = obstacle_of(profile, yield_strength);
   if (const auto* const path = std::get_if<ThinWalled>(&profile);
       path != nullptr && has_cell(*path) && add_slender_path(*path, yield_strength, result))
     return;

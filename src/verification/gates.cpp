@@ -295,26 +295,29 @@ void PlateGates::look_at_shear_lag(const std::string& segment, const std::string
 /// Of a path the flanges are any plates that lie along the axis of bending, within 45 degrees. Its
 /// effective section counts shear lag, the stresses of the whole one do not.
 void PlateGates::look_at_path_lag(const std::string& segment, const Station& station,
-                                  const SlenderPath& path) {
-  const PathSection& section = path.section.path();
+                                  const PathSection& section, bool counts) {
   for (const PathPlate& plate : section.plates) {
     const bool along_y = std::abs(plate.direction.x()) > std::abs(plate.direction.y());
     const auto lag = plate_lag_at(*zones_, station, along_y ? BendingAxis::y : BendingAxis::z,
                                   lagging_width_of(section, plate), plate.thickness);
     if (!lag) continue;
-    const bool blocks = project_->fatigue.asked;
+    const bool blocks = !counts || project_->fatigue.asked;
     add("shear lag",
         {segment, plate.name,
          fmt::format("b_0 = {:.4g} mm is above L_e/50, L_e = {:.3g} m between zero moments: shear "
-                     "lag counts; with kappa = {:.3g} a part of the width works, beta^kappa = "
-                     "{:.3g} of it in the effective section at the worst station (EN 1993-1-5, "
-                     "3.3){}",
+                     "lag counts; with kappa = {:.3g} a part of the width works, {}{}",
                      lag->b_0.value() * 1e3, lag->effective_length.value(), lag->kappa,
-                     ultimate_share_of(*lag),
-                     blocks ? fmt::format("; the stresses by which fatigue is judged are those of "
-                                          "the whole section, without beta = {:.3g} (3.2)",
-                                          lag->beta)
-                            : std::string()),
+                     counts ? fmt::format("beta^kappa = {:.3g} of it in the effective section at "
+                                          "the worst station (EN 1993-1-5, 3.3)",
+                                          ultimate_share_of(*lag))
+                            : fmt::format("beta = {:.3g} (EN 1993-1-5, 3.2), which the stresses of "
+                                          "walls that are not slender do not count",
+                                          lag->beta),
+                     counts && blocks
+                         ? fmt::format("; the stresses by which fatigue is judged are those of "
+                                       "the whole section, without beta = {:.3g} (3.2)",
+                                       lag->beta)
+                         : std::string()),
          blocks},
         -lag->beta);
   }
@@ -385,7 +388,9 @@ void PlateGates::look_at(const Station& station, const std::vector<SituationHist
   if (judged != nullptr) look_at_slender(segment, *judged, sums, histories);
   if (path != nullptr) {
     look_at_slender(segment, *path, histories);
-    look_at_path_lag(segment, station, *path);
+    look_at_path_lag(segment, station, path->section.path(), true);
+  } else if (const auto stout = judged_path_at(*project_, *zones_, station)) {
+    look_at_path_lag(segment, station, *stout, false);
   }
   for (const BoxPlate plate : {BoxPlate::top_flange, BoxPlate::bottom_flange}) {
     // Webs are looked at without their stiffeners above, under the stress that is there.

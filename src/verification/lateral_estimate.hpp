@@ -13,6 +13,8 @@ namespace boxbeam {
 /// Lateral torsional buckling of the beam of a case by its cut forces: held sideways and against
 /// turning at one or two places, without warping stiffness, bent about both axes. Every force is
 /// taken to act at the edge of the section at which it turns the beam over, line loads at the axis.
+/// In open sections the longitudinal stresses turn with the section: G I_T + int sigma r^2 dA about
+/// the shear centre resists (Wagner), less where the narrower flange is compressed.
 /// EN 1993-1-1, 6.3.2.1(2): sections alike in both directions only turn over by such forces.
 class LateralEstimate {
  public:
@@ -28,12 +30,16 @@ class LateralEstimate {
  private:
   /// Stiffness in the nodes and elements for these places.
   void hold(const std::vector<double>& at);
+  /// The part of a beam whose stiffness changes with its load.
+  double part_with_turned(const CutForceDiagram& diagram, double known) const;
 
   const Project* project_;
   std::vector<double> at_;
   TurningBeam beam_;
   std::vector<std::array<double, 2>> by_M_y_, by_M_z_;  ///< 1/(E I) - 1/(E I_M) of the elements
   std::vector<std::array<double, 2>> edges_;            ///< of each node, off the axis: along z, y
+  /// Of int sigma r^2 dA the parts per M_y and per M_z; empty where there is none.
+  std::vector<std::array<std::array<double, 2>, 2>> turned_;
   std::vector<std::array<double, 2>> twisting_;
   std::vector<double> tipping_;
 };

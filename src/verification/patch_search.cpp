@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/section/torsion.hpp"
+#include "boxbeam/verification/front_end.hpp"
 #include "boxbeam/verification/judged_section.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
@@ -88,21 +90,16 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
   };
   for (std::size_t i = 0; i < lines.size();) {
     // A load goes on beyond the end of a segment, where its weight is another.
+    const std::size_t begin = i;
     double most = largest_on(lines[i]);
-    Length end = lines[i].start, middle = end + 0.5 * lines[i].length;
     Slender of;
-    const Length start = end;
-    for (bool first = true; i < lines.size(); first = false, ++i) {
+    for (; i < lines.size(); ++i) {
       const double here = largest_on(lines[i]);
       const bool alike = here * most > 0.0 && std::abs(here) <= 2.0 * std::abs(most) &&
                          std::abs(most) <= 2.0 * std::abs(here);
-      if (!first && !alike) break;
-      end = lines[i].start + lines[i].length;
+      if (i > begin && !alike) break;
+      if (std::abs(here) > std::abs(most)) most = here;
       const Length centre = lines[i].start + 0.5 * lines[i].length;
-      if (std::abs(here) > std::abs(most)) {
-        most = here;
-        middle = centre;
-      }
       const Slender& at = slender_[segment_at(project_->beam, {centre, Side::both})];
       of.along_z = of.along_z || at.along_z;
       of.along_y = of.along_y || at.along_y;
@@ -110,16 +107,30 @@ void PatchSearch::add_lines(const std::vector<LineLoad>& lines, bool along_z,
       of.depth = std::max(of.depth, at.depth);
     }
     if (!(along_z ? of.along_z : of.along_y)) continue;
+    const std::span<const LineLoad> alike(lines.data() + begin, i - begin);
+    const Length start = alike.front().start, end = alike.back().start + alike.back().length;
     Patch patch;
     patch.stiff_length = std::min(Length(end - start), of.depth);
-    patch.force = si<Force>(most * patch.stiff_length.value());
-    if (!(abs(patch.force) > of.none)) continue;
-    const Length half = 0.5 * patch.stiff_length;
-    patch.s = std::clamp(middle, Length(start + half),
-                         Length(std::max(Length(end - half), Length(start + half))));
+    if (!(std::abs(most) * patch.stiff_length.value() > of.none.value())) continue;
     patch.name = "a load along the beam";
     patch.along_z = along_z;
-    patches.push_back(std::move(patch));
+    const Length half = 0.5 * patch.stiff_length;
+    // It comes in everywhere: webs and moments differ along it.
+    for (const LineLoad& line : alike) {
+      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        patch.s = std::clamp(Length(line.start + part * line.length), Length(start + half),
+                             Length(std::max(Length(end - half), Length(start + half))));
+        double per_length = 0.0;
+        for (const LineLoad& other : alike) {
+          const bool reaches =
+              other.start < patch.s + half && other.start + other.length > patch.s - half;
+          const double there = largest_on(other);
+          if (reaches && std::abs(there) > std::abs(per_length)) per_length = there;
+        }
+        patch.force = si<Force>(per_length * patch.stiff_length.value());
+        if (abs(patch.force) > of.none) patches.push_back(patch);
+      }
+    }
   }
 }
 
@@ -129,8 +140,16 @@ void PatchSearch::learn_clamps(const SituationRun& run) {
   const std::size_t step = std::max<std::size_t>(1, history.instants() / looked_at);
   std::map<std::string, std::pair<double, double>> largest;  // force, couple
   for (std::size_t i = 0; i < history.instants(); i += step) {
-    for (const PointLoad& load : history.loads_at(history.time_of(i)).points) {
-      if (!is_at_end(load.s)) continue;
+    const BeamLoads loads = history.loads_at(history.time_of(i));
+    const std::vector<double> held = run.motion->supports(loads);
+    const auto holds = [&](Length s) {
+      const double near = same_place * project_->beam.length().value();
+      return std::any_of(held.begin(), held.end(),
+                         [&](double at) { return std::abs(at - s.value()) <= near; });
+    };
+    for (const PointLoad& load : loads.points) {
+      // What nothing holds is loaded there: a force with a couple is no clamp.
+      if (!is_at_end(load.s) || !holds(load.s)) continue;
       auto& [force, couple] = largest[std::string(load.name)];
       force = std::max(force, load.force.norm());
       couple = std::max(couple, std::hypot(load.moment.y(), load.moment.z()));

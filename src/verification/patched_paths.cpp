@@ -48,7 +48,7 @@ std::string lead_by_flange(const PathSection& path, const PathPlate& wall, std::
   }
   if (widths.empty()) return "no flange leads it into " + wall.name;
   web.flange_inside = widths[0];
-  if (widths.size() > 1) web.flange_outside = widths[1];
+  web.flange_outside = widths.size() > 1 ? widths[1] : Length{};
   return "";
 }
 

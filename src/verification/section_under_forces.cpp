@@ -8,6 +8,7 @@
 
 #include "boxbeam/core/error.hpp"
 #include "boxbeam/section/normal_stress.hpp"
+#include "boxbeam/section/torsion.hpp"
 #include "boxbeam/strength/section_class.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "plate_panels.hpp"
@@ -97,6 +98,27 @@ SectionUnderForces box_under_forces(const Section& section, FourWalls walls,
   return of;
 }
 
+/// Shear is judged of plates held at both ends.
+void refuse_unjudged_shear(const ThinWalled& profile, const PathSection& section,
+                           const SlenderPath& path, const CutForces& forces) {
+  if (forces.T.value() != 0.0 && !(enclosed_area_of(profile).value() > 0.0))
+    refuse_forces("path", "torsion of an open section is not judged");
+  const auto bears = [&](Eigen::Index along) {
+    return std::any_of(path.sheared.begin(), path.sheared.end(), [&](const ShearedWall& wall) {
+      return std::any_of(section.plates.begin(), section.plates.end(), [&](const PathPlate& of) {
+        constexpr double inclined = 0.5;
+        return of.name == wall.name && std::abs(of.direction[along]) > inclined;
+      });
+    });
+  };
+  for (const Eigen::Index along : {0, 1}) {
+    const Force shear = along == 0 ? forces.V_y : forces.V_z;
+    if (shear.value() != 0.0 && !bears(along))
+      refuse_forces(
+          "path", std::string("no plate held at both ends bears ") + (along == 0 ? "V_y" : "V_z"));
+  }
+}
+
 SectionUnderForces path_under_forces(const ThinWalled& profile, const PathSection& section,
                                      const CutForces& forces) {
   const SlenderPath path = slender_path_of(profile, section, {}, std::nullopt, 1.0, section.plates);
@@ -107,6 +129,7 @@ SectionUnderForces path_under_forces(const ThinWalled& profile, const PathSectio
     if (share > hardly_sheared)
       refuse_forces("path", outstand.name + ": " + sheared_outstand_text(share));
   }
+  refuse_unjudged_shear(profile, section, path, forces);
   const PathUse use = path.section.worst_place(forces);
   SectionUnderForces of;
   of.forces = forces;
@@ -129,7 +152,7 @@ SectionUnderForces path_under_forces(const ThinWalled& profile, const PathSectio
   }
   for (const ShearedWall& wall : path.sheared) {
     const auto plate = std::find_if(section.plates.begin(), section.plates.end(),
-                                    [&](const PathPlate& of) { return of.name == wall.name; });
+                                    [&](const PathPlate& one) { return one.name == wall.name; });
     const bool web = std::abs(plate->direction.y()) > std::abs(plate->direction.x());
     of.plates.push_back({wall, web, shear_use_of(wall, forces)});
     of.interaction_use =

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double unheld = std::numeric_limits<double>::infinity();
 
-/// An end of an open segment.
+/// An end of a segment of thin walls; around cells, too, for a small cell hardly resists twisting.
 struct OpenEnd {
   double radius_squared = 0.0, GI_T = 0.0, EI_w = 0.0;
   double y_0 = 0.0, z_0 = 0.0, coupling = 0.0;  ///< as `TwistingLoad` has them
@@ -35,7 +35,7 @@ std::optional<OpenEnd> open_end_of(const Project& project, const Station& at) {
   const Section section = judged_section_at(project, at);
   if (!std::holds_alternative<ThinWalled>(section.outer)) return std::nullopt;
   const TorsionProperties torsion = torsion_properties_of(section);
-  if (torsion.enclosed.value() > 0.0 || !torsion.I_T || !torsion.shear_centre) return std::nullopt;
+  if (!torsion.I_T || !torsion.shear_centre) return std::nullopt;
   const SectionProperties p = properties_of(section);
   const double y = (torsion.shear_centre->y - p.centroid_y).value();
   const double z = (torsion.shear_centre->z - p.centroid_z).value();

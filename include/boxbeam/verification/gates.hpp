@@ -61,8 +61,9 @@ class PlateGates {
                        const AreaSums& sums, const std::vector<SituationHistory>& histories);
   void look_at_slender(const std::string& segment, const SlenderPath& path,
                        const std::vector<SituationHistory>& histories);
+  /// `counts`: in the effective section.
   void look_at_path_lag(const std::string& segment, const Station& station,
-                        const SlenderPath& path);
+                        const PathSection& section, bool counts);
   void add_effective_area(const std::string& segment, const std::string& plate, double share);
   void add_breathing(const std::string& segment, const std::string& plate, double breathing,
                      double ratio);

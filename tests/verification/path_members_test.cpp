@@ -1,0 +1,288 @@
+// Members of unsymmetric thin-walled paths, and loads on paths where they are easily overlooked.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "boxbeam/section/section_properties.hpp"
+#include "boxbeam/section/torsion.hpp"
+#include "boxbeam/verification/patch_checks.hpp"
+#include "catch.hpp"
+#include "support/path_cases.hpp"
+
+namespace path_members_test {
+
+using namespace boxbeam;
+using namespace slender_cases;
+using path_cases::held;
+using path_cases::section;
+
+namespace {
+
+struct At {
+  double y, z;
+};
+
+/// Walls in millimetres; trims where plates butt: half of the other's thickness.
+ThinWalled path(const std::vector<At>& nodes, const std::vector<std::array<double, 3>>& walls,
+                double trim_from = 0.0, double trim_to = 0.0, int trimmed = -1) {
+  ThinWalled of;
+  for (const At& at : nodes) of.nodes.push_back({si<Length>(1e-3 * at.y), si<Length>(1e-3 * at.z)});
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    ThinWall wall{static_cast<std::size_t>(walls[i][0]), static_cast<std::size_t>(walls[i][1]),
+                  si<Length>(1e-3 * walls[i][2])};
+    if (static_cast<int>(i) == trimmed) {
+      wall.trim_from = si<Length>(1e-3 * trim_from);
+      wall.trim_to = si<Length>(1e-3 * trim_to);
+    }
+    of.walls.push_back(wall);
+  }
+  return of;
+}
+
+std::string force(const std::string& name, double at, const std::string& of,
+                  const std::string& moment = "") {
+  return fmt::format("[loads.{}]\nkind = \"force\"\nat = \"{} m\"\nforce = {}\n", name, at, of) +
+         (moment.empty() ? "" : "moment = \"" + moment + "\"\n");
+}
+
+std::string simple_beam(double length, const std::string& sections, const std::string& segments,
+                        const std::string& more, const std::string& loads) {
+  return "[case]\nname = \"path\"\nkind = \"static\"\n[frame]\n"
+         "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" +
+         sections + "[beam]\ndensity = \"7850 kg/m^3\"\n" + segments + more +
+         "[supports.left]\nkind = \"pinned\"\nat = \"0 m\"\n" +
+         fmt::format("[supports.right]\nkind = \"roller\"\nat = \"{} m\"\n", length) + loads +
+         steel + "[strength]\nrequired = 1.0\nshear_lag = false\ngamma_M1 = 1.1\n";
+}
+
+double use_of(const Verification& of, const std::string& id) {
+  double most = 0.0;
+  for (const CheckResult& result : of.checks)
+    if (result.check.id.starts_with(id)) most = std::max(most, result.check.utilisation());
+  return most;
+}
+
+bool blocks(const Verification& of, const std::string& words) {
+  return std::any_of(of.gates.begin(), of.gates.end(), [&](const Gate& gate) {
+    return gate.blocks && gate.finding.find(words) != std::string::npos;
+  });
+}
+
+/// EN 1993-1-1, 6.3.1.2, curve c, and m beside it as 6.3.3 has it: n_cr the part of the critical
+/// load.
+double use_by_hand(double n, double m, double n_cr, double gamma) {
+  const double lambda = std::sqrt(n_cr / n);
+  const double phi = 0.5 * (1.0 + 0.49 * (lambda - 0.2) + lambda * lambda);
+  const double chi = std::min(1.0, 1.0 / (phi + std::sqrt(phi * phi - lambda * lambda)));
+  return gamma * (n / chi + m);
+}
+
+}  // namespace
+
+TEST_CASE("N beside the centroid bends the member: a channel pressed at its web", "[member]") {
+  // 200 x 100 x 10, N = 300 kN at y = 0, the web's mid-line.
+  const ThinWalled channel =
+      path({{100, 100}, {0, 100}, {0, -100}, {100, -100}}, {{1, 0, 10}, {1, 2, 10}, {2, 3, 10}});
+  const SectionProperties p = properties_of({channel, {}});
+  const double e = std::abs(p.centroid_y.value()), N = 300e3, A = p.area.value(), f_y = 355e6;
+  CHECK(e == Approx(0.025).epsilon(0.01));
+  const Verification of =
+      verified(simple_beam(4.0, section("a", channel), segment(4.0, "a"), held(4.0, 1),
+                           force("press", 4.0, "[\"-300 kN\", \"0 kN\"]")));
+  // About z by hand: N e on the farther edge, grown as the secant formula has it.
+  const double I_z = p.I_z.value(), L = 4.0;
+  const double n_cr = N * L * L / (std::numbers::pi * std::numbers::pi * 2.1e11 * I_z);
+  const double m =
+      N * e / (p.W_z.value() * f_y) / std::cos(0.5 * std::numbers::pi * std::sqrt(n_cr));
+  const double use = use_by_hand(N / (A * f_y), m, n_cr, 1.1);
+  CHECK(use > 1.0);
+  CHECK(use_of(of, "member-buckling/across") == Approx(use).epsilon(0.02));
+  CHECK(of.verdict == Verdict::fail);
+}
+
+TEST_CASE("where the axis of a case lies in the section is the same to its member", "[member]") {
+  // A T with N at its flange, and the same with its nodes moved and N e as couples at the ends.
+  const auto tee = [](double by) {
+    return path({{150, by}, {0, by}, {-150, by}, {0, by - 240}},
+                {{0, 1, 20}, {1, 2, 20}, {1, 3, 20}}, 10.0, 0.0, 2);
+  };
+  const double e = -properties_of({tee(0), {}}).centroid_z.value();
+  REQUIRE(e > 0.05);
+  const std::string held_near = held(3.0, 10);
+  const std::string couple = fmt::format("{:.17g} N m", 900e3 * e);
+  const Verification shifted =
+      verified(simple_beam(3.0, section("a", tee(0)), segment(3.0, "a"), held_near,
+                           force("press", 3.0, "[\"-900 kN\", \"0 kN\"]")));
+  // N at the flange, above the centroid, bends as couples about y do.
+  double direct = 0.0;
+  for (const char* sign : {"", "-"}) {
+    const std::string other = *sign == 0 ? "-" : "";
+    const Verification of =
+        verified(simple_beam(3.0, section("a", tee(1e3 * e)), segment(3.0, "a"), held_near,
+                             force("press", 3.0, "[\"-900 kN\", \"0 kN\"]", other + couple) +
+                                 force("turn", 0.0, "[\"0 kN\", \"0 kN\"]", sign + couple)));
+    if (std::abs(use_of(of, "yield") / use_of(shifted, "yield") - 1.0) < 1e-6)
+      direct = use_of(of, "member-buckling/in-the-plane");
+  }
+  REQUIRE(direct > 0.0);
+  CHECK(use_of(shifted, "member-buckling/in-the-plane") >= direct * (1.0 - 1e-3));
+  CHECK(use_of(shifted, "member-buckling/in-the-plane") <= direct * 1.1);
+}
+
+TEST_CASE("which flange is compressed decides how a beam turns over", "[member]") {
+  // Flanges 400 x 25 above and 160 x 16 below, web 8; forks 8 m apart, uniform moment.
+  const ThinWalled mono =
+      path({{200, 400}, {0, 400}, {-200, 400}, {80, -400}, {0, -400}, {-80, -400}},
+           {{0, 1, 25}, {1, 2, 25}, {1, 4, 8}, {3, 4, 16}, {4, 5, 16}}, 12.5, 8.0, 2);
+  // By hand, EN 1993-1-1's M_cr without I_w and with 1/I_z - 1/I_y for 1/I_z:
+  //     pi^2 E I/L^2 (sqrt(z_j^2 + L^2 G I_T/(pi^2 E I)) +- z_j)
+  const double E = 2.1e11, G = 8.1e10, L = 8.0, t1 = 0.025, t2 = 0.016, b1 = 0.4, b2 = 0.16;
+  const SectionProperties p = properties_of({mono, {}});
+  const double I_y = p.I_y.value(), I_z = p.I_z.value();
+  const double I = 1.0 / (1.0 / I_z - 1.0 / I_y);
+  const double I_T = torsion_properties_of({mono, {}}).I_T->value();
+  const double up = t1 * b1 * b1 * b1 / 12, down = t2 * b2 * b2 * b2 / 12;
+  const double z_s = 0.4 * (up - down) / (up + down), z_c = p.centroid_z.value();
+  // z_j = int z (y^2 + z^2) dA/(2 I_y) about the shear centre, over flanges and web.
+  double sum = 0.0;
+  const auto add = [&](double y, double z, double area) {
+    sum += area * (z - z_c) * (y * y + (z - z_s) * (z - z_s));
+  };
+  constexpr int parts = 4000;
+  for (int i = 0; i < parts; ++i) {
+    const double x = (i + 0.5) / parts - 0.5;
+    add(b1 * x, 0.4, t1 * b1 / parts);
+    add(b2 * x, -0.4, t2 * b2 / parts);
+    add(0.0, 0.8 * x, 0.008 * 0.8 / parts);
+  }
+  const double z_j = sum / (2.0 * I_y);
+  CHECK(std::abs(z_j) == Approx(0.332).epsilon(0.02));
+  const double euler = std::numbers::pi * std::numbers::pi * E * I / (L * L);
+  const auto critical = [&](double sign) {
+    return euler * (std::sqrt(z_j * z_j + G * I_T / euler) + sign * std::abs(z_j));
+  };
+  const auto part = [&](double kNm) {
+    const std::string M = fmt::format("{} kN m", kNm), back = fmt::format("{} kN m", -kNm);
+    const Verification of =
+        verified(simple_beam(8.0, section("a", mono), segment(8.0, "a"), held(8.0, 1),
+                             force("m1", 0.0, "[\"0 kN\", \"0 kN\"]", back) +
+                                 force("m2", 8.0, "[\"0 kN\", \"0 kN\"]", M)));
+    return of.model.second_order.lateral->part;
+  };
+  // M_y above zero stretches what lies at +z: the small flange is compressed.
+  const double a = part(100.0), b = part(-100.0);
+  CHECK(std::max(a, b) == Approx(100e3 / critical(-1.0)).epsilon(2e-2));
+  CHECK(std::min(a, b) == Approx(100e3 / critical(1.0)).epsilon(2e-2));
+}
+
+TEST_CASE("a small cell does not keep a cross from twisting", "[member]") {
+  // Fins 8 mm around a cell of 20 x 20 x 4 mm, 2 m, N = 850 kN.
+  const ThinWalled cross = path(
+      {{10, 10}, {-10, 10}, {-10, -10}, {10, -10}, {210, 10}, {-10, 210}, {-210, -10}, {10, -210}},
+      {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {0, 4, 8}, {1, 5, 8}, {2, 6, 8}, {3, 7, 8}});
+  const SectionProperties p = properties_of({cross, {}});
+  const TorsionProperties torsion = torsion_properties_of({cross, {}});
+  const double polar = (p.I_y + p.I_z).value() / p.area.value();
+  const double critical = 8.1e10 * torsion.I_T->value() / polar;
+  const Verification of =
+      verified(simple_beam(2.0, section("a", cross), segment(2.0, "a"), held(2.0, 1),
+                           force("press", 2.0, "[\"-850 kN\", \"0 kN\"]")));
+  CHECK(850e3 / critical > 0.3);
+  REQUIRE(use_of(of, "member-buckling/by-twisting") > 0.0);
+  CHECK(use_of(of, "member-buckling/by-twisting") >=
+        use_by_hand(850e3 / (p.area.value() * 355e6), 0.0, 850e3 / critical, 1.1) * (1.0 - 1e-2));
+}
+
+namespace {
+
+const ThinWalled thin_web =
+    path({{150, 400}, {0, 400}, {-150, 400}, {150, -400}, {0, -400}, {-150, -400}},
+         {{0, 1, 20}, {1, 2, 20}, {1, 4, 4}, {3, 4, 20}, {4, 5, 20}}, 10.0, 10.0, 2);
+const ThinWalled thick_web =
+    path({{150, 400}, {0, 400}, {-150, 400}, {150, -400}, {0, -400}, {-150, -400}},
+         {{0, 1, 20}, {1, 2, 20}, {1, 4, 14}, {3, 4, 20}, {4, 5, 20}}, 10.0, 10.0, 2);
+
+double patch_use(const Verification& of) { return use_of(of, "patch-loading"); }
+
+std::string line(const std::string& name, double from, double to, double kN_per_m) {
+  return fmt::format(
+      "[loads.{}]\nkind = \"line\"\nfrom = \"{} m\"\nto = \"{} m\"\nforce_per_length = [\"0 "
+      "kN/m\", \"{} "
+      "kN/m\"]\n",
+      name, from, to, kN_per_m);
+}
+
+}  // namespace
+
+TEST_CASE("a load along the whole beam comes into its thinnest web, too", "[patch]") {
+  const std::string sections = section("thin", thin_web) + section("thick", thick_web);
+  const std::string segments = segment(2.5, "thick") + segment(1.0, "thin") + segment(2.5, "thick");
+  const std::string more = held(6.0, 30) + diaphragms({0.0, 6.0});
+  const double part =
+      patch_use(verified(simple_beam(6.0, sections, segments, more, line("a", 2.5, 3.5, -235.0))));
+  const double whole =
+      patch_use(verified(simple_beam(6.0, sections, segments, more, line("a", 0.0, 6.0, -235.0))));
+  CHECK(part > 0.9);
+  // With the moment of the whole load, more.
+  CHECK(whole >= part);
+}
+
+TEST_CASE("a flange between two webs leads a force in by its own width alone", "[patch]") {
+  // Above 800 mm wide, below only between the webs.
+  const ThinWalled hat =
+      path({{400, 400}, {50, 400}, {-50, 400}, {-400, 400}, {50, -400}, {-50, -400}},
+           {{1, 2, 40}, {0, 1, 40}, {2, 3, 40}, {1, 4, 8}, {2, 5, 8}, {4, 5, 40}});
+  const ThinWalled without = path({{50, 400}, {-50, 400}, {50, -400}, {-50, -400}},
+                                  {{0, 1, 40}, {0, 2, 8}, {1, 3, 8}, {2, 3, 40}});
+  const auto resistance = [&](const ThinWalled& of, double kN) {
+    const Verification found =
+        verified(simple_beam(3.0, section("a", of), segment(3.0, "a"),
+                             held(3.0, 10) + diaphragms({0.0, 3.0}) +
+                                 "[[beam.load_introductions]]\nfrom = \"1 m\"\nto = \"2 "
+                                 "m\"\nstiff_length = \"100 mm\"\n",
+                             force("hook", 1.5, fmt::format("[\"0 kN\", \"{} kN\"]", kN))));
+    for (const CheckResult& result : found.checks)
+      if (result.check.criterion == Criterion::patch_loading &&
+          result.check.point.ends_with(" under hook"))
+        return result.patch->resistance.value();
+    return 0.0;
+  };
+  // From below, the flange above is of no account.
+  REQUIRE(resistance(without, 400.0) > 0.0);
+  CHECK(resistance(hat, 400.0) == Approx(resistance(without, 400.0)).epsilon(1e-9));
+  CHECK(resistance(hat, -400.0) > 1.01 * resistance(without, -400.0));
+}
+
+TEST_CASE("a force with a couple at a free end is no clamp", "[patch]") {
+  const ThinWalled web =
+      path({{150, 400}, {0, 400}, {-150, 400}, {150, -400}, {0, -400}, {-150, -400}},
+           {{0, 1, 20}, {1, 2, 20}, {1, 4, 6}, {3, 4, 20}, {4, 5, 20}}, 10.0, 10.0, 2);
+  const auto cantilever = [&](const std::string& moment) {
+    return verified(
+        "[case]\nname = \"path\"\nkind = \"static\"\n[frame]\n"
+        "gravity = [\"0 m/s^2\", \"0 m/s^2\"]\n" +
+        section("a", web) + "[beam]\ndensity = \"7850 kg/m^3\"\n" + segment(4.0, "a") +
+        held(4.0, 20) + "[supports.wall]\nkind = \"fixed\"\nat = \"0 m\"\n" +
+        force("h", 4.0, "[\"0 kN\", \"-200 kN\"]", moment) + steel +
+        "[strength]\nrequired = 1.0\nshear_lag = false\ngamma_M1 = 1.1\n");
+  };
+  for (const char* moment : {"", "100 kN m", "-500 kN m"}) {
+    CAPTURE(moment);
+    CHECK(blocks(cantilever(moment), "it takes 200 kN of \"h\""));
+  }
+}
+
+TEST_CASE("shear lag that is asked for stops a path that does not count it", "[lag]") {
+  const ThinWalled box = path({{500, 250}, {-500, 250}, {-500, -250}, {500, -250}},
+                              {{0, 1, 40}, {1, 2, 20}, {2, 3, 40}, {3, 0, 20}});
+  std::string text = simple_beam(5.0, section("a", box), segment(5.0, "a"), held(5.0, 1),
+                                 force("p", 2.5, "[\"0 kN\", \"-500 kN\"]"));
+  CHECK_FALSE(blocks(verified(text), "shear lag"));
+  text.replace(text.find("shear_lag = false"), 17, "shear_lag = true");
+  CHECK(blocks(verified(text), "shear lag counts"));
+}
+
+}  // namespace path_members_test
