@@ -88,7 +88,7 @@ class ColumnFile {
     cells_.resize(columns.size());
   }
   ~ColumnFile() {
-    if (open_ && netcdf().is_there()) netcdf().close(id_);
+    if (open_ && netcdf().close != nullptr) netcdf().close(id_);
   }
   ColumnFile(const ColumnFile&) = delete;
   ColumnFile& operator=(const ColumnFile&) = delete;

@@ -64,7 +64,7 @@ std::string static_tables(const FlexibleMotionResult& motion) {
     if (moments) row.push_back(number(force.z(), size));
     row.push_back(number(joint.force.magnitude, size));
     row.push_back(error_text(joint.force.constant_error, size));
-    joints.row(std::move(row));
+    joints.row(row);
   }
   double far = 0.0;
   for (const PointVibration& point : motion.points) far = std::max(far, point.motion.magnitude);
@@ -94,7 +94,7 @@ std::string harmonic_tables(const FlexibleMotionResult& motion) {
     if (moments) row.push_back(phase_text(force.z(), size));
     row.push_back(number(joint.force.largest, size));
     row.push_back(error_text(joint.force.amplitude_error, size));
-    joints.row(std::move(row));
+    joints.row(row);
   }
   double far = 0.0;
   for (const PointVibration& point : motion.points) far = std::max(far, point.motion.largest);

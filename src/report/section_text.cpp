@@ -77,8 +77,9 @@ void put_under(Fields& to, const SectionUnderForces* under) {
         of.text("plate",
                 value([](const SectionUnderForces& u) { return reduced_of(u)->sheared.name; }));
         const auto finite = [&](double ReducedStress::*which) -> std::optional<double> {
-          if (under == nullptr) return std::nullopt;
-          const double of_plate = reduced_of(*under)->reduced.*which;
+          const auto* const reduced = under == nullptr ? nullptr : reduced_of(*under);
+          if (reduced == nullptr) return std::nullopt;
+          const double of_plate = reduced->reduced.*which;
           return std::isfinite(of_plate) ? std::optional(of_plate) : std::nullopt;
         };
         of.number_or_null({"alpha_ult", "null where nothing acts"}, "1",

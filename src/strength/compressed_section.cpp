@@ -154,7 +154,7 @@ std::string path_obstacle(const PathSection& section) {
   const PathAlone alone = path_alone(section, ActingAlone::compression);
   for (const PathPlate& of : section.plates) {
     if (!may_buckle(of)) continue;
-    if (const std::string why = width_obstacle(of); !why.empty()) return why;
+    if (std::string why = width_obstacle(of); !why.empty()) return why;
     const auto differs = [&](const PathPlate::Part& part) {
       return std::abs(section.graph.walls[part.wall].thickness / of.thickness.value() - 1.0) > 1e-9;
     };

@@ -12,8 +12,8 @@
 
 namespace boxbeam {
 
-LimitState::LimitState(Eigen::Index dimension, std::function<Function()> make, std::size_t threads,
-                       std::size_t grain)
+LimitState::LimitState(Eigen::Index dimension, const std::function<Function()>& make,
+                       std::size_t threads, std::size_t grain)
     : dimension_(dimension), grain_(std::max<std::size_t>(1, grain)) {
   for (std::size_t i = 0; i < std::max<std::size_t>(1, threads); ++i) functions_.push_back(make());
 }

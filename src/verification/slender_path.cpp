@@ -48,7 +48,7 @@ bool is_slender(const std::vector<PathPlate>& plates) {
 /// Why plates beyond class 3 have no effective width; "" where all have.
 std::string widths_obstacle(const std::vector<PathPlate>& plates) {
   for (const PathPlate& plate : plates) {
-    const std::string why = may_buckle(plate) ? width_obstacle(plate) : "";
+    std::string why = may_buckle(plate) ? width_obstacle(plate) : "";
     if (!why.empty()) return why;
   }
   return "";
@@ -268,7 +268,7 @@ std::string sheared_outstand_text(double share) {
 }
 
 std::string section_obstacle(const EffectivePath& of) {
-  const std::string why = widths_obstacle(of.path().plates);
+  std::string why = widths_obstacle(of.path().plates);
   if (!why.empty()) return why;
   if (!of.settled()) return "its effective section does not settle step by step (4.4)";
   return induced_buckling(of);
@@ -278,7 +278,7 @@ std::string path_obstacle(const Project& project, const Station& station) {
   const Segment& segment = project.beam.segments[segment_at(project.beam, station)];
   const std::vector<PathPlate> ends = plates_around(project, station);
   if (ends.empty()) return "a profile inside another shares its buckling";
-  if (const std::string why = widths_obstacle(ends); !why.empty()) return why;
+  if (std::string why = widths_obstacle(ends); !why.empty()) return why;
   if (project.strength.plates == PlateRoute::reduced_stresses)
     return "reduced stresses are for boxes: write plates = \"effective widths\" under [strength]";
   constexpr double steepest = 10.0;

@@ -93,7 +93,8 @@ double length_over(const OpenSegment& of, std::vector<double> held, double beam)
     if (held[k + 1] > of.from + near && held[k] < of.to - near)
       longest = std::max(longest, held[k + 1] - held[k]);
   }
-  return longest > 0.0 ? longest : unheld;
+  if (!(longest > 0.0)) return unheld;
+  return longest;
 }
 
 /// What is largest anywhere, each by itself.

@@ -25,7 +25,7 @@ class LimitState {
 
   /// `make`: the function, once for each thread. `grain`: so many points at least are worth a
   /// thread of their own.
-  LimitState(Eigen::Index dimension, std::function<Function()> make, std::size_t threads = 1,
+  LimitState(Eigen::Index dimension, const std::function<Function()>& make, std::size_t threads = 1,
              std::size_t grain = 1);
 
   Eigen::Index dimension() const { return dimension_; }

@@ -71,7 +71,7 @@ class NetcdfFile {
     open_ = true;
   }
   ~NetcdfFile() {
-    if (open_ && netcdf().is_there()) netcdf().close(id_);
+    if (open_ && netcdf().close != nullptr) netcdf().close(id_);
   }
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
