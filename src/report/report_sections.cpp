@@ -43,10 +43,10 @@ Table planar_table(const std::vector<const StressPoint*>& points) {
                     in("I_y,eff", Quantity::second_moment)});
   for (const StressPoint* point : points) {
     const SectionProperties& gross = point->gross;
-    add_row(table,
-            row_of(to_text(point->station), cell(Quantity::length, 2.0 * gross.z_top.value()),
-                   area(gross.area), moment(gross.I_y), modulus(gross.W_y), area(point->net.area),
-                   moment(point->net.I_y)));
+    add_row(table, row_of(to_text(point->station),
+                          cell(Quantity::length, (gross.z_top - gross.z_bottom).value()),
+                          area(gross.area), moment(gross.I_y), modulus(gross.W_y),
+                          area(point->net.area), moment(point->net.I_y)));
   }
   return table;
 }
