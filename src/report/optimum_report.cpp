@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "document_fields.hpp"
 #include "text_layout.hpp"
@@ -204,7 +205,14 @@ void report::put_optimum(Fields& to, const OptimumReport& of) {
   to.list({"front", "of two goals: neither can be less but for more of the other"}, "", of.front,
           [&](Fields& fields, const FrontPoint& point) {
             fields.named_numbers("variables", named_values(of, point.values));
-            fields.numbers({"goals", "SI"}, "", point.goals);
+            std::vector<std::size_t> places(point.goals.size());
+            std::iota(places.begin(), places.end(), std::size_t{0});
+            fields.list("goals", "", places, [&](Fields& one, std::size_t k) {
+              const Named goal = k < of.goals.size() ? of.goals[k] : Named{};
+              one.text("goal", goal.name);
+              one.text({"unit", "SI; 1 without"}, goal.unit.empty() ? "1" : goal.unit);
+              one.number_in("value", "", "unit", k < point.goals.size() ? point.goals[k] : 0.0);
+            });
           });
   to.boolean({"exhaustive", "every combination of the lists was looked at"}, optimum.exhaustive);
   to.whole({"starts", "searches"}, optimum.starts);

@@ -90,7 +90,7 @@ points = 9
 """)
     check(len(found["front"]) == 9, f"{len(found['front'])} points of a front of 9")
     for point in found["front"]:
-        first, second = point["goals"]
+        first, second = (goal["value"] for goal in point["goals"])
         near(max(first, 0) ** 0.5 + max(second, 0) ** 0.5, 2 ** 0.5, 1e-4, "a point of the front")
 
 
