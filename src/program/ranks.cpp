@@ -13,8 +13,7 @@
 namespace boxbeam::program {
 namespace {
 
-/// How many processes a launcher has started, by what it tells them: OpenMPI, MPICH and Intel,
-/// Slurm.
+/// How many processes a launcher has started, by what it tells them: OpenMPI, MPICH and Intel.
 std::size_t started_together() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     const char* const text = std::getenv(name);
@@ -72,6 +71,11 @@ Ranks::Ranks() {
     if (library_->begin(&index, &count) != 0) throw InputError("MPI does not begin");
     index_ = static_cast<std::size_t>(index);
     count_ = static_cast<std::size_t>(count);
+    // Each would take itself for the only one, and do all the work.
+    if (count_ != started)
+      throw InputError(
+          fmt::format("{} processes were started together, of which MPI knows {}", started, count_),
+          "start them by the mpirun of the MPI that boxbeam is built with");
     return;
   }
   throw InputError(

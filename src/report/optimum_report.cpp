@@ -24,7 +24,7 @@ const std::string& unit_of(const OptimumReport& of, const std::string& choice) {
   return none;
 }
 
-/// "8 to 20 mm" or "one of 6, from 8 to 20 mm".
+/// "8 to 20 mm" or "one of 6, 8 to 20 mm".
 std::string range_of(const Choice& choice, const std::string& unit) {
   if (choice.values.empty())
     return fmt::format("{:.6g} to {}", choice.from, amount(choice.to, unit));

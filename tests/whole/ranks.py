@@ -105,6 +105,10 @@ def check_ranks(folder, study, expected):
         out = folder / f"ranks{count}"
         run(PROGRAM, "sweep", study, "--out", out, "--threads", 1, "--netcdf", before=(*ranks, str(count)))
         check(files_of(out) == expected, f"{count} processes write other bytes than one")
+    # Started by another MPI's launcher, each would be alone.
+    alone = run(PROGRAM, "sweep", study, "--out", folder / "others", code=2, PMI_SIZE="4")
+    check("4 processes" in alone.stderr and "MPI knows 1" in alone.stderr, alone.stderr)
+    check(not (folder / "others/rows.csv").exists(), "one of four did all the work")
     # What stands there is of somebody else: one says so, and all end.
     other = folder / "other/chunks"
     other.mkdir(parents=True)
