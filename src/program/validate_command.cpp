@@ -56,13 +56,17 @@ void add_mechanism(Parts& parts, const spatial::Mechanism& mechanism) {
   std::vector<std::string> driven;
   for (const spatial::Joint& joint : mechanism.joints) {
     joints.push_back(joint.name);
-    if (joint.kind != spatial::JointKind::fixed) driven.push_back(joint.name);
+    if (spatial::is_driven(joint)) driven.push_back(joint.name);
+  }
+  for (const spatial::ClosingJoint& joint : mechanism.closing) {
+    if (!joint.driver_name.empty()) driven.push_back(joint.name);
   }
   std::vector<std::string> forces = names_of(mechanism.loads);
   for (const spatial::LineForce& line : mechanism.line_forces) forces.push_back(line.name);
   parts.add("kind", "spatial: rigid bodies in space");
   parts.add("bodies", listed(names_of(mechanism.bodies)));
   parts.add("joints", listed(joints));
+  parts.add("closing loops", listed(names_of(mechanism.closing)));
   parts.add("driven", listed(driven));
   parts.add("forces", listed(forces));
 }

@@ -57,6 +57,11 @@ void check_on_beam(TableReader& root, const TaperedBeam& beam,
     if (static_cast<int>(i) == placement.body) look("joints", joint.name, joint.point);
     if (joint.parent == placement.body) look("joints", joint.name, joint.at);
   }
+  for (const spatial::ClosingJoint& joint : mechanism.closing) {
+    for (const spatial::Attachment& end : {joint.a, joint.b}) {
+      if (end.body == placement.body) look("joints", joint.name, end.p);
+    }
+  }
   for (const spatial::AppliedLoad& load : mechanism.loads) {
     if (load.on == placement.body && load.at.body == placement.body) {
       look("forces", load.name, load.at.p);

@@ -106,6 +106,10 @@ Driver read_size(TableReader& table, const FunctionOf& of, TimeTables& tables);
 spatial::Mechanism read_chain(TableReader& root, const std::vector<std::string>& beam_bodies,
                               TimeTables& tables);
 
+/// [joints] and [drivers] of a mechanism in space whose bodies are read, which then stand in the
+/// order of its tree. False where they form none: nothing else can be found in it.
+bool read_chain_joints(TableReader& root, spatial::Mechanism& mechanism, TimeTables& tables);
+
 /// [forces] on the bodies of a mechanism in space.
 void read_chain_loads(TableReader& root, spatial::Mechanism& mechanism, TimeTables& tables);
 

@@ -82,18 +82,27 @@ std::string points_table(const std::vector<ChainPoint>& points) {
 
 std::string joints_table(const spatial::Mechanism& mechanism,
                          const std::vector<ChainJoint>& joints) {
-  Table table({"joint", "on", "force x", "y", "z [N]", "moment x", "y", "z [N m]", "drive"});
+  Table table(
+      {"joint", "on", "force x", "y", "z [N]", "moment x", "y", "z [N m]", "drive", "stands at"});
   const double force = largest(joints, &ChainJoint::force);
   const double moment = largest(joints, &ChainJoint::moment);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const ChainJoint& joint = joints[i];
     std::vector<std::string> row{joint.name, joint.on};
-    add(row, joint.force, force);
-    add(row, joint.moment, moment);
-    const bool turns = mechanism.joints[i].kind == spatial::JointKind::revolute;
+    if (joint.unique) {
+      add(row, joint.force, force);
+      add(row, joint.moment, moment);
+    } else {
+      row.insert(row.end(), 6, "shared");
+    }
+    const bool carries = i < mechanism.joints.size();
+    const bool turns = carries && mechanism.joints[i].kind == spatial::JointKind::revolute;
+    const bool fixed = carries && mechanism.joints[i].kind == spatial::JointKind::fixed;
     row.push_back(joint.drive
                       ? number(*joint.drive, turns ? moment : force) + (turns ? " N m" : " N")
-                      : "fixed");
+                      : (fixed ? "fixed" : "-"));
+    row.push_back(joint.coordinate ? number(joint.coordinate->value, 0.0) + (turns ? " rad" : " m")
+                                   : "-");
     table.row(std::move(row));
   }
   return "\n" + table.text();
@@ -144,6 +153,20 @@ std::string motion_text(const Project& project, const ChainMotionResult& motion)
       "A joint's force and moment are about its point, on the body that is named; its drive is "
       "what moves the body that it carries, along its axis. Inertia loads are about the centre of "
       "mass; the gyroscopic part is there because a body turns in a joint on a body that turns.");
+  if (motion.loops) {
+    const ChainLoops& loops = *motion.loops;
+    out += layout::paragraph(fmt::format(
+        "Loops are closed by {}: {} equation{} {} {} coordinate{}{}.",
+        fmt::join(loops.closing, ", "), loops.equations, loops.equations == 1 ? "" : "s",
+        loops.equations == 1 ? "decides" : "decide", loops.freedoms, loops.freedoms == 1 ? "" : "s",
+        loops.repeating == 0 ? "" : fmt::format(", {} of them repeat others", loops.repeating)));
+    if (!loops.not_unique.empty()) {
+      out += layout::paragraph(fmt::format(
+          "How {} share their loads depends on their elasticity: their forces are not printed. One "
+          "that leaves more freedom (\"spherical\" for \"revolute\") makes them known.",
+          fmt::join(loops.not_unique, ", ")));
+    }
+  }
   if (project.situations.size() > 1) {
     out += layout::paragraph(
         "This is the case as it stands; what its situations change is not part of it.");

@@ -82,10 +82,12 @@ void put_state(Fields& to, const InstantResult& state) {
 
 void put_state(Fields& to, const ChainInstant& state) {
   to.number("time", "s", state.time);
-  // A chain is explicit: it has no branch, and nothing is left open.
-  put_branch(to, {});
-  to.whole("residual", 0, "1");
-  to.whole("condition", 1, "1");
+  // A chain without loops is explicit: it has no branch, and nothing is left open.
+  std::vector<std::pair<std::string, int>> branch;
+  if (state.branch != 0) branch.emplace_back("loops", state.branch);
+  put_branch(to, branch);
+  to.number({"residual", "largest error of the loops' equations"}, "1", state.residual);
+  to.number({"condition", "of the loops' equations"}, "1", state.condition);
   to.named("bodies", state.bodies, name_of<ChainBody>, [](Fields& of, const ChainBody& body) {
     of.vector("omega", "rad/s", body.omega);
     of.vector("alpha", "rad/s^2", body.alpha);
@@ -104,7 +106,24 @@ void put_state(Fields& to, const ChainInstant& state) {
     of.vector("force", "N", joint.force);
     of.vector("moment", "N m", joint.moment);
     of.number_or_null({"drive", "force [N] or moment [N m] of the drive"}, "", joint.drive);
+    const auto part = [&](double DriverState::*value) {
+      return joint.coordinate ? std::optional(*joint.coordinate.*value) : std::nullopt;
+    };
+    of.number_or_null({"coordinate", "angle [rad], shift or length [m]; null where fixed"}, "",
+                      part(&DriverState::value));
+    of.number_or_null({"rate", "of it"}, "", part(&DriverState::rate));
+    of.boolean({"unique", "else joints that repeat each other share what it carries"},
+               joint.unique);
   });
+}
+
+void put_loops(Fields& to, const ChainLoops& loops) {
+  to.texts({"closing", "joints that close loops"}, loops.closing);
+  to.whole("equations", loops.equations, "1");
+  to.whole({"freedoms", "coordinates that they decide"}, loops.freedoms, "1");
+  to.whole({"repeating", "equations that others imply"}, loops.repeating, "1");
+  to.texts({"not_unique", "joints that repeat each other: how they share their loads is not known"},
+           loops.not_unique);
 }
 
 void put_hand_formula(Fields& to, const HandComparison& hand) {
@@ -144,6 +163,7 @@ void put_motion(Fields& to, const ChainMotionResult& motion) {
   to.constant("kind", "spatial");
   to.text({"axes", "in which vectors are given: world, or a body"}, motion.axes);
   to.whole("degrees_of_freedom", motion.driven, "1");
+  to.object_or_null({"loops", "of a mechanism that is closed"}, motion.loops, put_loops);
   to.list("states", "", motion.states,
           [](Fields& of, const ChainInstant& state) { put_state(of, state); });
   to.list({"hand_formulas", "formulas of the case beside what the program computes"}, "{name}",

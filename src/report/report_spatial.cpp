@@ -73,6 +73,22 @@ Table joints_table(const Mechanism& mechanism) {
   return table;
 }
 
+/// The joints that close loops.
+Table closing_table(const Mechanism& mechanism) {
+  Table table = table_of(
+      "", {"closing joint", "kind", "on", "at [m]", "and on", "at [m]", "axis, of the first body"});
+  for (const spatial::ClosingJoint& joint : mechanism.closing) {
+    const bool has_axis = joint.kind != spatial::ClosingKind::fixed &&
+                          joint.kind != spatial::ClosingKind::spherical &&
+                          joint.kind != spatial::ClosingKind::distance;
+    add_row(table,
+            row_of(joint.name, spatial::to_text(joint.kind), body_name(mechanism, joint.a.body),
+                   triple(joint.a.p), body_name(mechanism, joint.b.body), triple(joint.b.p),
+                   has_axis ? direction_text(joint.axis) : std::string("-")));
+  }
+  return table;
+}
+
 Table bodies_table(const Mechanism& mechanism) {
   Table table = table_of("", {"body", "mass [kg]", "centre, body axes [m]",
                               "principal inertias about the centre [kg m^2]"});
@@ -103,11 +119,17 @@ Entries entries_of(const Project& project) {
                   body_name(mechanism, placement.body), triple(placement.start),
                   direction_text(placement.axes.col(0)), direction_text(placement.axes.col(2))));
   for (const spatial::Joint& joint : mechanism.joints) {
-    if (joint.kind == spatial::JointKind::fixed) continue;
+    if (!spatial::is_driven(joint)) continue;
     const bool turns = joint.kind == spatial::JointKind::revolute;
     entries.emplace_back(
         "driver", fmt::format("{}: {} = {}", spatial::driver_text(joint), turns ? "angle" : "shift",
                               function_text(joint.driver, turns ? "rad" : "m")));
+  }
+  for (const spatial::ClosingJoint& joint : mechanism.closing) {
+    if (joint.kind != spatial::ClosingKind::distance) continue;
+    entries.emplace_back(joint.driver_name.empty() ? "rod" : "driver",
+                         fmt::format("{}: length = {}", spatial::driver_text(joint),
+                                     function_text(joint.length, "m")));
   }
   for (const spatial::AppliedLoad& load : mechanism.loads) {
     const bool force = load.kind == spatial::LoadKind::force;
@@ -170,7 +192,10 @@ class SpatialText : public FrontEndText {
 
   std::vector<Block> blocks(const Verification&) const override {
     const Mechanism& mechanism = spatial_of(*project_);
-    return {joints_table(mechanism), bodies_table(mechanism)};
+    std::vector<Block> blocks{joints_table(mechanism)};
+    if (!mechanism.closing.empty()) blocks.push_back(closing_table(mechanism));
+    blocks.push_back(bodies_table(mechanism));
+    return blocks;
   }
 
   std::optional<RigidBodies> rigid_bodies() const override {

@@ -103,9 +103,32 @@ ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state, std
                     sign * wrench.force,
                     sign * wrench.moment,
                     {}};
+  if (joint.kind == spatial::JointKind::fixed) return result;
+  result.coordinate = state.coordinates[i];
+  if (joint.free) return result;
   const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
-  if (joint.kind == spatial::JointKind::revolute) result.drive = wrench.moment.dot(axis);
-  if (joint.kind == spatial::JointKind::prismatic) result.drive = wrench.force.dot(axis);
+  const bool turns = joint.kind == spatial::JointKind::revolute;
+  result.drive = axis.dot(turns ? wrench.moment : wrench.force);
+  return result;
+}
+
+ChainJoint joint_of(const Mechanism& mechanism, const spatial::State& state,
+                    const spatial::ClosingJoint& joint, const spatial::Wrench& wrench, int beam) {
+  const bool on_a =
+      joint.b.body == spatial::ground || (beam != spatial::ground && joint.a.body == beam);
+  const double sign = on_a ? -1.0 : 1.0;
+  const int on = on_a ? joint.a.body : joint.b.body;
+  ChainJoint result{joint.name,
+                    mechanism.bodies[static_cast<std::size_t>(on)].name,
+                    sign * wrench.force,
+                    sign * wrench.moment,
+                    {}};
+  if (joint.kind != spatial::ClosingKind::distance) return result;
+  result.coordinate = driver_at(joint.length, state.time);
+  if (joint.driver_name.empty()) return result;
+  const Eigen::Vector3d along =
+      (spatial::position_of(state, joint.b) - spatial::position_of(state, joint.a)).normalized();
+  result.drive = along.dot(wrench.force);
   return result;
 }
 
@@ -131,12 +154,34 @@ ChainInstant instant_of(const Project& project, const spatial::Chain& chain,
     instant.bodies.push_back(body_of(mechanism, state, i));
     instant.joints.push_back(joint_of(mechanism, state, i, wrenches[i], project.placement.body));
   }
+  for (std::size_t k = 0; k < mechanism.closing.size(); ++k) {
+    instant.joints.push_back(joint_of(mechanism, state, mechanism.closing[k],
+                                      wrenches[mechanism.joints.size() + k],
+                                      project.placement.body));
+  }
+  if (const spatial::Loops* loops = chain.loops()) {
+    instant.branch = loops->branch();
+    instant.residual = loops->residual_of(chain.tree(), state);
+    instant.condition = loops->condition_of(chain.tree(), state);
+    for (std::size_t i = 0; i < instant.joints.size(); ++i)
+      instant.joints[i].unique = loops->unique()[i] != 0;
+  }
   for (const NamedPlace& place : places) {
     instant.points.push_back({place.name, spatial::position_of(state, place.at),
                               spatial::velocity_of(state, place.at),
                               spatial::acceleration_of(state, place.at)});
   }
   return instant;
+}
+
+ChainLoops loops_of(const Mechanism& mechanism, const spatial::Loops& loops) {
+  ChainLoops of;
+  of.equations = loops.equations();
+  of.freedoms = loops.freedoms();
+  of.repeating = loops.repeating();
+  for (const spatial::ClosingJoint& joint : mechanism.closing) of.closing.push_back(joint.name);
+  of.not_unique = spatial::names_not_unique(mechanism, loops);
+  return of;
 }
 
 Eigen::Vector3d computed_of(const HandFormula& formula, const spatial::State& state) {
@@ -179,9 +224,13 @@ ChainMotionResult chain_motion_of(const Project& project, std::vector<double> ti
 
   ChainMotionResult result;
   result.axes = axes;
-  result.driven = static_cast<std::size_t>(std::count_if(
-      mechanism.joints.begin(), mechanism.joints.end(),
-      [](const spatial::Joint& joint) { return joint.kind != spatial::JointKind::fixed; }));
+  const auto driven_length = [](const spatial::ClosingJoint& joint) {
+    return !joint.driver_name.empty();
+  };
+  result.driven = static_cast<std::size_t>(
+      std::count_if(mechanism.joints.begin(), mechanism.joints.end(), spatial::is_driven) +
+      std::count_if(mechanism.closing.begin(), mechanism.closing.end(), driven_length));
+  if (const spatial::Loops* loops = chain.loops()) result.loops = loops_of(mechanism, *loops);
   for (const double time : times) {
     ChainInstant instant = instant_of(project, chain, places, time);
     if (asked != spatial::ground) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,6 +73,10 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
     for (const spatial::Joint& carried : mechanism.joints) {
       if (carried.parent == body) add_point(carried.at);
     }
+    for (const spatial::ClosingJoint& closing : mechanism.closing) {
+      if (closing.a.body == body) add_point(closing.a.p);
+      if (closing.b.body == body) add_point(closing.b.p);
+    }
     if (line.beam) {
       const auto on_axis = [&](double s) {
         return place(placement.start + s * placement.axes.col(0));
@@ -94,6 +100,12 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
     }
     figure.bodies.push_back(std::move(line));
   }
+  for (const spatial::ClosingJoint& closing : mechanism.closing) {
+    const Eigen::Vector3d a = spatial::position_of(state, closing.a) - origin;
+    if (closing.kind == spatial::ClosingKind::distance)
+      figure.rods.push_back({a, spatial::position_of(state, closing.b) - origin});
+    if (closing.a.body == spatial::ground) figure.grounds.push_back(a);
+  }
   return figure;
 }
 
@@ -101,26 +113,66 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
 std::vector<DriverLine> driver_lines_of(const spatial::Chain& chain, const LoadHistory& loads) {
   constexpr int steps = 192;
   const spatial::Mechanism& mechanism = chain.mechanism();
-  std::vector<DriverLine> lines(mechanism.joints.size());
+  const std::size_t carrying = mechanism.joints.size();
+  std::vector<DriverLine> lines(carrying + mechanism.closing.size());
   for (int k = 0; k <= steps; ++k) {
     const double time = (loads.begin() + loads.period() * (static_cast<double>(k) / steps)).value();
     const spatial::State state = chain.at(time);
     const std::vector<spatial::Wrench> wrenches = chain.joint_wrenches(state);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t i = 0; i < carrying; ++i) {
       const spatial::Joint& joint = mechanism.joints[i];
-      if (joint.kind == spatial::JointKind::fixed) continue;
+      if (!spatial::is_driven(joint)) continue;
       const Eigen::Vector3d axis = spatial::in_world(state, joint.parent, joint.axis);
       lines[i].name = spatial::driver_text(joint);
       lines[i].turns = joint.kind == spatial::JointKind::revolute;
-      add_sample(lines[i], time, driver_at(joint.driver, time),
+      add_sample(lines[i], time, state.coordinates[i],
                  axis.dot(lines[i].turns ? wrenches[i].moment : wrenches[i].force));
+    }
+    for (std::size_t i = carrying; i < lines.size(); ++i) {
+      const spatial::ClosingJoint& joint = mechanism.closing[i - carrying];
+      if (joint.driver_name.empty()) continue;
+      const Eigen::Vector3d along =
+          (spatial::position_of(state, joint.b) - spatial::position_of(state, joint.a))
+              .normalized();
+      lines[i].name = spatial::driver_text(joint);
+      add_sample(lines[i], time, driver_at(joint.length, time), along.dot(wrenches[i].force));
     }
   }
   std::erase_if(lines, [](const DriverLine& line) {
+    if (line.position.empty()) return true;
     return std::all_of(line.position.begin(), line.position.end(),
                        [&](double value) { return value == line.position.front(); });
   });
   return lines;
+}
+
+/// Stops where rigid bodies do not determine what acts on the beam.
+void check_unique_loads(const spatial::Chain& chain, int beam) {
+  if (chain.loops() == nullptr) return;
+  const spatial::Mechanism& mechanism = chain.mechanism();
+  const std::size_t carrying = mechanism.joints.size();
+  std::vector<std::string> on_beam;
+  for (std::size_t i = 0; i < chain.loops()->unique().size(); ++i) {
+    if (chain.loops()->unique()[i]) continue;
+    if (i < carrying) {
+      const bool holds = static_cast<int>(i) == beam || mechanism.joints[i].parent == beam;
+      if (holds) on_beam.push_back(mechanism.joints[i].name);
+    } else {
+      const spatial::ClosingJoint& joint = mechanism.closing[i - carrying];
+      if (joint.a.body == beam || joint.b.body == beam) on_beam.push_back(joint.name);
+    }
+  }
+  if (on_beam.empty()) return;
+  throw AnalysisError(
+      {fmt::format("the loads on the beam are not determined by rigid bodies: joints repeat each "
+                   "other ({}), and how they share their load depends on their stiffness; release "
+                   "one of them (\"spherical\" or \"cylindrical\" for \"revolute\")",
+                   fmt::join(spatial::names_not_unique(mechanism, *chain.loops()), ", ")),
+       fmt::format("joint {}", fmt::join(on_beam, ", ")),
+       {},
+       {},
+       {},
+       {}});
 }
 
 class SpatialMotion : public SolvedMotion {
@@ -131,7 +183,9 @@ class SpatialMotion : public SolvedMotion {
             index_of(project, situation),
             [&] { return spatial::Chain(spatial_in(project, situation)); })),
         motion_(*shared.once<spatial::Motion>(index_of(project, situation),
-                                              [&] { return spatial::motion_of(*chain_); })) {}
+                                              [&] { return spatial::motion_of(*chain_); })) {
+    check_unique_loads(*chain_, placement_in(project, chain_->mechanism()).body);
+  }
 
   LoadHistory loads() const override {
     const spatial::Mechanism& mechanism = chain_->mechanism();
@@ -160,13 +214,16 @@ class SpatialMotion : public SolvedMotion {
     return driver_lines_of(*chain_, loads);
   }
 
-  /// The joint that carries the beam's body clamps it.
+  /// The joint that carries the beam's body, which clamps it where nothing else holds it: loops do.
   std::vector<double> supports(const BeamLoads&) const override {
     const spatial::Mechanism& mechanism = chain_->mechanism();
     const spatial::BeamPlacement placement = placement_in(*project_, mechanism);
-    const Eigen::Vector3d& joint = mechanism.joints[static_cast<std::size_t>(placement.body)].point;
-    return {
-        std::clamp(spatial::in_beam(placement, joint).x(), 0.0, project_->beam.length().value())};
+    std::vector<double> at;
+    for (const Eigen::Vector3d& place : spatial::holds_of(mechanism, placement.body)) {
+      at.push_back(
+          std::clamp(spatial::in_beam(placement, place).x(), 0.0, project_->beam.length().value()));
+    }
+    return at;
   }
 
  private:
@@ -198,8 +255,10 @@ class SpatialFrontEnd : public FrontEnd {
   }
 
   std::vector<AssemblyResult> assemblies(double) const override {
-    throw InputError("a mechanism in space is a chain, which has one assembly only",
-                     "leave out --assemblies");
+    throw InputError(
+        "the assemblies of a mechanism in space are not listed: a chain has one only, "
+        "and loops stand where the joints' \"start\" says",
+        "leave out --assemblies");
   }
 };
 

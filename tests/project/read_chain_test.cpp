@@ -206,6 +206,40 @@ TEST_CASE("hand formulas are evaluated with their symbols in SI units") {
   CHECK(hand.point.body == body_index(spatial_of(project), "load"));
 }
 
+TEST_CASE("joints that close loops leave free what nothing drives, from near its start") {
+  const std::string loop =
+      "[joints.hinge]\nkind = \"revolute\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\n"
+      "start = \"-20 deg\"\n"
+      "[joints.cylinder]\nkind = \"distance\"\nconnect = [\"ground\", \"arm.side\"]\n"
+      "at = [\"0 m\", \"0 m\", \"-1 m\"]\n"
+      "[drivers.stroke]\njoint = \"cylinder\"\nkind = \"hold\"\nvalue = \"1.3 m\"\n" +
+      weld;
+  const Project project = read(loop);
+  const spatial::Mechanism& mechanism = spatial_of(project);
+  CHECK(joint(project, "hinge").free);
+  CHECK(joint(project, "hinge").start == Approx(-std::acos(-1.0) / 9.0));
+  REQUIRE(mechanism.closing.size() == 1);
+  const spatial::ClosingJoint& cylinder = mechanism.closing.front();
+  CHECK(cylinder.driver_name == "stroke");
+  CHECK(cylinder.a.body == spatial::ground);
+  CHECK(cylinder.b.body == body_index(mechanism, "arm"));
+  // 0.5^2 + 0.2^2 + 1 + 2 (0.2 cos q - 0.5 sin q) = 1.3^2 with side at 0.5 along and 0.2 above.
+  const double q = spatial::Chain(mechanism).at(0.0).coordinates[0].value;
+  CHECK(0.2 * std::cos(q) - 0.5 * std::sin(q) == Approx(0.5 * (1.69 - 1.29)).epsilon(1e-12));
+
+  // In series, the last of them carries the body; the first movement is that nearest to the ground.
+  const Project series = read(
+      "[joints.hinge]\nkind = \"cylindrical\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"y\"\n"
+      "start = [\"10 deg\"]\nstart_shift = [\"0.1 m\"]\n" +
+      weld +
+      "[drivers.a]\njoint = \"hinge.1\"\nkind = \"hold\"\nvalue = \"0 deg\"\n"
+      "[drivers.b]\njoint = \"hinge.2\"\nkind = \"hold\"\nvalue = \"0.1 m\"\n");
+  CHECK(joint(series, "hinge.1").kind == spatial::JointKind::revolute);
+  CHECK(joint(series, "hinge.2").kind == spatial::JointKind::prismatic);
+  CHECK(joint(series, "hinge.2").start == Approx(0.1));
+  CHECK_FALSE(joint(series, "hinge.2").free);
+}
+
 TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_input]") {
   struct Wrong {
     std::string lines, said, hint;
@@ -216,7 +250,7 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
       {hinge + weld + swing +
            "[joints.again]\nkind = \"fixed\"\nconnect = [\"ground\", "
            "\"load.D\"]\n",
-       "carried twice, by \"weld\" and by \"again\"", "in the plane only"},
+       "carried twice, by \"weld\" and by \"again\"", "closes = true"},
       {"[joints.hinge]\nkind = \"fixed\"\nconnect = [\"load.C\", \"arm.A\"]\n" + weld,
        "is carried by what it carries itself", "the tree begins at the ground"},
       {hinge + weld, "nothing drives joint \"hinge\"", "kind = \"hold\""},
@@ -226,6 +260,19 @@ TEST_CASE("what is wrong in a case in space is said with what to write", "[bad_i
        "has a driver already", "one driver"},
       {all + "[drivers.weld]\njoint = \"weld\"\nkind = \"hold\"\nvalue = \"0 deg\"\n",
        "is fixed and cannot move", "one driver"},
+      {all + "[joints.rod]\nkind = \"distance\"\nconnect = [\"ground\", \"load.D\"]\n",
+       "the length of \"rod\" is not known", "length ="},
+      {all + "[joints.rod]\nkind = \"distance\"\nconnect = [\"ground\", \"load.D\"]\n"
+             "length = \"1 m\"\n[drivers.rod]\njoint = \"rod\"\nkind = \"hold\"\n"
+             "value = \"1 m\"\n",
+       "the length of \"rod\" is said twice", "a cylinder a driver"},
+      {all + "[joints.ball]\nkind = \"spherical\"\nconnect = [\"ground\", \"load.D\"]\n"
+             "closes = true\n[drivers.ball]\njoint = \"ball\"\nkind = \"hold\"\n"
+             "value = \"1 m\"\n",
+       "closes a loop and follows it", "the length of a distance"},
+      {all + "[joints.hook]\nkind = \"universal\"\nconnect = [\"ground\", \"load.D\"]\n"
+             "closes = true\naxis = \"x\"\nsecond_axis = [1, 1, 0]\n",
+       "stand square", "second_axis = \"z\""},
       {"[joints.hinge]\nkind = \"revolute\"\nconnect = [\"ground\", \"arm.A\"]\naxis = \"w\"\n" +
            weld,
        "\"axis\" cannot be \"w\"", "three numbers"},

@@ -34,13 +34,20 @@ struct ChainJoint {
   /// Force or moment of the drive on the carried body along the joint's axis, so that times the
   /// rate of its coordinate it is the power [N, N m]; nothing for a fixed joint.
   std::optional<double> drive;
+  /// Of what moves in the joint, an angle [rad], shift or length [m]; nothing where it has none.
+  std::optional<DriverState> coordinate;
+  /// Else joints that repeat each other share what it carries, and only their elasticity decides.
+  bool unique = true;
 };
 
 struct ChainInstant {
   double time = 0.0;  ///< [s]
   std::vector<ChainBody> bodies;
   std::vector<ChainPoint> points;
-  std::vector<ChainJoint> joints;
+  std::vector<ChainJoint> joints;  ///< those that carry bodies, then those that close loops
+  int branch = 0;          ///< sign of the loops' equations, see spatial::Loops; 0 without loops
+  double residual = 0.0;   ///< largest error of the loops' equations
+  double condition = 1.0;  ///< of the loops' equations
 };
 
 /// A hand formula of the case beside what the program computes, world axes.
@@ -50,10 +57,20 @@ struct HandComparison {
   Eigen::Vector3d computed;
 };
 
+/// What closes the loops of a mechanism in space, and what it decides.
+struct ChainLoops {
+  std::vector<std::string> closing;     ///< joints
+  std::vector<std::string> not_unique;  ///< joints whose forces repeat each other
+  std::size_t equations = 0;
+  std::size_t freedoms = 0;   ///< coordinates that they decide
+  std::size_t repeating = 0;  ///< equations that others imply
+};
+
 /// The motion of a mechanism in space alone.
 struct ChainMotionResult {
   std::string axes;        ///< "world", or the body in whose axes the vectors are given
-  std::size_t driven = 0;  ///< joints that move
+  std::size_t driven = 0;  ///< coordinates that drivers move
+  std::optional<ChainLoops> loops = {};
   std::vector<ChainInstant> states;
   std::vector<HandComparison> hand_formulas;
 };

@@ -15,7 +15,7 @@ bool is_constant(const Driver& driver) {
 int first_held_with(const Mechanism& mechanism, int body) {
   while (body != ground) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(body)];
-    if (joint.kind != JointKind::fixed && !is_constant(joint.driver)) break;
+    if (joint.kind != JointKind::fixed && (joint.free || !is_constant(joint.driver))) break;
     body = joint.parent;
   }
   return body;
@@ -37,14 +37,45 @@ Attachment place_on_carrier(const Mechanism& mechanism, std::size_t i) {
   return {joint.parent, joint.at};
 }
 
+/// Where a closing joint takes hold of its body a: where b has its place, if it slides along a.
+Attachment place_on_a(const ClosingJoint& joint) {
+  switch (joint.kind) {
+    case ClosingKind::prismatic:
+    case ClosingKind::cylindrical:
+    case ClosingKind::planar:
+    case ClosingKind::slot: return joint.b;
+    case ClosingKind::fixed:
+    case ClosingKind::revolute:
+    case ClosingKind::universal:
+    case ClosingKind::spherical:
+    case ClosingKind::distance: break;
+  }
+  return joint.a;
+}
+
+/// Calls f(name, place, joint, sign) for the joints that take hold of the beam's body: their index
+/// among the wrenches of all joints, and 1 where the wrench is that on this body.
+template <class Function>
+void each_hold(const Mechanism& mechanism, int own, const Function& f) {
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (static_cast<int>(i) == own) f(joint.name, Attachment{own, joint.point}, i, 1.0);
+    if (joint.parent == own) f(joint.name, place_on_carrier(mechanism, i), i, -1.0);
+  }
+  for (std::size_t k = 0; k < mechanism.closing.size(); ++k) {
+    const ClosingJoint& joint = mechanism.closing[k];
+    const std::size_t i = mechanism.joints.size() + k;
+    if (joint.b.body == own) f(joint.name, joint.b, i, 1.0);
+    if (joint.a.body == own) f(joint.name, place_on_a(joint), i, -1.0);
+  }
+}
+
 /// Calls f(name, place) for what acts at a point of the beam's body, in the order of its loads.
 template <class Function>
 void each_place(const Mechanism& mechanism, int own, const Function& f) {
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    if (static_cast<int>(i) == own) f(joint.name, Attachment{own, joint.point});
-    if (joint.parent == own) f(joint.name, place_on_carrier(mechanism, i));
-  }
+  each_hold(
+      mechanism, own,
+      [&](const std::string& name, const Attachment& at, std::size_t, double) { f(name, at); });
   for (const AppliedLoad& load : mechanism.loads) {
     if (load.on == own) f(load.name, load.at);
   }
@@ -65,13 +96,40 @@ void give_mass(Body& body, const BeamPlacement& placement, const TaperedBeam& be
 
 std::vector<LastingPlace> lasting_places_of(const Mechanism& mechanism,
                                             const BeamPlacement& placement) {
-  const State state = Chain(mechanism).at(0.0);
+  // Where the loops stand is of no matter: only what holds together is compared.
+  const Tree tree(mechanism);
+  State state;
+  tree.drive(state, 0.0);
+  tree.move(state);
   const int held_with = first_held_with(mechanism, placement.body);
   std::vector<LastingPlace> places;
   each_place(mechanism, placement.body, [&](const std::string& name, const Attachment& at) {
     if (first_held_with(mechanism, at.body) != held_with) return;
     places.push_back({name, in_beam(placement, state, at)});
   });
+  return places;
+}
+
+std::vector<Eigen::Vector3d> holds_of(const Mechanism& mechanism, int body) {
+  // Whether a body is the other one or carried by it.
+  const auto is_beyond = [&](int of, int carrier) {
+    while (of > carrier) of = mechanism.joints[static_cast<std::size_t>(of)].parent;
+    return of == carrier;
+  };
+  std::vector<Eigen::Vector3d> places{mechanism.joints[static_cast<std::size_t>(body)].point};
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    if (mechanism.joints[i].parent != body) continue;
+    const auto leaves_here = [&](const ClosingJoint& joint) {
+      const int child = static_cast<int>(i);
+      return is_beyond(joint.a.body, child) != is_beyond(joint.b.body, child);
+    };
+    if (std::any_of(mechanism.closing.begin(), mechanism.closing.end(), leaves_here))
+      places.push_back(mechanism.joints[i].at);
+  }
+  for (const ClosingJoint& joint : mechanism.closing) {
+    if (joint.a.body == body) places.push_back(joint.a.p);
+    if (joint.b.body == body) places.push_back(joint.b.p);
+  }
   return places;
 }
 
@@ -106,13 +164,10 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     loads.points.push_back(load);
   };
   const std::vector<Wrench> joints = chain.joint_wrenches(state);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    if (static_cast<int>(i) == own) add(joint.name, {own, joint.point}, joints[i]);
-    if (joint.parent == own) {
-      add(joint.name, place_on_carrier(mechanism, i), {-joints[i].force, -joints[i].moment});
-    }
-  }
+  each_hold(mechanism, own,
+            [&](const std::string& name, const Attachment& at, std::size_t i, double sign) {
+              add(name, at, {sign * joints[i].force, sign * joints[i].moment});
+            });
   for (const AppliedLoad& load : mechanism.loads) {
     if (load.on != own) continue;
     const Eigen::Vector3d vector =

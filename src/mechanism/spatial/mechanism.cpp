@@ -14,9 +14,35 @@ const char* to_text(JointKind kind) {
   return "";
 }
 
+const char* to_text(ClosingKind kind) {
+  switch (kind) {
+    case ClosingKind::fixed: return "fixed";
+    case ClosingKind::revolute: return "revolute";
+    case ClosingKind::prismatic: return "prismatic";
+    case ClosingKind::cylindrical: return "cylindrical";
+    case ClosingKind::universal: return "universal";
+    case ClosingKind::spherical: return "spherical";
+    case ClosingKind::planar: return "planar";
+    case ClosingKind::slot: return "slot";
+    case ClosingKind::distance: return "distance";
+  }
+  return "";
+}
+
+namespace {
+
+std::string driver_and_joint(const std::string& driver, const std::string& joint) {
+  return driver.empty() || driver == joint ? joint : driver + " (joint " + joint + ")";
+}
+
+}  // namespace
+
 std::string driver_text(const Joint& joint) {
-  if (joint.driver_name.empty() || joint.driver_name == joint.name) return joint.name;
-  return joint.driver_name + " (joint " + joint.name + ")";
+  return driver_and_joint(joint.driver_name, joint.name);
+}
+
+std::string driver_text(const ClosingJoint& joint) {
+  return driver_and_joint(joint.driver_name, joint.name);
 }
 
 int body_index(const Mechanism& mechanism, std::string_view name) {
@@ -30,9 +56,13 @@ int joint_index(const Mechanism& mechanism, std::string_view name) {
 std::vector<DriverUse> functions_of(const Mechanism& mechanism) {
   std::vector<DriverUse> uses;
   for (const Joint& joint : mechanism.joints) {
-    if (joint.kind == JointKind::fixed) continue;
+    if (!is_driven(joint)) continue;
     uses.push_back(
         {&joint.driver, joint.kind == JointKind::revolute, DriverUse::On::joint, joint.name});
+  }
+  for (const ClosingJoint& joint : mechanism.closing) {
+    if (joint.kind != ClosingKind::distance) continue;
+    uses.push_back({&joint.length, false, DriverUse::On::joint, joint.name});
   }
   for (const AppliedLoad& load : mechanism.loads)
     uses.push_back({&load.size, false, DriverUse::On::force, load.name});

@@ -23,7 +23,8 @@ struct Samples {
 };
 
 Samples samples_of(const Chain& chain, const Motion& motion) {
-  const std::size_t joints = chain.mechanism().joints.size();
+  const Mechanism& mechanism = chain.mechanism();
+  const std::size_t joints = mechanism.joints.size() + mechanism.closing.size();
   Samples samples;
   samples.values.resize(static_cast<Eigen::Index>(6 * joints),
                         static_cast<Eigen::Index>(motion.instants + 1));
@@ -34,11 +35,13 @@ Samples samples_of(const Chain& chain, const Motion& motion) {
     chain.joint_wrenches(state, wrenches);
     const auto column = static_cast<Eigen::Index>(k);
     for (std::size_t i = 0; i < joints; ++i) {
-      const int parent = chain.mechanism().joints[i].parent;
+      const bool carries = i < mechanism.joints.size();
+      const int parent = carries ? mechanism.joints[i].parent
+                                 : mechanism.closing[i - mechanism.joints.size()].a.body;
       const auto row = static_cast<Eigen::Index>(6 * i);
       samples.values.col(column).segment<3>(row) = in_axes(state, parent, wrenches[i].force);
       samples.values.col(column).segment<3>(row + 3) = in_axes(state, parent, wrenches[i].moment);
-      samples.fastest = std::max(samples.fastest, state.bodies[i].omega.norm());
+      if (carries) samples.fastest = std::max(samples.fastest, state.bodies[i].omega.norm());
     }
   }
   return samples;

@@ -8,8 +8,8 @@
 #include "boxbeam/mechanism/common/driver.hpp"
 #include "boxbeam/mechanism/common/time_span.hpp"
 
-/// Rigid bodies in space that joints carry one from another, a tree that begins at the ground. SI
-/// units; world axes unless said otherwise.
+/// Rigid bodies in space that joints carry one from another, a tree that begins at the ground, and
+/// joints that close loops in it. SI units; world axes unless said otherwise.
 namespace boxbeam::spatial {
 
 /// Index of the fixed world.
@@ -49,7 +49,13 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< unit vector, axes of the parent
   Driver driver = PolynomialDriver{{0.0}};             ///< q over time [rad or m]
   std::string driver_name = {};                        ///< "" where it has none of its own
+  /// q follows from the loops, not from the driver, and is sought near `start` at t = 0.
+  bool free = false;
+  double start = 0.0;  ///< [rad or m]
 };
+
+/// Whether a joint has a coordinate that its driver moves.
+inline bool is_driven(const Joint& joint) { return joint.kind != JointKind::fixed && !joint.free; }
 
 /// "retraction (joint hinge)", or the joint's name alone where its driver has none.
 std::string driver_text(const Joint& joint);
@@ -59,6 +65,34 @@ struct Attachment {
   int body = ground;
   Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< in the body's axes [m]
 };
+
+enum class ClosingKind {
+  fixed,
+  revolute,
+  prismatic,
+  cylindrical,  ///< turns about its axis and slides along it
+  universal,    ///< turns about an axis of either body, which stay square
+  spherical,
+  planar,    ///< slides square to its axis, and turns about it
+  slot,      ///< the place on b stays on the axis through the place on a
+  distance,  ///< between the two places, which a driver may change: a rod, a cylinder
+};
+
+const char* to_text(ClosingKind kind);
+
+/// A joint between two bodies that others carry already: it closes a loop.
+struct ClosingJoint {
+  std::string name;
+  ClosingKind kind = ClosingKind::spherical;
+  Attachment a, b;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< R_AB where nothing has turned in it
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< unit vector, axes of a
+  Eigen::Vector3d other = Eigen::Vector3d::UnitY();    ///< of a universal joint, axes of b
+  Driver length = PolynomialDriver{{0.0}};             ///< of a distance, over time [m]
+  std::string driver_name = {};                        ///< "" where its length does not change
+};
+
+std::string driver_text(const ClosingJoint& joint);
 
 enum class LoadKind { force, couple };
 
@@ -89,6 +123,7 @@ struct LineForce {
 struct Mechanism {
   std::vector<Body> bodies;
   std::vector<Joint> joints;
+  std::vector<ClosingJoint> closing;
   std::vector<AppliedLoad> loads;
   std::vector<LineForce> line_forces;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "boxbeam/mechanism/spatial/tree.hpp"
+
+namespace boxbeam::spatial {
+
+/// One equation of a closing joint, zero where it is closed; u in the axes of its body a, w in
+/// those of b, p their places in the world:
+///
+///     along:    u . (p_b - p_a)
+///     square:   u . w
+///     distance: |p_b - p_a| - l(t)
+struct LoopRow {
+  enum class Kind { along, square, distance };
+  Kind kind = Kind::along;
+  std::size_t joint = 0;  ///< index among the closing ones
+  Eigen::Vector3d u = Eigen::Vector3d::Zero(), w = Eigen::Vector3d::Zero();
+};
+
+/// The closing joints of a mechanism: they decide the coordinates that no driver moves. Loops are
+/// cut at the closing joints; what the tree of the other joints leaves open there is brought to
+/// zero by Newton's method on the free coordinates, and the multipliers of the equations are those
+/// that leave the free joints without a force along their axes. Source: Haug, Computer Aided
+/// Kinematics and Dynamics (1989), chapter 9; Featherstone (2008), chapter 8.
+class Loops {
+ public:
+  /// Closes them at t = 0, as near to the starts of the free coordinates as it can, and follows the
+  /// drivers over the time that is looked at. Throws AnalysisError with place and time where no
+  /// position closes them, freedoms are left that nothing drives, a dead point is met, equations
+  /// contradict each other, or a period ends elsewhere than it began.
+  explicit Loops(const Tree& tree);
+
+  /// From the driven coordinates of a state and its time: the free ones, with their rates, and all
+  /// bodies; always on the branch of the start. Throws AnalysisError.
+  void close(const Tree& tree, State& state) const;
+
+  /// The wrenches of the joints that carry bodies, and behind them what every closing joint does to
+  /// its body b, about its place there.
+  void wrenches(const Tree& tree, const State& state, std::vector<Wrench>& joints) const;
+
+  std::size_t equations() const { return rows_.size(); }
+  std::size_t repeating() const { return rows_.size() - chosen_.size(); }  ///< equations
+  std::size_t freedoms() const { return free_.size(); }  ///< coordinates that the loops decide
+
+  /// For every joint that carries a body, then every closing one: whether bodies without elasticity
+  /// determine what it carries. They do not where joints repeat each other. Source: Wojtyra,
+  /// Multibody System Dynamics 14 (2005).
+  const std::vector<char>& unique() const { return unique_; }
+
+  /// Sign of the determinant of the equations that are solved: branches that meet differ in it.
+  int branch() const { return branch_; }
+
+  /// Largest error of all equations in a state, lengths over the mechanism's size.
+  double residual_of(const Tree& tree, const State& state) const;
+  /// Condition number of the equations that are solved, without units.
+  double condition_of(const Tree& tree, const State& state) const;
+
+ private:
+  /// A closed position with its rates.
+  struct Sample {
+    double time = 0.0;
+    Eigen::VectorXd q, rate, acceleration;
+  };
+  using Rows = std::vector<std::size_t>;
+
+  void set(State& state, const Sample& sample) const;
+  Eigen::MatrixXd jacobian(const Tree& tree, const State& state, const Rows& rows) const;
+  Eigen::VectorXd open(const Tree& tree, const State& state, const Rows& rows) const;
+
+  void assemble(const Tree& tree, State& state) const;
+  void choose_rows(const Tree& tree, const State& state);
+  void judge_uniqueness(const Tree& tree, const State& state);
+  void look_over_span(const Tree& tree, State& state);
+
+  bool converge(const Tree& tree, State& state, Eigen::VectorXd& q, double& first) const;
+  Sample with_rates(const Tree& tree, State& state, const Eigen::VectorXd& q) const;
+  Sample followed(const Tree& tree, Sample from, double until, std::vector<Sample>* kept) const;
+
+  std::vector<LoopRow> rows_;
+  Rows all_, chosen_;              ///< all rows; those that determine the free coordinates
+  std::vector<std::size_t> free_;  ///< joints
+  /// Per row and free joint: 1 where it moves body b of the row alone, -1 where a alone, else 0.
+  Eigen::MatrixXi moves_;
+  Eigen::VectorXd row_scale_, column_scale_;  ///< that leave the Jacobian without units
+  double size_ = 1.0;                         ///< of the mechanism [m]
+  double longest_step_ = 0.01;                ///< of following [s]
+  double begin_ = 0.0, period_ = 0.0;         ///< after which all repeats; 0: it does not
+  int branch_ = 0;
+  std::vector<char> unique_;
+  std::vector<Sample> samples_;
+};
+
+/// Joints whose loads bodies without elasticity do not determine.
+std::vector<std::string> names_not_unique(const Mechanism& mechanism, const Loops& loops);
+
+}  // namespace boxbeam::spatial

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "boxbeam/mechanism/spatial/mechanism.hpp"
+
+namespace boxbeam::spatial {
+
+/// How a body stands and moves at an instant; of its origin where a point is meant.
+struct BodyMotion {
+  Eigen::Matrix3d R_WB;  ///< columns: the body's axes in the world
+  Eigen::Vector3d omega, alpha;
+  Eigen::Vector3d position, velocity, acceleration;
+  Eigen::Vector3d joint;  ///< place of the body's own point of the joint that carries it [m]
+};
+
+struct State {
+  double time = 0.0;  ///< [s]
+  std::vector<BodyMotion> bodies;
+  /// q, q', q'' of every joint that carries a body [rad or m]; zero of a fixed one.
+  std::vector<DriverState> coordinates;
+};
+
+/// A force and a moment.
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [N m]
+};
+
+/// A wrench on a body, about a place in the world.
+struct BodyWrench {
+  int on = ground;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< [m]
+  Wrench wrench;
+};
+
+/// The joints that carry bodies, prepared for many instants. Keeps a reference to its mechanism.
+class Tree {
+ public:
+  explicit Tree(const Mechanism& mechanism);
+
+  const Mechanism& mechanism() const { return *mechanism_; }
+
+  /// Sets a state's time, and the coordinates that drivers move.
+  void drive(State& state, double time) const;
+
+  /// All bodies from the state's coordinates, from the ground outwards:
+  ///
+  ///     omega_B = omega_P + u,  alpha_B = alpha_P + a q'' + omega_P x u,   u = a q'
+  ///
+  /// a the joint's axis in the world; velocities and accelerations are exact derivatives of the
+  /// positions. Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5.
+  void move(State& state) const;
+
+  /// What each joint does to the body that it carries, at the joint's point, where `others` act
+  /// beside the mechanism's loads: recursive Newton-Euler from the free ends to the ground. Source:
+  /// Luh, Walker and Paul (1980).
+  void wrenches(const State& state, std::span<const BodyWrench> others,
+                std::vector<Wrench>& joints) const;
+
+ private:
+  /// What is needed of a joint at every instant, side by side:
+  /// turned(q) = fixed + cos q along_cosine + sin q along_sine.
+  struct Link {
+    Eigen::Matrix3d fixed, along_cosine, along_sine;
+    Eigen::Vector3d at, axis, point;
+    JointKind kind;
+    int parent;
+    bool shifted;  ///< the body's origin lies elsewhere than the joint
+  };
+
+  const Mechanism* mechanism_;
+  std::vector<Link> links_;
+};
+
+/// A place's position [m], velocity [m/s] and acceleration [m/s^2] in the world.
+Eigen::Vector3d position_of(const State& state, const Attachment& at);
+Eigen::Vector3d velocity_of(const State& state, const Attachment& at);
+Eigen::Vector3d acceleration_of(const State& state, const Attachment& at);
+
+/// A vector given in a body's axes, in the world; that of the ground as it is.
+Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& vector);
+/// The other way: a vector of the world in a body's axes.
+Eigen::Vector3d in_axes(const State& state, int axes, const Eigen::Vector3d& vector);
+
+/// How a body moves; the ground does not.
+const BodyMotion& motion_of(const State& state, int body);
+
+}  // namespace boxbeam::spatial

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "boxbeam/mechanism/spatial/loops.hpp"
+
+namespace boxbeam::spatial {
+
+/// The equations of all closing joints.
+std::vector<LoopRow> rows_of(const Mechanism& mechanism);
+
+/// What an equation leaves open, and its first two derivatives.
+struct RowMotion {
+  double value = 0.0;
+  double rate = 0.0;
+  double acceleration = 0.0;
+};
+
+RowMotion motion_of(const Mechanism& mechanism, const LoopRow& row, const State& state);
+
+/// What a multiplier of one does to body b, about its place there; to a the opposite about the same
+/// place: the gradient of the equation.
+Wrench wrench_of(const Mechanism& mechanism, const LoopRow& row, const State& state);
+
+/// Whether a closing joint stands as it says and not turned by half a turn, which leaves its
+/// equations zero as well.
+bool stands_right(const ClosingJoint& joint, const State& state);
+
+/// The equation in words for messages, "0.0031 m apart" or "0.02 rad askew".
+std::string open_text(const LoopRow& row, double value);
+
+}  // namespace boxbeam::spatial

@@ -1,0 +1,269 @@
+#include "boxbeam/mechanism/spatial/loops.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "boxbeam/core/error.hpp"
+#include "loop_rows.hpp"
+
+namespace boxbeam::spatial {
+namespace {
+
+/// Of a predicted position, without units: beyond it another branch may be near.
+constexpr double largest_correction = 0.02;
+/// From one followed position to the next.
+constexpr double largest_move = 0.3;
+
+int sign_of(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
+
+/// Taylor's series up to the acceleration.
+Eigen::VectorXd predicted(const auto& from, double time) {
+  const double dt = time - from.time;
+  return from.q + dt * (from.rate + 0.5 * dt * from.acceleration);
+}
+
+}  // namespace
+
+void Loops::set(State& state, const Sample& sample) const {
+  for (std::size_t k = 0; k < free_.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    state.coordinates[free_[k]] = {sample.q[i], sample.rate.size() ? sample.rate[i] : 0.0,
+                                   sample.acceleration.size() ? sample.acceleration[i] : 0.0};
+  }
+}
+
+Eigen::MatrixXd Loops::jacobian(const Tree& tree, const State& state, const Rows& rows) const {
+  const Mechanism& mechanism = tree.mechanism();
+  const auto columns = static_cast<Eigen::Index>(free_.size());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
+  std::vector<Eigen::Vector3d> axes;
+  for (const std::size_t i : free_)
+    axes.push_back(in_world(state, mechanism.joints[i].parent, mechanism.joints[i].axis));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const LoopRow& row = rows_[rows[r]];
+    const Wrench wrench = wrench_of(mechanism, row, state);
+    const Eigen::Vector3d place = position_of(state, mechanism.closing[row.joint].b);
+    const auto of = static_cast<Eigen::Index>(rows[r]);
+    for (Eigen::Index k = 0; k < columns; ++k) {
+      const int moves = moves_(of, k);
+      if (moves == 0) continue;
+      const std::size_t i = free_[static_cast<std::size_t>(k)];
+      const Eigen::Vector3d& axis = axes[static_cast<std::size_t>(k)];
+      const double power =
+          mechanism.joints[i].kind == JointKind::revolute
+              ? axis.dot(wrench.moment + (place - state.bodies[i].joint).cross(wrench.force))
+              : axis.dot(wrench.force);
+      J(static_cast<Eigen::Index>(r), k) = moves * row_scale_[of] * power * column_scale_[k];
+    }
+  }
+  return J;
+}
+
+Eigen::VectorXd Loops::open(const Tree& tree, const State& state, const Rows& rows) const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    values[static_cast<Eigen::Index>(r)] = row_scale_[static_cast<Eigen::Index>(rows[r])] *
+                                           motion_of(tree.mechanism(), rows_[rows[r]], state).value;
+  }
+  return values;
+}
+
+/// Newton's method from the state's free coordinates; whether it converges to the branch of the
+/// start. `first`: its first correction.
+bool Loops::converge(const Tree& tree, State& state, Eigen::VectorXd& q, double& first) const {
+  constexpr int most = 12;
+  constexpr double converged = 1e-11;  // squared by the step that follows it
+  first = 0.0;
+  for (int step = 0; step < most; ++step) {
+    tree.move(state);
+    if (free_.empty()) return true;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian(tree, state, chosen_));
+    const Eigen::VectorXd correction = lu.solve(-open(tree, state, chosen_));
+    const double size = correction.cwiseAbs().maxCoeff();
+    if (!(size < 1.0)) return false;
+    if (step == 0) first = size;
+    q += column_scale_.cwiseProduct(correction);
+    set(state, {state.time, q, {}, {}});
+    if (size < converged) return branch_ == 0 || sign_of(lu.determinant()) == branch_;
+  }
+  return false;
+}
+
+Loops::Sample Loops::with_rates(const Tree& tree, State& state, const Eigen::VectorXd& q) const {
+  const auto count = static_cast<Eigen::Index>(free_.size());
+  Sample sample{state.time, q, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+  set(state, sample);
+  tree.move(state);
+  if (free_.empty()) return sample;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(jacobian(tree, state, chosen_));
+  const auto solved = [&](double RowMotion::*left) -> Eigen::VectorXd {
+    Eigen::VectorXd values(count);
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const std::size_t row = chosen_[static_cast<std::size_t>(r)];
+      values[r] = -row_scale_[static_cast<Eigen::Index>(row)] *
+                  (motion_of(tree.mechanism(), rows_[row], state).*left);
+    }
+    return column_scale_.cwiseProduct(lu.solve(values));
+  };
+  sample.rate = solved(&RowMotion::rate);
+  set(state, sample);
+  tree.move(state);
+  sample.acceleration = solved(&RowMotion::acceleration);
+  set(state, sample);
+  tree.move(state);
+  return sample;
+}
+
+/// Step by step to another time, never so far that another branch could be taken for this one.
+Loops::Sample Loops::followed(const Tree& tree, Sample from, double until,
+                              std::vector<Sample>* kept) const {
+  constexpr double shortest = 1e-10;  // of the longest step
+  State state;
+  double step = longest_step_;
+  while (from.time != until) {
+    const double left = until - from.time;
+    step = std::min(step, std::abs(left));
+    const double time = step == std::abs(left) ? until : from.time + std::copysign(step, left);
+    Eigen::VectorXd q = predicted(from, time);
+    const Eigen::VectorXd before = from.q;
+    tree.drive(state, time);
+    set(state, {time, q, {}, {}});
+    double first = 0.0;
+    const auto moved = [&] {
+      return free_.empty() ? 0.0 : (q - before).cwiseQuotient(column_scale_).cwiseAbs().maxCoeff();
+    };
+    if (converge(tree, state, q, first) && first <= largest_correction && moved() <= largest_move) {
+      from = with_rates(tree, state, q);
+      if (kept != nullptr) kept->push_back(from);
+      if (first < 0.1 * largest_correction) step = std::min(1.5 * step, longest_step_);
+      continue;
+    }
+    step *= 0.5;
+    if (step > shortest * longest_step_) continue;
+    tree.drive(state, from.time);
+    set(state, from);
+    tree.move(state);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(tree, state, chosen_),
+                                                Eigen::ComputeFullV);
+    const Eigen::VectorXd runs = svd.matrixV().rightCols(1).cwiseAbs();
+    std::vector<std::string> names;
+    for (Eigen::Index k = 0; k < runs.size(); ++k) {
+      if (runs[k] > 0.3 * runs.maxCoeff())
+        names.push_back(tree.mechanism().joints[free_[static_cast<std::size_t>(k)]].name);
+    }
+    throw AnalysisError(
+        {fmt::format("the loops cannot be followed beyond a dead point: the drivers no longer "
+                     "determine joint{} {} there; the mechanism ends there, or two of its branches "
+                     "meet",
+                     names.size() == 1 ? "" : "s", fmt::join(names, ", ")),
+         "joint " + tree.mechanism().closing.front().name,
+         from.time,
+         {},
+         svd.singularValues()[0] / svd.singularValues().tail(1)[0],
+         {}});
+  }
+  return from;
+}
+
+void Loops::close(const Tree& tree, State& state) const {
+  double time = state.time;
+  if (period_ > 0.0 && time > samples_.back().time) {
+    time = begin_ + std::fmod(time - begin_, period_);
+  }
+  const auto later =
+      std::lower_bound(samples_.begin(), samples_.end(), time,
+                       [](const Sample& sample, double at) { return sample.time < at; });
+  auto near = later == samples_.end() ? samples_.end() - 1 : later;
+  if (near != samples_.begin() && time - (near - 1)->time < near->time - time) --near;
+  Eigen::VectorXd q = predicted(*near, time);
+  set(state, {state.time, q, {}, {}});
+  double first = 0.0;
+  const bool within = time <= samples_.back().time && time >= samples_.front().time;
+  if (!within || !converge(tree, state, q, first) || first > largest_correction) {
+    q = followed(tree, *near, time, nullptr).q;
+    set(state, {state.time, q, {}, {}});
+    static_cast<void>(converge(tree, state, q, first));
+  }
+  with_rates(tree, state, q);
+  const Eigen::VectorXd values = open(tree, state, all_);
+  Eigen::Index worst = 0;
+  if (values.cwiseAbs().maxCoeff(&worst) <= 1e-8) return;
+  const LoopRow& row = rows_[static_cast<std::size_t>(worst)];
+  throw AnalysisError(
+      {fmt::format(
+           "joints contradict each other: where the others are closed, joint \"{}\" is {}; "
+           "joints that repeat each other must agree to eight digits, or one of them leaves "
+           "more freedom",
+           tree.mechanism().closing[row.joint].name,
+           open_text(row, values[worst] / row_scale_[worst])),
+       "joint " + tree.mechanism().closing[row.joint].name,
+       state.time,
+       std::abs(values[worst]),
+       {},
+       {}});
+}
+
+void Loops::wrenches(const Tree& tree, const State& state, std::vector<Wrench>& joints) const {
+  const Mechanism& mechanism = tree.mechanism();
+  // What free joints would have to carry along their axes, were the loops open.
+  tree.wrenches(state, {}, joints);
+  const auto count = static_cast<Eigen::Index>(free_.size());
+  Eigen::VectorXd needed(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t i = free_[static_cast<std::size_t>(k)];
+    const Joint& joint = mechanism.joints[i];
+    const Eigen::Vector3d axis = in_world(state, joint.parent, joint.axis);
+    needed[k] = column_scale_[k] *
+                axis.dot(joint.kind == JointKind::revolute ? joints[i].moment : joints[i].force);
+  }
+  std::vector<Wrench> closing(mechanism.closing.size());
+  std::vector<BodyWrench> others;
+  if (count > 0) {
+    const Eigen::MatrixXd J = jacobian(tree, state, chosen_);
+    const Eigen::VectorXd multipliers = J.transpose().partialPivLu().solve(needed);
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const std::size_t index = chosen_[static_cast<std::size_t>(r)];
+      const LoopRow& row = rows_[index];
+      const double multiplier = row_scale_[static_cast<Eigen::Index>(index)] * multipliers[r];
+      const Wrench of = wrench_of(mechanism, row, state);
+      closing[row.joint].force += multiplier * of.force;
+      closing[row.joint].moment += multiplier * of.moment;
+    }
+    for (std::size_t i = 0; i < closing.size(); ++i) {
+      const ClosingJoint& joint = mechanism.closing[i];
+      const Eigen::Vector3d place = position_of(state, joint.b);
+      others.push_back({joint.b.body, place, closing[i]});
+      others.push_back({joint.a.body, place, {-closing[i].force, -closing[i].moment}});
+    }
+    tree.wrenches(state, others, joints);
+  }
+  joints.insert(joints.end(), closing.begin(), closing.end());
+}
+
+std::vector<std::string> names_not_unique(const Mechanism& mechanism, const Loops& loops) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < loops.unique().size(); ++i) {
+    if (loops.unique()[i]) continue;
+    const std::size_t carrying = mechanism.joints.size();
+    names.push_back(i < carrying ? mechanism.joints[i].name : mechanism.closing[i - carrying].name);
+  }
+  return names;
+}
+
+double Loops::residual_of(const Tree& tree, const State& state) const {
+  return open(tree, state, all_).cwiseAbs().maxCoeff();
+}
+
+double Loops::condition_of(const Tree& tree, const State& state) const {
+  if (free_.empty()) return 1.0;
+  const Eigen::VectorXd values =
+      Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian(tree, state, chosen_)).singularValues();
+  return values[0] / values[values.size() - 1];
+}
+
+}  // namespace boxbeam::spatial

@@ -1,0 +1,202 @@
+#include "boxbeam/mechanism/spatial/tree.hpp"
+
+#include <Eigen/Geometry>
+#include <cassert>
+#include <cmath>
+
+namespace boxbeam::spatial {
+namespace {
+
+const BodyMotion& world() {
+  static const BodyMotion at_rest{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
+                                  Eigen::Vector3d::Zero(),     Eigen::Vector3d::Zero(),
+                                  Eigen::Vector3d::Zero(),     Eigen::Vector3d::Zero(),
+                                  Eigen::Vector3d::Zero()};
+  return at_rest;
+}
+
+/// What a body's turning adds to the motion of its origin at a point, r from there in world axes.
+struct Turning {
+  Eigen::Vector3d velocity, acceleration;
+};
+
+inline Turning turning_at(const BodyMotion& body, const Eigen::Vector3d& r) {
+  const Eigen::Vector3d velocity = body.omega.cross(r);
+  return {velocity, body.alpha.cross(r) + body.omega.cross(velocity)};
+}
+
+/// Rate of change of the angular momentum about the centre of mass, world axes.
+inline Eigen::Vector3d spin_change(const Body& body, const BodyMotion& motion) {
+  const Eigen::Vector3d omega = motion.R_WB.transpose() * motion.omega;
+  const Eigen::Vector3d alpha = motion.R_WB.transpose() * motion.alpha;
+  return motion.R_WB * (body.inertia * alpha + omega.cross(body.inertia * omega));
+}
+
+}  // namespace
+
+const BodyMotion& motion_of(const State& state, int body) {
+  return body == ground ? world() : state.bodies[static_cast<std::size_t>(body)];
+}
+
+Tree::Tree(const Mechanism& mechanism) : mechanism_(&mechanism) {
+  assert(mechanism.joints.size() == mechanism.bodies.size());
+  for (const Joint& joint : mechanism.joints) {
+    assert(joint.parent < static_cast<int>(links_.size()));
+    Link link{joint.turn,
+              Eigen::Matrix3d::Zero(),
+              Eigen::Matrix3d::Zero(),
+              joint.at,
+              joint.axis,
+              joint.point,
+              joint.kind,
+              joint.parent,
+              !joint.point.isZero(0.0)};
+    if (joint.kind == JointKind::revolute) {
+      // Rodrigues: a a^T + cos q (I - a a^T) + sin q [a]x, about the axis in the parent's axes.
+      const Eigen::Matrix3d along = joint.axis * joint.axis.transpose();
+      Eigen::Matrix3d across;
+      for (int k = 0; k < 3; ++k) across.col(k) = joint.axis.cross(Eigen::Vector3d::Unit(k));
+      link.fixed = along * joint.turn;
+      link.along_cosine = joint.turn - link.fixed;
+      link.along_sine = across * joint.turn;
+    }
+    links_.push_back(link);
+  }
+  for ([[maybe_unused]] const AppliedLoad& load : mechanism.loads) assert(load.on != ground);
+  for ([[maybe_unused]] const LineForce& line : mechanism.line_forces) assert(line.on != ground);
+}
+
+void Tree::drive(State& state, double time) const {
+  state.time = time;
+  state.coordinates.resize(links_.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Joint& joint = mechanism_->joints[i];
+    if (is_driven(joint)) state.coordinates[i] = driver_at(joint.driver, time);
+  }
+}
+
+void Tree::move(State& state) const {
+  state.bodies.resize(links_.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Link& link = links_[i];
+    const BodyMotion& parent = motion_of(state, link.parent);
+    BodyMotion& body = state.bodies[i];
+    const DriverState& q = state.coordinates[i];
+
+    const Eigen::Vector3d axis = parent.R_WB * link.axis;
+    Eigen::Vector3d arm = parent.R_WB * link.at;
+    if (link.kind == JointKind::prismatic) arm += q.value * axis;
+    const Turning carried = turning_at(parent, arm);
+    body.joint = parent.position + arm;
+    body.position = body.joint;
+    body.velocity = parent.velocity + carried.velocity;
+    body.acceleration = parent.acceleration + carried.acceleration;
+    body.omega = parent.omega;
+    body.alpha = parent.alpha;
+    if (link.kind == JointKind::revolute) {
+      body.R_WB = parent.R_WB * (link.fixed + std::cos(q.value) * link.along_cosine +
+                                 std::sin(q.value) * link.along_sine);
+      const Eigen::Vector3d u = q.rate * axis;
+      body.omega += u;
+      body.alpha += q.acceleration * axis + parent.omega.cross(u);
+    } else {
+      body.R_WB = parent.R_WB * link.fixed;
+      if (link.kind == JointKind::prismatic) {
+        const Eigen::Vector3d slide = q.rate * axis;
+        body.velocity += slide;
+        body.acceleration += q.acceleration * axis + 2.0 * parent.omega.cross(slide);
+      }
+    }
+    // From the joint to the body's own origin.
+    if (!link.shifted) continue;
+    const Eigen::Vector3d back = -(body.R_WB * link.point);
+    const Turning own = turning_at(body, back);
+    body.position += back;
+    body.velocity += own.velocity;
+    body.acceleration += own.acceleration;
+  }
+}
+
+// Cost of a body: about 240 additions and multiplications for its motion and 200 for its forces, on
+// 0.8 kB, beside a sine and a cosine: 20 ns at the peak of SSE2, twice that in single numbers, for
+// vectors of three do not fill pairs.
+void Tree::wrenches(const State& state, std::span<const BodyWrench> others,
+                    std::vector<Wrench>& joints) const {
+  const Mechanism& mechanism = *mechanism_;
+  // First what the loads leave to the joints, about the origin of the body that feels them.
+  joints.assign(links_.size(), Wrench{});
+  for (const AppliedLoad& load : mechanism.loads) {
+    const Eigen::Vector3d vector =
+        driver_at(load.size, state.time).value * in_world(state, load.axes, load.direction);
+    Wrench& needed = joints[static_cast<std::size_t>(load.on)];
+    if (load.kind == LoadKind::couple) {
+      needed.moment -= vector;
+      continue;
+    }
+    needed.force -= vector;
+    needed.moment -=
+        (position_of(state, load.at) - motion_of(state, load.on).position).cross(vector);
+  }
+  for (const LineForce& line : mechanism.line_forces) {
+    const BodyMotion& motion = motion_of(state, line.on);
+    const Eigen::Vector3d force = driver_at(line.size, state.time).value *
+                                  (line.to - line.from).norm() *
+                                  in_world(state, line.axes, line.direction);
+    Wrench& needed = joints[static_cast<std::size_t>(line.on)];
+    needed.force -= force;
+    needed.moment -= (motion.R_WB * (0.5 * (line.from + line.to))).cross(force);
+  }
+  for (const BodyWrench& other : others) {
+    if (other.on == ground) continue;
+    Wrench& needed = joints[static_cast<std::size_t>(other.on)];
+    needed.force -= other.wrench.force;
+    needed.moment -= other.wrench.moment +
+                     (other.place - motion_of(state, other.on).position).cross(other.wrench.force);
+  }
+  // Then inwards: each joint gives also what its body's motion needs, and passes on what the joints
+  // beyond take.
+  for (std::size_t i = links_.size(); i-- > 0;) {
+    const Body& body = mechanism.bodies[i];
+    const BodyMotion& motion = state.bodies[i];
+    Wrench& wrench = joints[i];
+    if (body.mass != 0.0) {
+      const Eigen::Vector3d centre = motion.R_WB * body.centre;
+      const Eigen::Vector3d acceleration =
+          motion.acceleration + turning_at(motion, centre).acceleration;
+      const Eigen::Vector3d force = body.mass * (acceleration - mechanism.gravity);
+      wrench.force += force;
+      wrench.moment += spin_change(body, motion) + centre.cross(force);
+    }
+    if (links_[i].shifted) wrench.moment -= (motion.joint - motion.position).cross(wrench.force);
+    if (links_[i].parent == ground) continue;
+    const auto carrier = static_cast<std::size_t>(links_[i].parent);
+    const Eigen::Vector3d arm = motion.joint - state.bodies[carrier].position;
+    joints[carrier].force += wrench.force;
+    joints[carrier].moment += wrench.moment + arm.cross(wrench.force);
+  }
+}
+
+Eigen::Vector3d position_of(const State& state, const Attachment& at) {
+  const BodyMotion& body = motion_of(state, at.body);
+  return body.position + body.R_WB * at.p;
+}
+
+Eigen::Vector3d velocity_of(const State& state, const Attachment& at) {
+  const BodyMotion& body = motion_of(state, at.body);
+  return body.velocity + body.omega.cross(body.R_WB * at.p);
+}
+
+Eigen::Vector3d acceleration_of(const State& state, const Attachment& at) {
+  const BodyMotion& body = motion_of(state, at.body);
+  return body.acceleration + turning_at(body, body.R_WB * at.p).acceleration;
+}
+
+Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& vector) {
+  return axes == ground ? vector : motion_of(state, axes).R_WB * vector;
+}
+
+Eigen::Vector3d in_axes(const State& state, int axes, const Eigen::Vector3d& vector) {
+  return axes == ground ? vector : motion_of(state, axes).R_WB.transpose() * vector;
+}
+
+}  // namespace boxbeam::spatial
