@@ -62,6 +62,11 @@ void check_on_beam(TableReader& root, const TaperedBeam& beam,
       if (end.body == placement.body) look("joints", joint.name, end.p);
     }
   }
+  for (const spatial::Spring& spring : mechanism.springs) {
+    for (const spatial::Attachment& end : {spring.a, spring.b}) {
+      if (end.body == placement.body) look("forces", spring.name, end.p);
+    }
+  }
   for (const spatial::AppliedLoad& load : mechanism.loads) {
     if (load.on == placement.body && load.at.body == placement.body) {
       look("forces", load.name, load.at.p);

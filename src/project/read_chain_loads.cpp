@@ -54,15 +54,55 @@ void read_line(const std::string& name, TableReader& table, Mechanism& mechanism
   mechanism.line_forces.push_back(std::move(load));
 }
 
+/// "body.point", or "ground" with its place in "at".
+spatial::Attachment end_of(TableReader& table, const std::string& reference,
+                           const Mechanism& mechanism) {
+  if (reference == "ground")
+    return {spatial::ground, table.triple({"at", "the place on the ground"}, wanted::length)};
+  return point_named(table, "connect", reference, mechanism);
+}
+
+void read_spring(const std::string& name, TableReader& table, Mechanism& mechanism) {
+  const std::size_t before = table.problems().size();
+  const std::vector<std::string> ends =
+      table.texts({"connect", "its ends, \"body.point\", or \"ground\" for one of them"}, true);
+  if (table.problems().size() != before) return;
+  table.wants_with("at", "connect", "ground");
+  spatial::Spring spring;
+  spring.name = name;
+  if (ends.size() == 2) {
+    spring.a = end_of(table, ends[0], mechanism);
+    spring.b = end_of(table, ends[1], mechanism);
+  }
+  if (ends.size() != 2 || (spring.a.body == spring.b.body && table.problems().size() == before)) {
+    table.problem("connect", "a spring connects two bodies, or a body and the ground",
+                  "write connect = [\"leg.B\", \"strut.B\"], or \"ground\" for one of them");
+  }
+  spring.stiffness = table.not_negative({"stiffness", "force per length"}, wanted::stiffness);
+  spring.free_length = table.not_negative({"free_length", "without force"}, wanted::length, 0.0);
+  spring.damping = table.not_negative({"damping", "force per velocity"}, wanted::damping, 0.0);
+  spring.acts = static_cast<spatial::Spring::Acts>(
+      table.choice({"acts", "a cable only pulls, a stop or a tyre only pushes"},
+                   {"both ways", "pulling", "pushing"}, 0));
+  if (spring.stiffness == 0.0 && spring.damping == 0.0) {
+    table.problem("stiffness", "the spring has neither stiffness nor damping",
+                  fmt::format("write for example stiffness = {}", wanted::stiffness.example));
+  }
+  if (table.problems().size() == before) mechanism.springs.push_back(std::move(spring));
+}
+
 }  // namespace
 
 void read_chain_loads(TableReader& root, Mechanism& mechanism, TimeTables& tables) {
   for (auto& [name, table] :
-       root.table({"forces", "forces and couples over time"}, false).named_tables()) {
+       root.table({"forces", "forces and couples over time, and springs"}, false).named_tables()) {
     const std::size_t before = table.problems().size();
-    const std::size_t kind = table.kind({"kind", "of load"}, {"force", "couple", "line force"});
+    const std::size_t kind =
+        table.kind({"kind", "of load"}, {"force", "couple", "line force", "spring"});
     if (table.problems().size() != before) continue;
-    if (kind == 2)
+    if (kind == 3)
+      read_spring(name, table, mechanism);
+    else if (kind == 2)
       read_line(name, table, mechanism, tables);
     else
       read_load(name, table, kind == 1 ? spatial::LoadKind::couple : spatial::LoadKind::force,

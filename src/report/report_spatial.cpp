@@ -148,6 +148,15 @@ Entries entries_of(const Project& project) {
                     place_text(mechanism, {line.on, line.to}), direction_text(line.direction),
                     axes_text(mechanism, line.axes), function_text(line.size, "N/m")));
   }
+  for (const spatial::Spring& spring : mechanism.springs) {
+    constexpr const char* acts[] = {"", ", only pulling", ", only pushing"};
+    entries.emplace_back(
+        "load",
+        fmt::format("{}: spring of {} N/m between {} and {}, free length {} m, damping {} N s/m{}",
+                    spring.name, plain(spring.stiffness), place_text(mechanism, spring.a),
+                    place_text(mechanism, spring.b), plain(spring.free_length),
+                    plain(spring.damping), acts[static_cast<std::size_t>(spring.acts)]));
+  }
   add_duration(mechanism.duration, entries);
   return entries;
 }

@@ -77,6 +77,10 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
       if (closing.a.body == body) add_point(closing.a.p);
       if (closing.b.body == body) add_point(closing.b.p);
     }
+    for (const spatial::Spring& spring : mechanism.springs) {
+      if (spring.a.body == body) add_point(spring.a.p);
+      if (spring.b.body == body) add_point(spring.b.p);
+    }
     if (line.beam) {
       const auto on_axis = [&](double s) {
         return place(placement.start + s * placement.axes.col(0));
@@ -105,6 +109,10 @@ PostureFigure posture_figure(const Project& project, const spatial::Mechanism& m
     if (closing.kind == spatial::ClosingKind::distance)
       figure.rods.push_back({a, spatial::position_of(state, closing.b) - origin});
     if (closing.a.body == spatial::ground) figure.grounds.push_back(a);
+  }
+  for (const spatial::Spring& spring : mechanism.springs) {
+    figure.rods.push_back({spatial::position_of(state, spring.a) - origin,
+                           spatial::position_of(state, spring.b) - origin});
   }
   return figure;
 }

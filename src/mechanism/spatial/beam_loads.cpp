@@ -79,6 +79,10 @@ void each_place(const Mechanism& mechanism, int own, const Function& f) {
   for (const AppliedLoad& load : mechanism.loads) {
     if (load.on == own) f(load.name, load.at);
   }
+  for (const Spring& spring : mechanism.springs) {
+    for (const Attachment& end : {spring.a, spring.b})
+      if (end.body == own) f(spring.name, end);
+  }
 }
 
 }  // namespace
@@ -175,6 +179,12 @@ BeamLoads beam_loads_of(const Chain& chain, const State& state, const BeamBody& 
     const bool force = load.kind == LoadKind::force;
     add(load.name, load.at,
         force ? Wrench{vector, Eigen::Vector3d::Zero()} : Wrench{Eigen::Vector3d::Zero(), vector});
+  }
+
+  for (const Spring& spring : mechanism.springs) {
+    const Eigen::Vector3d force = force_of(spring, state);
+    if (spring.b.body == own) add(spring.name, spring.b, {force, Eigen::Vector3d::Zero()});
+    if (spring.a.body == own) add(spring.name, spring.a, {-force, Eigen::Vector3d::Zero()});
   }
 
   BeamMotion in_axes;

@@ -1,6 +1,7 @@
 #include "boxbeam/mechanism/spatial/tree.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -146,13 +147,18 @@ void Tree::wrenches(const State& state, std::span<const BodyWrench> others,
     needed.force -= force;
     needed.moment -= (motion.R_WB * (0.5 * (line.from + line.to))).cross(force);
   }
-  for (const BodyWrench& other : others) {
-    if (other.on == ground) continue;
-    Wrench& needed = joints[static_cast<std::size_t>(other.on)];
-    needed.force -= other.wrench.force;
-    needed.moment -= other.wrench.moment +
-                     (other.place - motion_of(state, other.on).position).cross(other.wrench.force);
+  const auto act = [&](int on, const Eigen::Vector3d& place, const Wrench& wrench) {
+    if (on == ground) return;
+    Wrench& needed = joints[static_cast<std::size_t>(on)];
+    needed.force -= wrench.force;
+    needed.moment -= wrench.moment + (place - motion_of(state, on).position).cross(wrench.force);
+  };
+  for (const Spring& spring : mechanism.springs) {
+    const Eigen::Vector3d force = force_of(spring, state);
+    act(spring.b.body, position_of(state, spring.b), {force, Eigen::Vector3d::Zero()});
+    act(spring.a.body, position_of(state, spring.a), {-force, Eigen::Vector3d::Zero()});
   }
+  for (const BodyWrench& other : others) act(other.on, other.place, other.wrench);
   // Then inwards: each joint gives also what its body's motion needs, and passes on what the joints
   // beyond take.
   for (std::size_t i = links_.size(); i-- > 0;) {
@@ -189,6 +195,18 @@ Eigen::Vector3d velocity_of(const State& state, const Attachment& at) {
 Eigen::Vector3d acceleration_of(const State& state, const Attachment& at) {
   const BodyMotion& body = motion_of(state, at.body);
   return body.acceleration + turning_at(body, body.R_WB * at.p).acceleration;
+}
+
+Eigen::Vector3d force_of(const Spring& spring, const State& state) {
+  const Eigen::Vector3d d = position_of(state, spring.b) - position_of(state, spring.a);
+  const double length = d.norm();
+  // Without a length it has no direction; nor has what it does one.
+  if (length == 0.0) return Eigen::Vector3d::Zero();
+  const double rate = d.dot(velocity_of(state, spring.b) - velocity_of(state, spring.a)) / length;
+  double tension = spring.stiffness * (length - spring.free_length) + spring.damping * rate;
+  if (spring.acts == Spring::Acts::pulling) tension = std::max(0.0, tension);
+  if (spring.acts == Spring::Acts::pushing) tension = std::min(0.0, tension);
+  return -tension / length * d;
 }
 
 Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& vector) {

@@ -104,6 +104,18 @@ Balance balance_of(const Chain& chain, const State& state) {
       balance.power += vector.dot(on.velocity + on.omega.cross(place - on.position));
     }
   }
+  for (const Spring& spring : mechanism.springs) {
+    const Vector3d a = position_of(state, spring.a), b = position_of(state, spring.b);
+    const double length = (b - a).norm();
+    const double rate =
+        (b - a).dot(velocity_of(state, spring.b) - velocity_of(state, spring.a)) / length;
+    double tension = spring.stiffness * (length - spring.free_length) + spring.damping * rate;
+    if (spring.acts == Spring::Acts::pulling && tension < 0.0) tension = 0.0;
+    if (spring.acts == Spring::Acts::pushing && tension > 0.0) tension = 0.0;
+    act(spring.a.body, a, {tension / length * (b - a), Vector3d::Zero()});
+    act(spring.b.body, b, {tension / length * (a - b), Vector3d::Zero()});
+    balance.power -= tension * rate;
+  }
   for (std::size_t i = 0; i < bodies; ++i) {
     const Body& body = mechanism.bodies[i];
     const BodyMotion& motion = state.bodies[i];
@@ -187,6 +199,20 @@ Mechanism random_loops(test::Chance& chance) {
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
     state.coordinates[i].value = driver_at(mechanism.joints[i].driver, 0.0).value;
   tree.move(state);
+  for (int i = 0; i < 3; ++i) {
+    const int a = chance.one_of(2 * chain + 1) - 1;
+    const int b = (a + 1 + chance.one_of(2 * chain - 1)) % (2 * chain);
+    if (a == b) continue;
+    const double stiffness = 50.0 + chance.any(40.0), length = 2.0 + chance.any();
+    const double damping = 5.0 + chance.any(4.0);
+    mechanism.springs.push_back({"spring",
+                                 {a, chance.vector()},
+                                 {b, chance.vector()},
+                                 stiffness,
+                                 length,
+                                 damping,
+                                 static_cast<Spring::Acts>(i)});
+  }
   for (const int first : {0, chain}) {
     constexpr int equations_of[] = {6, 5, 5, 4, 4, 3, 3, 2, 1};  // in the order of the kinds
     ClosingJoint joint;

@@ -119,6 +119,21 @@ struct LineForce {
   Driver size = PolynomialDriver{{0.0}};                 ///< over time [N/m]
 };
 
+/// A spring with a damper beside it between two places: the force stiffness (length - free_length)
+/// + damping length' draws them together.
+struct Spring {
+  /// A cable or chain only pulls, a stop or a tyre only pushes: the force is none where it would
+  /// not.
+  enum class Acts { both, pulling, pushing };
+
+  std::string name;
+  Attachment a, b;
+  double stiffness = 0.0;    ///< [N/m]
+  double free_length = 0.0;  ///< [m]
+  double damping = 0.0;      ///< [N s/m]
+  Acts acts = Acts::both;
+};
+
 /// Joint i carries body i; parents come before the bodies that they carry.
 struct Mechanism {
   std::vector<Body> bodies;
@@ -126,6 +141,7 @@ struct Mechanism {
   std::vector<ClosingJoint> closing;
   std::vector<AppliedLoad> loads;
   std::vector<LineForce> line_forces;
+  std::vector<Spring> springs;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
   Duration duration;
 };

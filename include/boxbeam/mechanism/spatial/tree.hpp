@@ -85,6 +85,9 @@ Eigen::Vector3d in_world(const State& state, int axes, const Eigen::Vector3d& ve
 /// The other way: a vector of the world in a body's axes.
 Eigen::Vector3d in_axes(const State& state, int axes, const Eigen::Vector3d& vector);
 
+/// What a spring does to its place on b, world axes [N]; to that on a the opposite.
+Eigen::Vector3d force_of(const Spring& spring, const State& state);
+
 /// How a body moves; the ground does not.
 const BodyMotion& motion_of(const State& state, int body);
 
