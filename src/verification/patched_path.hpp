@@ -15,6 +15,9 @@ struct PathWeb {
   Length place;          ///< of its mid-line, across the force
   PatchedWeb bears;      ///< far from an end, under no force yet
   bool slender = false;  ///< it may buckle in shear
+  /// How far a plate across it reaches on both sides within the flanges at both its ends; 0 where
+  /// one of these stands on one side of it alone.
+  Length beside;
 };
 
 /// The walls of a path that bear forces along z, or along y, between two flanges.
