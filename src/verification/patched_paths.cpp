@@ -7,6 +7,7 @@
 
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/strength/stiffened_plate.hpp"
+#include "boxbeam/strength/transverse_stiffener.hpp"
 #include "boxbeam/verification/slender_path.hpp"
 #include "patched_path.hpp"
 #include "plate_panels.hpp"
@@ -98,6 +99,39 @@ PathWebs webs_of_path(const PathSection& path, bool along_z, bool onto_high) {
   std::sort(found.webs.begin(), found.webs.end(),
             [](const PathWeb& a, const PathWeb& b) { return a.place > b.place; });
   return found;
+}
+
+namespace {
+
+/// Whether a diaphragm bounds panels so long: across two webs always, beside one by what of it lies
+/// within the flanges.
+bool bounds_panels(const Project& project, Length s, Length length) {
+  const auto at = std::find_if(project.beam.diaphragms.begin(), project.beam.diaphragms.end(),
+                               [&](const Diaphragm& of) { return of.s == s; });
+  const auto path = judged_path_at(project, {}, {s, Side::both});
+  if (at == project.beam.diaphragms.end() || !path) return true;
+  for (const bool along_z : {true, false}) {
+    const std::vector<PathWeb> webs = webs_of_path(*path, along_z, true).webs;
+    if (webs.size() != 1) continue;
+    const PathWeb& web = webs.front();
+    const bool both = web.beside > Length{};
+    const Length width = (both ? web.beside : web.bears.flange_inside) - 0.5 * at->opening;
+    const SecondMoment there =
+        stiffener_inertia(web.bears.thickness, std::max(Length{}, width), at->thickness, both);
+    if (there < rigid_stiffener_inertia(web.bears.depth, web.bears.thickness, length)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Length> path_panel_length_at(const Project& project, const Station& station) {
+  const auto length = panel_length_at(project.beam, station);
+  const Supports of = supports_around(project.beam, station);
+  if (!length || !of.before || !of.behind) return length;
+  const bool bounded =
+      bounds_panels(project, *of.before, *length) && bounds_panels(project, *of.behind, *length);
+  return bounded ? length : std::nullopt;
 }
 
 Length place_of(const Patch& patch) {
@@ -202,7 +236,9 @@ std::vector<Borne> PatchSearch::path_ways_at(const Patch& patch, const Station& 
       ways.push_back(borne);
       continue;
     }
-    for (const PatchedWeb& way : in_every_way(web_under(web.bears, patch, station), patch)) {
+    PatchedWeb under = web_under(web.bears, patch, station);
+    under.length = path_panel_length_at(*project_, station);
+    for (const PatchedWeb& way : in_every_way(under, patch)) {
       bear_by_effective_widths(way, basis);
       ways.push_back(borne);
     }

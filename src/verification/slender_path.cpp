@@ -11,6 +11,7 @@
 #include "boxbeam/project/plate_material.hpp"
 #include "boxbeam/strength/shear_buckling.hpp"
 #include "boxbeam/verification/judged_section.hpp"
+#include "patched_path.hpp"
 #include "plate_panels.hpp"
 #include "worst_instant.hpp"
 
@@ -343,7 +344,7 @@ std::shared_ptr<const SlenderPath> slender_path_at(const Project& project,
   const Section section = judged_section_at(project, station);
   return std::make_shared<SlenderPath>(slender_path_of(
       *path_in(section), *judged_path_at(project, zones, station), taper_at(project.beam, station),
-      panel_length_at(project.beam, station), project.strength.gamma_M1, ends));
+      path_panel_length_at(project, station), project.strength.gamma_M1, ends));
 }
 
 Utilisations path_uses_of(const Project& project, const SlenderPath& path,

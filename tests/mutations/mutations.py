@@ -418,4 +418,7 @@ MUTATIONS = [
     *_in("src/strength", "patch_loading.cpp",
          ("bearing-both", "strip * t + 2.0 * b_d * t_d", "strip * t + b_d * t_d",
           "EN 1993-1-5, 9.4: flats on both sides of a web", "patched_paths_test")),
+    *_in("src/strength", "transverse_stiffener.cpp",
+         ("rigid-stiffener", "0.75 * h_w * std::pow(t, 3)", "0.25 * h_w * std::pow(t, 3)",
+          "EN 1993-1-5, 9.3.3: stiffeners of long panels", "transverse_stiffener_test slender_path_test")),
 ]

@@ -345,6 +345,24 @@ TEST_CASE("of open sections it is said what is taken for granted of them, not of
   CHECK(closed.find("open sections") == std::string::npos);
 }
 
+TEST_CASE("what stands beside a web bounds its panels where it is rigid (9.3.3)", "[plates]") {
+  // Web 1200 x 6, a = 2 m: 0.75 x 1200 x 216 = 194400 mm^4 (a above sqrt(2) h_w: 1.697 m). Flats of
+  // 10 mm: (2 b + 6)^3 - 6^3 = 12/10 x 194400 or more: b = 27.8 mm.
+  const auto panel = [](double opening) {
+    const Project project = parse_project(
+        "path.toml", cantilever(section("a", girder),
+                                segment(6.0, "a") +
+                                    diaphragms({0.0, 2.0, 4.0, 6.0}, 10.0, opening) + held(6.0, 20),
+                                tip(6.0, -100.0)));
+    return at(project, 3.0)->sheared.back().panel.length;
+  };
+  // Of 197 mm on each side what the opening leaves.
+  REQUIRE(panel(0.0));
+  CHECK(panel(0.0)->value() == Approx(2.0));
+  CHECK(panel(2.0 * (197.0 - 29.0)));
+  CHECK_FALSE(panel(2.0 * (197.0 - 27.0)));
+}
+
 TEST_CASE("splitting its walls changes no verdict of a path", "[plates]") {
   const Verification whole = verified(girder_case(girder, 6.0, -100.0));
   const Verification in_two =
